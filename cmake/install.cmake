@@ -12,7 +12,7 @@ install(DIRECTORY libgvd/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPON
 
 # The libraries that this configuration builds.
 set(GVD_INSTALLED_PARTS "")
-foreach(part segment lloyd remesh)
+foreach(part segment lloyd remesh distance)
   if(TARGET gvd_${part})
     list(APPEND GVD_INSTALLED_PARTS ${part})
     install(TARGETS gvd_${part} EXPORT gvd-targets COMPONENT dev)

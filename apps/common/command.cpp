@@ -7,7 +7,6 @@
 
 #include <ostream>
 
-#include "common/options/register_options.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/outcome.hpp"
 #include "common/process.hpp"
@@ -33,7 +32,7 @@ CommandInfo guard(CommandInfo info) {
 }  // namespace
 
 Command::Command(CommandInfo info) : info_(guard(std::move(info))), line_(info_.description, info_.name) {
-  rules_ = register_options(line_, options_, info_.formats.extensions);
+  rules_ = info_.register_shared(line_, options_, info_.formats.extensions);
   line_.footer(help_footer(info_.examples));
 }
 

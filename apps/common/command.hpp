@@ -8,6 +8,7 @@
 #include "common/options/check_options.hpp"
 #include "common/options/command_line.hpp"
 #include "common/options/options.hpp"
+#include "common/options/register_options.hpp"
 #include "common/run.hpp"
 
 namespace gvd::app {
@@ -17,6 +18,7 @@ struct CommandInfo {
   std::string description;  ///< one sentence
   std::string examples;     ///< for --help: one call a line
   OutputFormats formats;    ///< `-o -` writes the first one unless --output-format names another
+  decltype(&register_options) register_shared = register_options;
 };
 
 /// A command: the shared options, its own options, and the way from main() to an exit code.

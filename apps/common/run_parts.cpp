@@ -58,14 +58,15 @@ void check_formats(const OutputOptions& output, const Mesh& mesh) {
   }
 }
 
-void note_changes(Run& run, const ResolvedGenerators& resolved, double diagonal) {
+void note_changes(Run& run, const GeneratorOptions& list, const ResolvedGenerators& resolved, double diagonal) {
   Console& console = run.console();
+  const std::string& points = list.names.points;
   if (!run.options().generators.max_snap) note_far_entry(run, resolved, diagonal);
   if (resolved.longest_snap) {
-    console.note(fmt::format("generators: moved to the surface, by at most {:.4g}", *resolved.longest_snap));
+    console.note(fmt::format("{}: moved to the surface, by at most {:.4g}", points, *resolved.longest_snap));
   }
   if (resolved.merged == 0) return;
-  console.note(fmt::format("generators: {}",
+  console.note(fmt::format("{}: {}", points,
                            counted(resolved.merged, "is merged with an earlier one", "are merged with earlier ones")));
 }
 
@@ -75,19 +76,15 @@ GeneratorList read_list(const GeneratorOptions& options) {
     return parse_generators(content, options.format.value_or(detect_generator_format(content)), kStandardInput);
   }
   if (!options.vertices) return read_generators(options.file, options.format);
-  GeneratorList list{"--vertices", {}};
+  GeneratorList list{options.names.vertices, {}};
   for (const std::int64_t vertex : *options.vertices) {
     list.entries.push_back({GeneratorEntry::Kind::vertex, vertex, {}, 0});
   }
   return list;
 }
 
-ResolvedGenerators resolve(const CheckedMesh& input, const GeneratorOptions& asked, const Progress& progress) {
-  ResolveOptions options;
+ResolvedGenerators resolve(const CheckedMesh& input, const GeneratorOptions& asked, ResolveOptions options) {
   options.input_vertices = &input.mesh_vertex;
-  options.max_snap = asked.max_snap;
-  options.merge_coincident = asked.merge_coincident;
-  options.progress = progress;
   return resolve_generators(input.mesh, read_list(asked), options);
 }
 
@@ -241,8 +238,10 @@ SamplingOptions make_sampling_options(Run& run) {
 std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input) {
   const GeneratorOptions& asked = run.options().generators;
   ResolvedGenerators found = run.timed("generators", [&] {
-    ResolvedGenerators chosen = asked.are_listed() ? resolve(input, asked, run.progress()) : sample(run, input.mesh);
-    note_changes(run, chosen, input.mesh.bbox_diagonal());
+    const ResolveOptions resolving{
+        .max_snap = asked.max_snap, .merge_coincident = asked.merge_coincident, .progress = run.progress()};
+    ResolvedGenerators chosen = asked.are_listed() ? resolve(input, asked, resolving) : sample(run, input.mesh);
+    note_changes(run, asked, chosen, input.mesh.bbox_diagonal());
     return chosen;
   });
   for (std::size_t i = 0; i < found.points.size(); ++i) {
@@ -251,6 +250,18 @@ std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input) {
   }
   run.console().detail(counted(std::ssize(found.points), "generator", "generators"));
   return std::move(found.points);
+}
+
+std::vector<SurfacePoint> load_targets(Run& run, const CheckedMesh& input) {
+  const GeneratorOptions& asked = run.options().targets;
+  if (!asked.are_listed()) return {};
+  return run.timed("targets", [&] {
+    ResolvedGenerators found =
+        resolve(input, asked,
+                {.max_snap = run.options().generators.max_snap, .keep_coincident = true, .progress = run.progress()});
+    note_changes(run, asked, found, input.mesh.bbox_diagonal());
+    return std::move(found.points);
+  });
 }
 
 Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
@@ -282,7 +293,8 @@ void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::
   const bool has_own =
       std::any_of(output.own.begin(), output.own.end(), [](const auto& own) { return !own.second.empty(); });
   if (output.files.empty() && output.report.empty() && output.diagram.empty() && output.view.empty() && !has_own) {
-    run.console().note("no file was written; name one with -o, --report, --diagram or --view");
+    run.console().note(fmt::format("no file was written; name one with -o, --report{} or --view",
+                                   run.options().has_diagram ? ", --diagram" : ""));
   }
   if (output.files.empty()) return;
   run.timed("write", [&] {
@@ -317,6 +329,10 @@ void write_view_file(Run& run, const std::string& title, const std::function<std
 
 void finish_run(Run& run, const Mesh& mesh, const Diagram& diagram) {
   if (run.options().compute.verify) verify(run, mesh, diagram);
+  write_report(run);
+}
+
+void write_report(Run& run) {
   const std::string& path = run.options().output.report;
   if (path.empty()) return;
   check_interrupt();

@@ -16,7 +16,7 @@
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 
-// The parts that the runs of the three commands share, in their order. Each part times its steps, notes what users
+// The parts that the runs of the commands share, in their order. Each part times its steps, notes what users
 // should know, and fills in its members of the report.
 namespace gvd::app {
 
@@ -39,6 +39,9 @@ std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input);
 
 /// The library's options for sampled generators.
 SamplingOptions make_sampling_options(Run& run);
+
+/// The points of --to, in their order, coincident ones too; none without it. Throws what make_generators throws.
+std::vector<SurfacePoint> load_targets(Run& run, const CheckedMesh& input);
 
 /// Computes the diagram by the method of the options, and reports it. Throws what compute_diagram throws.
 Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators);
@@ -67,5 +70,8 @@ void write_view_file(Run& run, const std::string& title, const std::function<std
 /// Ends a run: with `--verify` measures the error of the diagram against exact distances, notes and reports it; then
 /// writes `--report`.
 void finish_run(Run& run, const Mesh& mesh, const Diagram& diagram);
+
+/// Ends a run without a diagram: writes `--report`.
+void write_report(Run& run);
 
 }  // namespace gvd::app

@@ -15,6 +15,8 @@ export const kThemes = {
   light: {
     page: '#f3f4f2',
     line: '#20262e',
+    isoline: '#ffffff',
+    path: '#e8112d',
     wire: '#20262e',
     light_wire: '#ffffff',
     overlay: '#5b6470',
@@ -25,6 +27,8 @@ export const kThemes = {
   dark: {
     page: '#15181c',
     line: '#f4f2ea',
+    isoline: '#ffffff',
+    path: '#ff4b5c',
     wire: '#0b0d10',
     light_wire: '#ffffff',
     overlay: '#c3ccd6',

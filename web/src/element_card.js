@@ -35,11 +35,15 @@ function format_distance(distance, { reference }) {
   return `${round((100 * distance) / reference)}\u00a0% (${round(distance)})`;
 }
 
-function face_rows({ surface, distance }, { face, bary }) {
-  const { positions, faces } = surface, rows = [];
+function face_rows({ surface, distance, scale }, { face, bary }) {
+  const { positions, faces, distances } = surface, rows = [];
   if (distance) {
     rows.push(['Distance here', format_distance(distance.at(face, bary), distance)]);
     rows.push(['Largest in face', format_distance(distance.largest(face), distance)]);
+  }
+  if (distances.length) {
+    const at = bary.reduce((sum, b, i) => sum + b * distances[faces[3 * face + i]], 0);
+    rows.push(['Distance, linear', Number.isFinite(at) ? format_number(Number((at * scale).toPrecision(5))) : 'inf']);
   }
   rows.push(['Quality Q', face_quality(positions, faces, face).toFixed(3)]);
   rows.push(['Smallest angle', `${face_angle(positions, faces, face).toFixed(1)}°`]);
@@ -50,6 +54,8 @@ function face_rows({ surface, distance }, { face, bary }) {
 function vertex_rows({ surface, distance, generators, given }, { vertex }, scale) {
   const rows = [], { edges, boundary } = count_edges(surface.faces, vertex);
   if (distance) rows.push(['Distance', format_distance(distance.vertices[vertex], distance)]);
+  const exact = surface.distances[vertex];
+  if (exact !== undefined) rows.push(['Exact distance', Number.isFinite(exact) ? format_number(Number((exact * scale).toPrecision(6))) : 'inf']);
   rows.push(['Valence', boundary ? `${edges}, on the boundary` : String(edges)]);
   if (!generators.length) return rows;
   rows.push(['Generator', vertex < given ? String(vertex) : `${vertex}, added`]);

@@ -29,6 +29,8 @@ const kColourings = [
 const kToggles = [
   ['lines', 'Lines of equal distance'],
   ['bisectors', 'Bisectors'],
+  ['isolines', 'Isolines'],
+  ['paths', 'Paths'],
   ['generators', 'Generators'],
   ['added_generators', 'Added generators'],
   ['branch_points', 'Branch points'],
@@ -37,8 +39,8 @@ const kToggles = [
   ['overlay', 'Other surface'],  // the scene names it
 ];
 // What a scene is coloured by where it does not offer what was chosen, the first that it offers.
-const kUsual = ['regions', 'surface_distance', 'plain'];
-const kMarks = ['bisectors', 'generators', 'added_generators', 'branch_points'];
+const kUsual = ['regions', 'surface_distance', 'distance', 'plain'];
+const kMarks = ['bisectors', 'isolines', 'paths', 'generators', 'added_generators', 'branch_points'];
 const dark_scheme = matchMedia('(prefers-color-scheme: dark)');
 
 // The positions of all scenes, three coordinates each; scenes with the same mesh count once.
@@ -109,18 +111,31 @@ class Viewer {
     panel.by_id('reset').addEventListener('click', () => this.reset());
   }
 
-  // A click or tap pins the region under it, a second one frees it. Where there are no regions, a tap shows the face.
+  // A click or tap pins the region under it, a second one frees it. Where there are no regions, a tap shows the face, and
+  // a click the shortest path from there, if the page has paths.
   release(event) {
     const start = this.pressed;
     this.pressed = null;
     const moved = !start || Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) >= 6;
     const regions = this.picture.offers('regions');
     if (event.pointerType !== 'mouse') this.point_at(regions || moved ? null : event);
-    if (moved || event.button !== 0 || !regions) return;
+    if (moved || event.button !== 0) return;
+    if (this.picture.vertex_paths) this.show_path({ x: event.offsetX, y: event.offsetY });
+    if (!regions) return;
     this.id_map.update(this.picture.mesh);
     const hit = this.id_map.at(event.offsetX, event.offsetY);
     const label = hit && hit.code - kFirstLabel;
     this.pin(label === null || label < 0 || label === this.pinned ? null : label);
+  }
+
+  show_path(pointer) {
+    const { mesh, surface } = this.picture;
+    this.id_map.update(mesh, surface.triangles.parents);
+    const hit = this.id_map.at(pointer.x, pointer.y);
+    this.pin(null);
+    if (!hit) return;
+    const { face, bary } = locate(this.stage, surface, hit.code, pointer);
+    panel.show_card('pinned', this.picture.show_path(face, bary));
   }
 
   choose(i) {
@@ -156,18 +171,22 @@ class Viewer {
       count.textContent = picture.count(key);
     }
     for (const [key, option] of Object.entries(this.colours)) option.hidden = option.disabled = !picture.offers(key);
+    this.inputs.generators.text.textContent = picture.vertex_paths ? 'Sources' : 'Generators';
     if (picture.entry.overlay) this.inputs.overlay.text.textContent = picture.entry.overlay.name;
     this.colour = [this.wanted, ...kUsual].find((key) => picture.offers(key));
     panel.by_id('colour').value = this.colour;
     picture.apply(on, this.colour);
-    document.querySelector('#hint span').hidden = !picture.offers('regions');
+    const hint = document.querySelector('#hint span');
+    hint.textContent = picture.vertex_paths ? ', click a point for its shortest path' : ', click to pin a region';
+    hint.hidden = !picture.offers('regions') && !picture.vertex_paths;
     this.set_wire_colour();
     show_legend(this.legend_title(), picture.range(this.colour), picture.exceeds(this.colour));
     this.table.show(picture.offers('regions') ? picture.entry.cells : [], (label) => this.css_colour(label));
-    this.pin(this.pinned);
+    if (!picture.path) this.pin(this.pinned);
   }
 
   legend_title() {
+    if (this.colour === 'distance' && this.picture.vertex_paths) return 'Distance from the nearest source';
     if (this.colour === 'surface_distance') return `Distance from ${this.picture.distance.other}, % of the diagonal`;
     return kColourings.find(([key]) => key === this.colour)[2];
   }
@@ -178,6 +197,7 @@ class Viewer {
 
   pin(label) {
     this.pinned = label;
+    this.picture.clear_path();
     this.materials.outside.uniforms.pinned.value = label === null ? -1 : label + kFirstLabel;
     panel.show_region('pinned', label === null ? null : this.describe({ code: label + kFirstLabel, distance: null }));
     this.table.mark(label);
@@ -275,6 +295,8 @@ class Viewer {
     const theme = kThemes[dark_scheme.matches ? 'dark' : 'light'];
     this.stage.renderer.setClearColor(theme.page);
     this.materials.line.color.set(theme.line);
+    this.materials.isoline.color.set(theme.isoline);
+    this.materials.path.color.set(theme.path);
     this.set_wire_colour();
     this.materials.overlay.uniforms.colour.value.set(theme.overlay);
     const dots = { generator: theme.generator, added_generator: theme.added_generator, branch_point: theme.branch_point };

@@ -9,11 +9,14 @@ import { make_dot_material, make_line_material, make_wire_material } from './mat
 const kBisectors = { least: 0.6, most: 2.4, share: 0.06 };
 const kGenerators = { least: 3, most: 14, share: 0.3 };
 const kBranchPoints = { least: 2.5, most: 10, share: 0.22 };
+const kIsolines = 1.2, kPaths = 3;
 const kLargestDot = 0.036;  // of half the diagonal of the picture's box
 
 export function make_mark_materials() {
   return {
     line: make_line_material(kBisectors.most),
+    isoline: make_line_material(kIsolines),
+    path: make_line_material(kPaths),
     wire: make_wire_material(),
     generator: make_dot_material(kGenerators.least, kGenerators.most),
     added_generator: make_dot_material(kGenerators.least, kGenerators.most),
@@ -53,10 +56,16 @@ export function line_segments(points, counts, step) {
   return new Float32Array(ends);
 }
 
-export function make_bisectors(scene, material, step = 0) {
-  if (!scene.bisectors) return null;
-  const ends = line_segments(read_array(scene.bisectors.points), read_array(scene.bisectors.counts), step);
+// The polylines {points, counts}, which are arrays. Null where there is nothing to draw.
+export function make_lines({ points, counts }, material, step = 0) {
+  const ends = line_segments(points, counts, step);
   return ends.length ? new LineSegments2(new LineSegmentsGeometry().setPositions(ends), material) : null;
+}
+
+// The polylines that a manifest entry refers to.
+export function read_lines(reference, material, step = 0) {
+  const read = (name) => read_array(reference?.[name]);
+  return make_lines({ points: read('points'), counts: read('counts') }, material, step);
 }
 
 export function make_dots(reference, material) {

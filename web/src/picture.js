@@ -3,12 +3,13 @@ import { Group, Mesh } from 'three';
 import { make_coarse } from './coarse.js';
 import { fill_texture, kUnreachedFill, lattice_texture, read_fills } from './colours.js';
 import { read_array } from './data.js';
-import { dot_sizes, make_bisectors, make_dots, make_wireframe } from './marks.js';
+import { dot_sizes, make_dots, make_wireframe, read_lines } from './marks.js';
 import { kSources } from './materials.js';
 import { make_overlay } from './overlay.js';
 import { ramp } from './ramp.js';
 import { add_distances, make_geometry, make_surface, set_face_values } from './surface.js';
 import { SurfaceDistance } from './surface_distance.js';
+import { VertexPaths } from './vertex_paths.js';
 import { face_angle, face_quality, face_values, position_in, triangles_area, value_range } from './values.js';
 
 const kManyTriangles = 300000;  // with more, fewer are drawn while the surface turns
@@ -33,6 +34,7 @@ export class Picture {
     this.scale = scale;
     this.surface = make_surface(entry);
     this.distance = entry.surface_distance && new SurfaceDistance(entry.surface_distance, scale, this.surface.faces);
+    this.vertex_paths = entry.vertex_paths && new VertexPaths(entry, this.surface, scale);
     this.generators = read_array(entry.vertex_generators);
     this.given = (entry.generators?.count ?? 0) / 3;
     this.fills = read_fills(entry);
@@ -61,7 +63,9 @@ export class Picture {
   make_marks() {
     const { entry, materials } = this;
     this.marks = {
-      bisectors: make_bisectors(entry, materials.line),
+      bisectors: read_lines(entry.bisectors, materials.line),
+      isolines: read_lines(entry.isolines, materials.isoline),
+      paths: read_lines(entry.paths, materials.path),
       generators: make_dots(entry.generators, materials.generator),
       added_generators: make_dots(entry.added_generators, materials.added_generator),
       branch_points: make_dots(entry.branch_points, materials.branch_point),
@@ -139,8 +143,23 @@ export class Picture {
   }
 
   add_coarse_bisectors() {
-    this.coarse_bisectors = make_bisectors(this.entry, this.materials.line, kCoarseStep);
+    this.coarse_bisectors = read_lines(this.entry.bisectors, this.materials.line, kCoarseStep);
     if (this.coarse_bisectors) this.group.add(this.coarse_bisectors);
+  }
+
+  // Draws the stored path nearest to a point of a face, in place of the last one. Returns the card about it.
+  show_path(face, bary) {
+    this.clear_path();
+    const { line, card } = this.vertex_paths.from(face, bary, this.materials.path);
+    if ((this.path = line)) this.group.add(line);
+    return card;
+  }
+
+  clear_path() {
+    if (!this.path) return;
+    this.group.remove(this.path);
+    this.path.geometry.dispose();
+    this.path = null;
   }
 
   // Whether everything is drawn, or fewer triangles and segments where the surface has many.

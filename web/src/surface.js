@@ -89,7 +89,7 @@ function add_pieces(triangles, mesh, pieces) {
   }
 }
 
-// The surface of a scene: {triangles, positions, faces, largest_distance, labelled}.
+// The surface of a scene: {triangles, positions, faces, largest_distance, distances, labelled}.
 export function make_surface(scene) {
   const mesh = {};
   for (const name of ['positions', 'faces', 'distances']) mesh[name] = read_array(scene[name]);
@@ -109,6 +109,7 @@ export function make_surface(scene) {
     positions: mesh.positions,
     faces: mesh.faces,
     largest_distance: largest_finite(mesh.distances),
+    distances: mesh.distances,
     labelled: codes.length > 0,
   };
 }

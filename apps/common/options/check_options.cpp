@@ -37,8 +37,12 @@ std::string describe_stray(const std::string& word, bool follows, const Options&
   if (fs::is_directory(word, ignored)) return fmt::format("is a directory; did you mean --output-dir {}?", word);
   if (word == "%") return "is not a file; a percentage has no blank before %";
   if (parse_number<std::int64_t>(word)) {
-    if (options.generators.vertices) return "is not a file; --vertices takes commas without blanks, as in 3,17,99";
-    if (!options.generators.count) return fmt::format("is not a file; did you mean -n {}?", word);
+    if (options.generators.vertices) {
+      return fmt::format("is not a file; {} takes commas without blanks, as in 3,17,99",
+                         options.generators.names.vertices);
+    }
+    if (options.has_diagram && !options.generators.count)
+      return fmt::format("is not a file; did you mean -n {}?", word);
   }
   return follows && contains(formats.extensions, file_extension(word))
              ? fmt::format("is not a file; did you mean -o {}?", word)
@@ -73,20 +77,26 @@ void check_commands(const std::string& path) {
 /// Several inputs need a folder for their outputs, in which standard input has no name.
 void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
-  const bool has_list_piped = options.generators.file == "-", into_folder = !options.output.folder.empty();
+  std::vector<std::string> piped;  // what is standard input
+  if (options.input.path == "-") piped.emplace_back("INPUT");
+  for (const GeneratorOptions* list : {&options.generators, &options.targets}) {
+    if (list->file == "-") piped.push_back(list->names.file);
+  }
+  const bool into_folder = !options.output.folder.empty();
   check_commands(options.input.path);
   if (options.input.path == "-" && !options.input.format) {
     refuse("standard input has no extension: name its format with --input-format obj, ply, off or stl");
   }
-  if (options.input.path == "-" && has_list_piped) {
-    refuse("INPUT and --generators are both standard input, which holds one of them: name a file for the other");
+  if (piped.size() > 1) {
+    refuse(fmt::format("{} and {} are both standard input, which holds one of them: name a file for the other",
+                       piped[0], piped[1]));
   }
   if (!into_folder && paths.size() > 1) refuse_several(options, formats);
   if (into_folder && contains(paths, "-")) {
     refuse("--output-dir: standard input has no name for its outputs; write them with -o");
   }
-  if (into_folder && has_list_piped && paths.size() > 1) {
-    refuse("--generators -: standard input can be read for one input only; name a file");
+  if (into_folder && !piped.empty() && paths.size() > 1) {
+    refuse(fmt::format("{} -: standard input can be read for one input only; name a file", piped[0]));
   }
 }
 
@@ -133,7 +143,7 @@ void check_not_read(const std::string& option, const std::string& path, const Op
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return;
   std::vector<std::string> all = options.input.paths;
-  all.insert(all.end(), {options.generators.file, options.config});
+  all.insert(all.end(), {options.generators.file, options.targets.file, options.config});
   for (const std::string& read : all) {
     if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
     refuse(fmt::format("{} {}: the run reads this file; name another one", option, path));
@@ -146,7 +156,8 @@ void check_standard_output(const OutputOptions& output) {
     refuse_target("-o", "-", "standard output is closed; redirect it to a file or a pipe");
   }
   const std::string format = format_of(output, "-");
-  const bool is_binary = (format == "ply" && !output.ascii_ply) || format == "stl" || format == "glb";
+  const bool is_binary =
+      (format == "ply" && !output.ascii_ply) || format == "stl" || format == "glb" || format == "npy";
   if (is_binary && ::isatty(STDOUT_FILENO) == 1) {
     refuse(
         fmt::format("-o -: .{0} is binary, and standard output is a terminal; redirect it, as in > a.{0}, or choose "

@@ -33,22 +33,28 @@ void add_generators(Json& json, const GeneratorOptions& generators) {
   json["merge_coincident"] = generators.merge_coincident;
 }
 
-void add_compute(Json& json, const ComputeOptions& compute) {
+/// A list as the command line gives it: the file, or vertices.
+Json list_of(const GeneratorOptions& list) { return list.vertices ? Json(*list.vertices) : or_null(list.file); }
+
+void add_lists(Json& json, const Options& options) {
+  json["from"] = list_of(options.generators);
+  json["to"] = list_of(options.targets);
+  json["max_snap"] = or_null(options.generators.max_snap);
+  json["merge_coincident"] = options.generators.merge_coincident;
+}
+
+void add_method(Json& json, const ComputeOptions& compute) {
   const DiagramOptions diagram = make_diagram_options(compute);
   const bool exact = compute.method == Method::exact;
   json["method"] = name_in(kMethods, compute.method);
   json["chord_tolerance"] = exact ? Json(diagram.chord_tolerance) : Json();
   json["front"] = exact ? Json() : Json(name_in(kFronts, diagram.chosen_front()));
-  json["threads"] = compute.threads;
   json["verify"] = compute.verify;
-  json["max_memory"] = or_null(compute.max_memory);
 }
 
 void add_output(Json& json, const OutputOptions& output) {
   json["output"] = output.files;
-  json["no_curves"] = output.no_curves;
   json["ascii_ply"] = output.ascii_ply;
-  json["diagram"] = or_null(output.diagram);
   json["view"] = or_null(output.view);
   json["up"] = output.up ? Json(to_text(*output.up)) : Json();
   json["report"] = or_null(output.report);
@@ -82,8 +88,16 @@ Json to_json(const Options& options) {
   json["input"] = options.input.path;
   json["input_format"] = options.input.format ? Json(name_in(kMeshFormats, *options.input.format)) : Json();
   json["on_defect"] = name_in(kDefectPolicies, options.input.on_defect);
-  add_generators(json, options.generators);
-  add_compute(json, options.compute);
+  if (options.has_diagram) {
+    add_generators(json, options.generators);
+    add_method(json, options.compute);
+    json["no_curves"] = options.output.no_curves;
+    json["diagram"] = or_null(options.output.diagram);
+  } else {
+    add_lists(json, options);
+  }
+  json["threads"] = options.compute.threads;
+  json["max_memory"] = or_null(options.compute.max_memory);
   add_output(json, options.output);
   return json;
 }

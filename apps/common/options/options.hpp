@@ -31,8 +31,15 @@ struct ErrorBound {
   bool in_diagonals = false;  ///< a fraction of the bounding box's diagonal, not mesh units
 };
 
+/// What the command line calls a list of points, for messages.
+struct ListNames {
+  std::string file = "--generators", vertices = "--vertices";  ///< the options that name it
+  std::string points = "generators";
+};
+
 /// Where the generators come from: exactly one of count, file, vertices, radius, target_edge and error is set.
 struct GeneratorOptions {
+  ListNames names;
   std::optional<std::int32_t> count;       ///< >= 1
   Sampling sampling = Sampling::farthest;  ///< of `count` ones
   std::uint64_t seed = 0;
@@ -71,10 +78,12 @@ struct OutputOptions {
   std::map<std::string, std::string> own;  ///< further files of the command, by the option, empty where not given
 };
 
-/// The options that the three commands share. A command keeps its own beside these.
+/// The options that the commands share. A command keeps its own beside these.
 struct Options {
   InputOptions input;
   GeneratorOptions generators;
+  GeneratorOptions targets;  ///< a list of points that distances are asked for
+  bool has_diagram = true;   ///< otherwise the options that build, sample and write a diagram are not there
   ComputeOptions compute;
   OutputOptions output;
   std::string config;  ///< the file of options; empty: none

@@ -89,8 +89,38 @@ void register_lists(CLI::App& app, GeneratorOptions& generators) {
       ->excludes("--count", "--radius");
 }
 
-void register_compute(CLI::App& app, ComputeOptions& compute) {
-  app.option_defaults()->group("Computing");
+/// Stores "3,17" as vertices, anything else as the name of a file.
+void add_list(CLI::App& app, GeneratorOptions& list, const std::string& name, const std::string& description) {
+  list.names = {name, name, name};
+  const auto store = [&list](const std::string& text) -> std::string {
+    const bool is_file = text.find_first_not_of("0123456789, ") != text.npos;
+    if (text.empty()) return "the list is empty; write vertices, as in 3,17,99, or name a file";
+    if (!list.file.empty() || (is_file && list.vertices)) {
+      return fmt::format("'{}': give vertices or one file", printable(text));
+    }
+    if (!is_file && !list.vertices) list.vertices.emplace();
+    if (!is_file) return append_vertices(text, *list.vertices);
+    list.file = text;
+    return "";
+  };
+  add_parsed(app, name, "LIST", store, description)->expected(1, CLI::detail::expected_max_vector_size);
+}
+
+void register_points(CLI::App& app, Options& options) {
+  GeneratorOptions& sources = options.generators;
+  add_list(
+      app, sources, "--from",
+      "The points to measure from: vertices of the input file, counted from 0, as in 3,17,99, or a file that lists "
+      "points (text, .csv or .json), or - for standard input");
+  app.get_option("--from")->required();
+  add_list(app, options.targets, "--to", "The points to measure to, as --from gives them (default: all vertices)");
+  add_number(app, "--max-snap", sources.max_snap, kNotNegative,
+             "Refuse a point of a list that is farther than this from the surface, in mesh units");
+  add_flag(app, "--merge-coincident", sources.merge_coincident,
+           "Merge points of --from that are in the same place instead of refusing them");
+}
+
+void register_method(CLI::App& app, ComputeOptions& compute) {
   add_choice(app, "--method", compute.method, kMethods,
              "How to build the diagram: from exact distances (default), by growth with fast marching, or by the "
              "paper's steps as written");
@@ -101,10 +131,16 @@ void register_compute(CLI::App& app, ComputeOptions& compute) {
   add_choice(app, "--front", compute.front, kFronts,
              "Shape of the front in fast marching: planar (default with --method paper) or circle (default with "
              "--method gbgvd)");
+}
+
+void register_resources(CLI::App& app, ComputeOptions& compute) {
   add_number(app, "--threads", compute.threads, kThreads,
              "Number of threads (default: all cores); it does not change the result");
   const auto store = [&compute](const std::string& text) { return parse_size(text, compute.max_memory); };
   add_parsed(app, "--max-memory", "SIZE", store, "End the run if it needs more memory than this, as in 500M or 2G");
+}
+
+void register_verify(CLI::App& app, ComputeOptions& compute) {
   add_flag(app, "--verify", compute.verify, "After the run, measure the error of the diagram against exact distances");
 }
 
@@ -115,7 +151,6 @@ std::string check_equals_sign(const std::string& file) {
 }
 
 void register_output(CLI::App& app, OutputOptions& output, const Formats& formats) {
-  app.option_defaults()->group("Output");
   app.add_option(
          "-o,--output", output.files,
          fmt::format("File to write (.{}), or - for standard output; may be repeated", fmt::join(formats, ", .")))
@@ -138,13 +173,9 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
       ->check([formats](const std::string& format) {
         return contains(formats, format) ? "" : describe_unknown(format, formats);
       });
-  add_flag(app, "--no-curves", output.no_curves, "Leave the bisectors out of .obj, .vtp and .glb");
   add_flag(app, "--ascii-ply", output.ascii_ply,
            "Write .ply as text instead of binary; meshio reads face labels only from text");
   add_file(app, "--report", output.report, "Write a report of the run (JSON)", "FILE.json")
-      ->check(with_extension({"json"}))
-      ->excludes("--output-dir");
-  add_file(app, "--diagram", output.diagram, "Write the diagram (JSON)", "FILE.json")
       ->check(with_extension({"json"}))
       ->excludes("--output-dir");
   add_file(app, "--view", output.view, "Write an interactive page of the result (HTML)", "FILE.html")
@@ -157,6 +188,13 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
   add_choice(app, "--up", output.up, axes, "Axis that points up on the page (default: y)")->needs("--view");
 }
 
+void register_diagram_output(CLI::App& app, OutputOptions& output) {
+  add_flag(app, "--no-curves", output.no_curves, "Leave the bisectors out of .obj, .vtp and .glb");
+  add_file(app, "--diagram", output.diagram, "Write the diagram (JSON)", "FILE.json")
+      ->check(with_extension({"json"}))
+      ->excludes("--output-dir");
+}
+
 /// Why an option for some formats does nothing, unless a file or standard output gets one of them.
 std::string why_unused(const OutputOptions& output, const Formats& wanted, const std::string& reason) {
   for (const std::string& format : written_formats(output)) {
@@ -166,7 +204,7 @@ std::string why_unused(const OutputOptions& output, const Formats& wanted, const
   return fmt::format(fmt::runtime(reason), names_formats ? "--output-format" : "-o");
 }
 
-std::vector<ValueRule> compute_rules(CLI::App& app, ComputeOptions& compute) {
+std::vector<ValueRule> method_rules(CLI::App& app, ComputeOptions& compute) {
   CLI::Option *const method = app.get_option("--method"), *const chord = app.get_option("--chord-tolerance");
   const auto clash = [&compute]() -> std::string {
     if (!compute.chord_tolerance || compute.method == Method::exact) return "";
@@ -182,24 +220,31 @@ std::vector<ValueRule> compute_rules(CLI::App& app, ComputeOptions& compute) {
           {app.get_option("--front"), {method, chord}, frontless, [&compute] { compute.front.reset(); }}};
 }
 
+std::vector<CLI::Option*> find_targets(CLI::App& app) {
+  return {app.get_option("--output"), app.get_option("--output-dir"), app.get_option("--output-format")};
+}
+
+ValueRule curves_rule(CLI::App& app, OutputOptions& output) {
+  const auto no_curves = [&output] {
+    return why_unused(output, {"obj", "vtp", "glb"},
+                      "--no-curves: only .obj, .vtp and .glb hold curves; write one of them with {} or leave "
+                      "--no-curves out");
+  };
+  return {app.get_option("--no-curves"), find_targets(app), no_curves, [&output] { output.no_curves = false; }};
+}
+
 std::vector<ValueRule> output_rules(CLI::App& app, OutputOptions& output) {
   const auto at = [&app](const char* name) { return app.get_option(name); };
   const auto no_format = [&output]() -> std::string {
     if (!output.folder.empty() || contains(output.files, "-")) return "";
     return "--output-format does nothing here: add -o - or --output-dir, or leave --output-format out";
   };
-  const auto no_curves = [&output] {
-    return why_unused(output, {"obj", "vtp", "glb"},
-                      "--no-curves: only .obj, .vtp and .glb hold curves; write one of them with {} or leave "
-                      "--no-curves out");
-  };
   const auto no_ply = [&output] {
     return why_unused(output, {"ply"}, "--ascii-ply: no .ply is written; write one with {} or leave --ascii-ply out");
   };
-  const std::vector<CLI::Option*> targets{at("--output"), at("--output-dir"), at("--output-format")};
+  const std::vector<CLI::Option*> targets = find_targets(app);
   const auto reset_formats = [&output, formats = output.formats] { output.formats = formats; };
   return {{at("--output-format"), {targets[0], targets[1]}, no_format, reset_formats},
-          {at("--no-curves"), targets, no_curves, [&output] { output.no_curves = false; }},
           {at("--ascii-ply"), targets, no_ply, [&output] { output.ascii_ply = false; }}};
 }
 
@@ -226,11 +271,30 @@ std::vector<ValueRule> register_options(CLI::App& app, Options& options, const F
   app.option_defaults()->group("Generators (one of -n, --generators, --vertices, --radius)");
   register_sampling(app, options.generators);
   register_lists(app, options.generators);
-  register_compute(app, options.compute);
+  app.option_defaults()->group("Computing");
+  register_method(app, options.compute);
+  register_resources(app, options.compute);
+  register_verify(app, options.compute);
+  app.option_defaults()->group("Output");
   register_output(app, options.output, formats);
-  std::vector<ValueRule> rules = compute_rules(app, options.compute), others = output_rules(app, options.output);
+  register_diagram_output(app, options.output);
+  std::vector<ValueRule> rules = method_rules(app, options.compute), others = output_rules(app, options.output);
   rules.insert(rules.end(), others.begin(), others.end());
+  rules.push_back(curves_rule(app, options.output));
   return rules;
+}
+
+std::vector<ValueRule> register_distance_options(CLI::App& app, Options& options, const Formats& formats) {
+  options.has_diagram = false;
+  app.set_help_flag();
+  register_input(app, options.input);
+  app.option_defaults()->group("Points");
+  register_points(app, options);
+  app.option_defaults()->group("Computing");
+  register_resources(app, options.compute);
+  app.option_defaults()->group("Output");
+  register_output(app, options.output, formats);
+  return output_rules(app, options.output);
 }
 
 void register_constraints(CLI::App& app, ConstraintOptions& constraints) {

@@ -8,10 +8,15 @@
 
 namespace gvd::app {
 
-/// Adds the options that the three commands share. Parsing fills `options`, which must outlive `app`.
+/// Adds the options that the commands with diagrams share. Parsing fills `options`, which must outlive `app`.
 /// `formats`: the extensions that `-o` takes, without their dots; the first one is that of standard output. Returns
 /// the rules for their values.
 std::vector<ValueRule> register_options(CLI::App& app, Options& options, const std::vector<std::string>& formats);
+
+/// Adds the shared options of a command that measures distances between the points of lists: --from and --to in place
+/// of generators, without those of diagrams. The rest as above.
+std::vector<ValueRule> register_distance_options(CLI::App& app, Options& options,
+                                                 const std::vector<std::string>& formats);
 
 /// Adds the options that constrain and weigh a relaxation.
 void register_constraints(CLI::App& app, ConstraintOptions& constraints);

@@ -52,9 +52,10 @@ struct ResolveOptions {
   /// The vertex of the mesh for each vertex of the input file, invalid where there is none. Null: the vertices of the
   /// list are those of the mesh.
   const std::vector<VertexId>* input_vertices = nullptr;
-  std::optional<double> max_snap;  ///< largest snap distance allowed, mesh units
+  std::optional<double> max_snap = {};  ///< largest snap distance allowed, mesh units
   bool merge_coincident = false;
-  Progress progress;
+  bool keep_coincident = false;  ///< keep every entry, in the same place as another or not
+  Progress progress = {};
 };
 
 struct ResolvedGenerators {
@@ -72,7 +73,7 @@ struct ResolvedGenerators {
 /// - an index is out of range, or a vertex of the file is in no face;
 /// - the coordinates are no point of a triangle;
 /// - a snap is longer than `max_snap`;
-/// - two entries coincide and `merge_coincident` is not set.
+/// - two entries coincide, and neither `merge_coincident` nor `keep_coincident` is set.
 /// Cost: O(n log n) for n entries and, where there are positions, for the faces.
 ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options = {});
 

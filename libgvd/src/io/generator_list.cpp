@@ -203,7 +203,7 @@ class Resolver {
       result_.snap_distance.emplace_back();
       result_.points.push_back(resolve(entry));
     }
-    merge_coincident();
+    if (!options_.keep_coincident) merge_coincident();
     return std::move(result_);
   }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "gvd/mesh.hpp"
 #include "gvd/mesh_property.hpp"
 #include "gvd/progress.hpp"
+#include "gvd/vec.hpp"
 
 namespace gvd {
 
@@ -28,6 +30,13 @@ OutputFormat output_format(const std::filesystem::path& path);
 /// it before long work. A result with the same bounding box fits as well. Cost: O(n).
 void check_format(const Mesh& mesh, OutputFormat format);
 
+/// A polyline in space to be written with a mesh.
+struct MeshCurve {
+  std::string name;              ///< of its group in OBJ, without blanks
+  std::vector<Vec3> points;      ///< two or more, mesh units; a closed one repeats its first point at its end
+  std::vector<double> distance;  ///< at each point, mesh units
+};
+
 /// A mesh and arrays over its elements; what is null is not written. `LabelledMesh{mesh}` is a plain mesh.
 /// A LabelledMesh owns nothing: everything that it points to must outlive it.
 struct LabelledMesh {
@@ -39,6 +48,7 @@ struct LabelledMesh {
   const Diagram* diagram = nullptr;                               ///< its bisectors become polylines
   /// The mesh of the diagram's surface points. Null: `mesh` itself. Set where `mesh` was cut along the bisectors.
   const Mesh* diagram_mesh = nullptr;
+  const std::vector<MeshCurve>* curves = nullptr;  ///< for OBJ, VTP and GLB, behind the bisectors
   /// Further properties of vertices and faces, for PLY only; a value for each element. Null: none.
   const std::vector<MeshProperty>* properties = nullptr;
   /// Texture coordinates of the corners of the faces, three for each face, for PLY (a list `texcoord`) and OBJ (`vt`).

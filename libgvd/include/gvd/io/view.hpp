@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -7,7 +8,9 @@
 
 #include "gvd/diagram.hpp"
 #include "gvd/distance_samples.hpp"
+#include "gvd/exact_field.hpp"
 #include "gvd/ids.hpp"
+#include "gvd/io/distance_writer.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
@@ -35,6 +38,12 @@ struct ViewOverlay {
   const Mesh* mesh = nullptr;  ///< not owned; must outlive the call that makes the page
 };
 
+/// Shortest paths of vertices, of which the page shows that of the one nearest to where its reader clicks.
+struct ViewVertexPaths {
+  std::vector<VertexId> vertices;         ///< ascending
+  std::vector<std::vector<Vec3>> points;  ///< of each: from the vertex to its generator
+};
+
 /// One picture of a page: a surface, and what lies on it. Positions and distances are in mesh units.
 /// Everything but the mesh may be empty; the page has no switch for what is empty.
 struct ViewScene {
@@ -44,6 +53,9 @@ struct ViewScene {
   std::vector<FacePiece> pieces;               ///< of the cut faces, drawn in place of the faces
   IdVector<VertexId, double> vertex_distance;  ///< infinity where no generator reaches
   std::vector<std::vector<Vec3>> bisectors;    ///< polylines; a closed one repeats its first point at its end
+  std::vector<std::vector<Vec3>> isolines;     ///< curves of equal distance; a closed one repeats its first point
+  std::vector<std::vector<Vec3>> paths;        ///< shortest paths
+  ViewVertexPaths vertex_paths;                ///< for clicks; needs distances
   std::vector<Vec3> generators;                ///< the given ones, in the order of their ids
   std::vector<Vec3> added_generators;          ///< added by a command; drawn in a colour of their own
   std::vector<Vec3> branch_points;
@@ -80,6 +92,15 @@ ViewScene make_view_scene(std::string name, const Mesh& mesh, const Diagram& dia
 /// follow. All other figures are the diagram's.
 /// Throws Error{precondition} where it has no diagram, labels of faces or distances. Cost: O(n) time and memory.
 ViewScene make_view_scene(std::string name, const LabelledMesh& shown);
+
+/// The points of all paths that `make_distance_scene` takes for clicks: 5 MB of the page.
+inline constexpr std::size_t kMostPathPoints = 300'000;
+
+/// The scene of distances from the nearest of several sources: the distances of the vertices, the table's sources,
+/// paths and isolines, and shortest paths of vertices. These are the exact ones of all vertices or, where they have
+/// more than about kMostPathPoints points, of every second, third, ... vertex.
+/// Cost: O(vertices), and O(faces crossed) for each path.
+ViewScene make_distance_scene(std::string name, const Mesh& mesh, const ExactField& field, const DistanceTable& table);
 
 /// Whether this library carries the page (CMake option GVD_WITH_VIEWER).
 bool has_viewer();

@@ -55,7 +55,10 @@ class SceneEncoder {
     if (!scene_.face_label.empty() || !scene_.pieces.empty()) entry["codes"] = codes();
     if (entry.contains("codes")) entry["fills"] = fills();
     if (!scene_.pieces.empty()) entry["pieces"] = pieces();
-    if (!scene_.bisectors.empty()) entry["bisectors"] = bisectors();
+    if (!scene_.bisectors.empty()) entry["bisectors"] = polylines(scene_.bisectors);
+    if (!scene_.isolines.empty()) entry["isolines"] = polylines(scene_.isolines);
+    if (!scene_.paths.empty()) entry["paths"] = polylines(scene_.paths);
+    if (!scene_.vertex_paths.vertices.empty()) entry["vertex_paths"] = vertex_paths();
     if (!scene_.generators.empty()) entry["generators"] = points(scene_.generators);
     if (!scene_.added_generators.empty()) entry["added_generators"] = points(scene_.added_generators);
     if (!scene_.branch_points.empty()) entry["branch_points"] = points(scene_.branch_points);
@@ -158,10 +161,18 @@ class SceneEncoder {
             {"triangles", blobs_.add_integers(triangles)}};
   }
 
-  json bisectors() {
+  json vertex_paths() {
+    json entry = polylines(scene_.vertex_paths.points);
+    std::vector<std::uint32_t> vertices;
+    for (const VertexId v : scene_.vertex_paths.vertices) vertices.push_back(std::uint32_t(v.value()));
+    entry["vertices"] = blobs_.add_integers(vertices);
+    return entry;
+  }
+
+  json polylines(const std::vector<std::vector<Vec3>>& given) {
     std::vector<float> values;
     std::vector<std::uint32_t> counts;
-    for (const std::vector<Vec3>& polyline : scene_.bisectors) {
+    for (const std::vector<Vec3>& polyline : given) {
       for (const Vec3& p : polyline) append(values, p);
       counts.push_back(std::uint32_t(polyline.size()));
     }

@@ -115,6 +115,18 @@ void check_surface_distance(const ViewScene& scene) {
   }
 }
 
+void check_vertex_paths(const ViewScene& scene) {
+  const auto& [vertices, points] = scene.vertex_paths;
+  if (vertices.size() != points.size() || (!vertices.empty() && scene.vertex_distance.empty())) {
+    refuse("the view has paths of vertices without a vertex or a distance; give one for each");
+  }
+  for (const VertexId v : vertices) {
+    if (v.valid() && v.value() < scene.mesh->vertex_count()) continue;
+    refuse(fmt::format("the view has a path of vertex {}, which the mesh does not have", v.value()), v.value());
+  }
+  for (const std::vector<Vec3>& polyline : points) check_finite("path point", polyline);
+}
+
 /// The squared distance in one face, as a function of barycentric coordinates.
 class SquaredDistance {
  public:
@@ -272,6 +284,9 @@ void check_view_scene(const ViewScene& scene) {
   check_finite("added generator", scene.added_generators);
   check_finite("branch point", scene.branch_points);
   for (const std::vector<Vec3>& polyline : scene.bisectors) check_finite("bisector point", polyline);
+  for (const std::vector<Vec3>& polyline : scene.isolines) check_finite("isoline point", polyline);
+  for (const std::vector<Vec3>& polyline : scene.paths) check_finite("path point", polyline);
+  check_vertex_paths(scene);
 }
 
 IdVector<GeneratorId, double> compute_cell_energies(const Mesh& mesh, const Diagram& diagram) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <ostream>
 #include <string>
@@ -18,7 +19,7 @@ namespace gvd::io {
 /// PLY, binary or text: positions as doubles, distances as floats where these hold them, labels, and their colours.
 void write_ply(std::ostream& stream, const LabelledMesh& mesh);
 
-/// VTK PolyData in XML, arrays in Base64: faces with labels, bisectors as lines.
+/// VTK PolyData in XML, arrays in Base64: faces with labels, bisectors and curves as lines.
 void write_vtp(std::ostream& stream, const LabelledMesh& mesh);
 
 /// Binary glTF 2.0: a primitive with vertices and normals of its own and a material for each region, the bisectors as
@@ -29,6 +30,9 @@ void write_glb(std::ostream& stream, const LabelledMesh& mesh);
 /// Throws Error{unwritable_output} where 32-bit floats can't hold the mesh: a coordinate is too large for one, or the
 /// whole mesh lies between two of them. `format` is the name of the file format, for the message. Cost: O(n).
 void check_single_precision(const Mesh& mesh, std::string_view format);
+
+/// The bytes of a NumPy file (version 1.0 of the format) before its numbers. `type`: "<f8" or "<i4".
+std::string npy_header(std::string_view type, const std::vector<std::size_t>& shape);
 
 /// An extension without its dot, in lower case.
 std::string bare_extension(std::string_view extension);
@@ -46,16 +50,17 @@ std::vector<Region> collect_regions(const LabelledMesh& mesh);
 /// The name of a region in formats that name groups or materials.
 std::string region_name(GeneratorId label);
 
-/// A bisector as a polyline in space.
-struct BisectorLine {
-  GeneratorId left;
-  GeneratorId right;
+/// A bisector or a curve as a polyline in space.
+struct OutputLine {
+  GeneratorId left;              ///< invalid for a curve
+  GeneratorId right;             ///< invalid for a curve
+  std::string group;             ///< its name in OBJ
   std::vector<Vec3> points;      ///< two or more; a closed line repeats its first point at its end
   std::vector<double> distance;  ///< at each point, linear in its face; infinity where no generator reaches
 };
 
-/// The bisectors of the diagram in its order, without those of a single point; none without a diagram. Cost: O(n).
-std::vector<BisectorLine> collect_bisector_lines(const LabelledMesh& mesh);
+/// The bisectors of the diagram in its order, without those of a single point, then the curves. Cost: O(n).
+std::vector<OutputLine> collect_lines(const LabelledMesh& mesh);
 
 /// A vertex as a renderer takes it: with the normal of its faces on one side of a crease, and of one region.
 struct ShadingVertex {

@@ -165,14 +165,15 @@ std::string region_name(GeneratorId label) {
   return label.valid() ? fmt::format("region_{}", label.value()) : "unlabelled";
 }
 
-std::vector<BisectorLine> collect_bisector_lines(const LabelledMesh& mesh) {
-  std::vector<BisectorLine> lines;
-  if (mesh.diagram == nullptr) return lines;
+namespace {
+
+void collect_bisectors(const LabelledMesh& mesh, std::vector<OutputLine>& lines) {
   const IdVector<VertexId, double>& distance = mesh.diagram->vertex_distance;
   const Mesh& surface = mesh.diagram_mesh != nullptr ? *mesh.diagram_mesh : mesh.mesh;
   for (const Bisector& bisector : mesh.diagram->bisectors) {
     if (bisector.points.size() < 2) continue;
-    BisectorLine& line = lines.emplace_back();
+    OutputLine& line = lines.emplace_back();
+    line.group = "bisectors";
     line.left = bisector.left;
     line.right = bisector.right;
     const auto add = [&](const SurfacePoint& point) {
@@ -182,6 +183,15 @@ std::vector<BisectorLine> collect_bisector_lines(const LabelledMesh& mesh) {
     for (const SurfacePoint& point : bisector.points) add(point);
     if (bisector.closed) add(bisector.points.front());
   }
+}
+
+}  // namespace
+
+std::vector<OutputLine> collect_lines(const LabelledMesh& mesh) {
+  std::vector<OutputLine> lines;
+  if (mesh.diagram != nullptr) collect_bisectors(mesh, lines);
+  if (mesh.curves == nullptr) return lines;
+  for (const MeshCurve& curve : *mesh.curves) lines.push_back({{}, {}, curve.name, curve.points, curve.distance});
   return lines;
 }
 

@@ -94,8 +94,8 @@ void print_regions(ByteWriter& out, const LabelledMesh& mesh, const std::vector<
 /// The line through the vertices from number `first` on, one `l` for each segment: Blender keeps one edge of a longer
 /// `l`.
 /// Returns the number after the last vertex.
-std::size_t print_line(ByteWriter& out, const BisectorLine& line, std::size_t first) {
-  out.print("# left {} right {}\n", line.left.value(), line.right.value());
+std::size_t print_line(ByteWriter& out, const OutputLine& line, std::size_t first) {
+  if (line.left.valid()) out.print("# left {} right {}\n", line.left.value(), line.right.value());
   for (const Vec3& p : line.points) print_vertex(out, p);
   const std::size_t last = first + line.points.size() - 1;
   for (std::size_t i = first; i < last; ++i) out.print("l {} {}\n", i, i + 1);
@@ -104,11 +104,12 @@ std::size_t print_line(ByteWriter& out, const BisectorLine& line, std::size_t fi
 
 /// The vertices of the lines follow those of the mesh, whose numbers do not change.
 void print_lines(ByteWriter& out, const LabelledMesh& mesh) {
-  const std::vector<BisectorLine> lines = collect_bisector_lines(mesh);
-  if (lines.empty()) return;
-  out.text("g bisectors\n");
   std::size_t index = mesh.mesh.positions().size() + 1;
-  for (const BisectorLine& line : lines) index = print_line(out, line, index);
+  std::string group;
+  for (const OutputLine& line : collect_lines(mesh)) {
+    if (line.group != group) out.print("g {}\n", group = line.group);
+    index = print_line(out, line, index);
+  }
 }
 
 /// OBJ: a group for each region, and the bisectors as lines. `material_library` is the file name of the .mtl; empty for

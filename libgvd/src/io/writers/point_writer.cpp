@@ -1,8 +1,7 @@
 // Points on a surface as PLY, XYZ and NPY (version 1.0 of NumPy's format).
 //
 // PLY and NPY have the same numbers in the same order; XYZ has position and normal only.
-// An NPY begins with a magic number, the length of its header, and the header: a dictionary of Python, padded with
-// blanks so that the numbers begin at a multiple of 64 bytes. The face is a double there, since an array has one type.
+// The face is a double in NPY, since an array has one type.
 // Invariant: numbers are complete, so the same doubles are read back, in any locale.
 #include "gvd/io/point_writer.hpp"
 
@@ -18,9 +17,6 @@ namespace gvd {
 namespace {
 
 using io::ByteWriter;
-
-/// The bytes of an NPY file up to its numbers are a multiple of this (version 1.0 of the format).
-constexpr std::size_t kNpyAlignment = 64;
 
 /// Position and normal.
 std::array<double, 6> oriented_position(const Mesh& mesh, const SurfacePoint& point) {
@@ -56,14 +52,7 @@ void write_xyz(ByteWriter& out, const Mesh& mesh, const std::vector<SurfaceSampl
 }
 
 void write_npy(ByteWriter& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples) {
-  const std::string magic("\x93NUMPY\x01\x00", 8);
-  std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, 12), }}", samples.size());
-  const std::size_t before = magic.size() + sizeof(std::uint16_t);
-  header.append(kNpyAlignment - 1 - (before + header.size()) % kNpyAlignment, ' ');
-  header.push_back('\n');
-  out.text(magic);
-  out.binary(std::uint16_t(header.size()));
-  out.text(header);
+  out.text(io::npy_header("<f8", {samples.size(), 12}));
   for (const SurfaceSample& sample : samples) {
     write_columns(out, mesh, sample, double(sample.point.face.value()));
   }

@@ -55,7 +55,7 @@ class GlbWriter {
         has_labels_(labelled.face_label != nullptr),
         regions_(collect_regions(labelled)),
         surface_(split_shading_vertices(labelled.mesh, labelled.face_label, regions_)),
-        lines_(collect_bisector_lines(labelled)) {
+        lines_(collect_lines(labelled)) {
     describe_surface();
     describe_bisectors();
   }
@@ -164,12 +164,12 @@ class GlbWriter {
   /// All bisectors are one primitive of line segments.
   void describe_bisectors() {
     std::size_t points = 0;
-    for (const BisectorLine& line : lines_) points += line.points.size();
+    for (const OutputLine& line : lines_) points += line.points.size();
     if (points == 0) return;
     const std::size_t segments = points - lines_.size();
     const std::size_t positions = add_accessor(add_view(12 * points, kVertexBuffer), 0, points, kVector);
     set_bounds(positions, [this](auto visit) {
-      for (const BisectorLine& line : lines_) {
+      for (const OutputLine& line : lines_) {
         for (const Vec3& p : line.points) visit(p);
       }
     });
@@ -191,11 +191,11 @@ class GlbWriter {
   }
 
   void write_bisectors(ByteWriter& out) const {
-    for (const BisectorLine& line : lines_) {
+    for (const OutputLine& line : lines_) {
       for (const Vec3& p : line.points) out.floats(p);
     }
     std::uint32_t next = 0;
-    for (const BisectorLine& line : lines_) {
+    for (const OutputLine& line : lines_) {
       for (std::size_t i = 1; i < line.points.size(); ++i, ++next) {
         out.binary(next);
         out.binary(next + 1);
@@ -208,7 +208,7 @@ class GlbWriter {
   bool has_labels_;
   std::vector<Region> regions_;
   ShadingVertices surface_;
-  std::vector<BisectorLine> lines_;
+  std::vector<OutputLine> lines_;
   Json gltf_;
   std::uint64_t binary_bytes_ = 0;
 };

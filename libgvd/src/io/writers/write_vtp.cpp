@@ -1,9 +1,10 @@
 // VTK PolyData in XML, with arrays in Base64 (VTK File Formats, version 4.2).
 //
-// Points are the vertices of the mesh, then those of the bisectors. Cells are the bisectors as lines, then the faces:
-// VTK numbers lines before polygons.
-// Each array is encoded number by number, so none is held in memory a second time. Its length comes first, in bytes.
-// Invariant: an array has one value for each point or cell in that order, and -1 where an element has none.
+// Points are the vertices of the mesh, then those of the bisectors and curves. Cells are these as lines, then the
+// faces: VTK numbers lines before polygons. Each array is encoded number by number, so none is held in memory a second
+// time. Its length comes first, in bytes. Invariant: an array has one value for each point or cell in that order, and
+// -1 where an element has none.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -30,8 +31,8 @@ void write_array(ByteWriter& out, std::string_view name, std::size_t size, int c
 class VtpWriter {
  public:
   VtpWriter(std::ostream& out, const LabelledMesh& labelled)
-      : out_(out), labelled_(labelled), mesh_(labelled.mesh), lines_(collect_bisector_lines(labelled)) {
-    for (const BisectorLine& line : lines_) line_points_ += line.points.size();
+      : out_(out), labelled_(labelled), mesh_(labelled.mesh), lines_(collect_lines(labelled)) {
+    for (const OutputLine& line : lines_) line_points_ += line.points.size();
   }
 
   void write() {
@@ -60,7 +61,7 @@ class VtpWriter {
     if (labelled_.vertex_distance != nullptr) {
       write_array<double>(out_, "Distance", vertices() + line_points_, 1, [&](auto put) {
         for (const double distance : *labelled_.vertex_distance) put(distance);
-        for (const BisectorLine& line : lines_) {
+        for (const OutputLine& line : lines_) {
           for (const double distance : line.distance) put(distance);
         }
       });
@@ -78,7 +79,7 @@ class VtpWriter {
   template <class OfLine, class OfFace>
   void write_cell_array(std::string_view name, OfLine of_line, OfFace of_face) {
     write_array<std::int32_t>(out_, name, lines_.size() + faces(), 1, [&](auto put) {
-      for (const BisectorLine& line : lines_) put(of_line(line));
+      for (const OutputLine& line : lines_) put(of_line(line));
       for (const FaceId f : mesh_.faces()) put(of_face(f));
     });
   }
@@ -94,9 +95,18 @@ class VtpWriter {
     }
     if (labelled_.diagram != nullptr) {
       write_cell_array(
-          "Left", [](const BisectorLine& line) { return line.left.value(); }, none);
+          "Left", [](const OutputLine& line) { return line.left.value(); }, none);
       write_cell_array(
-          "Right", [](const BisectorLine& line) { return line.right.value(); }, none);
+          "Right", [](const OutputLine& line) { return line.right.value(); }, none);
+    }
+    if (labelled_.curves != nullptr) {
+      const std::ptrdiff_t bisectors = std::ssize(lines_) - std::ssize(*labelled_.curves);
+      write_cell_array(
+          "Curve",
+          [&](const OutputLine& line) {
+            return static_cast<std::int32_t>(std::max<std::ptrdiff_t>(-1, &line - lines_.data() - bisectors));
+          },
+          none);
     }
     out_.text("</CellData>\n");
   }
@@ -108,7 +118,7 @@ class VtpWriter {
         for (int i = 0; i < 3; ++i) put(p[i]);
       };
       for (const Vec3& p : mesh_.positions()) put_point(p);
-      for (const BisectorLine& line : lines_) {
+      for (const OutputLine& line : lines_) {
         for (const Vec3& p : line.points) put_point(p);
       }
     });
@@ -122,7 +132,7 @@ class VtpWriter {
     });
     write_array<std::int64_t>(out_, "offsets", lines_.size(), 1, [&](auto put) {
       std::int64_t end = 0;
-      for (const BisectorLine& line : lines_) put(end += std::ssize(line.points));
+      for (const OutputLine& line : lines_) put(end += std::ssize(line.points));
     });
     out_.text("</Lines>\n");
   }
@@ -143,7 +153,7 @@ class VtpWriter {
   ByteWriter out_;
   const LabelledMesh& labelled_;
   const Mesh& mesh_;
-  std::vector<BisectorLine> lines_;
+  std::vector<OutputLine> lines_;
   std::size_t line_points_ = 0;
 };
 

@@ -1,0 +1,303 @@
+// gvd-distance: exact distances on the surface from points of a list, shortest paths, and isolines.
+//
+// One exact field answers for the nearest source; with --each there is one field after the other, each of one source.
+// The distances form a table with a row for each field: of the vertices as the input file numbers them, or of the
+// points of --to. Unused vertices of the file are infinitely far; copies of a vertex that was cut count as the nearest
+// one. Files hold the table, or the mesh with the distances of its vertices; paths and isolines go where curves fit.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "common/command.hpp"
+#include "common/options/typed_options.hpp"
+#include "common/run_parts.hpp"
+#include "gvd/error.hpp"
+#include "gvd/exact_field.hpp"
+#include "gvd/io/distance_writer.hpp"
+#include "gvd/text.hpp"
+
+namespace gvd::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kExamples =
+    "  gvd-distance bunny.obj --from 17 -o distances.npy\n"
+    "  gvd-distance bunny.obj --from 17 --to 90,4000 --paths -o paths.vtp --view a.html\n"
+    "  gvd-distance bunny.obj --from seeds.csv --isolines 0.05 -o curves.obj\n"
+    "  gvd-distance scan.stl --from seeds.txt --each --max-distance 40 -o rows.npy\n";
+
+/// Notes tell so many distances to points of --to; files and the report have all.
+constexpr std::size_t kTold = 8;
+
+/// More levels would fill the memory before anybody could tell them apart.
+constexpr double kMostLevels = 10'000;
+
+/// The options of gvd-distance alone.
+struct OwnOptions {
+  bool each = false, paths = false;
+  std::optional<double> max_distance, isolines;  ///< mesh units
+};
+
+bool writes(const Options& options, const std::vector<std::string>& formats) {
+  const std::vector<std::string> written = written_formats(options.output);
+  return std::any_of(written.begin(), written.end(), [&](const std::string& f) { return contains(formats, f); });
+}
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+
+/// Refuses options that contradict each other or have no effect.
+void check(const Options& options, const OwnOptions& own) {
+  const bool has_targets = options.targets.are_listed(), has_view = !options.output.view.empty();
+  if (own.paths && !has_targets)
+    refuse("--paths does nothing here: add --to, where the paths begin, or leave --paths out");
+  if (own.each && own.isolines) refuse("--each and --isolines exclude each other: isolines are of the nearest source");
+  if (own.each && has_view) refuse("--each and --view exclude each other: the page shows the nearest source");
+  if (own.each && !own.paths && writes(options, {"ply", "vtp", "obj"})) {
+    refuse(
+        "--each: .ply, .vtp and .obj hold one distance for each vertex; write .npy, .csv or .json, or add --to and "
+        "--paths");
+  }
+  const bool holds_curves = has_view || !options.output.report.empty() || writes(options, {"obj", "vtp", "json"});
+  if (own.isolines && !holds_curves) {
+    refuse(
+        "--isolines: only .obj, .vtp, .json, --view and --report hold curves; write one of them or leave --isolines "
+        "out");
+  }
+}
+
+void report_options(Run& run, const OwnOptions& own) {
+  Json& reported = run.report().options();
+  reported["each"] = own.each;
+  reported["paths"] = own.paths;
+  reported["max_distance"] = own.max_distance ? Json(*own.max_distance) : Json();
+  reported["isolines"] = own.isolines ? Json(*own.isolines) : Json();
+}
+
+ExactField make_field(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& sources, const OwnOptions& own) {
+  ExactFieldOptions options;
+  options.threads = run.options().compute.threads;
+  options.progress = run.progress();
+  options.max_distance = own.max_distance.value_or(kInfinity);
+  return run.timed("distances", [&] { return ExactField(mesh, sources, options); });
+}
+
+/// The distances of a field in the order of the table's points, and the sources where it asks for them.
+void add_row(DistanceTable& table, const CheckedMesh& input, const ExactField& field, bool of_nearest) {
+  const std::size_t count = table.targets.empty() ? input.mesh_vertex.size() : table.targets.size();
+  std::vector<double>& row = table.rows.emplace_back(count, kInfinity);
+  std::vector<GeneratorId> source(count);
+  for (std::size_t i = 0; i < table.targets.size(); ++i) {
+    const ExactField::Nearest nearest = field.nearest(table.targets[i]);
+    row[i] = nearest.distance;
+    source[i] = nearest.generator;
+  }
+  for (const VertexId v : input.mesh.vertices()) {
+    const std::int32_t i = input.input_vertex[v];
+    if (!table.targets.empty() || i < 0 || !(field.distance(v) < row[i])) continue;
+    row[i] = field.distance(v);
+    source[i] = field.label(v);
+  }
+  if (of_nearest) table.nearest = std::move(source);
+}
+
+void add_paths(DistanceTable& table, const ExactField& field, GeneratorId only) {
+  for (std::size_t i = 0; i < table.targets.size(); ++i) {
+    GeodesicPath path = field.path(table.targets[i]);
+    const GeneratorId source = only.valid() && path.generator.valid() ? only : path.generator;
+    table.paths.push_back({static_cast<std::int32_t>(i), source, std::move(path)});
+  }
+}
+
+std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, const OwnOptions& own) {
+  double largest = 0;
+  for (const VertexId v : mesh.vertices()) {
+    if (std::isfinite(field.distance(v))) largest = std::max(largest, field.distance(v));
+  }
+  // No point of a face is farther from its vertices than its longest edge.
+  const double step = *own.isolines;
+  const double last = std::min(largest + longest_edge(mesh), own.max_distance.value_or(kInfinity));
+  if (!(last / step < kMostLevels)) {
+    refuse(fmt::format("--isolines {}: makes more than {} levels up to {:.6g}; give a larger step", step, kMostLevels,
+                       last));
+  }
+  std::vector<double> levels;
+  for (int i = 1; i * step <= last; ++i) levels.push_back(i * step);
+  return levels;
+}
+
+double length_of(const Mesh& mesh, const Isoline& line) {
+  double length = 0;
+  for (std::size_t i = line.closed ? 0 : 1; i < line.points.size(); ++i) {
+    const SurfacePoint& before = i > 0 ? line.points[i - 1] : line.points.back();
+    length += (position(mesh, line.points[i]) - position(mesh, before)).norm();
+  }
+  return length;
+}
+
+Json describe_isolines(const Mesh& mesh, const std::vector<Isoline>& lines) {
+  Json levels = Json::array();
+  for (const Isoline& line : lines) {
+    if (levels.empty() || levels.back()["level"] != line.level) {
+      levels.push_back({{"level", line.level}, {"curves", 0}, {"closed", 0}, {"length", 0.0}});
+    }
+    Json& level = levels.back();
+    level["curves"] = level["curves"].get<int>() + 1;
+    level["closed"] = level["closed"].get<int>() + (line.closed ? 1 : 0);
+    level["length"] = level["length"].get<double>() + length_of(mesh, line);
+  }
+  return levels;
+}
+
+Json describe_targets(const Mesh& mesh, const DistanceTable& table) {
+  Json targets = Json::array();
+  for (std::size_t i = 0; i < table.targets.size(); ++i) {
+    const Vec3 p = position(mesh, table.targets[i]);
+    Json& target = targets.emplace_back(Json{{"face", table.targets[i].face.value()},
+                                             {"bary", table.targets[i].bary},
+                                             {"position", {p.x(), p.y(), p.z()}},
+                                             {"distances", Json::array()}});
+    for (const std::vector<double>& row : table.rows) {
+      target["distances"].push_back(std::isfinite(row[i]) ? Json(row[i]) : Json());
+    }
+    target["source"] = table.nearest.empty() ? Json() : Json(table.nearest[i].value());
+  }
+  return targets;
+}
+
+void note_targets(Run& run, const DistanceTable& table) {
+  std::size_t told = 0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    for (std::size_t i = 0; i < table.targets.size() && told < kTold; ++i, ++told) {
+      const double distance = table.rows[row][i];
+      run.console().note(
+          std::isfinite(distance)
+              ? fmt::format("point {} is {:.9g} from source {}", i, distance, table.source(row, i).value())
+              : fmt::format("point {} is not reached from {}", i,
+                            table.nearest.empty() ? fmt::format("source {}", row) : "any source"));
+    }
+  }
+  const std::size_t all = table.rows.size() * table.targets.size();
+  if (told < all) run.console().note(fmt::format("... and {} more", all - told));
+}
+
+void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const DistanceTable& table) {
+  std::int64_t count = 0, unreached = 0;
+  double largest = 0;
+  for (const std::vector<double>& row : table.rows) {
+    for (const double d : row) {
+      ++count;
+      unreached += !std::isfinite(d);
+      if (std::isfinite(d)) largest = std::max(largest, d);
+    }
+  }
+  Json& results = run.report().results();
+  results = {{"sources", table.sources.size()}, {"distances", count}, {"unreached", unreached}, {"largest", largest}};
+  results["targets"] = describe_targets(mesh, table);
+  Json& paths = results["paths"] = Json::array();
+  for (const auto& [target, source, path] : table.paths) {
+    paths.push_back({{"source", source.value()},
+                     {"target", target},
+                     {"length", std::isfinite(path.length) ? Json(path.length) : Json()},
+                     {"points", path.points.size()},
+                     {"complete", path.complete}});
+  }
+  results["isolines"] = describe_isolines(mesh, table.isolines);
+  note_targets(run, table);
+  if (unreached > 0 && table.targets.empty()) {
+    run.console().note(fmt::format("{} of {} to vertices are inf: no source reaches there{}", unreached,
+                                   counted(count, "distance", "distances"),
+                                   own.max_distance ? " within --max-distance" : ""));
+  }
+  if (!table.isolines.empty()) {
+    run.console().note(fmt::format("{} on {}", counted(std::ssize(table.isolines), "isoline", "isolines"),
+                                   counted(std::ssize(results["isolines"]), "level", "levels")));
+  }
+}
+
+void write_files(Run& run, const Mesh& mesh, const DistanceTable& table, LabelledMesh output) {
+  const bool has_paths = !table.paths.empty();
+  const std::vector<MeshCurve> curves = make_curves(mesh, table);
+  if (!curves.empty()) output.curves = &curves;
+  write_output_files(
+      run, output,
+      {{"npy", [&](std::ostream& out) { write_distances_npy(out, table); }},
+       {"csv",
+        [&](std::ostream& out) { has_paths ? write_paths_csv(out, mesh, table) : write_distances_csv(out, table); }},
+       {"json", [&](std::ostream& out) { write_distances_json(out, mesh, table); }}});
+}
+
+/// One field for the nearest source.
+void measure_nearest(Run& run, const OwnOptions& own, const CheckedMesh& input, DistanceTable& table) {
+  const Mesh& mesh = input.mesh;
+  const ExactField field = make_field(run, mesh, table.sources, own);
+  add_row(table, input, field, true);
+  if (own.paths) run.timed("paths", [&] { add_paths(table, field, GeneratorId()); });
+  if (own.isolines) {
+    const IsolineOptions options{.threads = run.options().compute.threads, .progress = run.progress()};
+    table.isolines = run.timed("isolines", [&] { return field.isolines(choose_levels(mesh, field, own), options); });
+  }
+  report_table(run, mesh, own, table);
+  IdVector<VertexId, double> distances;
+  IdVector<VertexId, GeneratorId> labels;
+  for (const VertexId v : mesh.vertices()) {
+    distances.push_back(field.distance(v));
+    labels.push_back(field.label(v));
+  }
+  write_files(run, mesh, table, {.mesh = mesh, .vertex_label = &labels, .vertex_distance = &distances});
+  write_view_file(run, "gvd-distance",
+                  [&] { return std::vector{make_distance_scene("Distances", mesh, field, table)}; });
+}
+
+/// A field for each source.
+void measure_each(Run& run, const OwnOptions& own, const CheckedMesh& input, DistanceTable& table) {
+  for (std::size_t i = 0; i < table.sources.size(); ++i) {
+    const ExactField field = make_field(run, input.mesh, {table.sources[i]}, own);
+    add_row(table, input, field, false);
+    if (own.paths) run.timed("paths", [&] { add_paths(table, field, GeneratorId(i)); });
+  }
+  report_table(run, input.mesh, own, table);
+  write_files(run, input.mesh, table, {.mesh = input.mesh});
+}
+
+void measure(Run& run, const OwnOptions& own) {
+  check(run.options(), own);
+  report_options(run, own);
+  const CheckedMesh input = load_input(run);
+  DistanceTable table;
+  table.sources = make_generators(run, input);
+  table.targets = load_targets(run, input);
+  own.each ? measure_each(run, own, input, table) : measure_nearest(run, own, input, table);
+  write_report(run);
+}
+
+}  // namespace
+}  // namespace gvd::app
+
+int main(int argc, char** argv) {
+  using namespace gvd;
+  using namespace gvd::app;
+  OwnOptions own;
+  Command command({"gvd-distance",
+                   "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
+                   kExamples,
+                   {{"npy", "csv", "ply", "vtp", "obj", "json"}, false},
+                   register_distance_options});
+  command.line().option_defaults()->group("Distances");
+  add_flag(command.line(), "--each", own.each, "Measure from each source alone, instead of from the nearest one");
+  add_flag(command.line(), "--paths", own.paths,
+           "Trace the shortest path from each point of --to; .csv then holds the points of the paths");
+  add_number(command.line(), "--max-distance", own.max_distance, kNotNegative,
+             "Leave out what is farther than this, in mesh units; the work ends there");
+  add_number(command.line(), "--isolines", own.isolines, kPositive,
+             "Trace the curves of equal distance at every multiple of this, in mesh units");
+  return command.run(argc, argv, [&](Run& run) { measure(run, own); });
+}

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <ostream>
+#include <vector>
+
+#include "gvd/exact_field.hpp"
+#include "gvd/ids.hpp"
+#include "gvd/io/mesh_writer.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// Writes an array in NumPy's format, little-endian, in C order. The product of `shape` is the number of values.
+/// The stream is flushed and checked. Throws Error{unwritable_output}; Error{precondition} for another number.
+void write_npy(std::ostream& out, const std::vector<double>& values, const std::vector<std::size_t>& shape);
+void write_npy(std::ostream& out, const std::vector<std::int32_t>& values, const std::vector<std::size_t>& shape);
+
+/// A shortest path from a point that distances were asked for.
+struct TargetPath {
+  std::int32_t target = 0;  ///< index of that point
+  GeneratorId source;       ///< where the path ends
+  GeodesicPath path;        ///< its generator is another number where one source after the other was computed
+};
+
+/// Distances of points from sources, and curves of them, for files.
+struct DistanceTable {
+  std::vector<SurfacePoint> sources;
+  std::vector<SurfacePoint> targets;  ///< empty: the distances are those of the vertices
+  /// A row of all points for each source or, where `nearest` is not empty, one row of the nearest source. Mesh units,
+  /// infinity where no source reaches.
+  std::vector<std::vector<double>> rows;
+  std::vector<GeneratorId> nearest;  ///< of each point; invalid where no source reaches
+  std::vector<TargetPath> paths;
+  std::vector<Isoline> isolines;
+
+  /// The source of a distance; invalid where none reaches.
+  GeneratorId source(std::size_t row, std::size_t point) const {
+    return nearest.empty() ? GeneratorId(row) : nearest[point];
+  }
+};
+
+/// Writes the distances as an array of doubles of the shape (points), or (sources, points) of all sources.
+void write_distances_npy(std::ostream& out, const DistanceTable& table);
+
+/// Writes a line for each distance, with the columns source, vertex or target, and distance; -1 and inf where no source
+/// reaches.
+void write_distances_csv(std::ostream& out, const DistanceTable& table);
+
+/// Writes a line for each point of each path, with the columns path, source, target, length, face, b0, b1, b2, x, y, z.
+void write_paths_csv(std::ostream& out, const Mesh& mesh, const DistanceTable& table);
+
+/// Writes all of it as `gvd-distance/1` (docs/schema). Infinity is null.
+void write_distances_json(std::ostream& out, const Mesh& mesh, const DistanceTable& table);
+
+/// Paths and isolines as polylines with the names path_0, path_1, ... and isoline_LEVEL. A path of one point has none.
+std::vector<MeshCurve> make_curves(const Mesh& mesh, const DistanceTable& table);
+
+}  // namespace gvd

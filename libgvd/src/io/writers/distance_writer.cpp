@@ -1,0 +1,171 @@
+// Distances, paths and isolines as arrays, tables and JSON.
+//
+// An NPY begins with a magic number, the length of its header, and the header: a dictionary of Python, padded with
+// blanks so that the numbers begin at a multiple of 64 bytes.
+// Tables have a line for each value, so that one header serves distances of the nearest source and of each one.
+// Invariant: numbers are complete, so the same doubles are read back, in any locale.
+#include "gvd/io/distance_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <string>
+
+#include "gvd/error.hpp"
+#include "gvd/surface_point.hpp"
+#include "io/writers/byte_writer.hpp"
+#include "io/writers/format_writers.hpp"
+
+namespace gvd {
+namespace io {
+
+std::string npy_header(std::string_view type, const std::vector<std::size_t>& shape) {
+  constexpr std::size_t kAlignment = 64;  // of the numbers in the file
+  std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}", type,
+                                   fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
+  std::string bytes("\x93NUMPY\x01\x00", 8);
+  const std::size_t before = bytes.size() + sizeof(std::uint16_t);
+  header.append(kAlignment - 1 - (before + header.size()) % kAlignment, ' ');
+  header.push_back('\n');
+  for (const char c : little_endian(std::uint16_t(header.size()))) bytes.push_back(c);
+  return bytes + header;
+}
+
+}  // namespace io
+
+namespace {
+
+using io::ByteWriter;
+
+template <class T>
+void write_array(std::ostream& stream, std::string_view type, const std::vector<T>& values,
+                 const std::vector<std::size_t>& shape) {
+  const std::size_t size = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+  if (size != values.size()) {
+    throw Error(ErrorCode::precondition, fmt::format("an array of {} values for {} places", values.size(), size));
+  }
+  ByteWriter out(stream);
+  out.text(io::npy_header(type, shape));
+  for (const T value : values) out.binary(value);
+  out.finish();
+}
+
+void print_distances(ByteWriter& out, const DistanceTable& table) {
+  const auto print_rows = [&](const auto& rows, const auto& print) {
+    io::print_lines(out, rows, [&](const auto& row) { io::print_array(out, row, print); });
+  };
+  out.print(",\n\"points\":\"{}\",\n\"distances\":", table.targets.empty() ? "vertices" : "targets");
+  print_rows(table.rows, [&](double d) { out.text(io::json_number(d)); });
+  out.text(",\n\"nearest\":");
+  if (table.nearest.empty()) return out.text("null");
+  io::print_ids(out, table.nearest);
+}
+
+void print_curves(ByteWriter& out, const Mesh& mesh, const DistanceTable& table) {
+  const auto print_point = [&](const SurfacePoint& p) { io::print_point(out, mesh, p); };
+  out.text(",\n\"paths\":");
+  io::print_lines(out, table.paths, [&](const TargetPath& path) {
+    out.print("{{\"source\":{},\"target\":{},\"length\":{},\"complete\":{},\"points\":", path.source.value(),
+              path.target, io::json_number(path.path.length), path.path.complete);
+    io::print_array(out, path.path.points, print_point);
+    out.text("}");
+  });
+  out.text(",\n\"isolines\":");
+  io::print_lines(out, table.isolines, [&](const Isoline& line) {
+    out.print("{{\"level\":{},\"closed\":{},\"points\":", line.level, line.closed);
+    io::print_array(out, line.points, print_point);
+    out.text("}");
+  });
+}
+
+/// Distances fall from the path's length to 0, by the lengths of its pieces.
+MeshCurve make_path_curve(const Mesh& mesh, const GeodesicPath& path, std::size_t index) {
+  MeshCurve curve{fmt::format("path_{}", index), {}, {}};
+  for (const SurfacePoint& point : path.points) {
+    const Vec3 at = position(mesh, point);
+    const double before = curve.points.empty() ? path.length : curve.distance.back();
+    curve.distance.push_back(curve.points.empty() ? before : std::max(0.0, before - (at - curve.points.back()).norm()));
+    curve.points.push_back(at);
+  }
+  return curve;
+}
+
+}  // namespace
+
+void write_npy(std::ostream& out, const std::vector<double>& values, const std::vector<std::size_t>& shape) {
+  write_array(out, "<f8", values, shape);
+}
+
+void write_npy(std::ostream& out, const std::vector<std::int32_t>& values, const std::vector<std::size_t>& shape) {
+  write_array(out, "<i4", values, shape);
+}
+
+void write_distances_npy(std::ostream& stream, const DistanceTable& table) {
+  const std::size_t points = table.rows.empty() ? 0 : table.rows.front().size();
+  const bool is_single = !table.nearest.empty();
+  ByteWriter out(stream);
+  out.text(io::npy_header("<f8", is_single ? std::vector{points} : std::vector{table.rows.size(), points}));
+  for (const std::vector<double>& row : table.rows) {
+    for (const double d : row) out.binary(d);
+  }
+  out.finish();
+}
+
+void write_distances_csv(std::ostream& stream, const DistanceTable& table) {
+  ByteWriter out(stream);
+  out.print("source,{},distance\n", table.targets.empty() ? "vertex" : "target");
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    for (std::size_t i = 0; i < table.rows[row].size(); ++i) {
+      const double d = table.rows[row][i];
+      out.print("{},{},{}\n", std::isfinite(d) ? table.source(row, i).value() : -1, i, d);
+    }
+  }
+  out.finish();
+}
+
+void write_paths_csv(std::ostream& stream, const Mesh& mesh, const DistanceTable& table) {
+  ByteWriter out(stream);
+  out.text("path,source,target,length,face,b0,b1,b2,x,y,z\n");
+  for (std::size_t i = 0; i < table.paths.size(); ++i) {
+    const auto& [target, source, path] = table.paths[i];
+    for (const SurfacePoint& point : path.points) {
+      const Vec3 p = position(mesh, point);
+      out.print("{},{},{},{},{},{},{}\n", i, source.value(), target, path.length, point.face.value(),
+                fmt::join(point.bary, ","), fmt::join(p.data(), p.data() + 3, ","));
+    }
+  }
+  out.finish();
+}
+
+void write_distances_json(std::ostream& stream, const Mesh& mesh, const DistanceTable& table) {
+  ByteWriter out(stream);
+  const auto print_points = [&](const std::vector<SurfacePoint>& points) {
+    io::print_lines(out, points, [&](const SurfacePoint& p) { io::print_point(out, mesh, p); });
+  };
+  out.text("{\"schema\":\"gvd-distance/1\",\n\"sources\":");
+  print_points(table.sources);
+  out.text(",\n\"targets\":");
+  print_points(table.targets);
+  print_distances(out, table);
+  print_curves(out, mesh, table);
+  out.text("}\n");
+  out.finish();
+}
+
+std::vector<MeshCurve> make_curves(const Mesh& mesh, const DistanceTable& table) {
+  std::vector<MeshCurve> curves;
+  for (std::size_t i = 0; i < table.paths.size(); ++i) {
+    if (table.paths[i].path.points.size() > 1) curves.push_back(make_path_curve(mesh, table.paths[i].path, i));
+  }
+  for (const Isoline& line : table.isolines) {
+    MeshCurve& curve = curves.emplace_back(MeshCurve{fmt::format("isoline_{:.10g}", line.level), {}, {}});
+    for (const SurfacePoint& point : line.points) curve.points.push_back(position(mesh, point));
+    if (line.closed) curve.points.push_back(curve.points.front());
+    curve.distance.assign(curve.points.size(), line.level);
+  }
+  return curves;
+}
+
+}  // namespace gvd
