@@ -17,6 +17,7 @@
 #include "common/command.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
+#include "gvd/io/distance_writer.hpp"
 #include "gvd/region_statistics.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/text.hpp"
@@ -50,9 +51,14 @@ struct OwnOptions {
 
 void report_options(Run& run, const OwnOptions& own, const SegmentOptions& options) {
   Json& reported = run.report().options();
-  const std::string& stats = run.options().output.own.at("--stats");
+  const auto file = [&](const char* option) {
+    const std::string& name = run.options().output.own.at(option);
+    return name.empty() ? Json() : Json(name);
+  };
   reported["cut"] = own.cut;
-  reported["stats"] = stats.empty() ? nullptr : Json(stats);
+  reported["stats"] = file("--stats");
+  reported["face_labels"] = file("--face-labels");
+  reported["vertex_distances"] = file("--vertex-distances");
   reported["labels"] = own.cut ? nullptr : Json(name_in(kLabels, options.labels));
 }
 
@@ -81,7 +87,21 @@ void report_regions(Run& run, const Mesh& mesh, const IdVector<FaceId, Generator
   }
 }
 
+/// The labels of the faces and the distances of the vertices, each as an array or as a table.
+void write_arrays(Run& run, const LabelledMesh& output) {
+  const auto is_csv = [&](const char* option) { return file_extension(run.options().output.own.at(option)) == "csv"; };
+  write_own_file(run, "--face-labels", [&](std::ostream& out) {
+    is_csv("--face-labels") ? write_labels_csv(out, *output.face_label) : write_labels_npy(out, *output.face_label);
+  });
+  write_own_file(run, "--vertex-distances", [&](std::ostream& out) {
+    const IdVector<VertexId, double>& distance = *output.vertex_distance;
+    const DistanceTable table{.rows = {distance.raw()}, .nearest = output.vertex_label->raw()};
+    is_csv("--vertex-distances") ? write_distances_csv(out, table) : write_distances_npy(out, table);
+  });
+}
+
 void write_files(Run& run, const LabelledMesh& output, const OutputWriter& write_json) {
+  write_arrays(run, output);
   write_output_files(run, output, {{"json", write_json}});
   write_view_file(run, "gvd-segment", [&] { return std::vector{make_view_scene("Regions", output)}; });
 }
@@ -173,6 +193,12 @@ int main(int argc, char** argv) {
              "How to label whole faces on a bisector: for borders as short as its faces allow, or by the largest share "
              "(default: smooth)")
       ->excludes("--cut");
+  command.add_target("--face-labels", "FILE.npy|csv",
+                     "Write the label of each face, in the order of the faces in .ply (-1 for none)", {"npy", "csv"});
+  command.add_target("--vertex-distances", "FILE.npy|csv",
+                     "Write the distance of each vertex from its generator, in the order of the vertices in .ply; .csv "
+                     "has the generators, too",
+                     {"npy", "csv"});
   command.add_target("--stats", "FILE.csv", "Write the area, perimeter, radius and neighbours of each region (CSV)",
                      {"csv"});
   return command.run(argc, argv, [&](Run& run) { segment(run, own); });

@@ -35,7 +35,7 @@ StoppedRun interrupt_at(const std::string& step, const std::string& name, const 
 /// Runs a built command that waits for standard input, and sends it `signal` while it waits. Collects standard error.
 CommandResult run_interrupted(const std::string& name, const std::vector<std::string>& arguments, int signal);
 
-/// The commands, of the three, that this build has.
+/// The commands, of the three that build diagrams, that this build has.
 std::vector<std::string> built_commands();
 
 /// A fresh folder that is removed with this object.

@@ -41,6 +41,6 @@ export class VertexPaths {
       ['Stored paths', `${this.vertices.length} of ${positions.length / 3} vertices`],
     ];
     const counts = [last - first], points = this.points.subarray(3 * first, 3 * last);
-    return { line: make_lines({ points, counts }, material), card: { title: `Shortest path from vertex ${vertex}`, rows } };
+    return { line: make_lines({ points, counts }, material), card: { title: `Path from vertex ${vertex}`, rows } };
   }
 }

@@ -1,5 +1,7 @@
 // gvd-segment on files: its JSON and its report, with whole and with cut faces.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -205,6 +207,42 @@ TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or 
     CHECK(manifest["up"] == "z");
     CHECK(manifest["scenes"][0]["figures"][0] == nlohmann::json({"Faces", std::to_string(labels.size())}));
   }
+}
+
+TEST_CASE("gvd-segment: arrays and tables have the labels of the faces and the distances of the vertices") {
+  for (const std::string options : {"", " --cut"}) {
+    const ScratchFolder scratch;
+    const auto file = [&](const char* name) { return scratch / name; };
+    const CommandResult result =
+        run_command("gvd-segment", data_file("figure.obj") + " -q -n 20 -o " + file("a.json") + " --face-labels " +
+                                       file("f.csv") + " --vertex-distances " + file("v.csv") + options);
+    CAPTURE(options, result.err);
+    REQUIRE(result.exit_code == 0);
+    const auto output = nlohmann::json::parse(read_text(file("a.json")));
+    const auto& mesh = options.empty() ? output : output["cut_mesh"];
+    std::string faces = "face,label\n", vertices = "source,vertex,distance\n";
+    const auto& labels = mesh[options.empty() ? "face_labels" : "labels"];
+    for (std::size_t f = 0; f < labels.size(); ++f) faces += fmt::format("{},{}\n", f, labels[f].get<int>());
+    for (std::size_t v = 0; v < mesh["vertex_labels"].size(); ++v) {
+      vertices +=
+          fmt::format("{},{},{}\n", mesh["vertex_labels"][v].get<int>(), v, mesh["vertex_distances"][v].get<double>());
+    }
+    CHECK(read_text(file("f.csv")) == faces);
+    CHECK(read_text(file("v.csv")) == vertices);
+  }
+}
+
+TEST_CASE("gvd-segment: NumPy's arrays have one value for each element, and other extensions are refused") {
+  const ScratchFolder scratch;
+  const std::string line = data_file("figure.obj") + " -q -n 20 ";
+  REQUIRE(run_command("gvd-segment",
+                      line + "--face-labels " + scratch / "f.npy" + " --vertex-distances " + scratch / "v.npy")
+              .exit_code == 0);
+  CHECK(read_text(scratch / "f.npy").size() == 128 + 4 * 5876);
+  CHECK(read_text(scratch / "v.npy").size() == 128 + 8 * 2938);
+  CHECK_THAT(read_text(scratch / "f.npy"), Contains("'descr': '<i4'") && Contains("'shape': (5876,)"));
+  require_error("gvd-segment", line + "--face-labels " + scratch / "f.ply", 2,
+                "the extension must be one of .npy, .csv");
 }
 
 }  // namespace gvd::test_segment_command

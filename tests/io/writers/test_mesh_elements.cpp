@@ -46,7 +46,7 @@ TEST_CASE("regions are named by their label") {
 
 TEST_CASE("a line has the points of its bisector, and a closed one repeats the first") {
   const Labelled labelled;
-  const auto lines = io::collect_bisector_lines(labelled.view());
+  const auto lines = io::collect_lines(labelled.view());
   REQUIRE(lines.size() == labelled.diagram.bisectors.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Bisector& bisector = labelled.diagram.bisectors[BisectorId(std::int64_t(i))];
@@ -71,18 +71,18 @@ TEST_CASE("the distance is linear in the face, and a vertex without weight has n
   diagram.bisectors.push_back(bisector);
   LabelledMesh labelled{mesh};
   labelled.diagram = &diagram;
-  const auto distance = io::collect_bisector_lines(labelled).at(0).distance;
+  const auto distance = io::collect_lines(labelled).at(0).distance;
   CHECK(distance[0] == 3);
   CHECK(distance[1] == INFINITY);
   diagram.vertex_distance = {};
-  CHECK(io::collect_bisector_lines(labelled).at(0).distance[0] == INFINITY);
+  CHECK(io::collect_lines(labelled).at(0).distance[0] == INFINITY);
 }
 
 TEST_CASE("bisectors of one point are left out, and without a diagram there are no lines") {
   Labelled labelled;
   labelled.diagram.bisectors[BisectorId(1)].points.resize(1);
-  CHECK(io::collect_bisector_lines(labelled.view()).size() == labelled.diagram.bisectors.size() - 1);
-  CHECK(io::collect_bisector_lines({labelled.mesh}).empty());
+  CHECK(io::collect_lines(labelled.view()).size() == labelled.diagram.bisectors.size() - 1);
+  CHECK(io::collect_lines({labelled.mesh}).empty());
 }
 
 ShadingVertices split(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label = nullptr) {

@@ -12,10 +12,10 @@
 
 namespace gvd {
 
-/// Writes an array in NumPy's format, little-endian, in C order. The product of `shape` is the number of values.
-/// The stream is flushed and checked. Throws Error{unwritable_output}; Error{precondition} for another number.
-void write_npy(std::ostream& out, const std::vector<double>& values, const std::vector<std::size_t>& shape);
-void write_npy(std::ostream& out, const std::vector<std::int32_t>& values, const std::vector<std::size_t>& shape);
+/// Writes the labels of faces: as an array of 32-bit integers, or as a table with the columns face and label. -1 where
+/// there is none.
+void write_labels_npy(std::ostream& out, const IdVector<FaceId, GeneratorId>& labels);
+void write_labels_csv(std::ostream& out, const IdVector<FaceId, GeneratorId>& labels);
 
 /// A shortest path from a point that distances were asked for.
 struct TargetPath {
@@ -26,14 +26,14 @@ struct TargetPath {
 
 /// Distances of points from sources, and curves of them, for files.
 struct DistanceTable {
-  std::vector<SurfacePoint> sources;
-  std::vector<SurfacePoint> targets;  ///< empty: the distances are those of the vertices
+  std::vector<SurfacePoint> sources = {};
+  std::vector<SurfacePoint> targets = {};  ///< empty: the distances are those of the vertices
   /// A row of all points for each source or, where `nearest` is not empty, one row of the nearest source. Mesh units,
   /// infinity where no source reaches.
-  std::vector<std::vector<double>> rows;
-  std::vector<GeneratorId> nearest;  ///< of each point; invalid where no source reaches
-  std::vector<TargetPath> paths;
-  std::vector<Isoline> isolines;
+  std::vector<std::vector<double>> rows = {};
+  std::vector<GeneratorId> nearest = {};  ///< of each point; invalid where no source reaches
+  std::vector<TargetPath> paths = {};
+  std::vector<Isoline> isolines = {};
 
   /// The source of a distance; invalid where none reaches.
   GeneratorId source(std::size_t row, std::size_t point) const {

@@ -9,11 +9,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
-#include <numeric>
 #include <string>
 
-#include "gvd/error.hpp"
 #include "gvd/surface_point.hpp"
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"
@@ -38,19 +35,6 @@ std::string npy_header(std::string_view type, const std::vector<std::size_t>& sh
 namespace {
 
 using io::ByteWriter;
-
-template <class T>
-void write_array(std::ostream& stream, std::string_view type, const std::vector<T>& values,
-                 const std::vector<std::size_t>& shape) {
-  const std::size_t size = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
-  if (size != values.size()) {
-    throw Error(ErrorCode::precondition, fmt::format("an array of {} values for {} places", values.size(), size));
-  }
-  ByteWriter out(stream);
-  out.text(io::npy_header(type, shape));
-  for (const T value : values) out.binary(value);
-  out.finish();
-}
 
 void print_distances(ByteWriter& out, const DistanceTable& table) {
   const auto print_rows = [&](const auto& rows, const auto& print) {
@@ -94,12 +78,18 @@ MeshCurve make_path_curve(const Mesh& mesh, const GeodesicPath& path, std::size_
 
 }  // namespace
 
-void write_npy(std::ostream& out, const std::vector<double>& values, const std::vector<std::size_t>& shape) {
-  write_array(out, "<f8", values, shape);
+void write_labels_npy(std::ostream& stream, const IdVector<FaceId, GeneratorId>& labels) {
+  ByteWriter out(stream);
+  out.text(io::npy_header("<i4", {labels.size()}));
+  for (const GeneratorId label : labels) out.binary(label.value());
+  out.finish();
 }
 
-void write_npy(std::ostream& out, const std::vector<std::int32_t>& values, const std::vector<std::size_t>& shape) {
-  write_array(out, "<i4", values, shape);
+void write_labels_csv(std::ostream& stream, const IdVector<FaceId, GeneratorId>& labels) {
+  ByteWriter out(stream);
+  out.text("face,label\n");
+  for (const FaceId f : labels.ids()) out.print("{},{}\n", f.value(), labels[f].value());
+  out.finish();
 }
 
 void write_distances_npy(std::ostream& stream, const DistanceTable& table) {
