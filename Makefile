@@ -29,7 +29,7 @@ RUNS_COUNT  ?= 20
 .PHONY: help demo pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package format lint clean
 
 help:
-	@echo "make demo      build, run the three commands on a mesh of data/, name the files they wrote"
+	@echo "make demo      build, run the commands on a mesh of data/, name the files they wrote"
 	@echo "make pictures  make the pictures of the documents again, with headless Chromium"
 	@echo "make figures   measure the figures of the documents again, and write them"
 	@echo "make test      build and run every test"
@@ -37,7 +37,7 @@ help:
 	@echo "make soups     random soups and generators through everything: SOUPS_COUNT seeds ($(SOUPS_COUNT))"
 	@echo "make battery   hostile meshes through the commands: BATTERY_SEEDS ($(BATTERY_SEEDS)), BATTERY_CORPUS=FOLDER"
 	@echo "make test-runs thousands of diagrams on the corpus: RUNS_COUNT for each mesh ($(RUNS_COUNT))"
-	@echo "make build     build the library and the three commands"
+	@echo "make build     build the library and the commands"
 	@echo "make count     count instructions of the commands, compared with bench/instructions.tsv: COUNT_FLAGS"
 	@echo "make performance  measure the tables of docs/developer/performance.md again, and write them"
 	@echo "make bench     time the steps of a diagram against a plain Dijkstra"

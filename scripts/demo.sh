@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs the three commands on a mesh of data/ and lists the files that they write.
+# Runs the commands on a mesh of data/ and lists the files that they write.
 #
 #   scripts/demo.sh BIN_FOLDER OUTPUT_FOLDER
 #   scripts/demo.sh --announce BUILD_FOLDER OUTPUT_FOLDER MISSING_PACKAGES    announces what `make demo` will do
@@ -13,7 +13,7 @@ announce() {
   else
     echo "  1. installs no package: none is missing, or NO_INSTALL is set, or this is no Debian or Ubuntu"
   fi
-  echo "  2. builds the library and the three commands under $1/: some minutes, about 4 CPU minutes."
+  echo "  2. builds the library and the commands under $1/: some minutes, about 4 CPU minutes."
   echo "     It fetches three.js and esbuild from npm into $1/. The next build takes only what has changed"
   echo "  3. runs the commands on $mesh and writes to $2/, in a few seconds. Pages to open in a browser:"
   echo "     $2/segments.html, $2/relaxed.html, $2/coarse.html"
@@ -35,7 +35,7 @@ run() {
   "$@"
 }
 
-# 24 regions; 300 relaxed samples; a coarse mesh with these samples as vertices.
+# 24 regions; 300 relaxed samples; a coarse mesh with these samples as vertices; distances.
 run "$bin/gvd-segment" "$mesh" -n 24 \
   -o "$out/segments.ply" --diagram "$out/segments.json" --report "$out/segments-report.json" --view "$out/segments.html"
 run "$bin/gvd-lloyd" "$mesh" -n 300 \
@@ -43,13 +43,16 @@ run "$bin/gvd-lloyd" "$mesh" -n 300 \
 run "$bin/gvd-remesh" "$mesh" --generators "$out/relaxed.json" \
   -o "$out/coarse.obj" --report "$out/coarse-report.json" --view "$out/coarse.html"
 
+run "$bin/gvd-distance" "$mesh" --from 17,2000 --to 900 --paths --isolines 0.1 \
+  -o "$out/distances.npy" --report "$out/distances-report.json" --view "$out/distances.html"
+
 echo
 echo "Written:"
-for file in segments.ply segments.json relaxed.json coarse.obj \
-            segments-report.json relaxed-report.json coarse-report.json; do
+for file in segments.ply segments.json relaxed.json coarse.obj distances.npy \
+            segments-report.json relaxed-report.json coarse-report.json distances-report.json; do
   echo "  $out/$file"
 done
 echo "Pages, to open in a browser:"
-for file in segments.html relaxed.html coarse.html; do
+for file in segments.html relaxed.html coarse.html distances.html; do
   echo "  $out/$file"
 done

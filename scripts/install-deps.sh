@@ -14,7 +14,7 @@ packages_of() {
   case "$1" in
     build) echo g++ cmake make ninja-build libeigen3-dev libopenmesh-dev libcgal-dev libtbb-dev nlohmann-json3-dev \
                 libfmt-dev libcli11-dev libtomlplusplus-dev $(unless_found node nodejs) $(unless_found npm npm) ;;
-    test)  echo catch2 python3-jsonschema ;;
+    test)  echo catch2 python3-jsonschema python3-numpy ;;
     bench) echo valgrind ;;
     pictures) echo $(unless_found chromium chromium) ;;
     fuzz)  echo clang libclang-rt-14-dev ;;

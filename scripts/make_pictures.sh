@@ -49,6 +49,9 @@ run gvd-segment data/figure.obj -n 24 --cut --view "$work/cut.html"
 run gvd-segment data/half_sphere.off -n 12 --view "$work/open.html"
 run gvd-remesh  data/half_sphere.off -n 60 --view "$work/open_coarse.html"
 
+# Distances from two points.
+run gvd-distance data/figure.obj --from 17,2000 --isolines 0.1 --view "$work/isolines.html"
+
 cp -p "$web"/test/package.json "$web"/test/package-lock.json "$web"/test/.npmrc "$web"/pictures/*.mjs "$work"
 cd "$work"
 if [ ! -e node_modules/.package-lock.json ] || [ package-lock.json -nt node_modules/.package-lock.json ]; then

@@ -78,6 +78,9 @@ def write_documents():
     run("gvd-segment", "ball.off", "-n", "4", "--method", "gbgvd", "-o", "g.json", "--report", "g-report.json")
     run("gvd-lloyd", "ball.off", "-n", "6", "--sampling", "random", "-o", "l.json", "--report", "l-report.json")
     run("gvd-remesh", "ball.off", "--generators", "l.json", "-o", "r.json", "--map", "m.json", "--report", "r-report.json")
+    run("gvd-distance", "sheet.off", "--from", "0,80", "--to", "3,77,155", "--paths", "--isolines", ".5", "--max-distance", "2",
+        "-o", "distance.json", "--report", "d-report.json")
+    run("gvd-distance", "ball.off", "--from", "0,9", "--each", "-o", "each.json", "--report", "e-report.json")
     (work / "list.txt").write_text("p 0 0 1.5\n3\n")
     run("gvd-remesh", "ball.off", "--generators", "list.txt", "--report", "p-report.json")
     subprocess.run([str(bin_folder / "test_io"), "[.list]"], check=True, stdout=subprocess.DEVNULL,
@@ -90,11 +93,15 @@ assert None in check("c.json")["cut_mesh"]["vertex_distances"]
 assert "remesh" in check("r.json")
 assert check("m.json")["output_vertices"]
 assert "snap_distance" in check("p-report.json")["generators"][0]
-for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scglr"]:
+distances = check("distance.json")
+assert None in distances["distances"][0] and distances["paths"][0]["points"] and distances["isolines"]
+assert check("each.json")["nearest"] is None
+for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scglrde"]:
     check(name)
 if has_viewer():
     save_manifest("v1.json", "gvd-segment", "sheet.off", "--vertices", "0,77")
     save_manifest("v2.json", "gvd-remesh", "ball.off", "-n", "2")
     save_manifest("v3.json", "gvd-segment", "ball.off", "-n", "9", "--method", "gbgvd")
-    for name in ("v1.json", "v2.json", "v3.json"):
+    save_manifest("v4.json", "gvd-distance", "ball.off", "--from", "0", "--to", "9", "--paths", "--isolines", ".5")
+    for name in ("v1.json", "v2.json", "v3.json", "v4.json"):
         check(name)

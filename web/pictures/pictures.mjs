@@ -39,5 +39,6 @@ export const kPictures = [
   { name: 'relaxed', page: 'relaxed', scene: 'Relaxed', size: kSmall, show: kNoBranchPoints },
   { name: 'open', page: 'open', size: kSmall, zoom: -1, turn: { right: 10 } },
   { name: 'open_coarse', page: 'open_coarse', size: kSmall, zoom: -1, turn: { right: 10 }, ...kPlain },
+  { name: 'isolines', page: 'isolines', size: kSmall },
   { name: 'viewer', page: 'segments', size: [1000, 620], hover: [420, 330], whole_page: true },
 ];
