@@ -39,7 +39,7 @@ FLOORS = [
     ["libgvd/c"],
     ["apps/common/options"],
     ["apps/common"],
-    ["apps/segment", "apps/lloyd", "apps/remesh"],
+    ["apps/segment", "apps/lloyd", "apps/remesh", "apps/distance"],
 ]
 FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
 
@@ -54,7 +54,7 @@ PUBLIC = {
     "libgvd/src/geodesic/windows": "exact_field",
     "libgvd/src/diagram": "diagram check error_measure",
     "libgvd/src/io": "generator_list",
-    "libgvd/src/io/writers": "io/diagram_json io/label_color io/mesh_writer io/point_writer io/write_file",
+    "libgvd/src/io/writers": "io/diagram_json io/distance_writer io/label_color io/mesh_writer io/point_writer io/write_file",
     "libgvd/src/io/view": "io/view gvd",
     "libgvd/segment": "region_statistics segment",
     "libgvd/lloyd": "cell_moments coarse_copy constrained_start density features lloyd relaxation_start",

@@ -126,4 +126,48 @@ TEST_CASE("faces that no generator reaches have no energy") {
   CHECK(io::compute_cell_energies(both, Diagram()).empty());
 }
 
+TEST_CASE("a scene of distances has the sources, curves, and the exact paths of vertices") {
+  const Mesh mesh = make_grid(6, 6);
+  const std::vector<SurfacePoint> sources{vertex_point(mesh, VertexId(24))}, targets{vertex_point(mesh, VertexId(0))};
+  const ExactField field(mesh, sources);
+  DistanceTable table{.sources = sources, .targets = targets, .isolines = field.isolines({1.5, 3.5})};
+  table.paths.push_back({0, GeneratorId(0), field.path(targets[0])});
+  const ViewScene scene = make_distance_scene("Distances", mesh, field, table);
+  CHECK(scene.generators == std::vector<Vec3>{mesh.position(VertexId(24))});
+  CHECK(scene.isolines.size() == table.isolines.size());
+  CHECK(scene.isolines[0].front() == scene.isolines[0].back());
+  CHECK(scene.isolines.back().front() != scene.isolines.back().back());
+  REQUIRE(scene.paths.size() == 1);
+  REQUIRE(scene.vertex_paths.vertices.size() == 49);
+  for (std::size_t i = 0; i < 49; ++i) {
+    const VertexId v = scene.vertex_paths.vertices[i];
+    const std::vector<Vec3>& path = scene.vertex_paths.points[i];
+    double length = 0;
+    for (std::size_t k = 1; k < path.size(); ++k) length += (path[k] - path[k - 1]).norm();
+    CHECK(path.front() == mesh.position(v));
+    CHECK(path.back() == mesh.position(VertexId(24)));
+    CHECK(length == Approx(scene.vertex_distance[v]).margin(1e-14));
+  }
+}
+
+TEST_CASE("a scene of a large mesh has paths of some of its vertices, of what no source reaches none") {
+  const Mesh large = make_grid(120, 120);
+  const SurfacePoint corner = vertex_point(large, VertexId(0));
+  const ViewScene scene = make_distance_scene("", large, ExactField(large, {corner}), {.sources = {corner}});
+  const std::size_t stored = scene.vertex_paths.vertices.size();
+  CHECK(stored > 2000);
+  CHECK(stored < 8000);
+  std::size_t points = 0;
+  for (const auto& path : scene.vertex_paths.points) points += path.size();
+  CHECK(points < 1.1 * kMostPathPoints);
+  const auto& vertices = scene.vertex_paths.vertices;
+  CHECK(vertices[1].value() - vertices[0].value() == vertices[2].value() - vertices[1].value());
+  const Mesh two = make_two_components();
+  const SurfacePoint first = vertex_point(two, VertexId(0));
+  const ExactField field(two, {first});
+  for (const VertexId v : make_distance_scene("", two, field, {.sources = {first}}).vertex_paths.vertices) {
+    CHECK(std::isfinite(field.distance(v)));
+  }
+}
+
 }  // namespace gvd::test_view_scene

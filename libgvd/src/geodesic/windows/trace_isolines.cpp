@@ -13,7 +13,6 @@
 #include "geodesic/windows/trace_isolines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -30,6 +29,9 @@ namespace gvd {
 namespace {
 
 constexpr StepPart kEdgePart{"isolines", 0, 0.3}, kFacePart{"isolines", 0.3, 1};
+
+/// Edges or faces of a chunk.
+constexpr std::size_t kChunk = 1024;
 
 /// A gap between two intervals, relative to edge and level, that is no more than rounding: distances are right to
 /// 1e-13.
@@ -69,39 +71,87 @@ Reach reach_of(const EdgeSource& s, double level) {
   return {beyond_begin < 0 ? s.x - half : s.begin - beyond_begin, beyond_end < 0 ? s.x + half : s.end + beyond_end};
 }
 
-class IsolineTracer {
- public:
-  IsolineTracer(const Mesh& mesh, const WindowField& field, const std::vector<double>& levels,
-                const IsolineOptions& options)
-      : mesh_(mesh),
-        field_(field),
-        levels_(levels),
-        tolerance_(options.chord_tolerance * mesh.mean_edge_length()),
-        parallel_(options.threads, options.progress) {}
+/// The crossings of all edges, by edge, level and t.
+struct LevelSets {
+  const Mesh& mesh;
+  const WindowField& field;
+  const std::vector<double>& levels;
+  std::vector<Crossing> crossings = {};
+  std::vector<std::int32_t> first = {};  // [edge] of its crossings, and one for the end
+};
 
-  std::vector<Isoline> run() {
-    crossings_ = parallel_.collect(cut_into_chunks(mesh_.edge_count(), kChunk), kEdgePart, [&](const Chunk& chunk) {
-      std::vector<Crossing> found;
-      std::vector<EdgeSource> sources;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) cross_edge(EdgeId(i), sources, found);
-      return found;
-    });
-    first_crossing_.assign(mesh_.edge_count() + 1, 0);
-    for (const Crossing& crossing : crossings_) ++first_crossing_[crossing.edge.index() + 1];
-    for (std::size_t e = 1; e < first_crossing_.size(); ++e) first_crossing_[e] += first_crossing_[e - 1];
-    arcs_ = parallel_.collect(cut_into_chunks(mesh_.face_count(), kChunk), kFacePart, [&](const Chunk& chunk) {
-      std::vector<Arc> found;
-      FaceWork work;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) cross_face(FaceId(i), work, found);
-      return found;
-    });
-    return join_arcs();
+/// Sorts intervals and joins those that overlap or are no more than `seam` apart.
+void merge(std::vector<Reach>& reaches, double seam) {
+  std::ranges::sort(reaches, {}, [](const Reach& r) { return std::pair(r.begin, r.end); });
+  std::size_t count = 0;
+  for (const Reach& r : reaches) {
+    if (count > 0 && r.begin <= reaches[count - 1].end + seam) {
+      reaches[count - 1].end = std::max(reaches[count - 1].end, r.end);
+    } else {
+      reaches[count++] = r;
+    }
+  }
+  reaches.resize(count);
+}
+
+void cross_edge(const LevelSets& sets, EdgeId e, std::vector<EdgeSource>& sources, std::vector<Crossing>& found) {
+  const Mesh& mesh = sets.mesh;
+  const HalfedgeId h = mesh.halfedge(e);
+  const double length = mesh.length(h), start = sets.field.distance[mesh.from(h)],
+               end = sets.field.distance[mesh.to(h)];
+  collect_edge_sources(mesh, sets.field, h, sources);
+  double least = kInfinity;
+  for (const EdgeSource& s : sources) least = std::min(least, s.straight(std::clamp(s.x, s.begin, s.end)));
+  const auto first = std::lower_bound(sets.levels.begin(), sets.levels.end(), least);
+  const auto last = std::upper_bound(first, sets.levels.end(), 0.5 * (start + end + length));
+  std::vector<Reach> reaches;
+  for (auto level = first; level != last; ++level) {
+    reaches.clear();
+    for (const EdgeSource& s : sources) {
+      const auto [from, to] = reach_of(s, *level);
+      if (from <= to && from <= length && to >= 0) reaches.push_back({std::max(from, 0.0), std::min(to, length)});
+    }
+    merge(reaches, kSeam * (length + *level));
+    const auto index = std::int32_t(level - sets.levels.begin());
+    for (const auto& [from, to] : reaches) {
+      if (from > 0 || start > *level) found.push_back({e, index, from, false});
+      if (to < length || end > *level) found.push_back({e, index, to, true});
+    }
+  }
+}
+
+void find_crossings(LevelSets& sets, const ParallelChunks& parallel) {
+  const std::int32_t edges = sets.mesh.edge_count();
+  sets.crossings = parallel.collect(cut_into_chunks(edges, kChunk), kEdgePart, [&](const Chunk& chunk) {
+    std::vector<Crossing> found;
+    std::vector<EdgeSource> sources;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) cross_edge(sets, EdgeId(i), sources, found);
+    return found;
+  });
+  sets.first.assign(edges + 1, 0);
+  for (const Crossing& crossing : sets.crossings) ++sets.first[crossing.edge.index() + 1];
+  for (std::size_t e = 1; e < sets.first.size(); ++e) sets.first[e] += sets.first[e - 1];
+}
+
+/// Finds the arcs in one face after the other, for one thread.
+class FaceTracer {
+ public:
+  FaceTracer(const LevelSets& sets, double tolerance) : sets_(sets), tolerance_(tolerance) {}
+
+  void trace(FaceId f, std::vector<Arc>& found) {
+    collect_sides(f);
+    if (sides_.empty()) return;
+    collect_face_sources(sets_.mesh, sets_.field, f, *layout_, sources_);
+    for (auto begin = sides_.begin(); begin != sides_.end();) {
+      const auto end = std::find_if(begin, sides_.end(), [&](const Side& side) { return side.level != begin->level; });
+      level_ = sets_.levels[begin->level];
+      pair_sides({begin, end}, found);
+      begin = end;
+    }
   }
 
  private:
-  static constexpr std::size_t kChunk = 1024;
-
-  /// A crossing as seen from a face.
+  /// A crossing as seen from the face.
   struct Side {
     std::int32_t crossing;
     std::int32_t level;
@@ -109,152 +159,106 @@ class IsolineTracer {
     Vec2 at;      // in the layout of the face
   };
 
-  /// What one thread needs for a face.
-  struct FaceWork {
-    FaceId face;
-    std::optional<FaceLayout> layout;
-    std::vector<FaceSource> sources;
-    std::vector<Side> sides;  // by level, counter-clockwise
-    std::vector<SurfacePoint>* points = nullptr;
-    double level = 0;
-
-    double distance(const Vec2& p) const {
-      double d = kInfinity;
-      nearest_source(sources, p, d);
-      return d;
-    }
-  };
-
-  void cross_edge(EdgeId e, std::vector<EdgeSource>& sources, std::vector<Crossing>& found) const {
-    const HalfedgeId h = mesh_.halfedge(e);
-    const double length = mesh_.length(h), start = field_.distance[mesh_.from(h)], end = field_.distance[mesh_.to(h)];
-    collect_edge_sources(mesh_, field_, h, sources);
-    double least = kInfinity;
-    for (const EdgeSource& s : sources) least = std::min(least, s.straight(std::clamp(s.x, s.begin, s.end)));
-    const auto first = std::lower_bound(levels_.begin(), levels_.end(), least);
-    const auto last = std::upper_bound(first, levels_.end(), 0.5 * (start + end + length));
-    std::vector<Reach> reaches;
-    for (auto level = first; level != last; ++level) {
-      reaches.clear();
-      for (const EdgeSource& s : sources) {
-        const auto [from, to] = reach_of(s, *level);
-        if (from <= to && from <= length && to >= 0) reaches.push_back({std::max(from, 0.0), std::min(to, length)});
-      }
-      merge(reaches, kSeam * (length + *level));
-      const auto index = static_cast<std::int32_t>(level - levels_.begin());
-      for (const auto& [from, to] : reaches) {
-        if (from > 0 || start > *level) found.push_back({e, index, from, false});
-        if (to < length || end > *level) found.push_back({e, index, to, true});
-      }
-    }
-  }
-
-  static void merge(std::vector<Reach>& reaches, double seam) {
-    std::ranges::sort(reaches, {}, [](const Reach& r) { return std::pair(r.begin, r.end); });
-    std::size_t count = 0;
-    for (const Reach& r : reaches) {
-      if (count > 0 && r.begin <= reaches[count - 1].end + seam) {
-        reaches[count - 1].end = std::max(reaches[count - 1].end, r.end);
-      } else {
-        reaches[count++] = r;
-      }
-    }
-    reaches.resize(count);
-  }
-
-  void cross_face(FaceId f, FaceWork& work, std::vector<Arc>& found) const {
-    collect_sides(f, work);
-    if (work.sides.empty()) return;
-    collect_face_sources(mesh_, field_, f, *work.layout, work.sources);
-    for (auto begin = work.sides.begin(); begin != work.sides.end();) {
-      const auto end =
-          std::find_if(begin, work.sides.end(), [&](const Side& side) { return side.level != begin->level; });
-      work.level = levels_[begin->level];
-      pair_sides({begin, end}, work, found);
-      begin = end;
-    }
-  }
-
-  void collect_sides(FaceId f, FaceWork& work) const {
-    work.face = f;
-    work.sides.clear();
-    work.layout.emplace(mesh_, f);
+  void collect_sides(FaceId f) {
+    const Mesh& mesh = sets_.mesh;
+    face_ = f;
+    sides_.clear();
+    layout_.emplace(mesh, f);
     for (int i = 0; i < 3; ++i) {
       const HalfedgeId h = Mesh::halfedge(f, i);
-      const EdgeId e = mesh_.edge(h);
-      const bool is_own = mesh_.halfedge(e) == h;
-      const Vec2 &from = work.layout->corner[i], &to = work.layout->corner[(i + 1) % 3];
-      const std::int32_t first = first_crossing_[e.index()], last = first_crossing_[e.index() + 1];
+      const EdgeId e = mesh.edge(h);
+      const bool is_own = mesh.halfedge(e) == h;
+      const Vec2 &from = layout_->corner[i], &to = layout_->corner[(i + 1) % 3];
+      const std::int32_t first = sets_.first[e.index()], last = sets_.first[e.index() + 1];
       for (std::int32_t k = first; k < last; ++k) {
         const std::int32_t at = is_own ? k : first + last - 1 - k;
-        const Crossing& c = crossings_[at];
-        const double t = c.t / mesh_.length(e);
-        work.sides.push_back({at, c.level, c.leaves == is_own, from + (is_own ? t : 1 - t) * (to - from)});
+        const Crossing& c = sets_.crossings[at];
+        const double t = c.t / mesh.length(e);
+        sides_.push_back({at, c.level, c.leaves == is_own, from + (is_own ? t : 1 - t) * (to - from)});
       }
     }
-    std::ranges::stable_sort(work.sides, {}, &Side::level);
+    std::ranges::stable_sort(sides_, {}, &Side::level);
+  }
+
+  double distance(const Vec2& p) const {
+    double d = kInfinity;
+    nearest_source(sources_, p, d);
+    return d;
   }
 
   /// Pairs the crossings of one level: each one that leaves the near side with the next or with the last that enters
   /// it.
-  void pair_sides(std::span<const Side> sides, FaceWork& work, std::vector<Arc>& found) const {
+  void pair_sides(std::span<const Side> sides, std::vector<Arc>& found) const {
     const std::size_t n = sides.size();
     Vec2 middle = Vec2::Zero();
     for (const Side& side : sides) middle += side.at / double(n);
-    const std::size_t step = n > 2 && work.distance(middle) <= work.level ? 1 : n - 1;
+    const std::size_t step = n > 2 && distance(middle) <= level_ ? 1 : n - 1;
     for (std::size_t i = 0; i < n; ++i) {
       if (!sides[i].leaves) continue;
       const Side& end = sides[(i + step) % n];
       Arc& arc = found.emplace_back(Arc{sides[i].crossing, end.crossing, {}});
-      work.points = &arc.points;
-      halve(sides[i].at, end.at, kMostHalvings, work);
+      halve(sides[i].at, end.at, kMostHalvings, arc.points);
     }
   }
 
   /// Adds the points between two points of a curve.
-  void halve(const Vec2& a, const Vec2& b, int halvings, FaceWork& work) const {
-    const std::optional<Vec2> middle = halvings > 0 ? find_middle(a, b, work) : std::nullopt;
+  void halve(const Vec2& a, const Vec2& b, int halvings, std::vector<SurfacePoint>& points) const {
+    const std::optional<Vec2> middle = halvings > 0 ? find_middle(a, b) : std::nullopt;
     if (!middle) return;
-    halve(a, *middle, halvings - 1, work);
-    std::array<double, 3> bary = work.layout->bary(*middle);
+    halve(a, *middle, halvings - 1, points);
+    Bary bary = layout_->bary(*middle);
     for (double& weight : bary) weight = std::clamp(weight, 0.0, 1.0);
-    work.points->push_back(make_surface_point(work.face, bary));
-    halve(*middle, b, halvings - 1, work);
+    points.push_back(make_surface_point(face_, bary));
+    halve(*middle, b, halvings - 1, points);
   }
 
   /// The point on the level beside the middle of a straight piece. None where the middle is near enough to the level,
   /// or where the level is not beside it within the face.
-  std::optional<Vec2> find_middle(const Vec2& a, const Vec2& b, const FaceWork& work) const {
+  std::optional<Vec2> find_middle(const Vec2& a, const Vec2& b) const {
     const Vec2 middle = 0.5 * (a + b);
-    const double beyond = work.distance(middle) - work.level;  // distances change at most as fast as points move
-    if (!(std::abs(beyond) > std::max(tolerance_, kOnLevel * work.level))) return std::nullopt;
+    const double beyond = distance(middle) - level_;  // distances change at most as fast as points move
+    if (!(std::abs(beyond) > std::max(tolerance_, kOnLevel * level_))) return std::nullopt;
     const Vec2 to_near = turned_left(b - a).normalized(), across = beyond > 0 ? to_near : Vec2(-to_near);
-    const std::array<double, 3> bary = work.layout->bary(middle), rate = work.layout->bary_rate(across);
+    const Bary bary = layout_->bary(middle), rate = layout_->bary_rate(across);
     double reach = (b - a).norm();
     for (int i = 0; i < 3; ++i) {
       if (rate[i] < 0) reach = std::min(reach, bary[i] / -rate[i]);
     }
     const double sign = beyond > 0 ? -1 : 1;
-    const auto offset = [&](double s) { return sign * (work.distance(middle + s * across) - work.level); };
+    const auto offset = [&](double s) { return sign * (distance(middle + s * across) - level_); };
     const double at_end = reach > 0 ? offset(reach) : -1;
     if (!(at_end > 0)) return std::nullopt;
-    const double s = find_root({0, reach, -std::abs(beyond), at_end}, kOnLevel * (work.level + reach), offset);
+    const double s = find_root({0, reach, -std::abs(beyond), at_end}, kOnLevel * (level_ + reach), offset);
     return Vec2(middle + s * across);
   }
 
-  /// Curves that begin on the boundary, then closed ones.
-  std::vector<Isoline> join_arcs() {
-    std::vector<std::int32_t> leaving(crossings_.size(), -1);
-    std::vector<bool> is_entered(crossings_.size(), false);
-    for (std::size_t i = 0; i < arcs_.size(); ++i) {
-      leaving[arcs_[i].from] = static_cast<std::int32_t>(i);
-      is_entered[arcs_[i].to] = true;
+  const LevelSets& sets_;
+  double tolerance_;  // mesh units
+  FaceId face_;
+  std::optional<FaceLayout> layout_;
+  std::vector<FaceSource> sources_;
+  std::vector<Side> sides_;  // of the face, by level, counter-clockwise
+  double level_ = 0;
+};
+
+/// Joins arcs to curves.
+class ArcJoiner {
+ public:
+  ArcJoiner(const LevelSets& sets, const std::vector<Arc>& arcs)
+      : sets_(sets), arcs_(arcs), leaving_(sets.crossings.size(), -1), is_entered_(sets.crossings.size(), false) {
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      leaving_[arcs[i].from] = std::int32_t(i);
+      is_entered_[arcs[i].to] = true;
     }
+  }
+
+  /// Curves that begin on the boundary, then closed ones; by level.
+  std::vector<Isoline> run() {
     std::vector<Isoline> lines;
     for (const bool closed : {false, true}) {
-      for (std::size_t i = 0; i < crossings_.size(); ++i) {
-        if (leaving[i] < 0 || (!closed && is_entered[i])) continue;
-        Isoline line = follow(static_cast<std::int32_t>(i), leaving);
+      for (std::size_t i = 0; i < leaving_.size(); ++i) {
+        if (leaving_[i] < 0 || (!closed && is_entered_[i])) continue;
+        Isoline line = follow(std::int32_t(i));
         line.closed = closed;
         if (closed && line.points.size() > 1 && is_same(line.points.front(), line.points.back()))
           line.points.pop_back();
@@ -265,40 +269,49 @@ class IsolineTracer {
     return lines;
   }
 
-  /// Follows the arcs from a crossing to the boundary, or round to it. Takes them from `leaving`.
-  Isoline follow(std::int32_t at, std::vector<std::int32_t>& leaving) {
-    Isoline line{levels_[crossings_[at].level], false, {}};
+ private:
+  /// Follows the arcs from a crossing to the boundary, or round to it, and takes them.
+  Isoline follow(std::int32_t at) {
+    Isoline line{sets_.levels[sets_.crossings[at].level], false, {}};
     for (;;) {
-      const HalfedgeId h = mesh_.halfedge(crossings_[at].edge);
-      const SurfacePoint point = edge_point(h, std::min(1.0, crossings_[at].t / mesh_.length(h)));
+      const HalfedgeId h = sets_.mesh.halfedge(sets_.crossings[at].edge);
+      const SurfacePoint point = edge_point(h, std::min(1.0, sets_.crossings[at].t / sets_.mesh.length(h)));
       append(line.points, make_surface_point(point.face, point.bary));
-      const std::int32_t arc = std::exchange(leaving[at], -1);
+      const std::int32_t arc = std::exchange(leaving_[at], -1);
       if (arc < 0) return line;
       for (const SurfacePoint& p : arcs_[arc].points) append(line.points, p);
       at = arcs_[arc].to;
     }
   }
 
-  bool is_same(const SurfacePoint& a, const SurfacePoint& b) const { return position(mesh_, a) == position(mesh_, b); }
+  bool is_same(const SurfacePoint& a, const SurfacePoint& b) const {
+    return position(sets_.mesh, a) == position(sets_.mesh, b);
+  }
   void append(std::vector<SurfacePoint>& points, const SurfacePoint& point) const {
     if (points.empty() || !is_same(points.back(), point)) points.push_back(point);
   }
 
-  const Mesh& mesh_;
-  const WindowField& field_;
-  const std::vector<double>& levels_;
-  double tolerance_;  // mesh units
-  ParallelChunks parallel_;
-  std::vector<Crossing> crossings_;           // by edge, level and t
-  std::vector<std::int32_t> first_crossing_;  // [edge], and one for the end
-  std::vector<Arc> arcs_;
+  const LevelSets& sets_;
+  const std::vector<Arc>& arcs_;
+  std::vector<std::int32_t> leaving_;  // [crossing] the arc that leaves it and has not been taken; -1: none
+  std::vector<bool> is_entered_;       // [crossing]
 };
 
 }  // namespace
 
 std::vector<Isoline> trace_isolines(const Mesh& mesh, const WindowField& field, const std::vector<double>& levels,
                                     const IsolineOptions& options) {
-  return IsolineTracer(mesh, field, levels, options).run();
+  const ParallelChunks parallel(options.threads, options.progress);
+  const double tolerance = options.chord_tolerance * mesh.mean_edge_length();
+  LevelSets sets{mesh, field, levels};
+  find_crossings(sets, parallel);
+  const auto arcs = parallel.collect(cut_into_chunks(mesh.face_count(), kChunk), kFacePart, [&](const Chunk& chunk) {
+    std::vector<Arc> found;
+    FaceTracer tracer(sets, tolerance);
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) tracer.trace(FaceId(i), found);
+    return found;
+  });
+  return ArcJoiner(sets, arcs).run();
 }
 
 }  // namespace gvd
