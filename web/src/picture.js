@@ -3,7 +3,7 @@ import { Group, Mesh } from 'three';
 import { make_coarse } from './coarse.js';
 import { fill_texture, kUnreachedFill, lattice_texture, read_fills } from './colours.js';
 import { read_array } from './data.js';
-import { dot_sizes, make_dots, make_wireframe, read_lines } from './marks.js';
+import { dot_sizes, make_dots, make_lines, make_wireframe, read_lines } from './marks.js';
 import { kSources } from './materials.js';
 import { make_overlay } from './overlay.js';
 import { ramp } from './ramp.js';
@@ -150,9 +150,10 @@ export class Picture {
   // Draws the stored path nearest to a point of a face, in place of the last one. Returns the card about it.
   show_path(face, bary) {
     this.clear_path();
-    const { line, card } = this.vertex_paths.from(face, bary, this.materials.path);
-    if ((this.path = line)) this.group.add(line);
-    return card;
+    const found = this.vertex_paths.from(face, bary);
+    this.path = make_lines(found, this.materials.path);
+    if (this.path) this.group.add(this.path);  // the path of a source has no length
+    return found.card;
   }
 
   clear_path() {

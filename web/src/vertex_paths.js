@@ -1,6 +1,5 @@
 // Shortest paths of vertices, which a click shows. They are the exact ones that the file holds: none is computed here.
 import { read_array } from './data.js';
-import { make_lines } from './marks.js';
 import { format_number } from './panel.js';
 
 const square_distance = (p, i, q, k) => (p[3 * i] - q[3 * k]) ** 2 + (p[3 * i + 1] - q[3 * k + 1]) ** 2 + (p[3 * i + 2] - q[3 * k + 2]) ** 2;
@@ -26,8 +25,8 @@ export class VertexPaths {
     [this.surface, this.scale] = [surface, scale];
   }
 
-  // The path of the vertex that is nearest to a point of face `f`: {line, card}, to be drawn and to be read.
-  from(f, bary, material) {
+  // The path of the vertex that is nearest to a point of face `f`: {points, counts}, to be drawn, and a card.
+  from(f, bary) {
     const { positions, faces, distances } = this.surface;
     const clicked = [0, 1, 2].map((k) => bary.reduce((sum, b, i) => sum + b * positions[3 * faces[3 * f + i] + k], 0));
     const near = nearest_point(positions, clicked, 0, this.vertices.length, (i) => this.vertices[i]);
@@ -40,7 +39,7 @@ export class VertexPaths {
       ['Click to vertex', length(near.distance)],
       ['Stored paths', `${this.vertices.length} of ${positions.length / 3} vertices`],
     ];
-    const counts = [last - first], points = this.points.subarray(3 * first, 3 * last);
-    return { line: make_lines({ points, counts }, material), card: { title: `Path from vertex ${vertex}`, rows } };
+    const points = this.points.subarray(3 * first, 3 * last);
+    return { points, counts: [last - first], card: { title: `Path from vertex ${vertex}`, rows } };
   }
 }

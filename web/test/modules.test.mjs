@@ -10,6 +10,7 @@ import { cross_plane } from '../src/ray.js';
 import { sort_labels } from '../src/region_table.js';
 import { file_name } from '../src/save_picture.js';
 import { locate_in_lattice, SurfaceDistance } from '../src/surface_distance.js';
+import { VertexPaths } from '../src/vertex_paths.js';
 import { count_edges, face_angle, face_quality, face_values, position_in, triangles_area, value_range } from '../src/values.js';
 
 const kAxes = { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] };
@@ -179,4 +180,32 @@ test('a ray through the canvas finds its point of a face', () => {
   const point = [0, 1, 2].map((k) => bary.reduce((sum, b, i) => sum + b * corners[i][k], 0));
   cross_plane([3, 1, 9], point, ...corners).forEach((b, i) => near(b, bary[i], 1e-12));
   assert.deepEqual(cross_plane([0, 0, 1], [1, 0, 1], [0, 0, 0], [1, 0, 0], [0, 1, 0]), [1 / 3, 1 / 3, 1 / 3]);
+});
+
+test('a click shows the stored path of the nearest vertex that has one', () => {
+  const blobs = [], element = globalThis.document;
+  const put = (type, array) => (blobs.push(Buffer.from(array.buffer).toString('base64')), { blob: blobs.length - 1, type, count: array.length });
+  globalThis.document = { getElementById: (id) => ({ textContent: blobs[Number(id.slice(5))] }) };
+  const entry = {
+    vertex_paths: {
+      vertices: put('u8', Uint8Array.of(0, 3)),
+      counts: put('u8', Uint8Array.of(1, 3)),
+      points: put('f32', Float32Array.of(0, 0, 0, 1, 1, 0, 0.5, 0.5, 0, 0, 0, 0)),
+    },
+    generators: put('f32', Float32Array.of(9, 9, 9, 0, 0, 0)),
+  };
+  const surface = {
+    positions: Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0),
+    faces: Uint8Array.of(0, 1, 2, 1, 3, 2),
+    distances: Float32Array.of(0, 1, 1, Math.SQRT2),
+  };
+  const paths = new VertexPaths(entry, surface, 10), found = paths.from(1, [0.3, 0.5, 0.2]);
+  globalThis.document = element;
+  assert.deepEqual([...found.points], [1, 1, 0, 0.5, 0.5, 0, 0, 0, 0]);
+  assert.deepEqual(found.counts, [3]);
+  assert.equal(found.card.title, 'Path from vertex 3');
+  const rows = Object.fromEntries(found.card.rows);
+  assert.deepEqual([rows['Exact length'], rows.Source, rows['Stored paths']], ['14.1421', '1', '2 of 4 vertices']);
+  near(Number(rows['Click to vertex']), 10 * Math.hypot(0.2, 0.3), 1e-4);
+  assert.equal(paths.from(0, [0.8, 0.1, 0.1]).card.title, 'Path from vertex 0');
 });

@@ -220,13 +220,19 @@ class FaceTracer {
     if (!(std::abs(beyond) > std::max(tolerance_, kOnLevel * level_))) return std::nullopt;
     const Vec2 to_near = turned_left(b - a).normalized(), across = beyond > 0 ? to_near : Vec2(-to_near);
     const Bary bary = layout_->bary(middle), rate = layout_->bary_rate(across);
-    double reach = (b - a).norm();
+    double limit = kInfinity;  // where the line leaves the face
     for (int i = 0; i < 3; ++i) {
-      if (rate[i] < 0) reach = std::min(reach, bary[i] / -rate[i]);
+      if (rate[i] < 0) limit = std::min(limit, bary[i] / -rate[i]);
     }
     const double sign = beyond > 0 ? -1 : 1;
     const auto offset = [&](double s) { return sign * (distance(middle + s * across) - level_); };
-    const double at_end = reach > 0 ? offset(reach) : -1;
+    // Doubled from the least way that can lead to the level, so that the first crossing is found: curves have sharp
+    // corners where paths of two directions meet, and the other side of a corner is near.
+    double reach = 0, at_end = -1;
+    for (double next = 2 * std::abs(beyond); !(at_end > 0) && reach < limit; next *= 2) {
+      reach = std::min(next, limit);
+      at_end = offset(reach);
+    }
     if (!(at_end > 0)) return std::nullopt;
     const double s = find_root({0, reach, -std::abs(beyond), at_end}, kOnLevel * (level_ + reach), offset);
     return Vec2(middle + s * across);
