@@ -105,4 +105,15 @@ class ExactField {
   std::unique_ptr<State> state_;
 };
 
+struct VertexDistances {
+  IdVector<VertexId, double>
+      distance;  ///< from the nearest generator, its offset included; infinity where none reaches
+  IdVector<VertexId, GeneratorId> label;  ///< that generator; invalid where none reaches
+};
+
+/// What ExactField says of the vertices, bit by bit, in about half of its time. Throws what it throws. Memory: 130
+/// bytes a face, since no windows are kept.
+VertexDistances compute_vertex_distances(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                         const ExactFieldOptions& options = {});
+
 }  // namespace gvd

@@ -106,6 +106,23 @@ TEST_CASE("a field up to a largest distance is the same there, and has nothing b
   }
 }
 
+TEST_CASE("distances of the vertices alone are those of the field to the last bit") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const auto generators = test::random_generators(mesh, 5, 6);
+    const ExactFieldOptions options{.offsets = {0, 0.01, 0.02, 0, 0.1}, .max_distance = 0.4 * mesh.bbox_diagonal()};
+    const ExactField field(mesh, generators, options);
+    const VertexDistances alone = compute_vertex_distances(mesh, generators, options);
+    REQUIRE(alone.distance.count() == mesh.vertex_count());
+    REQUIRE(alone.label.count() == mesh.vertex_count());
+    for (const VertexId v : mesh.vertices()) {
+      CHECK(alone.distance[v] == field.distance(v));
+      CHECK(alone.label[v] == field.label(v));
+    }
+  }
+  CHECK_THROWS_AS(compute_vertex_distances(test::make_torus(24, 12), {}), Error);
+}
+
 TEST_CASE("an exact field refuses what it can't do") {
   const Mesh mesh = test::make_sphere(1);
   const SurfacePoint good = vertex_point(mesh, VertexId(0)), other = vertex_point(mesh, VertexId(5));

@@ -177,4 +177,20 @@ Vec2 ExactField::departure(const SurfacePoint& point) const {
   return Vec2::Zero();
 }
 
+VertexDistances compute_vertex_distances(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                         const ExactFieldOptions& options) {
+  checked(options, generators.size());
+  const WorkingMesh working(mesh, generators, options.progress);
+  WindowField field = propagate_windows(working.mesh(), working.generator_vertices().raw(),
+                                        {.keep = KeepWindows::none,
+                                         .offsets = options.offsets,
+                                         .threads = options.threads,
+                                         .max_distance = options.max_distance},
+                                        options.progress);
+  // The vertices of the input come first; those of generators inside faces follow.
+  field.distance.resize(mesh.vertex_count());
+  field.label.resize(mesh.vertex_count());
+  return {std::move(field.distance), std::move(field.label)};
+}
+
 }  // namespace gvd
