@@ -26,7 +26,7 @@ PAPER_MODELS ?= $(GVD_MODELS)
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package format lint clean
+.PHONY: help demo python pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package format lint clean
 
 help:
 	@echo "make demo      build, run the commands on a mesh of data/, name the files they wrote"
@@ -38,6 +38,7 @@ help:
 	@echo "make battery   hostile meshes through the commands: BATTERY_SEEDS ($(BATTERY_SEEDS)), BATTERY_CORPUS=FOLDER"
 	@echo "make test-runs thousands of diagrams on the corpus: RUNS_COUNT for each mesh ($(RUNS_COUNT))"
 	@echo "make build     build the library and the commands"
+	@echo "make python    build the Python package in BUILD/python; 'pip install .' installs it"
 	@echo "make count     count instructions of the commands, compared with bench/instructions.tsv: COUNT_FLAGS"
 	@echo "make performance  measure the tables of docs/developer/performance.md again, and write them"
 	@echo "make bench     time the steps of a diagram against a plain Dijkstra"
@@ -68,6 +69,12 @@ pictures: build
 	@$(install_deps) pictures
 	@scripts/make_pictures.sh $(BUILD)/bin $(BUILD)/pictures docs/pictures
 
+# PYTHONPATH=BUILD/python then finds the package.
+python:
+	@$(install_deps) build python
+	@$(configure) release $(BUILD) -DGVD_BUILD_PYTHON=ON $(CMAKE_FLAGS)
+	@cmake --build $(BUILD) -j $(JOBS) --target gvd_python
+
 # Some figures need models that are not in data/: see scripts/figures.py.
 figures:
 	@$(install_deps) build
@@ -75,9 +82,11 @@ figures:
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-segment gvd-lloyd gvd-remesh gvd-bench gvd-why-exact
 	@scripts/figures.py write $(BUILD)/bin
 
+# With the Python package, unless its Debian packages are missing (NO_INSTALL=1).
 test:
-	@$(install_deps) build test
-	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON $(CMAKE_FLAGS)
+	@$(install_deps) build test python
+	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON \
+	  -DGVD_BUILD_PYTHON=$$([ -z "$$(scripts/install-deps.sh --missing python)" ] && echo ON || echo OFF) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS)
 	@scripts/check_examples.sh $(BUILD)/bin
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)

@@ -29,7 +29,8 @@ MOST_FOLDERS = 45
 MOST_READMES = 26
 # Lines of C++ below these folders: what stands today. A feature may raise them, by what its commit says. The aims for the last
 # two are 4300 and 2800.
-MOST_LINES = {("libgvd", "apps", "bench"): 51480, ("apps",): 4705, ("apps/common",): 3480}
+MOST_LINES = {("libgvd", "apps", "bench"): 51505, ("apps",): 4705, ("apps/common",): 3480,
+              ("python",): 1150}
 SHARE_OF_COMMENTS = 0.15
 CASTS_PER_THOUSAND_LINES = 6
 

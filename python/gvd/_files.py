@@ -1,0 +1,42 @@
+"""What every result can do: write itself to a file, and show its page in a notebook."""
+from __future__ import annotations
+
+import html
+import os
+from typing import Any, Optional, Union
+
+from . import _gvd
+from ._error import Error
+
+PathLike = Union[str, "os.PathLike[str]"]
+
+_HEIGHT = 600
+"""Height of the page in a notebook, in pixels."""
+
+
+class Writable:
+    """A result with a file for each extension and a page."""
+
+    _native: Any
+
+    def to_file(self, path: PathLike, *, title: str = "gvd", no_curves: bool = False, ascii_ply: bool = False) -> None:
+        """Writes a complete file or none, in the format of its extension, as the commands do.
+
+        .ply, .obj, .off, .stl, .vtp and .glb hold meshes, .html is the page. `title`: of the page. `no_curves`: leaves
+        the bisectors out of .obj, .vtp and .glb. `ascii_ply`: PLY as text.
+        """
+        self._native.write(os.fspath(path), _gvd.WriteOptions(title, no_curves, ascii_ply))
+
+    def to_html(self, *, title: str = "gvd") -> str:
+        """The page as text: one file that any browser opens, without network."""
+        page: str = self._native.page(title)
+        return page
+
+    def _repr_html_(self) -> Optional[str]:
+        try:
+            page = html.escape(self.to_html())
+        except Error as error:
+            if error.code == "invalid_option":  # built without the page: a notebook then prints the object
+                return None
+            raise
+        return f'<iframe srcdoc="{page}" style="width: 100%; height: {_HEIGHT}px; border: 0"></iframe>'

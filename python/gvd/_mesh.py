@@ -1,0 +1,397 @@
+"""Meshes, and what is measured on them."""
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Iterator
+from typing import Any, Literal, Optional, Union, overload
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+from . import _gvd, _vtk
+from ._diagram import Diagram, Segmentation
+from ._error import refuse
+from ._files import PathLike, Writable
+from ._path import Path
+from ._points import Points, as_array, make_entries, one_of
+from ._progress import Callback, Progress, part_of, reporting
+from ._remesh import Relaxation, Remesh
+
+Floats = NDArray[numpy.float64]
+
+_ROW_BYTES = 1 << 26
+"""Rows of distances are computed in batches of about so many bytes."""
+
+
+class Mesh(Writable):
+    """A triangle mesh: `vertices` (n, 3), float64, in mesh units, and `faces` (m, 3), int32.
+
+    Mesh(V, F) takes arrays or lists: V (n, 3) numbers, F (m, k) integers, k >= 3; polygons are cut into triangles.
+    `on_defect`: "error" refuses non-manifold edges, inconsistent orientation, unused vertices and the like; "repair"
+    repairs what loses nothing and says so in a warning; "largest" also keeps the largest component only.
+    `input_vertex` and `input_face` then say which rows of V and F the mesh's elements come from.
+
+    Points of a mesh are given in one of these ways, one or many:
+
+    - a vertex: 7, or [3, 17, 99], integers;
+    - (face, barycentric): (12, (0.2, 0.3, 0.5)), a list of such pairs, or Points(faces, weights);
+    - a position: (0.5, 1.0, 0.0) or an array (n, 3) of floats, moved to the nearest point of the surface.
+
+    Lengths are in the units of `vertices`. Results do not depend on `threads` (0: all cores).
+
+    >>> import gvd
+    >>> square = gvd.Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
+    >>> square
+    gvd.Mesh(4 vertices, 2 faces)
+    >>> square.distances(0).round(3)
+    array([0.   , 1.   , 1.414, 1.   ])
+    """
+
+    _native: _gvd.Mesh
+
+    def __init__(self, vertices: ArrayLike, faces: ArrayLike, *,
+                 on_defect: Literal["error", "repair", "largest"] = "error") -> None:
+        at, corners = as_array("vertices", vertices), as_array("faces", faces)
+        if at.ndim != 2 or at.shape[1] != 3:
+            refuse(f"vertices: an array (n, 3) is needed, not {at.shape}")
+        if corners.dtype.kind == "f" or corners.ndim != 2 or corners.shape[1] < 3:
+            refuse(f"faces: an array (m, 3) of integers is needed, not {corners.dtype} {corners.shape}")
+        self._native = _gvd.Mesh.from_arrays(at, corners, on_defect)
+        self._warn()
+
+    def _warn(self) -> None:
+        """Tells what was repaired, as of the line that called Mesh or read."""
+        for note in self._native.notes():
+            warnings.warn(note, stacklevel=3)
+
+    @classmethod
+    def _wrap(cls, native: _gvd.Mesh) -> Mesh:
+        mesh = cls.__new__(cls)
+        mesh._native = native
+        return mesh
+
+    def __repr__(self) -> str:
+        return f"gvd.Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
+
+    @property
+    def vertices(self) -> Floats:
+        """Positions (n, 3), a view."""
+        return self._native.vertices()
+
+    @property
+    def faces(self) -> NDArray[numpy.int32]:
+        """Vertices of the faces (m, 3), a view."""
+        return self._native.faces()
+
+    @property
+    def input_vertex(self) -> NDArray[numpy.int32]:
+        """The input's vertex for each vertex, -1 for the midpoint of a split edge; a view."""
+        return self._native.input_vertex()
+
+    @property
+    def input_face(self) -> NDArray[numpy.int32]:
+        """The input's polygon for each face; a view."""
+        return self._native.input_face()
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """Numbers of vertices, edges, faces, components and boundary loops, Euler characteristic, area, diagonal."""
+        return self._native.summary()
+
+    def to_vtk(self) -> Any:
+        """The mesh as vtkPolyData."""
+        return _vtk.surface(self.vertices, self.faces)
+
+    def _resolve(self, name: str, points: Any, *, coincident: str = "keep",
+                 max_snap: Optional[float] = None) -> _gvd.PointList:
+        entries = make_entries(name, points)
+        return self._native.resolve(name, entries[:3], max_snap, coincident)
+
+    def points(self, points: Any, *, max_snap: Optional[float] = None) -> Points:
+        """Points as faces and barycentric coordinates. `max_snap`: the farthest that a position may be, mesh units."""
+        return Points(*self._resolve("points", points, max_snap=max_snap).arrays())
+
+    def positions(self, points: Any) -> Floats:
+        """Positions (n, 3) of points."""
+        return self._native.positions(self._resolve("points", points))
+
+    def sample(self, n: Optional[int] = None, *, sampling: str = "farthest", seed: int = 0,
+               radius: Optional[float] = None, progress: Progress = None) -> Points:
+        """Points that are spread over the surface: `n` of them, or as many as leave no point farther than `radius`.
+
+        `sampling`: "farthest", "random" (by area), "vertices" or "poisson" (evenly spaced).
+        """
+        one_of("sample", n, None, radius)
+        return Points(*self._sample(_sampler(n, sampling, seed, radius), progress).arrays())
+
+    def farthest(self, n: int, *, seed: int = 0, progress: Progress = None) -> Points:
+        """`n` points, each as far as possible from all before it.
+
+        >>> import gvd
+        >>> gvd.read("data/figure.obj").farthest(3).face
+        array([ 541, 3833, 3438], dtype=int32)
+        """
+        return self.sample(n, seed=seed, progress=progress)
+
+    def _sample(self, sampler: _gvd.Sampler, progress: Progress) -> _gvd.PointList:
+        with reporting(progress) as callback:
+            return self._native.sample(sampler, callback)
+
+    def distances(self, points: Any, *, each: bool = False, at: Any = None, out: Any = None, threads: int = 0,
+                  progress: Progress = None) -> Any:
+        """Exact distances of all vertices (or of the points `at`) to the nearest of `points`: an array (n).
+
+        With `each`, one row for each point: an array (points, n). `out`: an array or numpy.memmap of this shape that
+        gets the rows, so that memory holds a few of them only. What no point reaches is infinitely far.
+        """
+        source, targets = self._resolve("points", points), None if at is None else self._resolve("at", at)
+        if not each:
+            if out is not None:
+                refuse("out: only rows are written to it; add each=True")
+            with reporting(progress) as callback:
+                return _gvd.nearest(self._native, source, targets, threads, callback)[0]
+        shape = (len(source), len(self.vertices) if targets is None else len(targets))
+        if out is None:
+            out = numpy.empty(shape)
+        elif getattr(out, "shape", None) != shape:
+            refuse(f"out: an array {shape} is needed, not {getattr(out, 'shape', type(out).__name__)}")
+        with reporting(progress) as callback:
+            for begin, rows in self._batches(source, targets, threads, callback):
+                out[begin : begin + len(rows)] = rows
+        return out
+
+    def distance_rows(self, points: Any, *, at: Any = None, threads: int = 0,
+                      progress: Progress = None) -> Iterator[Floats]:
+        """The rows of `distances(points, each=True)`, one after the other, in bounded memory and with all cores.
+
+        >>> import gvd
+        >>> square = gvd.Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
+        >>> [float(row.max().round(3)) for row in square.distance_rows([0, (1, (0.5, 0.5, 0.0))])]
+        [1.414, 0.707]
+        """
+        source, targets = self._resolve("points", points), None if at is None else self._resolve("at", at)
+
+        def rows() -> Iterator[Floats]:
+            with reporting(progress) as callback:
+                for _, batch in self._batches(source, targets, threads, callback):
+                    yield from batch
+
+        return rows()
+
+    def _batches(self, source: _gvd.PointList, targets: Optional[_gvd.PointList], threads: int,
+                 callback: Optional[Callback]) -> Iterator[tuple[int, Floats]]:
+        """Rows of distances, a batch at a time: eight for each core where these take little memory."""
+        if threads < 0:
+            refuse(f"threads: {threads} is negative; 0 takes all cores")
+        columns = len(self.vertices) if targets is None else len(targets)
+        cores = threads or os.cpu_count() or 1
+        size = max(cores, min(8 * cores, _ROW_BYTES // (8 * columns)))
+        for begin in range(0, len(source), size):
+            end = min(begin + size, len(source))
+            part = part_of(callback, begin / len(source), end / len(source))
+            yield begin, _gvd.rows(self._native, source.part(begin, end), targets, threads, part)
+
+    def nearest(self, points: Any, *, at: Any = None, threads: int = 0,
+                progress: Progress = None) -> tuple[Floats, NDArray[numpy.int32]]:
+        """Distances to the nearest of `points`, and which one it is (-1: none reaches), both (n)."""
+        source, targets = self._resolve("points", points), None if at is None else self._resolve("at", at)
+        with reporting(progress) as callback:
+            return _gvd.nearest(self._native, source, targets, threads, callback)
+
+    @overload
+    def path(self, start: Union[int, tuple[int, Any], tuple[float, float, float]], end: Any, *, threads: int = ...,
+             progress: Progress = ...) -> Path: ...
+
+    @overload
+    def path(self, start: Any, end: Any, *, threads: int = ..., progress: Progress = ...) -> Union[Path, list[Path]]: ...
+
+    def path(self, start: Any, end: Any, *, threads: int = 0, progress: Progress = None) -> Union[Path, list[Path]]:
+        """A shortest path from `start` to `end`, or to the nearest of several ends. Several starts: a list of paths.
+
+        >>> import gvd
+        >>> square = gvd.Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
+        >>> square.path(1, 3).positions
+        array([[1. , 0. , 0. ],
+               [0.5, 0.5, 0. ],
+               [0. , 1. , 0. ]])
+        """
+        starts, ends = make_entries("start", start), self._resolve("end", end)
+        source = self._native.resolve("start", starts[:3], None, "keep")
+        with reporting(progress) as callback:
+            traced = _gvd.paths(self._native, source, ends, threads, callback)
+        paths = [Path(Points(*points.arrays()), self._native.positions(points), length, complete, end)
+                 for points, end, length, complete in traced]
+        return paths[0] if starts.single else paths
+
+    def log_map(self, point: Any, *, threads: int = 0, progress: Progress = None) -> Floats:
+        """The logarithm of every vertex at a point, (n, 2): the vector in whose direction the shortest path departs.
+
+        Its length is the distance, in mesh units. The x axis is the direction of the first edge at the point: see
+        gvd/geodesic_tracing.hpp. NaN where no path leads.
+        """
+        at = self._resolve("point", point)
+        if len(at) != 1:
+            refuse(f"point: one point is needed, not {len(at)}")
+        with reporting(progress) as callback:
+            return _gvd.logs(self._native, at, threads, callback)
+
+    def voronoi(self, points: Any, *, method: Literal["exact", "gbgvd", "paper"] = "exact",
+                front: Optional[Literal["planar", "circle"]] = None, chord_tolerance: Optional[float] = None,
+                max_snap: Optional[float] = None, merge_coincident: bool = False, threads: int = 0,
+                progress: Progress = None) -> Diagram:
+        """The geodesic Voronoi diagram of points.
+
+        >>> import gvd
+        >>> diagram = gvd.read("data/figure.obj").voronoi([0, 1000, 2000])
+        >>> len(diagram.cells), diagram.check()
+        (3, [])
+        """
+        generators = self._resolve("points", points, max_snap=max_snap,
+                                   coincident="merge" if merge_coincident else "refuse")
+        compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
+        return self._diagram(generators, compute, progress)
+
+    def _diagram(self, generators: _gvd.PointList, compute: _gvd.ComputeOptions, progress: Progress) -> Diagram:
+        with reporting(progress) as callback:
+            return Diagram(self, _gvd.diagram(self._native, generators, compute, callback))
+
+    def segment(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
+                radius: Optional[float] = None, labels: Literal["smooth", "nearest"] = "smooth",
+                method: Literal["exact", "gbgvd", "paper"] = "exact", front: Optional[Literal["planar", "circle"]] = None,
+                chord_tolerance: Optional[float] = None, threads: int = 0, progress: Progress = None) -> Segmentation:
+        """A label for every face: the regions of `n` sampled points, of given `generators`, or of a covering `radius`.
+
+        As gvd-segment does it. `labels`: "smooth" for short borders, "nearest" for the largest share of each face.
+
+        >>> import gvd
+        >>> regions = gvd.read("data/figure.obj").segment(30)
+        >>> regions.labels.shape, regions.labels.max()
+        ((5876,), 29)
+        """
+        one_of("segment", n, generators, radius)
+        compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
+        if generators is None:
+            points = self._sample(_sampler(n, sampling, seed, radius, compute), progress)
+        else:
+            points = self._resolve("generators", generators, coincident="refuse")
+        return self._diagram(points, compute, progress).segment(labels=labels, progress=progress)
+
+    def lloyd(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
+              radius: Optional[float] = None, fixed: Any = None, features: Union[None, str, float] = None,
+              keep_boundary: bool = False, density: Any = None, gradation: Optional[float] = None,
+              coarse: Optional[int] = None, accelerate: Literal["lbfgs", "anderson", "none"] = "lbfgs",
+              relocate: Optional[bool] = None, iterations: Optional[int] = None, tolerance: Optional[float] = None,
+              move_tolerance: Optional[float] = None, step: Optional[float] = None,
+              method: Literal["exact", "gbgvd", "paper"] = "exact", front: Optional[Literal["planar", "circle"]] = None,
+              chord_tolerance: Optional[float] = None, threads: int = 0, progress: Progress = None) -> Relaxation:
+        """Moves generators to the centroids of their cells: evenly spread samples. As gvd-lloyd does it.
+
+        `fixed`: points that stay. `features`: angle of creases that generators keep to, degrees, or "auto".
+        `density`: "curvature", or a number above 0 for each vertex or face; larger ones make smaller cells. `coarse`:
+        faces of a copy to relax on first, 0 for none. Docs: docs/guide/lloyd.md.
+
+        >>> import gvd
+        >>> samples = gvd.read("data/figure.obj").lloyd(50)
+        >>> bool(samples.energies[-1] < samples.energies[0])
+        True
+        """
+        compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
+        options = self._start("lloyd", compute, n, generators, sampling, seed, radius)
+        options.update(self._constraints(fixed, features, keep_boundary, density, gradation, coarse))
+        options.update(accelerate=accelerate, relocate=relocate, iterations=iterations, tolerance=tolerance,
+                       move_tolerance=move_tolerance, step=step)
+        with reporting(progress) as callback:
+            return Relaxation(self, _gvd.relax(self._native, options, compute, callback))
+
+    def remesh(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
+               radius: Optional[float] = None, target_edge: Optional[float] = None, error: Optional[float] = None,
+               relax: Optional[int] = None, fixed: Any = None, features: Union[None, str, float] = None,
+               keep_boundary: bool = False, loose_boundary: bool = False, density: Any = None,
+               gradation: Optional[float] = None, coarse: Optional[int] = None,
+               place: Optional[Literal["generator", "quadric", "fit"]] = None, shape: Optional[float] = None,
+               exact_count: bool = False, max_added: Optional[int] = None, no_refine: bool = False,
+               allow_intersections: bool = False, method: Literal["exact", "gbgvd", "paper"] = "exact",
+               front: Optional[Literal["planar", "circle"]] = None, chord_tolerance: Optional[float] = None,
+               threads: int = 0, progress: Progress = None) -> Remesh:
+        """A coarse mesh with the topology of this one: `n` vertices or a few more. As gvd-remesh does it.
+
+        In place of `n`: `generators`, a covering `radius`, `target_edge` (mean length of its edges) or `error` (as few
+        vertices as keep within this distance), all in mesh units. `relax`: iterations before. `place`: where vertices
+        are; `shape`: from 0, near the surface, to 1, good triangles. Docs: docs/guide/remesh.md.
+
+        >>> import gvd
+        >>> coarse = gvd.read("data/figure.obj").remesh(200)
+        >>> coarse.mesh.summary["euler_characteristic"], coarse.map().one_to_one
+        (0, True)
+        """
+        if sum(given is not None for given in (n, generators, radius, target_edge, error)) != 1:
+            refuse("remesh: give one of n, generators, radius, target_edge and error")
+        compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
+        if target_edge is not None:
+            n = self._native.count_for(target_edge)
+        options = self._start("remesh", compute, 1 if error is not None else n, generators, sampling, seed, radius)
+        options.update(self._constraints(fixed, features, keep_boundary, density, gradation, coarse))
+        options.update(relax=relax, loose_boundary=loose_boundary, place=place, shape=shape, exact_count=exact_count,
+                       max_added=max_added, no_refine=no_refine, allow_intersections=allow_intersections)
+        with reporting(progress) as callback:
+            return Remesh(self, _gvd.remesh(self._native, options, compute, error, callback))
+
+    def _start(self, name: str, compute: _gvd.ComputeOptions, n: Optional[int], generators: Any, sampling: str, seed: int,
+               radius: Optional[float]) -> dict[str, Any]:
+        """The generators of a relaxation, as `_gvd` takes them."""
+        one_of(name, n, generators, radius)
+        if generators is not None:
+            return {"generators": self._resolve("generators", generators, coincident="refuse")}
+        return {"sampler": _sampler(n, sampling, seed, radius, compute)}
+
+    def _constraints(self, fixed: Any, features: Union[None, str, float], keep_boundary: bool, density: Any,
+                     gradation: Optional[float], coarse: Optional[int]) -> dict[str, Any]:
+        """What restricts and weighs a relaxation, as `_gvd` takes it."""
+        options: dict[str, Any] = {"features": features, "keep_boundary": keep_boundary, "gradation": gradation,
+                                   "coarse": coarse, "weighs_curvature": isinstance(density, str)}
+        if fixed is not None:
+            options["fixed"] = self._resolve("fixed", fixed, coincident="refuse")
+        if isinstance(density, str):
+            if density != "curvature":
+                refuse(f"density: 'curvature' or an array is needed, not {density!r}")
+        elif density is not None:
+            values = as_array("density", density)
+            if values.shape not in ((len(self.vertices),), (len(self.faces),)):
+                refuse(f"density: a number for each of {len(self.vertices)} vertices or {len(self.faces)} faces is needed, "
+                       f"not {values.shape}")
+            options["density"] = values
+        return options
+
+
+def _sampler(n: Optional[int], sampling: str, seed: int, radius: Optional[float],
+             compute: Optional[_gvd.ComputeOptions] = None) -> _gvd.Sampler:
+    """How points are sampled, once `one_of` has passed."""
+    usual = compute or _gvd.ComputeOptions("exact", None, None, 0)
+    for name, value in (("n", n), ("seed", seed)):
+        if value is not None and (isinstance(value, bool) or not isinstance(value, (int, numpy.integer))):
+            refuse(f"{name}: a whole number is needed, not {value!r}")
+    if not 0 <= seed < 1 << 64:
+        refuse(f"seed: {seed} is not in 0 ... 2^64 - 1")
+    if radius is not None:
+        return _gvd.Sampler("radius", 1, int(seed), float(radius), usual)
+    if sampling == "radius":
+        refuse("sampling: give the radius itself, as radius=R")
+    return _gvd.Sampler(sampling, max(-1, min(int(n or 0), (1 << 31) - 1)), int(seed), 0.0, usual)
+
+
+def read(path: PathLike, *, on_defect: Literal["error", "repair", "largest"] = "repair",
+         input_format: Optional[Literal["obj", "ply", "off", "stl"]] = None) -> Mesh:
+    """Reads an OBJ, PLY, OFF or STL file. Defects are repaired where that loses nothing, with a warning for each kind.
+
+    >>> import gvd
+    >>> gvd.read("data/torus.ply").summary["euler_characteristic"]
+    0
+    """
+    try:
+        name = os.fspath(path)
+    except TypeError:
+        refuse(f"read: a path is needed, not {type(path).__name__}")
+    mesh = Mesh._wrap(_gvd.Mesh.from_file(name, input_format, on_defect))
+    mesh._warn()
+    return mesh

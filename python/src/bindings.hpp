@@ -1,0 +1,89 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gvd/diagram.hpp"
+#include "gvd/io/mesh_writer.hpp"
+#include "gvd/io/view.hpp"
+#include "gvd/sampling.hpp"
+#include "gvd/soup.hpp"
+#include "gvd/surface_point.hpp"
+
+// The classes of the module _gvd. Each result keeps the mesh that it belongs to alive.
+namespace gvd::python {
+
+namespace py = pybind11;
+
+using SharedMesh = std::shared_ptr<CheckedMesh>;
+
+/// Points of a mesh, as the package's functions take them.
+struct PointList {
+  std::vector<SurfacePoint> points;
+};
+
+/// The options of every diagram, by their names in Python.
+struct ComputeOptions {
+  std::string method = "exact";
+  std::optional<std::string> front;
+  std::optional<double> chord_tolerance;
+  int threads = 0;
+
+  /// Throws Error{invalid_option} for an unknown name.
+  DiagramOptions make() const;
+};
+
+/// How generators are sampled. `sampling`: farthest, random, vertices, poisson, or radius. Throws
+/// Error{invalid_option} for another name.
+struct Sampler {
+  SamplingOptions options;
+
+  Sampler(const std::string& sampling, std::int64_t count, std::uint64_t seed, double radius,
+          const ComputeOptions& compute);
+};
+
+/// A diagram, alone or as a part of another result, which then stays alive.
+struct MeshDiagram {
+  SharedMesh input;
+  std::shared_ptr<const Diagram> part;
+
+  const Mesh& mesh() const { return input->mesh; }
+  const Diagram& diagram() const { return *part; }
+};
+using SharedDiagram = std::shared_ptr<MeshDiagram>;
+
+/// A file that does not hold a mesh in one of the formats of `OutputFormat`: its content by its extension.
+using OwnFormats = std::vector<std::pair<std::string, std::function<void(std::ostream&)>>>;
+
+/// How a file is written.
+struct WriteOptions {
+  std::string title;       ///< of the page
+  bool no_curves = false;  ///< leave the bisectors out of formats that hold meshes
+  bool ascii_ply = false;  ///< PLY as text
+};
+
+/// Writes a mesh and its arrays by the file's extension: .html is the page, and `own` are formats of one result alone.
+void write_result(const std::filesystem::path& path, LabelledMesh mesh, const OwnFormats& own,
+                  const WriteOptions& options);
+
+/// The page that shows a mesh, with its regions where it has some. Throws Error{invalid_option} where the library was
+/// built without the page.
+std::string make_page(const LabelledMesh& mesh, const std::string& title);
+
+void bind_mesh(py::module_& module);
+void bind_distances(py::module_& module);
+void bind_diagram(py::module_& module);
+void bind_remesh(py::module_& module);
+
+}  // namespace gvd::python

@@ -1,0 +1,257 @@
+// Diagrams, their faces labelled or cut, and the files and pages that show them.
+//
+// Files are those of the commands, byte by byte: they come from the same writers with the same arrays.
+#include <utility>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "calls.hpp"
+#include "gvd/check.hpp"
+#include "gvd/generator_list.hpp"
+#include "gvd/io/diagram_json.hpp"
+#include "gvd/io/write_file.hpp"
+#include "gvd/segment.hpp"
+
+namespace gvd::python {
+namespace {
+
+struct Segmented {
+  SharedDiagram of;
+  Segmentation segmentation;
+
+  LabelledMesh labelled() const {
+    const Diagram& diagram = of->diagram();
+    return {of->mesh(), &segmentation.face_label, nullptr, &diagram.vertex_label, &diagram.vertex_distance, &diagram};
+  }
+};
+
+struct Cut {
+  SharedDiagram of;
+  CutMesh cut;
+  CutVertices vertices;
+
+  LabelledMesh labelled() const {
+    return {cut.mesh, &cut.label, &cut.parent, &vertices.label, &vertices.distance, &of->diagram(), &of->mesh()};
+  }
+};
+
+LabelledMesh labelled(const MeshDiagram& of) {
+  const Diagram& diagram = of.diagram();
+  return {of.mesh(), &diagram.face_label, nullptr, &diagram.vertex_label, &diagram.vertex_distance, &diagram};
+}
+
+SharedDiagram make_diagram(const SharedMesh& input, const PointList& generators, const ComputeOptions& compute,
+                           const py::object& progress) {
+  DiagramOptions options = compute.make();
+  return run_unlocked(progress, [&](const Progress& reported) {
+    options.progress = reported;
+    return std::make_shared<MeshDiagram>(
+        MeshDiagram{input, std::make_shared<const Diagram>(compute_diagram(input->mesh, generators.points, options))});
+  });
+}
+
+Segmented segment(const SharedDiagram& of, const std::string& labels, const py::object& progress) {
+  const auto chosen =
+      choose<FaceLabels>("labels", labels, {{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}});
+  return run_unlocked(progress, [&](const Progress& reported) {
+    return Segmented{of, segment_faces(of->mesh(), of->diagram(), {chosen, reported})};
+  });
+}
+
+Cut cut(const SharedDiagram& of, const py::object& progress) {
+  return run_unlocked(progress, [&](const Progress& reported) {
+    CutMesh faces = cut_faces(of->mesh(), of->diagram(), reported);
+    CutVertices vertices = carry_to_cut_vertices(of->mesh(), of->diagram(), faces);
+    return Cut{of, std::move(faces), std::move(vertices)};
+  });
+}
+
+py::tuple bisector(const py::object& self, std::int64_t index) {
+  const MeshDiagram& of = self.cast<const MeshDiagram&>();
+  const Bisector& b = of.diagram().bisectors.raw().at(index);
+  std::vector<Vec3> positions;
+  for (const SurfacePoint& point : b.points) positions.push_back(position(of.mesh(), point));
+  return py::make_tuple(b.left.value(), b.right.value(), b.closed, py::make_tuple(b.ends[0].value(), b.ends[1].value()),
+                        view_points(b.points, self), take(std::move(positions)));
+}
+
+/// Arrays over all branch points: their points, positions, distances and, as lists, generators.
+py::tuple branch_points(const py::object& self) {
+  const std::vector<BranchPoint>& all = self.cast<const MeshDiagram&>().diagram().branch_points.raw();
+  const SurfacePoint* const first = all.empty() ? nullptr : &all.front().point;
+  const auto member = [&](const auto& value) { return view_members(value, all.size(), sizeof(BranchPoint), self); };
+  py::list generators;
+  for (const BranchPoint& branch : all) {
+    py::list ids;
+    for (const GeneratorId g : branch.generators) ids.append(g.value());
+    generators.append(py::tuple(ids));
+  }
+  return py::make_tuple(py::make_tuple(member(first ? &first->face : nullptr), member(first ? &first->bary : nullptr)),
+                        view(all, &BranchPoint::position, self), view(all, &BranchPoint::distance, self), generators);
+}
+
+py::list cells(const MeshDiagram& of) {
+  py::list result;
+  for (const Cell& cell : of.diagram().cells) {
+    py::list neighbours;
+    for (const GeneratorId g : cell.neighbours) neighbours.append(g.value());
+    result.append(py::make_tuple(cell.generator.value(), cell.area, cell.euler_characteristic, cell.components,
+                                 cell.boundary_loops, py::tuple(neighbours)));
+  }
+  return result;
+}
+
+OwnFormats own_formats(const MeshDiagram& of) {
+  const auto list = [&of](GeneratorFormat format) {
+    return [&of, format](std::ostream& out) { out << format_generators(of.mesh(), of.diagram().generators, format); };
+  };
+  return {{"json", [&of](std::ostream& out) { write_diagram_json(out, of.mesh(), of.diagram()); }},
+          {"txt", list(GeneratorFormat::text)},
+          {"csv", list(GeneratorFormat::csv)}};
+}
+
+OwnFormats own_formats(const Segmented& made) {
+  return {{"json", [&made](std::ostream& out) {
+             write_segmentation_json(out, made.of->mesh(), made.of->diagram(), made.segmentation);
+           }}};
+}
+
+OwnFormats own_formats(const Cut& made) {
+  return {{"json", [&made](std::ostream& out) {
+             write_cut_json(out, made.of->mesh(), made.of->diagram(), made.cut, made.vertices);
+           }}};
+}
+
+LabelledMesh labelled(const Segmented& made) { return made.labelled(); }
+LabelledMesh labelled(const Cut& made) { return made.labelled(); }
+
+/// Adds the members `write` and `page`, which every result has.
+template <class Result, class Class>
+void bind_files(Class& bound) {
+  bound.def("write", [](const Result& result, const std::filesystem::path& path, const WriteOptions& options) {
+    run_unlocked(py::none(),
+                 [&](const Progress&) { write_result(path, labelled(result), own_formats(result), options); });
+  });
+  bound.def("page", [](const Result& result, const std::string& title) {
+    return run_unlocked(py::none(), [&](const Progress&) { return make_page(labelled(result), title); });
+  });
+}
+
+/// A method that gives a view of the array at `get(result)`.
+template <class Result, class Get>
+auto member_view(Get get) {
+  return [get](const py::object& self) { return view(get(self.cast<const Result&>()), self); };
+}
+
+void bind_results(py::module_& module) {
+  py::class_<Segmented> segmented(module, "Segmentation");
+  segmented.def("labels", member_view<Segmented>([](const Segmented& s) -> auto& { return s.segmentation.face_label; }))
+      .def("without_face",
+           member_view<Segmented>([](const Segmented& s) -> auto& { return s.segmentation.without_face; }))
+      .def("border_length",
+           [](const Segmented& s) { return compute_border_length(s.of->mesh(), s.segmentation.face_label); });
+  bind_files<Segmented>(segmented);
+
+  py::class_<Cut> cut_class(module, "Cut");
+  cut_class
+      .def("mesh",
+           [](const Cut& c) {
+             auto checked = std::make_shared<CheckedMesh>();
+             checked->mesh = c.cut.mesh;
+             return checked;
+           })
+      .def("labels", member_view<Cut>([](const Cut& c) -> auto& { return c.cut.label; }))
+      .def("parents", member_view<Cut>([](const Cut& c) -> auto& { return c.cut.parent; }))
+      .def("vertex_labels", member_view<Cut>([](const Cut& c) -> auto& { return c.vertices.label; }))
+      .def("distances", member_view<Cut>([](const Cut& c) -> auto& { return c.vertices.distance; }));
+  bind_files<Cut>(cut_class);
+}
+
+}  // namespace
+
+DiagramOptions ComputeOptions::make() const {
+  DiagramOptions options;
+  options.method =
+      choose<Method>("method", method, {{"exact", Method::exact}, {"gbgvd", Method::gbgvd}, {"paper", Method::paper}});
+  if (front) options.front = choose<Front>("front", *front, {{"planar", Front::planar}, {"circle", Front::circle}});
+  if (chord_tolerance) options.chord_tolerance = *chord_tolerance;
+  options.threads = threads;
+  return options;
+}
+
+namespace {
+
+ViewScene make_scene(const LabelledMesh& mesh) {
+  if (mesh.diagram != nullptr) {
+    const bool is_diagram = mesh.face_label == &mesh.diagram->face_label;  // its cut faces have pieces, not labels
+    return is_diagram ? make_view_scene("Regions", mesh.mesh, *mesh.diagram) : make_view_scene("Regions", mesh);
+  }
+  ViewScene scene;
+  scene.mesh = &mesh.mesh;
+  return scene;
+}
+
+}  // namespace
+
+std::string make_page(const LabelledMesh& mesh, const std::string& title) {
+  ViewOptions options;
+  options.title = title;
+  return make_view_page(make_scene(mesh), options);
+}
+
+void write_result(const std::filesystem::path& path, LabelledMesh mesh, const OwnFormats& own,
+                  const WriteOptions& options) {
+  const std::string extension = path.extension().string();
+  for (const auto& [format, write] : own) {
+    if (extension == "." + format) return write_file(path, write);
+  }
+  if (extension == ".html") {
+    const std::string page = make_page(mesh, options.title);
+    return write_file(path, [&](std::ostream& out) { out << page; });
+  }
+  if (options.no_curves) mesh.diagram = nullptr;
+  mesh.ascii_ply = options.ascii_ply;
+  write_mesh(path, mesh);
+}
+
+void bind_diagram(py::module_& module) {
+  py::class_<ComputeOptions>(module, "ComputeOptions")
+      .def(py::init(
+          [](std::string method, std::optional<std::string> front, std::optional<double> chord_tolerance, int threads) {
+            return ComputeOptions{std::move(method), std::move(front), chord_tolerance, threads};
+          }));
+  py::class_<WriteOptions>(module, "WriteOptions").def(py::init([](std::string title, bool no_curves, bool ascii_ply) {
+    return WriteOptions{std::move(title), no_curves, ascii_ply};
+  }));
+
+  py::class_<MeshDiagram, SharedDiagram> diagram(module, "Diagram");
+  const auto add = [&](const char* name, auto get) { diagram.def(name, member_view<MeshDiagram>(get)); };
+  add(
+      "labels", [](const MeshDiagram& d) -> auto& { return d.diagram().vertex_label; });
+  add(
+      "distances", [](const MeshDiagram& d) -> auto& { return d.diagram().vertex_distance; });
+  add(
+      "face_labels", [](const MeshDiagram& d) -> auto& { return d.diagram().face_label; });
+  diagram
+      .def("generators",
+           [](const py::object& self) {
+             return view_points(self.cast<const MeshDiagram&>().diagram().generators, self);
+           })
+      .def("branch_points", &branch_points)
+      .def("bisector_count", [](const MeshDiagram& d) { return d.diagram().bisectors.size(); })
+      .def("bisector", &bisector)
+      .def("cells", &cells)
+      .def("length", [](const MeshDiagram& d) { return d.diagram().length; })
+      .def("unresolved_ends", [](const MeshDiagram& d) { return d.diagram().report.unresolved_ends; })
+      .def("segment", &segment)
+      .def("cut", &cut)
+      .def("check", [](const MeshDiagram& d) {
+        return run_unlocked(py::none(),
+                            [&](const Progress&) { return check_diagram(d.mesh(), d.diagram()).violations; });
+      });
+  bind_files<MeshDiagram>(diagram);
+  bind_results(module);
+  module.def("diagram", &make_diagram);
+}
+
+}  // namespace gvd::python

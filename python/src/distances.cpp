@@ -1,0 +1,108 @@
+// Exact distances, shortest paths and logarithms.
+//
+// Distances to the nearest of several points come from one field, with all threads. Rows, one for each point, come from
+// a field for each: one thread makes a whole row, so that all cores are busy and no row depends on their number.
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <thread>
+
+#include "arrays.hpp"
+#include "base/parallel_chunks.hpp"
+#include "bindings.hpp"
+#include "calls.hpp"
+#include "gvd/exact_field.hpp"
+
+namespace gvd::python {
+namespace {
+
+constexpr std::size_t kPointsAtOnce = 256;  ///< points or vertices whose paths one thread traces before it reports
+
+/// Distances of points, or of all vertices where `at` is null, and which generator is nearest.
+VertexDistances measure(const Mesh& mesh, const std::vector<SurfacePoint>& from, const PointList* at,
+                        const ExactFieldOptions& options) {
+  if (at == nullptr) return compute_vertex_distances(mesh, from, options);
+  const ExactField field(mesh, from, options);
+  VertexDistances found;
+  for (const SurfacePoint& point : at->points) {
+    const ExactField::Nearest nearest = field.nearest(point);
+    found.distance.push_back(nearest.distance);
+    found.label.push_back(nearest.generator);
+  }
+  return found;
+}
+
+py::tuple compute_nearest(const SharedMesh& input, const PointList& from, const PointList* at, int threads,
+                          const py::object& progress) {
+  VertexDistances found = run_unlocked(progress, [&](const Progress& reported) {
+    return measure(input->mesh, from.points, at, {{}, reported, threads});
+  });
+  return py::make_tuple(take(std::move(found.distance)), take(std::move(found.label)));
+}
+
+/// The distances of every vertex, or of `at`, from each point: one row for each.
+py::array compute_rows(const SharedMesh& input, const PointList& from, const PointList* at, int threads,
+                       const py::object& progress) {
+  const std::size_t rows = from.points.size();
+  const std::size_t columns = at != nullptr ? at->points.size() : std::size_t(input->mesh.vertex_count());
+  py::array_t<double> result({rows, columns});
+  double* const out = result.mutable_data();
+  run_unlocked(progress, [&](const Progress& reported) {
+    ParallelChunks(threads, reported).run(rows, {"distances"}, [&](std::size_t i) {
+      const VertexDistances found = measure(input->mesh, {from.points[i]}, at, {{}, {}, 1});
+      std::copy(found.distance.begin(), found.distance.end(), out + i * columns);
+    });
+  });
+  return result;
+}
+
+/// The path from each point to the nearest of `to`: its points, the index of that one, length, and whether complete.
+py::list compute_paths(const SharedMesh& input, const PointList& from, const PointList& to, int threads,
+                       const py::object& progress) {
+  const auto trace_all = [&](const Progress& reported) {
+    const ExactField field(input->mesh, to.points, {{}, reported, threads});
+    return ParallelChunks(threads, reported)
+        .collect(cut_into_chunks(from.points.size(), kPointsAtOnce), {"paths"}, [&](const Chunk& chunk) {
+          std::vector<GeodesicPath> paths;
+          for (std::size_t i = chunk.begin; i < chunk.end; ++i) paths.push_back(field.path(from.points[i]));
+          return paths;
+        });
+  };
+  py::list result;
+  for (GeodesicPath& path : run_unlocked(progress, trace_all)) {
+    result.append(
+        py::make_tuple(PointList{std::move(path.points)}, path.generator.value(), path.length, path.complete));
+  }
+  return result;
+}
+
+/// The logarithm of every vertex at the only point of `at`; NaN where no path leads to it.
+py::array compute_logs(const SharedMesh& input, const PointList& at, int threads, const py::object& progress) {
+  const Mesh& mesh = input->mesh;
+  return take(run_unlocked(progress, [&](const Progress& reported) {
+    const ExactField field(mesh, at.points, {{}, reported, threads});
+    return ParallelChunks(threads, reported)
+        .collect(cut_into_chunks(std::size_t(mesh.vertex_count()), kPointsAtOnce), {"logarithms"},
+                 [&](const Chunk& chunk) {
+                   std::vector<Vec2> logs;
+                   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+                     const VertexId v(i);
+                     const Vec2 log = field.departure(vertex_point(mesh, v));
+                     const bool unknown = log.isZero(0) && field.distance(v) > 0;
+                     logs.push_back(unknown ? Vec2::Constant(std::numeric_limits<double>::quiet_NaN()) : log);
+                   }
+                   return logs;
+                 });
+  }));
+}
+
+}  // namespace
+
+void bind_distances(py::module_& module) {
+  module.def("nearest", &compute_nearest);
+  module.def("rows", &compute_rows);
+  module.def("paths", &compute_paths);
+  module.def("logs", &compute_logs);
+}
+
+}  // namespace gvd::python

@@ -1,0 +1,190 @@
+// Meshes from arrays and files, and points on them.
+//
+// Arrays pass the same checks as files: they become a polygon soup, which build_mesh examines. Points become entries of
+// a generator list, which resolve_generators turns into surface points: so Python and the commands read the same.
+#include "gvd/mesh.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "calls.hpp"
+#include "gvd/generator_list.hpp"
+#include "gvd/read_soup.hpp"
+#include "gvd/sampling.hpp"
+
+namespace gvd::python {
+namespace {
+
+DefectPolicy choose_policy(const std::string& name) {
+  return choose<DefectPolicy>(
+      "on_defect", name,
+      {{"error", DefectPolicy::error}, {"repair", DefectPolicy::repair}, {"largest", DefectPolicy::largest}});
+}
+
+/// Polygons of equally many corners. Throws Error{precondition} for a corner that is no vertex.
+PolygonSoup make_soup(const Array<double>& positions, const Array<std::int64_t>& faces) {
+  PolygonSoup soup;
+  const auto at = positions.unchecked<2>();
+  const auto corner = faces.unchecked<2>();
+  soup.positions.reserve(at.shape(0));
+  for (py::ssize_t v = 0; v < at.shape(0); ++v) soup.positions.emplace_back(at(v, 0), at(v, 1), at(v, 2));
+  soup.corners.reserve(faces.size());
+  for (py::ssize_t f = 0; f < corner.shape(0); ++f) {
+    for (py::ssize_t k = 0; k < corner.shape(1); ++k) {
+      const std::int64_t v = corner(f, k);
+      if (v < 0 || v >= at.shape(0)) {
+        throw Error(ErrorCode::precondition,
+                    fmt::format("face {} has the vertex {}; there are {}, numbered from 0", f, v, at.shape(0)), f);
+      }
+      soup.corners.push_back(std::int32_t(v));
+    }
+    soup.close_polygon();
+  }
+  return soup;
+}
+
+SharedMesh mesh_from_arrays(const Array<double>& positions, const Array<std::int64_t>& faces,
+                            const std::string& on_defect) {
+  const DefectPolicy policy = choose_policy(on_defect);
+  const PolygonSoup soup = make_soup(positions, faces);
+  return run_unlocked(py::none(),
+                      [&](const Progress&) { return std::make_shared<CheckedMesh>(build_mesh(soup, policy)); });
+}
+
+SharedMesh mesh_from_file(const std::filesystem::path& path, const std::optional<std::string>& format,
+                          const std::string& on_defect) {
+  const DefectPolicy policy = choose_policy(on_defect);
+  std::optional<MeshFormat> known;
+  if (format) {
+    known = choose<MeshFormat>(
+        "input_format", *format,
+        {{"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off}, {"stl", MeshFormat::stl}});
+  }
+  return run_unlocked(py::none(), [&](const Progress&) {
+    const PolygonSoup soup = read_soup(path, known);
+    try {
+      return std::make_shared<CheckedMesh>(build_mesh(soup, policy));
+    } catch (const Error& error) {
+      throw Error(error.code(), path.string() + ": " + error.what(), error.element());
+    }
+  });
+}
+
+py::dict summarize(const CheckedMesh& checked) {
+  const MeshSummary s = compute_mesh_summary(checked.mesh);
+  return py::dict(py::arg("vertices") = s.vertices, py::arg("edges") = s.edges, py::arg("faces") = s.faces,
+                  py::arg("components") = s.components, py::arg("boundary_loops") = s.boundary_loops,
+                  py::arg("euler_characteristic") = s.euler_characteristic, py::arg("area") = s.area,
+                  py::arg("bbox_diagonal") = s.bbox_diagonal);
+}
+
+/// What the entries of a list are, as the package's `_points.py` tells them apart: kinds, ids of vertices and faces,
+/// and coordinates.
+using Entries = std::tuple<Array<std::int8_t>, Array<std::int64_t>, Array<double>>;
+
+GeneratorList make_list(const std::string& name, const Entries& entries) {
+  constexpr std::array<GeneratorEntry::Kind, 3> kKinds{GeneratorEntry::Kind::vertex, GeneratorEntry::Kind::face,
+                                                       GeneratorEntry::Kind::position};
+  GeneratorList list{name, {}};
+  const auto& [kinds, ids, values] = entries;
+  const auto at = values.unchecked<2>();
+  for (py::ssize_t i = 0; i < kinds.size(); ++i) {
+    list.entries.push_back({kKinds.at(kinds.at(i)), ids.at(i), {at(i, 0), at(i, 1), at(i, 2)}, 0});
+  }
+  return list;
+}
+
+/// The number of vertices of a mesh with edges of this mean length. Throws Error{invalid_option} for too many.
+std::int32_t count_for(const CheckedMesh& checked, double edge) {
+  const double count = even_count(compute_area(checked.mesh), edge);
+  if (edge > 0 && count <= std::numeric_limits<std::int32_t>::max()) return std::int32_t(count);
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("target_edge: {} is not above 0, or needs too many vertices", edge));
+}
+
+PointList resolve(const CheckedMesh& checked, const std::string& name, const Entries& entries,
+                  std::optional<double> max_snap, const std::string& coincident) {
+  const GeneratorList list = make_list(name, entries);
+  ResolveOptions options;
+  options.max_snap = max_snap;
+  options.merge_coincident = coincident == "merge";
+  options.keep_coincident = coincident == "keep";
+  return run_unlocked(py::none(), [&](const Progress& progress) {
+    options.progress = progress;
+    return PointList{resolve_generators(checked.mesh, list, options).points};
+  });
+}
+
+PointList sample(const CheckedMesh& checked, const Sampler& sampler, const py::object& progress) {
+  SamplingOptions options = sampler.options;
+  return run_unlocked(progress, [&](const Progress& reported) {
+    options.progress = reported;
+    return PointList{sample_generators(checked.mesh, options)};
+  });
+}
+
+py::array compute_positions(const CheckedMesh& checked, const PointList& list) {
+  std::vector<Vec3> positions;
+  positions.reserve(list.points.size());
+  for (const SurfacePoint& point : list.points) positions.push_back(position(checked.mesh, point));
+  return take(std::move(positions));
+}
+
+}  // namespace
+
+Sampler::Sampler(const std::string& sampling, std::int64_t count, std::uint64_t seed, double radius,
+                 const ComputeOptions& compute) {
+  options.kind = choose<Sampling>("sampling", sampling,
+                                  {{"farthest", Sampling::farthest},
+                                   {"random", Sampling::random},
+                                   {"vertices", Sampling::vertices},
+                                   {"poisson", Sampling::poisson},
+                                   {"radius", Sampling::covering_radius}});
+  options.count = std::int32_t(std::clamp<std::int64_t>(count, -1, std::numeric_limits<std::int32_t>::max()));
+  options.seed = seed;
+  options.radius = radius;
+  options.front = compute.make().chosen_front();
+}
+
+void bind_mesh(py::module_& module) {
+  py::class_<Sampler>(module, "Sampler")
+      .def(py::init<const std::string&, std::int64_t, std::uint64_t, double, const ComputeOptions&>());
+  py::class_<PointList>(module, "PointList")
+      .def("__len__", [](const PointList& list) { return list.points.size(); })
+      .def("part",
+           [](const PointList& list, std::size_t begin, std::size_t end) {
+             return PointList{{list.points.begin() + begin, list.points.begin() + end}};
+           })
+      .def("arrays", [](const py::object& self) { return view_points(self.cast<const PointList&>().points, self); });
+
+  py::class_<CheckedMesh, SharedMesh>(module, "Mesh")
+      .def_static("from_arrays", &mesh_from_arrays)
+      .def_static("from_file", &mesh_from_file)
+      .def("vertices",
+           [](const py::object& self) { return view(self.cast<const CheckedMesh&>().mesh.positions(), self); })
+      .def("faces",
+           [](const py::object& self) { return view(self.cast<const CheckedMesh&>().mesh.face_vertices(), self); })
+      .def("input_vertex",
+           [](const py::object& self) { return view(self.cast<const CheckedMesh&>().input_vertex, self); })
+      .def("input_face",
+           [](const py::object& self) { return view(self.cast<const CheckedMesh&>().input_polygon, self); })
+      .def("notes", [](const CheckedMesh& checked) { return checked.defects.messages; })
+      .def("summary", &summarize)
+      .def("resolve", &resolve)
+      .def("sample", &sample)
+      .def("count_for", &count_for)
+      .def("positions", &compute_positions)
+      .def("write",
+           [](const CheckedMesh& checked, const std::filesystem::path& path, const WriteOptions& options) {
+             run_unlocked(py::none(),
+                          [&](const Progress&) { write_result(path, LabelledMesh{checked.mesh}, {}, options); });
+           })
+      .def("page", [](const CheckedMesh& checked, const std::string& title) {
+        return run_unlocked(py::none(), [&](const Progress&) { return make_page(LabelledMesh{checked.mesh}, title); });
+      });
+}
+
+}  // namespace gvd::python

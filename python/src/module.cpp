@@ -1,0 +1,42 @@
+// The module _gvd: the library as the Python package needs it. The classes and functions that users meet are in
+// python/gvd, with their documents and checks of arguments; nothing here is meant to be called by others.
+#include <array>
+
+#include "bindings.hpp"
+#include "gvd/error.hpp"
+#include "gvd/version.hpp"
+
+namespace gvd::python {
+namespace {
+
+/// The name of a code in Python.
+const char* name_of(ErrorCode code) {
+  constexpr std::array<const char*, 7> kNames{"invalid_option",  "unreadable_input",  "precondition",
+                                              "no_valid_result", "unwritable_output", "reader_gone",
+                                              "interrupted"};
+  return kNames[std::size_t(code)];
+}
+
+/// Raises the library's errors as gvd.Error. The package loads this module, so its class is looked up when needed.
+void translate_error(std::exception_ptr thrown) {
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const Error& error) {
+    const py::object type = py::module_::import("gvd._error").attr("Error");
+    const py::object raised = type(error.what(), name_of(error.code()), error.element());
+    PyErr_SetObject(type.ptr(), raised.ptr());
+  }
+}
+
+}  // namespace
+}  // namespace gvd::python
+
+PYBIND11_MODULE(_gvd, module) {
+  using namespace gvd::python;
+  py::register_local_exception_translator(&translate_error);
+  module.attr("version") = gvd::version();
+  bind_diagram(module);  // first: the others take its options
+  bind_mesh(module);
+  bind_distances(module);
+  bind_remesh(module);
+}

@@ -1,0 +1,151 @@
+"""Arrays and points of every kind: accepted, or refused in one line."""
+import gc
+import pickle
+import unittest
+import warnings
+
+import numpy
+
+import gvd
+import meshes
+
+V, F = meshes.make_grid(6)
+
+
+class Arrays(unittest.TestCase):
+    def test_every_kind_of_array_gives_the_same_mesh(self):
+        wide = numpy.zeros((len(V), 6))
+        wide[:, ::2] = V
+        kinds = {
+            "lists": (V.tolist(), F.tolist()), "tuples": (tuple(map(tuple, V)), tuple(map(tuple, F.tolist()))),
+            "int32": (V, F.astype(numpy.int32)), "uint64": (V, F.astype(numpy.uint64)), "int8": (V, F.astype(numpy.int8)),
+            "Fortran order": (numpy.asfortranarray(V), numpy.asfortranarray(F)), "strides": (wide[:, ::2], F),
+            "reversed": (V[::-1][::-1], F[:, ::-1][:, ::-1]), "big endian": (V.astype(">f8"), F.astype(">i4")),
+        }
+        for name, (vertices, faces) in kinds.items():
+            with self.subTest(name):
+                mesh = gvd.Mesh(vertices, faces)
+                numpy.testing.assert_array_equal(mesh.vertices, V)
+                numpy.testing.assert_array_equal(mesh.faces, F)
+        numpy.testing.assert_array_equal(gvd.Mesh(V.astype(numpy.float32), F).vertices, V.astype(numpy.float32))
+
+    def test_integer_coordinates_and_polygons(self):
+        box = gvd.Mesh(*meshes.make_box(1, 2, 3))
+        self.assertEqual(len(box.faces), 12)
+        self.assertEqual(gvd.Mesh(meshes.make_box(1, 2, 3)[0].astype(int), box.faces).summary["area"], 22)
+
+    def test_wrong_arrays_are_refused_in_one_line(self):
+        nan = V.copy()
+        nan[5, 1] = numpy.nan
+        beyond, negative, repeated = F.copy(), F.copy(), numpy.concatenate([F, F[:1]])
+        beyond[3, 0], negative[2, 1] = len(V), -1
+        wrong = {
+            "text": ("mesh.obj", F), "text in a list": ([["a", "b", "c"]], F), "bytes": (b"abc", F), "empty": ([], F),
+            "no faces": (V, []), "empty faces": (V, numpy.zeros((0, 3), int)), "two columns": (V[:, :2], F),
+            "one dimension": (V.ravel(), F), "float faces": (V, F.astype(float)), "edges": (V, F[:, :2]),
+            "nan": (nan, F), "infinite": (V + numpy.inf, F), "beyond": (V, beyond), "negative": (V, negative),
+            "complex": (V + 0j, F), "bool": (V, F > 3), "ragged": (V, [[0, 1, 2], [0, 1]]), "none": (None, F),
+            "objects": (V.astype(object), F), "duplicate": (V, repeated), "masks": (V > 0, F),
+        }
+        for name, (vertices, faces) in wrong.items():
+            with self.subTest(name), warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # NumPy's, for ragged lists
+                with self.assertRaises(gvd.Error) as caught:
+                    gvd.Mesh(vertices, faces)
+                message = str(caught.exception)
+                self.assertNotIn("\n", message)
+                self.assertGreater(len(message), 8)
+                self.assertIn(caught.exception.code, ("invalid_option", "precondition"))
+        with self.assertRaisesRegex(gvd.Error, f"face 3 has the vertex {len(V)}"):
+            gvd.Mesh(V, beyond)
+        with self.assertRaisesRegex(gvd.Error, "vertex 5 has a coordinate that is not finite"):
+            gvd.Mesh(nan, F)
+
+    def test_defects_are_refused_or_repaired_with_a_warning(self):
+        repeated = numpy.concatenate([F, F[:1]])
+        with self.assertWarnsRegex(UserWarning, "corners of another one"):
+            mesh = gvd.Mesh(V, repeated, on_defect="repair")
+        self.assertEqual(len(mesh.faces), len(F))
+        numpy.testing.assert_array_equal(mesh.input_face, numpy.arange(len(F)))
+        with self.assertRaisesRegex(gvd.Error, "on_defect: 'none' is none of error, repair, largest"):
+            gvd.Mesh(V, F, on_defect="none")
+
+    def test_views_are_read_only_and_keep_their_owner(self):
+        diagram = gvd.Mesh(V, F).voronoi([0, 20, 48])
+        arrays = [diagram.labels, diagram.distances, diagram.face_labels, diagram.generators.bary,
+                  diagram.branch_points.positions, diagram.bisectors[0].points.bary, diagram.mesh.vertices]
+        copies = [array.copy() for array in arrays]
+        for array in arrays:
+            self.assertFalse(array.flags.owndata)
+            with self.assertRaises(ValueError):
+                array[0] = 1
+        del diagram
+        gc.collect()
+        blocks = [numpy.ones(1000) for _ in range(1000)]  # would overwrite memory that was freed
+        for array, copy in zip(arrays, copies):
+            numpy.testing.assert_array_equal(array, copy)
+        del blocks
+
+    def test_an_error_survives_pickling(self):
+        error = pickle.loads(pickle.dumps(gvd.Error("no", "precondition", 7)))
+        self.assertEqual((str(error), error.code, error.element), ("no", "precondition", 7))
+
+
+class PointsOfAMesh(unittest.TestCase):
+    def setUp(self):
+        self.mesh = gvd.Mesh(V, F)
+
+    def test_every_way_to_give_points(self):
+        at = self.mesh.positions
+        for one in (8, numpy.int32(8), [8], numpy.array([8], numpy.uint8), numpy.array(8)):
+            numpy.testing.assert_array_equal(at(one), V[[8]])
+        numpy.testing.assert_array_equal(at([1, 2, 3]), V[[1, 2, 3]])
+        weights = (0.2, 0.3, 0.5)
+        inside = weights @ V[F[4]]
+        mixed = [(4, weights), 7, (0.0, 0.0, 0.0)]
+        for given in ((4, weights), [(4, weights)], ([4], [weights]), gvd.Points(numpy.array([4]), numpy.array([weights]))):
+            numpy.testing.assert_allclose(at(given), [inside], atol=1e-15)
+        with self.assertRaises(gvd.Error):
+            at([7, (0.0, 0.0, 0.0)])
+        numpy.testing.assert_allclose(at(mixed), [inside, V[7], V[0]], atol=1e-15)
+        numpy.testing.assert_allclose(at((0.25, 0.25, 9.0)), [(0.25, 0.25, 0)], atol=1e-15)
+        numpy.testing.assert_allclose(at(V[[3, 4]].astype(numpy.float64) + (0, 0, 1)), V[[3, 4]], atol=1e-15)
+
+    def test_points_come_back_bit_by_bit(self):
+        first = self.mesh.sample(20, sampling="random", seed=3)
+        second = self.mesh.points(first)
+        numpy.testing.assert_array_equal(first.face, second.face)
+        numpy.testing.assert_array_equal(first.bary, second.bary)
+
+    def test_wrong_points_are_refused_in_one_line(self):
+        wrong = {"text": "7", "vertex": len(V), "negative": -1, "negative in a list": [3, -2], "empty": [], "none": None,
+                 "face": (len(F), (1, 0, 0)), "weights": (0, (0.5, 0.5, 0.5)), "two weights": (0, (0.5, 0.5)),
+                 "pair": ([1, 2], [(1, 0, 0)]), "nan": (numpy.nan, 0.0, 0.0), "two floats": (0.5, 0.5), "bool": True,
+                 "mask": [True, False], "integer positions": numpy.zeros((2, 3), int), "huge": (1e200, 0.0, 0.0),
+                 "float face": (0.5, (1, 0, 0)), "deep": numpy.zeros((2, 2, 3)), "beyond": 2**40, "far beyond": 2**70}
+        for name, points in wrong.items():
+            with self.subTest(name), self.assertRaises(gvd.Error) as caught:
+                self.mesh.distances(points)
+            self.assertNotIn("\n", str(caught.exception))
+            self.assertRegex(str(caught.exception), "points")
+        with self.assertRaisesRegex(gvd.Error, "same place"):
+            self.mesh.voronoi([3, 4, 3])
+        self.assertEqual(len(self.mesh.voronoi([3, 4, 3], merge_coincident=True).cells), 2)
+        with self.assertRaisesRegex(gvd.Error, "max_snap"):
+            self.mesh.voronoi((0.5, 0.5, 1.0), max_snap=0.5)
+
+    def test_wrong_options_are_refused(self):
+        for call in (lambda: self.mesh.voronoi([0, 1], method="best"), lambda: self.mesh.sample(0),
+                     lambda: self.mesh.sample(3, sampling="even"), lambda: self.mesh.segment(),
+                     lambda: self.mesh.segment(3, radius=0.5), lambda: self.mesh.segment(3, labels="rough"),
+                     lambda: self.mesh.voronoi([0, 1], threads=-1), lambda: self.mesh.voronoi([0, 1], chord_tolerance=0),
+                     lambda: self.mesh.distances([0, 1], each=True, threads=-1), lambda: self.mesh.log_map([0, 1]), lambda: self.mesh.distances([0], progress=7),
+                     lambda: self.mesh.distances([0], out=numpy.zeros(3)), lambda: gvd.read(7),
+                     lambda: self.mesh.distances([0], each=True, out=numpy.zeros((2, 3)))):
+            with self.assertRaises(gvd.Error) as caught:
+                call()
+            self.assertEqual(caught.exception.code, "invalid_option")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,181 @@
+"""Files are those of the commands, byte by byte. GVD_BIN names the folder of the commands."""
+import html
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+import warnings
+
+import numpy
+
+import gvd
+import meshes
+
+BIN = pathlib.Path(os.environ.get("GVD_BIN", meshes.ROOT / "build" / "bin")).resolve()
+
+
+class SameBytes(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        warnings.simplefilter("ignore", UserWarning)  # plate.stl is welded
+
+    def run_command(self, name, *arguments):
+        subprocess.run([BIN / name, "-q", *map(str, arguments)], check=True, cwd=self.folder)
+
+    def assert_same_files(self, result, stem, extensions, **options):
+        for extension in extensions:
+            ours = self.folder / f"ours.{extension}"
+            result.to_file(ours, **options)
+            with self.subTest(extension):
+                theirs = (self.folder / f"{stem}.{extension}").read_bytes()
+                self.assertEqual(ours.read_bytes().replace(b"ours.mtl", f"{stem}.mtl".encode()), theirs)
+
+    def test_segment(self):
+        extensions = ["ply", "obj", "off", "stl", "vtp", "glb", "json"]
+        outputs = [part for e in extensions for part in ("-o", f"a.{e}")]
+        for mesh_file, n in ((meshes.FIGURE, 30), (meshes.TORUS, 7), (meshes.HALF_SPHERE, 12), (meshes.PLATE, 5)):
+            self.run_command("gvd-segment", mesh_file, "-n", n, *outputs, "--diagram", "diagram.json")
+            regions = gvd.read(mesh_file).segment(n)
+            self.assert_same_files(regions, "a", extensions)
+            self.assert_same_files(regions.diagram, "diagram", ["json"])
+            self.run_command("gvd-segment", mesh_file, "-n", n, "--cut", *outputs)
+            self.assert_same_files(regions.diagram.cut(), "a", extensions)
+
+    def test_options(self):
+        self.run_command("gvd-segment", meshes.FIGURE, "-n", 9, "--sampling", "poisson", "--seed", 5, "--method", "gbgvd",
+                         "--front", "planar", "--labels", "nearest", "--ascii-ply", "--no-curves", "-o", "b.ply", "-o", "b.vtp")
+        regions = gvd.read(meshes.FIGURE).segment(9, sampling="poisson", seed=5, method="gbgvd", front="planar",
+                                                  labels="nearest")
+        self.assert_same_files(regions, "b", ["ply", "vtp"], ascii_ply=True, no_curves=True)
+        self.run_command("gvd-segment", meshes.FIGURE, "-n", 11, "--method", "paper", "-o", "k.json")
+        self.assert_same_files(gvd.read(meshes.FIGURE).segment(11, method="paper"), "k", ["json"])
+        self.run_command("gvd-segment", meshes.TORUS, "--radius", 0.5, "-o", "c.json")
+        self.assert_same_files(gvd.read(meshes.TORUS).segment(radius=0.5), "c", ["json"])
+        self.run_command("gvd-segment", meshes.TORUS, "--vertices", "3,17,99", "-o", "d.json")
+        self.assert_same_files(gvd.read(meshes.TORUS).segment(generators=[3, 17, 99]), "d", ["json"])
+        positions = [(1.0, 0.5, 0.0), (-1.0, 0.25, 0.125)]
+        (self.folder / "list.txt").write_text("".join("p {} {} {}\n".format(*p) for p in positions))
+        self.run_command("gvd-segment", meshes.TORUS, "--generators", "list.txt", "-o", "e.json")
+        self.assert_same_files(gvd.read(meshes.TORUS).segment(generators=positions), "e", ["json"])
+
+    def test_lloyd(self):
+        extensions = ["txt", "csv", "json", "ply", "vtp"]
+        outputs = [part for e in extensions for part in ("-o", f"l.{e}")]
+        for mesh_file, n in ((meshes.FIGURE, 30), (meshes.PLATE, 12)):
+            self.run_command("gvd-lloyd", mesh_file, "-n", n, *outputs, "--points", "points.npy")
+            samples = gvd.read(mesh_file).lloyd(n)
+            self.assert_same_files(samples, "l", extensions)
+            samples.points_to_file(self.folder / "ours.npy")
+            self.assertEqual((self.folder / "ours.npy").read_bytes(), (self.folder / "points.npy").read_bytes())
+            self.assertTrue((numpy.diff(samples.energies) < 0).all())
+            columns = numpy.load(self.folder / "points.npy")
+            numpy.testing.assert_array_equal(columns[:, 10:12].T, [samples.areas, samples.cell_energies])
+        given = ["--iterations", 7, "--accelerate", "anderson", "--features", 30, "--keep-boundary", "--seed", 2,
+                 "--density", "curvature", "--gradation", 0.5, "--relocate", "off", "--step", 1.5]
+        self.run_command("gvd-lloyd", meshes.PLATE, "-n", 40, *given, "-o", "m.json")
+        samples = gvd.read(meshes.PLATE).lloyd(40, iterations=7, accelerate="anderson", features=30, keep_boundary=True, seed=2,
+                                               density="curvature", gradation=0.5, relocate=False, step=1.5)
+        self.assert_same_files(samples, "m", ["json"])
+        weights = 1 + numpy.arange(len(gvd.read(meshes.TORUS).vertices)) % 5
+        (self.folder / "weights.txt").write_text("\n".join(map(str, weights)))
+        (self.folder / "fixed.txt").write_text("7\n100\n")
+        self.run_command("gvd-lloyd", meshes.TORUS, "-n", 20, "--density", "weights.txt", "--fixed", "fixed.txt", "-o", "n.json")
+        self.assert_same_files(gvd.read(meshes.TORUS).lloyd(20, density=weights, fixed=[7, 100]), "n", ["json"])
+
+    def test_remesh(self):
+        extensions = ["ply", "obj", "off", "stl", "vtp", "glb", "json"]
+        outputs = [part for e in extensions for part in ("-o", f"r.{e}")]
+        for mesh_file, n in ((meshes.FIGURE, 300), (meshes.PLATE, 120)):
+            self.run_command("gvd-remesh", mesh_file, "-n", n, *outputs, "--map", "map.json", "--view", "r.html")
+            coarse = gvd.read(mesh_file).remesh(n)
+            self.assert_same_files(coarse, "r", extensions)
+            self.assert_same_files(coarse, "r", ["html"], title=f"gvd-remesh: {mesh_file.name}")
+            coarse.map().to_file(self.folder / "ours.json")
+            self.assertEqual((self.folder / "ours.json").read_bytes(), (self.folder / "map.json").read_bytes())
+            self.assertEqual(len(coarse.diagram.cells), len(coarse.mesh.vertices))
+        torus = gvd.read(meshes.TORUS)
+        self.run_command("gvd-remesh", meshes.TORUS, "--target-edge", 0.4, "--place", "fit", "--shape", 0.8, "--relax", 5,
+                         "--features", "none", "--coarse", "off", "-o", "s.json")
+        self.assert_same_files(torus.remesh(target_edge=0.4, place="fit", shape=0.8, relax=5, features="none", coarse=0),
+                               "s", ["json"])
+        self.run_command("gvd-remesh", meshes.TORUS, "--error", 0.05, "--loose-boundary", "-o", "t.json")
+        self.assert_same_files(torus.remesh(error=0.05, loose_boundary=True), "t", ["json"])
+        points = torus.farthest(90)
+        self.run_command("gvd-lloyd", meshes.TORUS, "-n", 90, "--iterations", 0, "-o", "list.txt")
+        self.run_command("gvd-remesh", meshes.TORUS, "--generators", "list.txt", "--exact-count", "-o", "u.json")
+        self.assert_same_files(torus.remesh(generators=points, exact_count=True), "u", ["json"])
+        map_back = torus.remesh(200).map()
+        self.assertTrue(map_back.one_to_one)
+        self.assertEqual((len(map_back.points.face), map_back.points.bary.shape[1]), (len(torus.vertices), 3))
+        for wrong in ({"n": 100, "error": 1.0}, {"target_edge": 0.0}, {"n": 100, "place": "best"}, {"n": 100, "relax": "five"},
+                      {"n": 100, "features": "some"}, {"n": 100, "density": "red"}, {"n": 100, "density": [1.0, 2.0]},
+                      {"n": 2.5}, {"n": 100, "max_added": -1}, {"n": 100, "seed": -1}, {"n": 100, "shape": 2.0}):
+            with self.subTest(wrong), self.assertRaises(gvd.Error) as caught:
+                torus.remesh(**wrong)
+            self.assertEqual(caught.exception.code, "invalid_option")
+
+    def test_page(self):
+        self.run_command("gvd-segment", meshes.FIGURE, "-n", 6, "-o", "f.ply", "--view", "f.html")
+        regions = gvd.read(meshes.FIGURE).segment(6)
+        self.assert_same_files(regions, "f", ["html"], title="gvd-segment: figure.obj")
+        shown = regions._repr_html_()
+        self.assertTrue(shown.startswith("<iframe srcdoc="))
+        self.assertEqual(html.unescape(shown[len('<iframe srcdoc="'):shown.index('" style=')]), regions.to_html())
+        self.assertIn("<html", gvd.read(meshes.TORUS).to_html()[:300])
+        self.assertIn("<html", regions.diagram.to_html()[:300])
+
+    def test_meshes_come_back(self):
+        mesh = gvd.read(meshes.TORUS)
+        for extension in ("ply", "obj", "off"):
+            mesh.to_file(self.folder / f"g.{extension}")
+            again = gvd.read(self.folder / f"g.{extension}")
+            numpy.testing.assert_array_equal(again.vertices, mesh.vertices)
+            numpy.testing.assert_array_equal(again.faces, mesh.faces)
+        with self.assertRaises(gvd.Error) as caught:
+            mesh.to_file(self.folder / "g.xyz")
+        self.assertEqual(caught.exception.code, "invalid_option")
+        with self.assertRaises(gvd.Error) as caught:
+            mesh.to_file(self.folder / "none" / "g.ply")
+        self.assertEqual(caught.exception.code, "unwritable_output")
+
+    def test_paths_are_written(self):
+        path = gvd.read(meshes.TORUS).path(0, 300)
+        for extension in ("npy", "csv", "obj"):
+            path.to_file(self.folder / f"p.{extension}")
+        numpy.testing.assert_array_equal(numpy.load(self.folder / "p.npy"), path.positions)
+        numpy.testing.assert_array_equal(numpy.loadtxt(self.folder / "p.csv", delimiter=",", skiprows=1), path.positions)
+        self.assertEqual((self.folder / "p.obj").read_text().count("v "), len(path.positions))
+
+
+try:
+    import vtkmodules.vtkCommonDataModel as vtk
+except ImportError:
+    vtk = None
+
+
+@unittest.skipIf(vtk is None, "VTK for Python is not installed (python3-vtk9)")
+class Vtk(unittest.TestCase):
+    def test_polydata_hold_the_arrays(self):
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        mesh = gvd.read(meshes.TORUS)
+        regions = mesh.segment(8)
+        surface = regions.to_vtk()
+        self.assertEqual((surface.GetNumberOfPoints(), surface.GetNumberOfPolys()), (len(mesh.vertices), len(mesh.faces)))
+        numpy.testing.assert_array_equal(vtk_to_numpy(surface.GetPoints().GetData()), mesh.vertices)
+        numpy.testing.assert_array_equal(vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3), mesh.faces)
+        numpy.testing.assert_array_equal(vtk_to_numpy(surface.GetCellData().GetArray("Label")), regions.labels)
+        numpy.testing.assert_array_equal(vtk_to_numpy(surface.GetPointData().GetArray("Distance")), regions.diagram.distances)
+        lines = regions.diagram.bisectors_to_vtk()
+        bisectors = regions.diagram.bisectors
+        self.assertEqual(lines.GetNumberOfLines(), len(bisectors))
+        self.assertEqual(lines.GetNumberOfPoints(), sum(len(b.positions) + b.closed for b in bisectors))
+        self.assertEqual(mesh.path(0, 9).to_vtk().GetNumberOfLines(), 1)
+        self.assertEqual(regions.diagram.cut().to_vtk().GetCellData().GetArray("Parent").GetNumberOfTuples(),
+                         len(regions.diagram.cut().labels))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,73 @@
+"""Docstrings run, and annotations hold: mypy for the package, stubtest for the stub of its module."""
+import doctest
+import importlib
+import os
+import pathlib
+import pkgutil
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import gvd
+import meshes
+
+PACKAGE = pathlib.Path(gvd.__file__).parent
+
+# Classes of pybind11 have a metaclass and a general __init__ of their own.
+ALLOWED = r"gvd\._gvd\.\w+(\.__init__)?" "\n"
+
+
+class Documents(unittest.TestCase):
+    def test_examples_of_docstrings(self):
+        tried = 0
+        for module in [gvd, *(importlib.import_module(f"gvd.{m.name}") for m in pkgutil.iter_modules(gvd.__path__))]:
+            result = doctest.testmod(module)
+            self.assertEqual(result.failed, 0, module.__name__)
+            tried += result.attempted
+        self.assertGreater(tried, 20)
+
+    def test_examples_of_the_pages(self):
+        """The ```python blocks of a page run in their order, in a folder that has data/ beside it."""
+        for page in ("README.md", "docs/guide/python.md"):
+            names = {}
+            blocks = re.findall(r"^```python\n(.*?)^```", (meshes.ROOT / page).read_text(), re.MULTILINE | re.DOTALL)
+            self.assertGreater(len(blocks), 0, page)
+            with tempfile.TemporaryDirectory() as folder:
+                os.symlink(meshes.ROOT / "data", pathlib.Path(folder) / "data")
+                os.chdir(folder)
+                try:
+                    for block in blocks:
+                        exec(compile(block, page, "exec"), names)
+                finally:
+                    os.chdir(meshes.ROOT)
+
+    def test_everything_public_has_a_docstring(self):
+        for name in gvd.__all__:
+            thing = getattr(gvd, name)
+            if name.startswith("_"):
+                continue
+            self.assertTrue(thing.__doc__, name)
+            for member, value in vars(thing).items() if isinstance(thing, type) else ():
+                if not member.startswith("_") and (callable(value) or isinstance(value, property)):
+                    self.assertTrue(value.__doc__, f"{name}.{member}")
+
+    def run_mypy(self, *arguments):
+        ran = subprocess.run([sys.executable, "-m", *arguments], cwd=PACKAGE.parent, capture_output=True, text=True,
+                             env={**os.environ, "MYPYPATH": str(PACKAGE.parent)})
+        self.assertEqual(ran.returncode, 0, ran.stdout + ran.stderr)
+
+    def test_annotations(self):
+        self.run_mypy("mypy", "--strict", "--cache-dir", os.devnull, "gvd")
+
+    def test_the_stub_is_that_of_the_module(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".txt") as allowed:
+            allowed.write(ALLOWED)
+            allowed.flush()
+            self.run_mypy("mypy.stubtest", "gvd._gvd", "--allowlist", allowed.name)
+
+
+if __name__ == "__main__":
+    os.chdir(meshes.ROOT)
+    unittest.main()
