@@ -139,7 +139,7 @@ class Mesh(Writable):
             return self._native.sample(sampler, callback)
 
     def distances(self, points: Any, *, each: bool = False, at: Any = None, out: Any = None, threads: int = 0,
-                  progress: Progress = None) -> Any:
+                  progress: Progress = None) -> Floats:
         """Exact distances of all vertices (or of the points `at`) to the nearest of `points`: an array (n).
 
         With `each`, one row for each point: an array (points, n). `out`: an array or numpy.memmap of this shape that
@@ -152,14 +152,13 @@ class Mesh(Writable):
             with reporting(progress) as callback:
                 return _gvd.nearest(self._native, source, targets, threads, callback)[0]
         shape = (len(source), len(self.vertices) if targets is None else len(targets))
-        if out is None:
-            out = numpy.empty(shape)
-        elif getattr(out, "shape", None) != shape:
+        if out is not None and getattr(out, "shape", None) != shape:
             refuse(f"out: an array {shape} is needed, not {getattr(out, 'shape', type(out).__name__)}")
+        matrix: Floats = numpy.empty(shape) if out is None else out
         with reporting(progress) as callback:
             for begin, rows in self._batches(source, targets, threads, callback):
-                out[begin : begin + len(rows)] = rows
-        return out
+                matrix[begin : begin + len(rows)] = rows
+        return matrix
 
     def distance_rows(self, points: Any, *, at: Any = None, threads: int = 0,
                       progress: Progress = None) -> Iterator[Floats]:
