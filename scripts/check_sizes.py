@@ -18,6 +18,7 @@ SHARE_OF_USUAL_FUNCTIONS = 0.95
 MOST_FUNCTION_LINES = 45
 MOST_CLASS_LINES = 200
 MOST_PARAMETERS = 5
+C_INTERFACE = "libgvd/c/"  # its functions may have more parameters: C has an array and its length where C++ has a vector
 TEST_LINES_PER_LINE = 0.7
 
 # A house of splinters is as hard to read as one of long functions: files have a floor, and their number a ceiling.
@@ -29,7 +30,7 @@ MOST_FOLDERS = 45
 MOST_READMES = 26
 # Lines of C++ below these folders: what stands today. A feature may raise them, by what its commit says. The aims for the last
 # two are 4300 and 2800.
-MOST_LINES = {("libgvd", "apps", "bench"): 51505, ("apps",): 4705, ("apps/common",): 3480,
+MOST_LINES = {("libgvd", "apps", "bench"): 53460, ("apps",): 5360, ("apps/common",): 3805,
               ("python",): 1150}
 SHARE_OF_COMMENTS = 0.15
 CASTS_PER_THOUSAND_LINES = 6
@@ -79,7 +80,7 @@ def check_functions(functions):
     findings = [f"{t['path']}:{t['line']}: {t['name']} has {count_lines(t)} lines (at most {MOST_FUNCTION_LINES})"
                 for t in functions if count_lines(t) > MOST_FUNCTION_LINES]
     findings += [f"{t['path']}:{t['line']}: {t['name']} has {count_parameters(t)} parameters (at most {MOST_PARAMETERS})"
-                 for t in functions if count_parameters(t) > MOST_PARAMETERS]
+                 for t in functions if count_parameters(t) > MOST_PARAMETERS and not t["path"].startswith(C_INTERFACE)]
     long = [t for t in functions if count_lines(t) > USUAL_FUNCTION_LINES]
     if "--list" in sys.argv[1:]:
         for t in sorted(long, key=count_lines):

@@ -324,11 +324,11 @@ gvd_status gvd_distances(const gvd_mesh* mesh, const gvd_point* sources, int32_t
   return guarded([&] {
     const Mesh& surface = given(mesh, "mesh").mesh();
     given(distances, "distances");
-    const ExactField field(surface, to_points(surface, sources, source_count),
-                           {.offsets = {}, .progress = progress_of(run), .threads = threads_of(run)});
+    const VertexDistances found = compute_vertex_distances(surface, to_points(surface, sources, source_count),
+                                                           {.progress = progress_of(run), .threads = threads_of(run)});
     for (const VertexId v : surface.vertices()) {
-      distances[v.index()] = field.distance(v);
-      if (nearest != nullptr) nearest[v.index()] = field.label(v).value();
+      distances[v.index()] = found.distance[v];
+      if (nearest != nullptr) nearest[v.index()] = found.label[v].value();
     }
   });
 }
@@ -339,7 +339,7 @@ gvd_status gvd_path_compute(const gvd_mesh* mesh, const gvd_point* from, const g
     const Mesh& surface = given(mesh, "mesh").mesh();
     given(path, "path");
     const ExactField field(surface, to_points(surface, to, 1),
-                           {.offsets = {}, .progress = progress_of(run), .threads = threads_of(run)});
+                           {.progress = progress_of(run), .threads = threads_of(run)});
     GeodesicPath found = field.path(to_point(surface, given(from, "from")));
     if (!found.generator.valid()) {
       throw Error(ErrorCode::no_valid_result, "the two points are in different components; there is no path");
