@@ -23,11 +23,11 @@ struct CompletedOption {
   std::vector<std::string> words = {};
   std::string files = {};  ///< "any", "folder", or the extension that they have; empty: no file
 
-  /// Its names as typed, with `separator` between them.
-  std::string names(const char* separator) const {
+  /// Its names as typed, with `separator` between them, and `suffix` behind the long ones.
+  std::string names(const char* separator, const char* suffix = "") const {
     std::vector<std::string> typed;
     for (const std::string& name : short_names) typed.push_back("-" + name);
-    for (const std::string& name : long_names) typed.push_back("--" + name);
+    for (const std::string& name : long_names) typed.push_back("--" + name + suffix);
     return fmt::format("{}", fmt::join(typed, separator));
   }
 };
@@ -130,8 +130,8 @@ std::string make_zsh(const std::string& command, const std::vector<CompletedOpti
       continue;
     }
     const std::string excluded = option.is_repeatable ? "*" : fmt::format("({})", names);
-    const bool has_several = names.find(' ') != names.npos;
-    const std::string typed = has_several ? fmt::format("'{{{}}}'", option.names(",")) : names;
+    const std::string listed = option.names(",", option.takes_value ? "=" : "");
+    const std::string typed = listed.find(',') != listed.npos ? fmt::format("'{{{}}}'", listed) : listed;
     const std::string description =
         CLI::detail::find_and_replace(escape_with_backslash(option.description, "\\[]:"), "'", "'\\''");
     script += fmt::format(" \\\n  '{}{}[{}]{}'", excluded, typed, description, value);
