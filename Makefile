@@ -88,7 +88,7 @@ test:
 	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON \
 	  -DGVD_BUILD_PYTHON=$$([ -z "$$(scripts/install-deps.sh --missing python)" ] && echo ON || echo OFF) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS)
-	@scripts/check_examples.sh $(BUILD)/bin
+	@scripts/check_examples.py $(BUILD)/bin
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
 # libFuzzer, FUZZ_TARGETS of it (off obj ply stl generators config) or all. The next run goes on where this one ends.
