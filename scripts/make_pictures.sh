@@ -27,6 +27,18 @@ run gvd-segment data/figure.obj -n 24 --view "$work/segments.html"
 run gvd-lloyd   data/figure.obj -n 300 -o "$work/samples.json" --view "$work/samples.html"
 run gvd-remesh  data/figure.obj --generators "$work/samples.json" --view "$work/coarse.html"
 
+# The pages of the tasks.
+run gvd-lloyd    data/figure.obj -n 100 -o "$work/parcels.csv"
+run gvd-segment  data/figure.obj --generators "$work/parcels.csv" --view "$work/task_parcels.html"
+run gvd-lloyd    data/half_sphere.off -n 200 --view "$work/task_samples.html"
+run gvd-remesh   data/figure.obj --target-edge 0.2 --view "$work/task_simulation.html"
+run gvd-distance data/figure.obj --from 1867 --to 1874 --paths --isolines 0.25 --view "$work/task_measure.html"
+if command -v blender > /dev/null; then
+  run gvd-segment data/figure.obj -n 24 --no-curves -o "$work/regions.obj"
+  blender --background --factory-startup --python-exit-code 1 --python "$web/pictures/render_regions.py" -- \
+    "$work/regions.obj" "$pictures/task_blender.webp" > /dev/null
+fi
+
 # The distances of a remesh from its input, before and after placement.
 run gvd-remesh  data/figure.obj -n 300 --view "$work/remesh.html"
 
