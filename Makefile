@@ -26,10 +26,11 @@ PAPER_MODELS ?= $(GVD_MODELS)
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo python pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package format lint clean
+.PHONY: help demo python site pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package format lint clean
 
 help:
 	@echo "make demo      build, run the commands on a mesh of data/, name the files they wrote"
+	@echo "make site      build the documents as a site in BUILD/site, and run their examples"
 	@echo "make pictures  make the pictures of the documents again, with headless Chromium"
 	@echo "make figures   measure the figures of the documents again, and write them"
 	@echo "make test      build and run every test"
@@ -74,6 +75,13 @@ python:
 	@$(install_deps) build python
 	@$(configure) release $(BUILD) -DGVD_BUILD_PYTHON=ON $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd_python
+
+# Builds without the network, once the packages are there. GVD_SOURCE_URL: see mkdocs.yml.
+site: build python
+	@$(install_deps) site
+	@scripts/check_examples.py $(BUILD)/bin
+	@mkdocs build --strict --quiet --site-dir $(abspath $(BUILD))/site
+	@echo "$(BUILD)/site/index.html"
 
 # Some figures need models that are not in data/: see scripts/figures.py.
 figures:

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs the missing ones of the Debian or Ubuntu packages that a task needs.
 #
-#   scripts/install-deps.sh GROUP...             the groups: build test python bench pictures fuzz lint package ci
+#   scripts/install-deps.sh GROUP...             the groups: build test python site bench pictures fuzz lint package ci
 #   scripts/install-deps.sh --missing GROUP...   only prints the packages that are missing
 #
 # Does nothing, and needs no permission, if all of them are installed.
@@ -17,13 +17,14 @@ packages_of() {
     test)  echo catch2 python3-jsonschema python3-numpy ;;
     python) echo python3 python3-dev python3-numpy pybind11-dev python3-setuptools python3-wheel python3-pip python3-venv \
                  mypy python3-mypy ;;
+    site)  echo mkdocs mkdocs-material doxygen ;;
     bench) echo valgrind ;;
     pictures) echo $(unless_found chromium chromium) ;;
     fuzz)  echo clang libclang-rt-14-dev ;;
     lint)  echo clang-format clang-tidy clang-tools universal-ctags $(unless_found python3 python3) ;;
     package) echo dpkg-dev file gzip help2man ;;
     ci)    echo clang clang-format libclang-rt-14-dev ccache valgrind chromium libcgal-demo universal-ctags python3-meshio python3-vtk9 python3-tqdm lintian pkg-config zsh fish python3-yaml python3-jinja2 $(unless_found python3 python3) ;;
-    *)     echo "install-deps.sh: no group '$1' (one of: build test python bench pictures fuzz lint package ci)" >&2; exit 2 ;;
+    *)     echo "install-deps.sh: no group '$1' (one of: build test python site bench pictures fuzz lint package ci)" >&2; exit 2 ;;
   esac
 }
 
