@@ -13,7 +13,8 @@ unless_found() { command -v "$1" >/dev/null 2>&1 || echo "$2"; }
 packages_of() {
   case "$1" in
     build) echo g++ cmake make ninja-build libeigen3-dev libopenmesh-dev libcgal-dev libtbb-dev nlohmann-json3-dev \
-                libfmt-dev libcli11-dev libtomlplusplus-dev $(unless_found node nodejs) $(unless_found npm npm) ;;
+                libfmt-dev libcli11-dev libtomlplusplus-dev libpugixml-dev zlib1g-dev \
+                $(unless_found node nodejs) $(unless_found npm npm) ;;
     test)  echo catch2 python3-jsonschema python3-numpy ;;
     python) echo python3 python3-dev python3-numpy pybind11-dev python3-setuptools python3-wheel python3-pip python3-venv \
                  mypy python3-mypy ;;

@@ -108,7 +108,8 @@ template <class T>
 using Choices = std::vector<std::pair<std::string, T>>;
 
 inline const Choices<MeshFormat> kMeshFormats{
-    {"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off}, {"stl", MeshFormat::stl}};
+    {"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off}, {"stl", MeshFormat::stl},
+    {"vtp", MeshFormat::vtp}, {"vtk", MeshFormat::vtk}, {"glb", MeshFormat::glb}};
 inline const Choices<DefectPolicy> kDefectPolicies{
     {"error", DefectPolicy::error}, {"repair", DefectPolicy::repair}, {"largest", DefectPolicy::largest}};
 inline const Choices<Sampling> kSamplings{{"farthest", Sampling::farthest},

@@ -31,7 +31,8 @@ void register_input(CLI::App& app, InputOptions& input) {
   };
   app.add_option_function<std::vector<std::string>>(
          "INPUT", store,
-         "The mesh (.obj, .ply, .off or .stl), or - for standard input; several inputs need --output-dir")
+         "The mesh (.obj, .ply, .off, .stl, .vtp, .vtk or .glb, each also with .gz), or - for standard input; several "
+         "inputs need --output-dir")
       ->required()
       ->type_name("")
       ->check(not_empty("file"));

@@ -48,7 +48,8 @@ struct MeshAttributes {
 
 /// PLY: the properties of vertices but for their coordinates, and of polygons, in the file's order; a list `texcoord`
 /// of two numbers for each corner is the texture. Those of strips of triangles are left out. OBJ: the texture, from
-/// `vt` and `f`. Nothing of other formats. `format` overrides the detection.
+/// `vt` and `f`. Nothing of other formats, also where they have data of points and cells.
+/// `format` overrides the detection.
 /// Throws Error{unreadable_input} where the file can't be read. Cost: O(bytes).
 MeshAttributes read_mesh_attributes(const std::filesystem::path& path, std::optional<MeshFormat> format = {});
 

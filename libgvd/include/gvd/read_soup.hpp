@@ -13,17 +13,18 @@
 
 namespace gvd {
 
-enum class MeshFormat { obj, ply, off, stl };
+enum class MeshFormat { obj, ply, off, stl, vtp, vtk, glb };
 
-/// "obj", "ply", "off" or "stl".
+/// "obj", "ply", "off", "stl", "vtp", "vtk" or "glb".
 std::string_view name_of(MeshFormat format);
 
 /// The format that a file name's extension, or a bare name such as "ply", stands for, in upper or lower case; nothing
-/// for any other name.
+/// for any other name. An extension .gz behind it is ignored.
 std::optional<MeshFormat> format_from_extension(std::string_view name);
 
-/// The format of a file. The content decides first: the first line of a PLY or OFF, the length or the first word of an
-/// STL, the first statement of an OBJ. Otherwise the extension of `name` decides. Nothing where neither is known.
+/// The format of a file. The content decides first: the mark of a GLB, VTP or VTK, the first line of a PLY or OFF, the
+/// length or the first word of an STL, the first statement of an OBJ. Otherwise the extension of `name` decides.
+/// Nothing where neither is known. The content of a gzip file says nothing.
 /// Cost: O(1), and O(length) of leading comments.
 std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name);
 
@@ -32,7 +33,7 @@ struct PolygonSoup {
   std::vector<Vec3> positions;               ///< mesh units
   std::vector<std::int32_t> corners;         ///< of all polygons, one after the other: indices into `positions`
   std::vector<std::size_t> first_corner{0};  ///< per polygon, and the number of corners at the end
-  bool unwelded = false;                     ///< whether every polygon has vertices of its own (STL)
+  bool unwelded = false;                     ///< whether polygons may have vertices of their own (STL, GLB)
   bool has_texture = false;                  ///< whether the file has texture coordinates, which are not read here
   std::vector<std::string> notes;            ///< what else the reader left out, one line each
 
@@ -44,11 +45,13 @@ struct PolygonSoup {
   }
 };
 
-/// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF) or STL (ascii and binary).
+/// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF), STL (ascii and binary), PolyData of VTK
+/// (.vtp, and legacy .vtk, also with the surface cells of an unstructured grid) or GLB. Each may be packed by gzip.
 ///
 /// `format` overrides the detection. Numbers do not depend on the locale. Vertices and polygons keep their order.
 /// Properties: (1) every index is in range; (2) every coordinate is finite; (3) there is at least one polygon;
-/// (4) memory is bounded by a multiple of the file's size, whatever counts its header gives.
+/// (4) memory is bounded by a multiple of the file's size, whatever counts its header gives: gzip may unfold to 200
+/// times the size of the file, and 1 MB.
 /// Throws Error{unreadable_input} with the file and the line (in text) or byte (in binary files), and
 /// Error{precondition} for a coordinate that is not finite or for more vertices than 2,147,483,647.
 /// Cost: O(bytes).

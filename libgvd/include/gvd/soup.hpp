@@ -19,7 +19,7 @@ enum class DefectPolicy {
 };
 
 enum class DefectKind {
-  unwelded_vertices,         ///< an STL's corners: welded where their coordinates are equal (-0 equals 0)
+  unwelded_vertices,         ///< corners of an STL or GLB: welded where their coordinates are equal (-0 equals 0)
   zero_length_edges,         ///< a polygon edge between two vertices at one position: the two are welded
   degenerate_faces,          ///< fewer than three corners without the repeated ones: removed
   duplicate_faces,           ///< the corners of an earlier face, in either direction: removed

@@ -3,9 +3,12 @@
 
 Small files that are valid, or break one rule each. libFuzzer mutates them, and keeps what reaches new branches.
 """
+import base64
+import gzip
 import pathlib
 import struct
 import sys
+import zlib
 
 TETRAHEDRON = ([(0, 0, 0), (1, 1, 0), (1, 0, 1), (0, 1, 1)], [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)])
 # Three pages on one edge, one of them turned round.
@@ -118,6 +121,105 @@ def stl_seeds():
     yield stl(*TETRAHEDRON).replace("solid s", "SOLID s ", 1).replace("endsolid s", "EndSolid")
 
 
+def vtk(points, faces, version="3.0"):
+    lists = "\n".join(f"{len(f)} {numbers(f)}" for f in faces)
+    if version >= "5":
+        ends = [sum(map(len, faces[:i])) for i in range(len(faces) + 1)]
+        cells = f"POLYGONS {len(ends)} {ends[-1]}\nOFFSETS vtktypeint64\n{numbers(ends)}\nCONNECTIVITY vtktypeint64\n"
+        lists = numbers([v for f in faces for v in f])
+    else:
+        cells = f"POLYGONS {len(faces)} {sum(len(f) + 1 for f in faces)}\n"
+    return (f"# vtk DataFile Version {version}\nt\nASCII\nDATASET POLYDATA\nPOINTS {len(points)} float\n"
+            f"{numbers([x for p in points for x in p])}\nMETADATA\nx\n\n{cells}{lists}\nPOINT_DATA {len(points)}\n")
+
+
+def binary_vtk(points, faces):
+    head = "# vtk DataFile Version 4.2\nt\nBINARY\nDATASET UNSTRUCTURED_GRID\nFIELD f 1\na 1 1 short\n"
+    cells = [v for f in faces for v in (len(f), *f)]
+    return (head.encode() + b"\0\1\n" + f"POINTS {len(points)} double\n".encode()
+            + struct.pack(f">{3 * len(points)}d", *[x for p in points for x in p])
+            + f"\nCELLS {len(faces)} {len(cells)}\n".encode() + struct.pack(f">{len(cells)}i", *cells)
+            + f"\nCELL_TYPES {len(faces)}\n".encode() + struct.pack(f">{len(faces)}i", *[7] * len(faces)))
+
+
+def vtk_seeds():
+    for shape in SHAPES:
+        yield vtk(*shape)
+        yield vtk(*shape, "5.1")
+        yield binary_vtk(*shape)
+    yield vtk(*TETRAHEDRON).replace("POLYGONS", "TRIANGLE_STRIPS")
+    yield vtk(*TETRAHEDRON).replace("POLYGONS", "LINES 1 3\n2 0 1\nPOLYGONS")
+    yield vtk(*TETRAHEDRON).replace("POINTS 4", "POINTS 4294967295")
+
+
+def vtp(points, faces, form, packed):
+    """PolyData with arrays as `form`: ascii, binary, raw or base64 (the last two appended)."""
+    appended = b""
+
+    def array(name, kind, values):
+        nonlocal appended
+        head = f'<DataArray Name="{name}" type="{"Float64" if kind == "d" else "Int32"}" NumberOfComponents="3" '
+        if form == "ascii":
+            return f'{head}format="ascii">{numbers(values)}</DataArray>'
+        data = struct.pack(f"<{len(values)}{kind}", *values)
+        header = struct.pack("<I", len(data))
+        if packed:
+            block = zlib.compress(data)
+            header, data = struct.pack("<4I", 1, len(data), 0, len(block)), block
+        text = base64.b64encode(header) + base64.b64encode(data) if packed else base64.b64encode(header + data)
+        if form == "binary":
+            return f'{head}format="binary">{text.decode()}</DataArray>'
+        offset, appended = len(appended), appended + (text if form == "base64" else header + data)
+        return f'{head}format="appended" offset="{offset}"/>'
+
+    ends = [sum(map(len, faces[: i + 1])) for i in range(len(faces))]
+    compressor = ' compressor="vtkZLibDataCompressor"' if packed else ""
+    body = (f'<VTKFile type="PolyData"{compressor}><PolyData>'
+            f'<Piece NumberOfPoints="{len(points)}" NumberOfPolys="{len(faces)}" NumberOfLines="0"><Points>'
+            + array("Points", "d", [x for p in points for x in p]) + "</Points><Polys>"
+            + array("connectivity", "i", [v for f in faces for v in f]) + array("offsets", "i", ends)
+            + "</Polys></Piece></PolyData>").encode()
+    if appended:
+        body += f'<AppendedData encoding="{form}">_'.encode() + appended + b"</AppendedData>"
+    return body + b"</VTKFile>"
+
+
+def vtp_seeds():
+    for shape in SHAPES:
+        for form in ("ascii", "binary", "raw", "base64"):
+            yield vtp(*shape, form, False)
+    for form in ("binary", "raw", "base64"):
+        yield vtp(*TETRAHEDRON, form, True)
+    yield vtp(*TETRAHEDRON, "ascii", False).replace(b"Polys", b"Strips")
+
+
+def glb(points, faces, kind, nodes='[{"mesh":0}]'):
+    component = {"B": 5121, "H": 5123, "I": 5125}[kind]
+    triangles = [v for f in faces for k in range(1, len(f) - 1) for v in (f[0], f[k], f[k + 1])]
+    first = struct.pack(f"<{3 * len(points)}f", *[x for p in points for x in p])
+    second = struct.pack(f"<{len(triangles)}{kind}", *triangles)
+    binary = first + second + bytes(-len(second) % 4)
+    text = ('{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":' + nodes
+            + ',"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":4}]}],"accessors":['
+            + f'{{"bufferView":0,"componentType":5126,"count":{len(points)},"type":"VEC3"}},'
+            + f'{{"bufferView":1,"byteOffset":0,"componentType":{component},"count":{len(triangles)},"type":"SCALAR"}}],'
+            + f'"bufferViews":[{{"buffer":0,"byteLength":{len(first)},"byteStride":12}},'
+            + f'{{"buffer":0,"byteOffset":{len(first)},"byteLength":{len(second)}}}],"buffers":[{{"byteLength":{len(binary)}}}]}}')
+    text += " " * (-len(text) % 4)
+    return (struct.pack("<4sIIII", b"glTF", 2, 28 + len(text) + len(binary), len(text), 0x4E4F534A) + text.encode()
+            + struct.pack("<II", len(binary), 0x004E4942) + binary)
+
+
+def glb_seeds():
+    for shape in SHAPES:
+        for kind in "BHI":
+            yield glb(*shape, kind)
+    yield glb(*TETRAHEDRON, "B", '[{"children":[1,2],"scale":[-1,2,3]},{"mesh":0,"rotation":[0,0,1,0],'
+              '"translation":[5,0,0]},{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,9,1]}]')
+    for mode in "0156":
+        yield glb(*TETRAHEDRON, "H").replace(b'"mode":4', f'"mode":{mode}'.encode())
+
+
 def generator_seeds():
     lists = ["0\n3\n8 # vertex\n", "p 0.5 0.5 2\np 1e300 0 0\n1 0.2 0.3 0.5\n4 1 0 0\n", "0 0 0\n1 1 1\n"]
     tables = ["vertex\n1\n2\n", "face,b0,b1,b2,x,y,z\n1,0.25,0.25,0.5,0,0,0\n", "x,y,z\n0,0,1\n\"1\",\"0\",\"0\"\n",
@@ -139,7 +241,8 @@ def config_seeds():
     yield "'a\\b' = 1\nn = 99999999999999999999\n"
 
 
-SEEDS = {"off": off_seeds, "obj": obj_seeds, "ply": ply_seeds, "stl": stl_seeds, "generators": generator_seeds,
+SEEDS = {"off": off_seeds, "obj": obj_seeds, "ply": ply_seeds, "stl": stl_seeds, "vtp": vtp_seeds, "vtk": vtk_seeds,
+         "glb": glb_seeds, "generators": generator_seeds,
          "config": config_seeds}
 
 
@@ -148,7 +251,10 @@ def main():
         folder = pathlib.Path(sys.argv[1]) / target
         folder.mkdir(parents=True, exist_ok=True)
         for number, content in enumerate(seeds()):
-            (folder / f"seed-{number:02}").write_bytes(content if isinstance(content, bytes) else content.encode())
+            content = content if isinstance(content, bytes) else content.encode()
+            (folder / f"seed-{number:02}").write_bytes(content)
+            if number == 0 and target not in ("generators", "config"):
+                (folder / "seed-packed").write_bytes(gzip.compress(content, mtime=0))
 
 
 if __name__ == "__main__":

@@ -8,9 +8,13 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <sstream>
 #include <string>
 
+#include "gvd/diagram.hpp"
 #include "gvd/io/label_color.hpp"
+#include "gvd/soup.hpp"
 #include "io/fixture.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
@@ -114,6 +118,59 @@ TEST_CASE("OpenMesh reads back labelled files") {
     return rank(a) < rank(b);
   });
   check_same(labelled.mesh, read_peer(folder / "a.obj", false), order, tolerance(labelled.mesh));
+}
+
+TEST_CASE("VTP reads back with the same bits, without the points of bisectors") {
+  for (const auto& [name, mesh] : small_family()) {
+    for (const bool with_diagram : {false, true}) {
+      INFO(name << " " << with_diagram);
+      const Diagram diagram = compute_diagram(
+          mesh, {vertex_point(mesh, VertexId(0)), vertex_point(mesh, VertexId(mesh.vertex_count() - 1))});
+      LabelledMesh written{mesh};
+      if (with_diagram) written.diagram = &diagram;
+      std::ostringstream out;
+      write_mesh(out, written, OutputFormat::vtp);
+      const CheckedMesh back = build_mesh(parse_soup(out.str(), MeshFormat::vtp, "file"), DefectPolicy::error);
+      REQUIRE(back.mesh.vertex_count() == mesh.vertex_count());
+      REQUIRE(back.mesh.face_count() == mesh.face_count());
+      for (const VertexId v : mesh.vertices()) CHECK(back.mesh.position(v) == mesh.position(v));
+      for (const FaceId f : mesh.faces()) CHECK(back.mesh.vertices(f) == mesh.vertices(f));
+    }
+  }
+}
+
+TEST_CASE("GLB reads back with the same connectivity, region by region") {
+  for (const auto& [name, mesh] : small_family()) {
+    INFO(name);
+    IdVector<FaceId, GeneratorId> label(mesh.face_count());
+    for (const FaceId f : mesh.faces()) label[f] = GeneratorId(f.value() % 5 - 1);
+    LabelledMesh written{mesh};
+    written.face_label = &label;
+    std::ostringstream out;
+    write_mesh(out, written, OutputFormat::glb);
+    const PolygonSoup soup = parse_soup(out.str(), MeshFormat::glb, "file");
+    REQUIRE(soup.polygon_count() == std::size_t(mesh.face_count()));
+    // The faces come by label, those without one last, and in their order.
+    std::vector<FaceId> order = all_faces(mesh);
+    std::ranges::stable_sort(order, {}, [&](FaceId f) { return std::uint32_t(label[f].value()); });
+    std::map<std::array<double, 3>, VertexId> vertex_at;
+    for (const VertexId v : mesh.vertices()) {
+      const Vec3 p = mesh.position(v).cast<float>().cast<double>();
+      REQUIRE(vertex_at.emplace(std::array{p.x() + 0, p.y() + 0, p.z() + 0}, v).second);
+    }
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& p = soup.positions[soup.polygon(i)[k]];
+        const auto found = vertex_at.find({p.x() + 0, p.y() + 0, p.z() + 0});
+        REQUIRE(found != vertex_at.end());
+        CHECK(found->second == mesh.vertices(order[i])[k]);
+      }
+    }
+    const MeshSummary back = compute_mesh_summary(build_mesh(soup).mesh), wanted = compute_mesh_summary(mesh);
+    CHECK(back.vertices == wanted.vertices);
+    CHECK(back.euler_characteristic == wanted.euler_characteristic);
+    CHECK(back.boundary_loops == wanted.boundary_loops);
+  }
 }
 
 TEST_CASE("OpenMesh finds the regions' colours in OFF and in an OBJ's materials") {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstring>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,25 @@ inline const std::string kStl =
     "facet normal 0 0 0\nouter loop\nvertex 1 1 0\nvertex 0 1 1\nvertex 1 0 1\nendloop\nendfacet\n"
     "endsolid tetrahedron\n";
 
+inline const std::string kVtk =
+    "# vtk DataFile Version 3.0\na tetrahedron\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n0 0 0 1 1 0\n1 0 1 0 1 1\n"
+    "POLYGONS 4 16\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n";
+
+inline const std::string kVtp =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\"><PolyData>\n"
+    "<Piece NumberOfPoints=\"4\" NumberOfPolys=\"4\">\n<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+    "format=\"ascii\">0 0 0 1 1 0 1 0 1 0 1 1</DataArray></Points>\n"
+    "<Polys><DataArray Name=\"connectivity\" type=\"Int32\" format=\"ascii\">0 1 2 0 3 1 0 2 3 1 3 2</DataArray>"
+    "<DataArray Name=\"offsets\" type=\"Int32\" format=\"ascii\">3 6 9 12</DataArray></Polys>\n"
+    "</Piece></PolyData></VTKFile>\n";
+
+/// `text` with the first `from`, which must be there, as `to`.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
 /// The bytes of a number, the lowest first or last.
 template <class T>
 std::string bytes_of(T value, bool big_endian = false) {
@@ -57,6 +77,45 @@ inline std::string binary_ply(bool big_endian) {
     for (const std::int32_t v : soup.polygon(f)) bytes += bytes_of(v, big_endian);
   }
   return bytes;
+}
+
+/// A GLB of a description and a binary chunk.
+inline std::string glb_of(std::string json, std::string binary) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  binary.resize((binary.size() + 3) / 4 * 4, '\0');
+  const auto words = [](std::initializer_list<std::size_t> values) {
+    std::string bytes;
+    for (const std::size_t value : values) bytes += bytes_of(static_cast<std::uint32_t>(value));
+    return bytes;
+  };
+  return "glTF" + words({2, 28 + json.size() + binary.size(), json.size(), 0x4E4F534A}) + json +
+         words({binary.size(), 0x004E4942}) + binary;
+}
+
+/// Positions of the tetrahedron as floats, then its corners as bytes, 16-bit and 32-bit numbers: views 0 to 3.
+inline std::string glb_numbers() {
+  const PolygonSoup soup = parse_soup(kOff, MeshFormat::off, "off");
+  std::string bytes;
+  for (const Vec3& p : soup.positions) {
+    for (const double x : p) bytes += bytes_of(static_cast<float>(x));
+  }
+  for (const std::int32_t v : soup.corners) bytes += static_cast<char>(v);
+  for (const std::int32_t v : soup.corners) bytes += bytes_of(static_cast<std::uint16_t>(v));
+  for (const std::int32_t v : soup.corners) bytes += bytes_of(static_cast<std::uint32_t>(v));
+  return bytes;
+}
+
+/// The description of one mesh over these numbers. `indices` is 1, 2 or 3.
+inline std::string glb_description(int indices, const std::string& nodes = R"([{"mesh":0}])") {
+  return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":)" + nodes +
+         R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":)" + std::to_string(indices) + "}]}]," +
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
+         R"({"bufferView":1,"componentType":5121,"count":12,"type":"SCALAR"},)"
+         R"({"bufferView":2,"componentType":5123,"count":12,"type":"SCALAR"},)"
+         R"({"bufferView":3,"componentType":5125,"count":12,"type":"SCALAR"}],)"
+         R"("bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12},)"
+         R"({"buffer":0,"byteOffset":60,"byteLength":24},{"buffer":0,"byteOffset":84,"byteLength":48}],)"
+         R"("buffers":[{"byteLength":132}]})";
 }
 
 inline std::string binary_stl() {

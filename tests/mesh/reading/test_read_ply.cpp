@@ -6,12 +6,6 @@ using namespace test;
 
 PolygonSoup parse(std::string_view bytes) { return parse_soup(bytes, MeshFormat::ply, "file"); }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
 TEST_CASE("PLY: a tetrahedron in every encoding") {
   require_tetrahedron(parse(kPly));
   require_tetrahedron(parse(binary_ply(false)));

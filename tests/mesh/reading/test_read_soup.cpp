@@ -28,7 +28,10 @@ std::vector<Sample> samples() {
           {MeshFormat::ply, binary_ply(true)},
           {MeshFormat::ply, binary_ply(false)},
           {MeshFormat::stl, kStl},
-          {MeshFormat::stl, binary_stl()}};
+          {MeshFormat::stl, binary_stl()},
+          {MeshFormat::vtp, kVtp},
+          {MeshFormat::vtk, kVtk},
+          {MeshFormat::glb, glb_of(glb_description(2), glb_numbers())}};
 }
 
 // A file in a folder of its own; the folder is removed with it.
@@ -95,9 +98,10 @@ TEST_CASE("files are read whatever their extension, and refused with the reason"
   CHECK_THROWS_WITH(read_soup(file.path(), MeshFormat::off), Catch::Matchers::Contains("should be OFF, and is 'ply'"));
   require_file_refused(TemporaryFile("a.off", "").path(), "the file is empty");
   require_file_refused(TemporaryFile("a.txt", "hello\n").path(),
-                       "neither the name nor the first line is that of an OBJ, PLY, OFF or STL file");
+                       "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTK or GLB file");
   for (const char* name : {"a.obj", "a.obj.gz", "gz"}) {
-    require_file_refused(TemporaryFile(name, "\x1f\x8b\x08").path(), "the file is compressed by gzip; unpack it first");
+    require_file_refused(TemporaryFile(name, "\x1f\x8b\x08").path(), "gzip's data end after 0 unpacked bytes");
+    require_file_refused(TemporaryFile(name, "PK\x03\x04").path(), "the file is compressed by zip; unpack it first");
   }
   require_file_refused(TemporaryFile("a.off", "hello\n").path(), "should be OFF, and is 'hello'");
   require_file_refused(file.folder(), "directory");
@@ -205,12 +209,15 @@ TEST_CASE("check_counts: as many vertices and polygons as 32-bit ids can count, 
 }
 
 TEST_CASE("mesh format: names and extensions, upper or lower case") {
-  for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off, MeshFormat::stl}) {
+  for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off, MeshFormat::stl, MeshFormat::vtp,
+                                  MeshFormat::vtk, MeshFormat::glb}) {
     CHECK(format_from_extension(name_of(format)) == format);
     CHECK(format_from_extension("a.b/model." + std::string(name_of(format))) == format);
   }
   CHECK(format_from_extension("MODEL.OBJ") == MeshFormat::obj);
-  CHECK_FALSE(format_from_extension("model.glb"));
+  CHECK(format_from_extension("model.obj.gz") == MeshFormat::obj);
+  CHECK(format_from_extension("model.VTP.GZ") == MeshFormat::vtp);
+  for (const char* name : {"model.gltf", "model.gz", "model.obj.bz2", "gz"}) CHECK_FALSE(format_from_extension(name));
   CHECK_FALSE(format_from_extension(""));
 }
 

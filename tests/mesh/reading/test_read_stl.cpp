@@ -4,12 +4,6 @@ namespace gvd::test_read_stl {
 
 using namespace test;
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
 TEST_CASE("STL: a tetrahedron, text and binary, welded to four vertices") {
   for (const std::string& bytes : {kStl, binary_stl()}) {
     const PolygonSoup soup = parse_soup(bytes, MeshFormat::stl, "file");

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -19,6 +18,7 @@
 #include "gvd/text.hpp"
 #include "mesh/reading/read_ply_header.hpp"
 #include "mesh/reading/readers.hpp"
+#include "mesh/reading/stored_numbers.hpp"
 
 namespace gvd {
 namespace {
@@ -76,12 +76,12 @@ class BinarySource {
 
   double read(NumberType type, const PlyProperty& property) {
     require(size_of(type), property);
-    const std::uint64_t bits = take(size_of(type));
-    if (type == NumberType::float64) return std::bit_cast<double>(bits);
-    if (type == NumberType::float32) return std::bit_cast<float>(std::uint32_t(bits));
+    using Kind = StoredNumber::Kind;
     const bool is_signed = type == NumberType::int8 || type == NumberType::int16 || type == NumberType::int32;
-    const std::size_t unused = 64 - 8 * size_of(type);
-    return is_signed ? double(std::int64_t(bits << unused) >> unused) : double(bits);
+    const Kind kind = !is_integer(type) ? Kind::real : is_signed ? Kind::signed_integer : Kind::unsigned_integer;
+    const StoredNumber stored{kind, size_of(type), big_};
+    at_ += stored.size;
+    return stored.read(bytes_.data() + at_ - stored.size);
   }
   void skip(NumberType type, std::int64_t count, const PlyProperty& property) {
     const std::uint64_t bytes = size_of(type) * count;
@@ -97,13 +97,6 @@ class BinarySource {
                 fmt::format("{}: the file ends at byte {}, inside '{}' of {} {} of {}", name_, bytes_.size(),
                             property.name, element_->name, index_, element_->count),
                 index_);
-  }
-
-  std::uint64_t take(std::size_t size) {
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < size; ++i) bits = bits << 8 | std::uint8_t(bytes_[at_ + (big_ ? i : size - 1 - i)]);
-    at_ += size;
-    return bits;
   }
 
   std::string_view bytes_;

@@ -1,4 +1,4 @@
-// Mesh files: finds the format, reads the bytes, and hands them to the reader of the format.
+// Mesh files: finds the format, reads the bytes, unpacks gzip, and hands them to the reader of the format.
 //
 // The content decides on the format before the name does, because files with a wrong extension are common. A binary STL
 // has no mark of its own; its length must be the one that its triangle count asks for.
@@ -16,11 +16,14 @@
 #include "gvd/mesh_property.hpp"
 #include "gvd/text.hpp"
 #include "mesh/reading/readers.hpp"
+#include "mesh/reading/unpack.hpp"
 
 namespace gvd {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames = {"obj", "ply", "off", "stl"};
+constexpr std::array<std::string_view, 7> kNames = {"obj", "ply", "off", "stl", "vtp", "vtk", "glb"};
+
+constexpr std::string_view kGzipExtension = ".gz";
 
 /// The first word of the first line that is neither blank nor a comment, within the first megabyte.
 std::string first_word(std::string_view bytes) {
@@ -36,6 +39,14 @@ bool is_ply(std::string_view bytes) {
   return bytes.size() > 3 && bytes.starts_with("ply") && std::string_view(" \t\v\f\r\n").find(bytes[3]) != bytes.npos;
 }
 
+/// Whether the first element of an XML document is VTK's, within the first kilobytes.
+bool is_vtp(std::string_view bytes) {
+  constexpr std::size_t kSearched = 4096;
+  bytes = bytes.substr(0, kSearched);
+  const std::size_t first = bytes.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  return first != bytes.npos && bytes[first] == '<' && bytes.find("<VTKFile") != bytes.npos;
+}
+
 bool is_obj_statement(std::string_view word) {
   constexpr std::array<std::string_view, 11> kStatements = {"v", "vn",     "vt",     "vp", "f", "o",
                                                             "g", "mtllib", "usemtl", "s",  "l"};
@@ -46,9 +57,28 @@ bool is_obj_statement(std::string_view word) {
   throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name, message));
 }
 
-void refuse_compressed(std::string_view bytes, std::string_view name) {
-  const std::string_view program = is_binary_stl(bytes) ? "" : find_compression(bytes);  // an STL begins with anything
-  if (!program.empty()) refuse(name, fmt::format("the file is compressed by {}; unpack it first", program));
+/// Refuses content that is known and no mesh, whatever the name or the user says.
+void refuse_foreign(std::string_view bytes, std::string_view name) {
+  const std::string content = describe_content(bytes);
+  if (!content.empty()) refuse(name, "the file is " + content);
+}
+
+/// Unpacks the bytes of a gzip file; leaves others as they are.
+void unpack(std::string& bytes, std::string_view name) {
+  if (is_gzip(bytes)) bytes = unpack_gzip(bytes, name);
+}
+
+PolygonSoup parse_unpacked(std::string_view bytes, MeshFormat format, std::string_view name) {
+  if (bytes.empty()) refuse(name, "the file is empty");
+  refuse_foreign(bytes, name);
+  constexpr std::array kReaders = {parse_obj, parse_ply, parse_off, parse_stl, parse_vtp, parse_vtk, parse_glb};
+  PolygonSoup soup = kReaders[static_cast<int>(format)](bytes, name);
+  if (soup.polygon_count() == 0) {
+    refuse(name, fmt::format("the file has {} and no face; a surface is needed",
+                             counted(std::ssize(soup.positions), "vertex", "vertices")));
+  }
+  check_counts(soup.positions.size(), soup.polygon_count(), name);
+  return soup;
 }
 
 std::string read_bytes(const std::filesystem::path& path) {
@@ -62,6 +92,7 @@ std::string read_bytes(const std::filesystem::path& path) {
   const std::uintmax_t size = std::filesystem::file_size(path, error);  // fails for a pipe
   std::string bytes = read_to_end(file, error ? 0 : size);
   if (file.bad()) refuse(name, "the file can't be read to its end");
+  unpack(bytes, name);
   return bytes;
 }
 
@@ -70,6 +101,7 @@ std::string read_bytes(const std::filesystem::path& path) {
 std::string_view name_of(MeshFormat format) { return kNames[static_cast<int>(format)]; }
 
 std::optional<MeshFormat> format_from_extension(std::string_view name) {
+  if (to_lower(name).ends_with(kGzipExtension)) name.remove_suffix(kGzipExtension.size());
   const std::size_t dot = name.rfind('.');
   const std::string extension = to_lower(dot == name.npos ? name : name.substr(dot + 1));
   const auto it = std::find(kNames.begin(), kNames.end(), extension);
@@ -79,13 +111,15 @@ std::optional<MeshFormat> format_from_extension(std::string_view name) {
 
 std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name) {
   if (is_ply(bytes)) return MeshFormat::ply;
+  if (bytes.starts_with("glTF")) return MeshFormat::glb;
+  if (bytes.starts_with("# vtk DataFile")) return MeshFormat::vtk;
+  if (is_vtp(bytes)) return MeshFormat::vtp;
   if (is_binary_stl(bytes)) return MeshFormat::stl;
   const std::string word = first_word(bytes);
   if (is_off_keyword(word)) return MeshFormat::off;
   if (to_lower(word) == "solid") return MeshFormat::stl;
   if (is_obj_statement(word)) return MeshFormat::obj;
-  const std::size_t dot = name.rfind('.');
-  return dot == name.npos ? std::nullopt : format_from_extension(name.substr(dot));
+  return name.find('.') == name.npos ? std::nullopt : format_from_extension(name);
 }
 
 void check_counts(std::uint64_t vertices, std::uint64_t polygons, std::string_view name) {
@@ -96,16 +130,7 @@ void check_counts(std::uint64_t vertices, std::uint64_t polygons, std::string_vi
 }
 
 PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name) {
-  if (bytes.empty()) refuse(name, "the file is empty");
-  refuse_compressed(bytes, name);
-  constexpr std::array kReaders = {parse_obj, parse_ply, parse_off, parse_stl};
-  PolygonSoup soup = kReaders[static_cast<int>(format)](bytes, name);
-  if (soup.polygon_count() == 0) {
-    refuse(name, fmt::format("the file has {} and no face; a surface is needed",
-                             counted(std::ssize(soup.positions), "vertex", "vertices")));
-  }
-  check_counts(soup.positions.size(), soup.polygon_count(), name);
-  return soup;
+  return is_gzip(bytes) ? parse_unpacked(unpack_gzip(bytes, name), format, name) : parse_unpacked(bytes, format, name);
 }
 
 PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format) {
@@ -114,10 +139,11 @@ PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshForma
   if (bytes.empty()) refuse(name, "the file is empty");
   if (!format) format = detect_format(bytes, name);
   if (!format) {
-    refuse_compressed(bytes, name);
-    refuse(name, "neither the name nor the first line is that of an OBJ, PLY, OFF or STL file; name the format");
+    refuse_foreign(bytes, name);
+    refuse(name,
+           "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTK or GLB file; name the format");
   }
-  return parse_soup(bytes, *format, name);
+  return parse_unpacked(bytes, *format, name);
 }
 
 std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property) {
@@ -128,6 +154,7 @@ std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path
 }
 
 MeshAttributes parse_mesh_attributes(std::string_view bytes, MeshFormat format, std::string_view name) {
+  if (is_gzip(bytes)) return parse_mesh_attributes(unpack_gzip(bytes, name), format, name);
   if (format == MeshFormat::ply) return parse_ply_attributes(bytes, name);
   if (format == MeshFormat::obj) return {{}, parse_obj_texture(bytes, name)};
   return {};

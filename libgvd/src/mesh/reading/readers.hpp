@@ -72,7 +72,7 @@ class TextReader {
   std::int64_t element_line_ = 0;  // where the element begins; 0 outside of elements
 };
 
-// The readers of the four formats. `bytes` is a whole file and `name` stands for it in messages. Errors, properties and
+// The readers of the formats. `bytes` is a whole file and `name` stands for it in messages. Errors, properties and
 // cost are those of `parse_soup`.
 
 /// Wavefront OBJ: the statements `v` and `f`; all others are skipped.
@@ -100,6 +100,16 @@ bool is_off_keyword(std::string_view word);
 
 /// STL, binary and text: triangles with vertices of their own.
 PolygonSoup parse_stl(std::string_view bytes, std::string_view name);
+
+/// VTK PolyData in XML (.vtp): points, polygons and strips; lines, vertices and all data of points and cells are
+/// skipped. Text, Base64 and appended arrays, plain or compressed by zlib.
+PolygonSoup parse_vtp(std::string_view bytes, std::string_view name);
+
+/// Legacy files of VTK (.vtk), text and binary: PolyData, and unstructured grids whose cells are polygons.
+PolygonSoup parse_vtk(std::string_view bytes, std::string_view name);
+
+/// Binary glTF 2.0 (.glb): the triangles of its scene, where the nodes' transforms put them. Vertices are unwelded.
+PolygonSoup parse_glb(std::string_view bytes, std::string_view name);
 
 /// Whether the file has exactly the length that the triangle count in its header asks for.
 bool is_binary_stl(std::string_view bytes);

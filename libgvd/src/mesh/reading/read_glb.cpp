@@ -1,0 +1,325 @@
+// Binary glTF 2.0 (.glb): the triangles of a scene, moved by the transforms of its nodes.
+//
+// A scene is a forest of nodes; a node may have a mesh, a mesh has primitives, and a primitive is a list of triangles
+// with accessors for positions and indices. Accessors are numbers in the binary chunk. Vertices with several normals
+// or materials come several times, so that the soup is marked as unwelded, as that of an STL is.
+// Materials, skins, morph targets and animations are left out: the surface is that of the stored positions.
+// Source: Khronos, glTF 2.0 (ISO/IEC 12113), sections 3.5 to 3.7 and 4.4.
+// Invariant: every node is visited at most once, and what primitives unfold to is counted before it takes memory.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <utility>
+
+#include "gvd/error.hpp"
+#include "gvd/text.hpp"
+#include "mesh/reading/readers.hpp"
+#include "mesh/reading/stored_numbers.hpp"
+#include "mesh/reading/unpack.hpp"
+
+namespace gvd {
+namespace {
+
+using Json = nlohmann::json;
+using Transform = Eigen::Matrix4d;
+
+constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
+enum Mode { kTriangles = 4, kStrip = 5, kFan = 6 };  // primitive.mode
+
+/// Extensions without which the triangles can't be read.
+constexpr std::array<std::string_view, 3> kUnreadable{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                                                      "EXT_mesh_gpu_instancing"};
+
+/// Numbers of an accessor: `size` for each of its elements.
+struct Accessor {
+  std::vector<double> numbers;
+  std::size_t size = 1;
+};
+
+class GlbParser {
+ public:
+  GlbParser(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name), limit_(bytes.size(), name) {
+    soup_.unwelded = true;
+  }
+
+  PolygonSoup parse() {
+    read_chunks();
+    refuse_extensions(gltf_);
+    visited_.assign(array("nodes").size(), 0);
+    for (const auto& [node, transform] : find_roots()) add_tree(node, transform);
+    if (left_out_ > 0) {
+      soup_.notes.push_back(
+          fmt::format("{} left out", counted(left_out_, "list of points or lines is", "lists of points or lines are")));
+    }
+    return std::move(soup_);
+  }
+
+ private:
+  using Placed = std::pair<std::size_t, Transform>;  // a node and the transform of its parent
+
+  std::uint32_t word(std::size_t at) const {
+    if (at + 4 > bytes_.size()) refuse(fmt::format("the file ends at byte {}, inside a header", bytes_.size()));
+    return static_cast<std::uint32_t>(StoredNumber{StoredNumber::Kind::unsigned_integer, 4}.read(bytes_.data() + at));
+  }
+
+  void read_chunks() {
+    if (word(0) != kMagic) refuse("the file does not begin with 'glTF'");
+    if (word(4) != kVersion) refuse(fmt::format("the file has version {} of glTF, and only 2 is read", word(4)));
+    std::string_view json;
+    for (std::size_t at = kHeaderBytes; at < bytes_.size();) {
+      const std::size_t length = word(at), begin = at + kChunkHeaderBytes;
+      const std::uint32_t kind = word(at + 4);
+      if (length > bytes_.size() - begin) {
+        refuse(fmt::format("byte {}: a chunk should have {} bytes, and the file has {} more", at, length,
+                           bytes_.size() - begin));
+      }
+      if (kind == kJsonChunk && json.empty()) json = bytes_.substr(begin, length);
+      if (kind == kBinaryChunk && binary_.empty()) binary_ = bytes_.substr(begin, length);
+      at = begin + length;
+    }
+    gltf_ = Json::parse(json);
+    if (!gltf_.is_object()) refuse("the scene's description is no JSON object");
+  }
+
+  const Json& array(const char* key) const {
+    static const Json kNone = Json::array();
+    const auto found = gltf_.find(key);
+    return found == gltf_.end() ? kNone : *found;
+  }
+
+  const Json& item(const char* key, std::size_t index) const {
+    const Json& items = array(key);
+    if (index >= items.size()) refuse(fmt::format("there is no item {} of {}", index, key));
+    return items.at(index);
+  }
+
+  /// A member that is a whole number from 0.
+  std::size_t number(const Json& object, const char* key, std::optional<std::size_t> otherwise = {}) const {
+    const auto found = object.find(key);
+    if (found == object.end() && otherwise) return *otherwise;
+    if (found == object.end() || !found->is_number_unsigned()) refuse(fmt::format("'{}' is no index or count", key));
+    return found->get<std::size_t>();
+  }
+
+  std::size_t index(const Json& value, const char* what) const {
+    if (!value.is_number_unsigned()) refuse(fmt::format("an index of {} is no whole number", what));
+    return value.get<std::size_t>();
+  }
+
+  void refuse_extensions(const Json& object) const {
+    for (const Json& extension : object.value("extensionsRequired", Json::array())) {
+      const auto& name = extension.get_ref<const std::string&>();
+      if (std::ranges::find(kUnreadable, name) == kUnreadable.end()) continue;
+      refuse(fmt::format("the mesh needs glTF's extension {}, which is not read; export it without", name));
+    }
+  }
+
+  /// The roots of the scene. Without scenes these are all nodes without a parent; without nodes, every mesh has one.
+  std::vector<Placed> find_roots() {
+    std::vector<Placed> roots;
+    if (!array("scenes").empty()) {
+      const Json& scene = item("scenes", number(gltf_, "scene", 0));
+      for (const Json& node : scene.value("nodes", Json::array())) {
+        roots.emplace_back(index(node, "nodes"), Transform::Identity());
+      }
+      return roots;
+    }
+    std::vector<char> is_child(visited_.size(), 0);
+    for (const Json& node : array("nodes")) {
+      for (const Json& child : node.value("children", Json::array())) {
+        if (index(child, "nodes") < is_child.size()) is_child[index(child, "nodes")] = 1;
+      }
+    }
+    for (std::size_t n = 0; n < is_child.size(); ++n) {
+      if (is_child[n] == 0) roots.emplace_back(n, Transform::Identity());
+    }
+    for (std::size_t m = 0; visited_.empty() && m < array("meshes").size(); ++m) add_mesh(m, Transform::Identity());
+    return roots;
+  }
+
+  void add_tree(std::size_t root, const Transform& placed) {
+    std::vector<Placed> waiting{{root, placed}};
+    while (!waiting.empty()) {
+      const auto [n, parent] = waiting.back();
+      waiting.pop_back();
+      const Json& node = item("nodes", n);
+      if (std::exchange(visited_[n], 1) != 0) refuse(fmt::format("node {} has two parents", n));
+      const Transform transform = parent * transform_of(node);
+      if (node.contains("mesh")) add_mesh(number(node, "mesh"), transform);
+      const Json children = node.value("children", Json::array());
+      for (std::size_t i = children.size(); i-- > 0;) waiting.emplace_back(index(children[i], "nodes"), transform);
+    }
+  }
+
+  /// A matrix, by columns, or a translation, a rotation as quaternion (x, y, z, w) and a scale.
+  static Transform transform_of(const Json& node) {
+    const auto matrix = node.find("matrix");
+    if (matrix != node.end()) return Transform(matrix->get<std::array<double, 16>>().data());
+    const auto t = node.value("translation", std::array{0.0, 0.0, 0.0}),
+               s = node.value("scale", std::array{1.0, 1.0, 1.0});
+    const auto r = node.value("rotation", std::array{0.0, 0.0, 0.0, 1.0});
+    Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+    transform.translate(Vec3(t[0], t[1], t[2])).rotate(Eigen::Quaterniond(r[3], r[0], r[1], r[2]).normalized());
+    return transform.scale(Vec3(s[0], s[1], s[2])).matrix();
+  }
+
+  void add_mesh(std::size_t m, const Transform& transform) {
+    std::map<std::size_t, std::size_t> first_vertex;  // of each accessor of positions
+    for (const Json& primitive : item("meshes", m).at("primitives")) {
+      const std::size_t mode = number(primitive, "mode", kTriangles);
+      if (mode < kTriangles || mode > kFan) {
+        ++left_out_;
+        continue;
+      }
+      if (primitive.value("extensions", Json::object()).contains(kUnreadable[0])) {
+        refuse("the mesh is compressed by Draco, which is not read; export it without compression");
+      }
+      const std::size_t positions = number(primitive.at("attributes"), "POSITION");
+      const auto [known, is_new] = first_vertex.try_emplace(positions, soup_.positions.size());
+      const std::size_t count = number(item("accessors", positions), "count");
+      if (is_new) add_positions(positions, transform);
+      std::vector<double> corners = read_indices(primitive, count);
+      for (double& corner : corners) corner = require_vertex(corner, count) + double(known->second);
+      add_triangles(corners, Mode(mode), transform.topLeftCorner<3, 3>().determinant() < 0);
+    }
+  }
+
+  std::vector<double> read_indices(const Json& primitive, std::size_t vertices) {
+    if (primitive.contains("indices")) return read_accessor(number(primitive, "indices")).numbers;
+    limit_.spend(vertices * sizeof(double));
+    std::vector<double> all(vertices);
+    std::iota(all.begin(), all.end(), 0.0);
+    return all;
+  }
+
+  double require_vertex(double corner, std::size_t count) const {
+    if (corner >= 0 && corner < double(count) && corner == std::floor(corner)) return corner;
+    refuse(fmt::format("an index is {}, and there are {}", corner, counted(count, "vertex", "vertices")));
+  }
+
+  void add_positions(std::size_t accessor, const Transform& transform) {
+    const Accessor read = read_accessor(accessor);
+    if (read.size != 3) refuse(fmt::format("positions have {} coordinates", read.size));
+    check_counts(soup_.positions.size() + read.numbers.size() / 3, 0, name_);
+    for (std::size_t i = 0; i < read.numbers.size(); i += 3) {
+      const Eigen::Vector4d p =
+          transform * Eigen::Vector4d(read.numbers[i], read.numbers[i + 1], read.numbers[i + 2], 1);
+      const auto v = std::ssize(soup_.positions);
+      if (!p.allFinite()) {
+        throw Error(ErrorCode::precondition,
+                    fmt::format("{}: a coordinate of vertex {} is not a finite number", name_, v), v);
+      }
+      soup_.positions.emplace_back(p.head<3>());
+    }
+  }
+
+  /// Triangle i of a list, a strip or a fan. A transform that mirrors turns the triangles round.
+  void add_triangles(const std::vector<double>& corners, Mode mode, bool is_mirrored) {
+    const std::size_t step = mode == kTriangles ? 3 : 1;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
+      const bool is_turned = mode == kStrip && i % 2 == 1;
+      std::array<std::size_t, 3> triangle{mode == kFan ? 0 : i, i + 1, i + 2};
+      if (is_turned != is_mirrored) std::swap(triangle[1], triangle[2]);
+      for (const std::size_t k : triangle) soup_.corners.push_back(static_cast<std::int32_t>(corners[k]));
+      soup_.close_polygon();
+    }
+    check_counts(0, soup_.polygon_count(), name_);
+  }
+
+  Accessor read_accessor(std::size_t a) {
+    const Json& accessor = item("accessors", a);
+    if (accessor.contains("sparse")) refuse(fmt::format("accessor {} is sparse, which is not read", a));
+    if (!accessor.contains("bufferView")) refuse(fmt::format("accessor {} has no numbers", a));
+    const StoredNumber stored = stored_number(number(accessor, "componentType"));
+    const std::string type = accessor.at("type");
+    Accessor read{{}, type == "SCALAR" ? 1U : type == "VEC3" ? 3U : 0U};
+    if (read.size == 0) refuse(fmt::format("accessor {} has the type {}", a, gvd::quoted(type)));
+    const std::string_view view = find_view(number(accessor, "bufferView"));
+    const std::size_t count = number(accessor, "count"), begin = number(accessor, "byteOffset", 0);
+    const std::size_t element = read.size * stored.size;
+    const std::size_t given = number(item("bufferViews", number(accessor, "bufferView")), "byteStride", 0);
+    const std::size_t stride = given == 0 ? element : given;
+    if (count == 0) return read;
+    if (begin > view.size() || element > view.size() - begin || count - 1 > (view.size() - begin - element) / stride) {
+      refuse(fmt::format("accessor {} has {}, and its view has {} bytes", a, counted(count, "element", "elements"),
+                         view.size()));
+    }
+    limit_.spend(count * read.size * sizeof(double));
+    read.numbers.reserve(count * read.size);
+    const double scale = accessor.value("normalized", false) ? largest(stored) : 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < read.size; ++k) {
+        read.numbers.push_back(stored.read(view.data() + begin + i * stride + k * stored.size) / scale);
+      }
+    }
+    return read;
+  }
+
+  StoredNumber stored_number(std::size_t component_type) const {
+    using Kind = StoredNumber::Kind;
+    constexpr std::size_t kByte = 5120, kFloat = 5126;
+    static constexpr std::array<StoredNumber, 7> kTypes{{{Kind::signed_integer, 1},
+                                                         {Kind::unsigned_integer, 1},
+                                                         {Kind::signed_integer, 2},
+                                                         {Kind::unsigned_integer, 2},
+                                                         {Kind::signed_integer, 4},
+                                                         {Kind::unsigned_integer, 4},
+                                                         {Kind::real, 4}}};
+    if (component_type < kByte || component_type > kFloat) {
+      refuse(fmt::format("an accessor has the component type {}", component_type));
+    }
+    return kTypes[component_type - kByte];
+  }
+
+  /// The number that stands for 1 in normalized integers.
+  static double largest(const StoredNumber& stored) {
+    if (stored.kind == StoredNumber::Kind::real) return 1;
+    return std::exp2(8.0 * double(stored.size) - (stored.kind == StoredNumber::Kind::signed_integer ? 1 : 0)) - 1;
+  }
+
+  std::string_view find_view(std::size_t v) const {
+    const Json& view = item("bufferViews", v);
+    const std::size_t buffer = number(view, "buffer");
+    if (buffer != 0 || item("buffers", 0).contains("uri")) {
+      refuse(fmt::format("buffer {} is not in the file; export one .glb that has everything", buffer));
+    }
+    const std::size_t begin = number(view, "byteOffset", 0), length = number(view, "byteLength");
+    if (begin > binary_.size() || length > binary_.size() - begin) {
+      refuse(fmt::format("view {} has {} bytes from {} on, and the binary chunk has {}", v, length, begin,
+                         binary_.size()));
+    }
+    return binary_.substr(begin, length);
+  }
+
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name_, message));
+  }
+
+  std::string_view bytes_, binary_;
+  std::string name_;
+  ExpansionLimit limit_;
+  Json gltf_;
+  std::vector<char> visited_;  // nodes
+  std::int64_t left_out_ = 0;
+  PolygonSoup soup_;
+};
+
+}  // namespace
+
+PolygonSoup parse_glb(std::string_view bytes, std::string_view name) {
+  try {
+    return GlbParser(bytes, name).parse();
+  } catch (const Json::exception& error) {  // a member is missing or has another type
+    throw Error(ErrorCode::unreadable_input,
+                fmt::format("{}: the scene's description is damaged: {}", name, printable(error.what(), 120)));
+  }
+}
+
+}  // namespace gvd

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace gvd {
+
+/// The most bytes that a file may unfold to when it is read: kMostExpansion times its size, and kFreeExpansion.
+///
+/// Meshes shrink to a fifth by gzip; the most that we found is 1 : 40, a flat grid in binary STL. Deflate goes down to
+/// 1 : 1032, and a file that refers to one array a thousand times has no limit at all.
+inline constexpr std::uint64_t kMostExpansion = 200, kFreeExpansion = 1 << 20;
+
+/// Counts what a file unfolds to, so that memory is bounded by the file's size.
+class ExpansionLimit {
+ public:
+  ExpansionLimit(std::size_t file_bytes, std::string_view name)
+      : left_(kMostExpansion * file_bytes + kFreeExpansion), name_(name) {}
+
+  /// Throws Error{unreadable_input} where these bytes are too many.
+  void spend(std::uint64_t bytes);
+
+ private:
+  std::uint64_t left_;
+  std::string name_;
+};
+
+/// Whether the file begins as gzip's do. A binary STL may begin in the same way, and counts as none.
+bool is_gzip(std::string_view bytes);
+
+/// The content of a gzip file, of all its members. Throws Error{unreadable_input} where it is cut off or damaged, or
+/// goes beyond ExpansionLimit. Cost: O(bytes) of the content.
+std::string unpack_gzip(std::string_view bytes, std::string_view name);
+
+/// What the content of a file seems to be, where that is no mesh that can be read, and what to do: "an HTML page; ...".
+/// Empty where it has no such mark. Cost: O(1).
+std::string describe_content(std::string_view bytes);
+
+}  // namespace gvd

@@ -1,0 +1,124 @@
+#include "gvd/soup.hpp"
+#include "mesh/reading/soup_files.hpp"
+#include "support/catch.hpp"
+
+namespace gvd::test_read_glb {
+
+using namespace test;
+
+PolygonSoup parse(const std::string& description) {
+  return parse_soup(glb_of(description, glb_numbers()), MeshFormat::glb, "file");
+}
+
+TEST_CASE("glb: indices of 8, 16 and 32 bits, and none") {
+  for (const int indices : {1, 2, 3}) {
+    INFO(indices);
+    require_tetrahedron(parse(glb_description(indices)));
+  }
+  // Without indices each three vertices are a triangle: the fourth is in none.
+  const PolygonSoup soup = parse(replaced(glb_description(1), ",\"indices\":1", ""));
+  CHECK(soup.corners == std::vector<std::int32_t>{0, 1, 2});
+}
+
+TEST_CASE("glb: nodes move their meshes, by matrices and by translation, rotation and scale") {
+  // A quarter turn about z takes (1, 1, 0) to (-1, 1, 0); doubled it is (-2, 2, 0), and the parent moves it by (0, 0,
+  // 5).
+  const std::string nodes = R"([{"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,5,1],"children":[1]},)"
+                            R"({"mesh":0,"rotation":[0,0,0.7071067811865476,0.7071067811865476],"scale":[2,2,2]}])";
+  const PolygonSoup soup = parse(glb_description(2, nodes));
+  REQUIRE(soup.positions.size() == 4);
+  CHECK((soup.positions[1] - Vec3(-2, 2, 5)).norm() < 1e-12);
+  CHECK((soup.positions[2] - Vec3(0, 2, 7)).norm() < 1e-12);
+}
+
+TEST_CASE("glb: a mesh in two nodes comes twice, and a mirror turns its triangles round") {
+  const std::string nodes = R"([{"children":[1,2]},{"mesh":0},{"mesh":0,"translation":[9,0,0],"scale":[-1,1,1]}])";
+  const PolygonSoup soup = parse(glb_description(2, nodes));
+  REQUIRE(soup.polygon_count() == 8);
+  CHECK(soup.positions[5] == Vec3(8, 1, 0));
+  CHECK(std::vector(soup.polygon(4).begin(), soup.polygon(4).end()) == std::vector<std::int32_t>{4, 6, 5});
+  CHECK(compute_mesh_summary(build_mesh(soup).mesh).components == 2);
+}
+
+TEST_CASE("glb: strips and fans become triangles; points and lines are left out") {
+  const auto with_mode = [](int mode) {
+    return replaced(glb_description(1), "\"indices\":1", "\"mode\":" + std::to_string(mode));
+  };
+  CHECK(parse(with_mode(5)).corners == std::vector<std::int32_t>{0, 1, 2, 1, 3, 2});
+  CHECK(parse(with_mode(6)).corners == std::vector<std::int32_t>{0, 1, 2, 0, 2, 3});
+  const PolygonSoup soup = parse(
+      replaced(glb_description(1), "\"indices\":1}", "\"indices\":1},{\"attributes\":{\"POSITION\":0},\"mode\":1}"));
+  require_tetrahedron(soup);
+  CHECK(soup.notes == std::vector<std::string>{"1 list of points or lines is left out"});
+}
+
+TEST_CASE("glb: a scene chooses its nodes; without scenes all are roots") {
+  const std::string unscened = replaced(glb_description(1), R"("scenes":[{"nodes":[0]}],)", "");
+  require_tetrahedron(parse(unscened));
+  require_tetrahedron(parse(replaced(unscened, R"("nodes":[{"mesh":0}],)", "")));
+  require_refused(glb_of(replaced(glb_description(1), R"({"nodes":[0]})", "{}"), glb_numbers()), MeshFormat::glb,
+                  "no face");
+}
+
+TEST_CASE("glb: quantized and interleaved positions are read") {
+  // Positions as normalized 16-bit numbers, 8 bytes from one to the next.
+  std::string numbers;
+  for (const Vec3& p : parse_soup(kOff, MeshFormat::off, "off").positions) {
+    for (const double x : p) numbers += bytes_of(static_cast<std::uint16_t>(x * 65535));
+    numbers += "..";
+  }
+  std::string description =
+      replaced(glb_description(1), R"("componentType":5126)", R"("componentType":5123,"normalized":true)");
+  description = replaced(description, R"("byteLength":48})", R"("byteLength":32,"byteStride":8})");
+  require_tetrahedron(parse_soup(glb_of(description, numbers + std::string(16, '\0') + glb_numbers().substr(48)),
+                                 MeshFormat::glb, "file"));
+}
+
+TEST_CASE("glb: what is not read is refused in one clear line") {
+  const auto refused = [](const std::string& from, const std::string& to, const std::string& part) {
+    INFO(from << " -> " << to);
+    require_refused(glb_of(replaced(glb_description(1), from, to), glb_numbers()), MeshFormat::glb, part);
+  };
+  refused(R"({"asset")", R"({"extensionsRequired":["KHR_draco_mesh_compression"],"asset")",
+          "KHR_draco_mesh_compression");
+  refused(R"("indices":1)", R"("indices":1,"extensions":{"KHR_draco_mesh_compression":{}})", "compressed by Draco");
+  refused(R"("count":4)", R"("count":4,"sparse":{})", "accessor 0 is sparse");
+  refused(R"("bufferView":0,)", "", "accessor 0 has no numbers");
+  refused(R"("buffers":[{)", R"("buffers":[{"uri":"a.bin",)", "buffer 0 is not in the file");
+  refused(R"("count":4)", R"("count":5)", "accessor 0 has 5 elements, and its view has 48 bytes");
+  refused(R"("count":4)", R"("count":4000000000000000000)", "accessor 0 has 4000000000000000000 elements");
+  refused(R"("count":4)", R"("count":-1)", "'count' is no index or count");
+  refused(R"("count":4)", R"("count":3)", "an index is 3, and there are 3 vertices");
+  refused(R"("byteOffset":48)", R"("byteOffset":123)", "view 1 has 12 bytes from 123 on, and the binary chunk has 132");
+  refused(R"("POSITION":0)", R"("POSITION":9)", "there is no item 9 of accessors");
+  refused(R"("POSITION":0)", R"("NORMAL":0)", "'POSITION' is no index or count");
+  refused(R"("primitives")", R"("primitive")", "the scene's description is damaged");
+  refused(R"([{"mesh":0}])", R"([{"mesh":0,"children":[0]}])", "node 0 has two parents");
+  refused(R"([{"mesh":0}])", R"([{"mesh":0,"matrix":[1,2]}])", "the scene's description is damaged");
+  refused(R"({"asset")", R"("asset")", "the scene's description is damaged");
+  const std::string whole = glb_of(glb_description(1), glb_numbers());
+  require_refused(replaced(whole, std::string("glTF\2", 5), std::string("glTF\1", 5)), MeshFormat::glb,
+                  "version 1 of glTF");
+  require_refused(whole.substr(0, whole.size() - 1), MeshFormat::glb,
+                  "a chunk should have 132 bytes, and the file has 131");
+  std::string infinite = glb_numbers();
+  infinite.replace(12, 4, bytes_of(std::numeric_limits<float>::infinity()));
+  require_refused(glb_of(glb_description(1), infinite), MeshFormat::glb,
+                  "a coordinate of vertex 1 is not a finite number", ErrorCode::precondition);
+}
+
+TEST_CASE("glb: instances are counted, so that a small file can't take all memory") {
+  std::string nodes = R"([{"children":[)", instances;
+  for (int i = 1; i <= 40000; ++i) {
+    nodes += (i > 1 ? "," : "") + std::to_string(i);
+    instances += R"(,{"mesh":0})";
+  }
+  // 12 bytes of the binary chunk are a million corners.
+  std::string description = glb_description(1, nodes + "]}" + instances + "]");
+  description = replaced(description, R"("count":12)", R"("count":100000)");
+  description = replaced(description, R"("byteOffset":48,"byteLength":12)", R"("byteOffset":132,"byteLength":100000)");
+  require_refused(glb_of(description, glb_numbers() + std::string(100000, '\0')), MeshFormat::glb,
+                  "unfolds to more than 200 times its size");
+}
+
+}  // namespace gvd::test_read_glb

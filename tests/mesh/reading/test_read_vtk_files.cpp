@@ -1,0 +1,146 @@
+// The readers of VTK's files, .vtp and .vtk. tests/formats/write_with_vtk.py has what VTK writes.
+#include "mesh/reading/soup_files.hpp"
+#include "support/catch.hpp"
+
+namespace gvd::test_read_vtk_files {
+
+using namespace test;
+
+PolygonSoup parse_vtp(const std::string& bytes) { return parse_soup(bytes, MeshFormat::vtp, "file"); }
+PolygonSoup parse_vtk(const std::string& bytes) { return parse_soup(bytes, MeshFormat::vtk, "file"); }
+
+// The sample with an array of points that refers to appended data.
+std::string with_appended(const std::string& encoding, const std::string& data, const std::string& offset = "0") {
+  std::string bytes =
+      replaced(kVtp, "format=\"ascii\">0 0 0 1 1 0 1 0 1 0 1 1<", "format=\"appended\" offset=\"" + offset + "\"><");
+  return replaced(bytes, "</VTKFile>",
+                  "<AppendedData encoding=\"" + encoding + "\">_" + data + "</AppendedData></VTKFile>");
+}
+
+// Points of the tetrahedron behind the number of their bytes.
+std::string point_bytes(std::uint32_t size = 96) {
+  std::string bytes = bytes_of(size);
+  for (const Vec3& p : parse_soup(kOff, MeshFormat::off, "off").positions) {
+    for (const double x : p) bytes += bytes_of(x);
+  }
+  return bytes;
+}
+
+TEST_CASE("vtp: polygons, pieces, strips, and lines that are left out with their points") {
+  CHECK(parse_vtp(kVtp).polygon_count() == 4);
+  std::string piece = kVtp.substr(kVtp.find("<Piece"), kVtp.find("</PolyData>") - kVtp.find("<Piece"));
+  const PolygonSoup two = parse_vtp(replaced(kVtp, piece, piece + piece));
+  CHECK(two.positions.size() == 8);
+  CHECK(two.polygon(7)[0] == 5);
+  const PolygonSoup strip = parse_vtp(
+      replaced(replaced(replaced(replaced(kVtp, "NumberOfPolys=\"4\"", "NumberOfStrips=\"1\""), "<Polys>", "<Strips>"),
+                        "</Polys>", "</Strips>"),
+               ">3 6 9 12<", ">4<"));
+  CHECK(strip.corners == std::vector<std::int32_t>{0, 1, 2, 2, 1, 0});
+  std::string lines = replaced(kVtp, "NumberOfPoints=\"4\"", "NumberOfPoints=\"6\" NumberOfLines=\"1\"");
+  lines = replaced(replaced(lines, ">0 0 0 1 1 0", ">9 9 9 0 0 0 1 1 0"), " 0 1 1<", " 0 1 1 8 8 8<");
+  lines = replaced(lines, ">0 1 2 0 3 1 0 2 3 1 3 2<", ">1 2 3 1 4 2 1 3 4 2 4 3<");
+  lines = replaced(lines, "<Polys>",
+                   "<Lines><DataArray Name=\"connectivity\" type=\"Int8\" format=\"ascii\">0 5 1</DataArray>"
+                   "<DataArray Name=\"offsets\" type=\"Int8\" format=\"ascii\">3</DataArray></Lines><Polys>");
+  const PolygonSoup without = parse_vtp(lines);
+  CHECK(without.positions.size() == 4);
+  CHECK(without.corners == parse_vtp(kVtp).corners);
+  REQUIRE(without.notes.size() == 1);
+  CHECK(without.notes[0] == "1 line or vertex is left out");
+}
+
+TEST_CASE("vtp: appended data, raw and in Base64, may hold anything") {
+  require_tetrahedron(parse_vtp(with_appended("raw", point_bytes())));
+  require_tetrahedron(parse_vtp(with_appended("raw", "</VTKFile>" + point_bytes(), "10")));
+  require_refused(with_appended("raw", point_bytes(4000)), MeshFormat::vtp,
+                  "an array of Points ends before its last byte");
+  require_refused(with_appended("raw", point_bytes(), "99999"), MeshFormat::vtp,
+                  "an array of Points begins 99999 bytes into");
+  require_refused(with_appended("base64", "YAAAAA==!"), MeshFormat::vtp, "ends before its last byte, or is no Base64");
+}
+
+TEST_CASE("vtp: what is wrong is refused in one line") {
+  const auto refused = [](const std::string& from, const std::string& to, const std::string& part) {
+    INFO(from << " -> " << to);
+    require_refused(replaced(kVtp, from, to), MeshFormat::vtp, part);
+  };
+  refused("\"PolyData\"", "\"UnstructuredGrid\"", "the type 'UnstructuredGrid', and only PolyData is read");
+  refused("type=\"PolyData\"", "type=\"PolyData\" compressor=\"vtkLZ4DataCompressor\"", "'vtkLZ4DataCompressor'");
+  refused("</PolyData>", "", "the XML is damaged");
+  refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"", "a piece of 5 points has 12 coordinates");
+  refused("NumberOfPolys=\"4\"", "NumberOfPolys=\"99999999999\"", "has 4 offsets");
+  refused("3 6 9 12", "3 6 9 13", "the corners of cell 3 end at 13");
+  refused("3 6 9 12", "3 6 5 12", "the corners of cell 2 end at 5");
+  refused("0 2 3 1 3 2", "0 2 3 1 3 4", "cell 3 refers to point 4, and there are 4");
+  refused("0 2 3 1 3 2", "0 2 3 1 3 1.5", "cell 3 refers to point 1.5");
+  refused("0 2 3 1 3 2", "0 2 3 1 3 x", "'x' is no number in an array of Polys");
+  refused("\"Float64\" NumberOfComponents=\"3\" format=\"ascii\"", "\"String\" format=\"binary\"", "the type 'String'");
+  require_refused(replaced(kVtp, "1 0 1 0 1 1<", "1 0 nan 0 1 1<"), MeshFormat::vtp,
+                  "a coordinate of point 2 is not a finite number", ErrorCode::precondition);
+}
+
+TEST_CASE("vtp: pieces that share one array are counted") {
+  // The points of each piece are the same 100,000 bytes, which would be 30 million numbers.
+  const std::string data = bytes_of(std::uint32_t{99984}) + std::string(99984, '\1');
+  const std::string piece =
+      "<Piece NumberOfPoints=\"33328\"><Points><DataArray type=\"Int8\" format=\"appended\" "
+      "offset=\"0\"/></Points></Piece>";
+  std::string pieces;
+  for (int i = 0; i < 3000; ++i) pieces += piece;
+  const std::string bytes = "<VTKFile type=\"PolyData\"><PolyData>" + pieces +
+                            "</PolyData><AppendedData encoding=\"raw\">_" + data + "</AppendedData></VTKFile>";
+  require_refused(bytes, MeshFormat::vtp, "unfolds to more than 200 times its size");
+}
+
+TEST_CASE("vtk: text with offsets, strips, fields, metadata and data behind the cells") {
+  const std::string offsets =
+      replaced(replaced(kVtk, "POLYGONS 4 16\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n",
+                        "METADATA\nINFORMATION 1\nNAME a LOCATION b\nDATA 1 2\n\nPOLYGONS 5 12\nOFFSETS vtktypeint64\n"
+                        "0 3 6 9 12\nCONNECTIVITY vtktypeint64\n0 1 2 0 3 1 0 2 3 1 3 2\nPOINT_DATA 4\nanything"),
+               "Version 3.0", "Version 5.1");
+  require_tetrahedron(parse_vtk(offsets));
+  require_tetrahedron(
+      parse_vtk(replaced(kVtk, "POINTS", "FIELD FieldData 2\nTIME 1 1 double\n0.5\nb 2 2 int\n1 2 3 4\npoints")));
+  CHECK(parse_vtk(replaced(kVtk, "POLYGONS", "TRIANGLE_STRIPS")).polygon_count() == 4);
+  const std::string grid = replaced(replaced(kVtk, "POLYDATA", "UNSTRUCTURED_GRID"), "POLYGONS", "CELLS");
+  require_tetrahedron(parse_vtk(grid + "CELL_TYPES 4\n5 5 7 5\n"));
+  require_refused(grid + "CELL_TYPES 4\n5 5 10 5\n", MeshFormat::vtk, "cell 2 has the VTK type 10");
+  require_refused(grid, MeshFormat::vtk, "there are 4 cells and 0 types of cells");
+}
+
+TEST_CASE("vtk: binary numbers are big-endian") {
+  std::string bytes = replaced(kVtk, "ASCII", "BINARY").substr(0, kVtk.find("0 0 0 1 1 0") + 1);
+  const PolygonSoup soup = parse_soup(kOff, MeshFormat::off, "off");
+  for (const Vec3& p : soup.positions) {
+    for (const double x : p) bytes += bytes_of(x, true);
+  }
+  bytes += "\nPOLYGONS 4 16\n";
+  for (std::size_t f = 0; f < 4; ++f) {
+    bytes += bytes_of(std::int32_t{3}, true);
+    for (const std::int32_t v : soup.polygon(f)) bytes += bytes_of(v, true);
+  }
+  require_tetrahedron(parse_vtk(bytes));
+  require_refused(bytes.substr(0, bytes.size() - 1), MeshFormat::vtk,
+                  "16 numbers are promised, and the file has 63 more");
+}
+
+TEST_CASE("vtk: what is wrong is refused with its line") {
+  const auto refused = [](const std::string& from, const std::string& to, const std::string& part) {
+    INFO(from << " -> " << to);
+    require_refused(replaced(kVtk, from, to), MeshFormat::vtk, part);
+  };
+  refused("Version 3.0", "Version", "the first line names no version");
+  refused("ASCII", "TEXT", "file:3: the third line is 'text'");
+  refused("POLYDATA", "STRUCTURED_GRID", "file:4: the data set is 'structured_grid'");
+  refused("4 double", "99 double", "297 numbers are promised");
+  refused("4 double", "99999999999999999999 double", "stands where a count should");
+  refused("4 double", "4 string", "file:5: 'string' is no type of numbers that is read");
+  refused("4 16", "5 16", "there are 4 cells and not 5");
+  refused("3 0 1 2", "9 0 1 2", "file:12: cell 3 has 2 corners");
+  refused("3 0 1 2", "99 0 1 2", "cell 0 has 99 corners");
+  refused("1 0 1", "1 x 1", "file:7: 'x' stands where a number should");
+  refused("POLYGONS", "POLYGON", "'polygon' is no section of a surface");
+}
+
+}  // namespace gvd::test_read_vtk_files

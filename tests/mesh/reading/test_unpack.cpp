@@ -1,0 +1,108 @@
+// gzip around each format, its limits, and the names of contents that are no mesh.
+#define ZLIB_CONST
+#include <zlib.h>
+
+#include <vector>
+
+#include "gvd/mesh_property.hpp"
+#include "mesh/reading/soup_files.hpp"
+#include "mesh/reading/unpack.hpp"
+#include "support/catch.hpp"
+
+namespace gvd::test_unpack {
+
+using namespace test;
+
+// One member of a gzip file.
+std::string pack(const std::string& bytes) {
+  z_stream stream{};
+  REQUIRE(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 9, Z_DEFAULT_STRATEGY) == Z_OK);
+  std::string packed(deflateBound(&stream, bytes.size()), '\0');
+  stream.next_in = reinterpret_cast<const Bytef*>(bytes.data());
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  REQUIRE(deflate(&stream, Z_FINISH) == Z_STREAM_END);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+TEST_CASE("gzip: every format is read through it, in one member or in several, with zeros behind") {
+  for (const auto& [format, bytes] : {std::pair(MeshFormat::obj, kObj),
+                                      {MeshFormat::off, kOff},
+                                      {MeshFormat::ply, kPly},
+                                      {MeshFormat::ply, binary_ply(true)},
+                                      {MeshFormat::stl, kStl},
+                                      {MeshFormat::stl, binary_stl()},
+                                      {MeshFormat::vtp, kVtp},
+                                      {MeshFormat::vtk, kVtk},
+                                      {MeshFormat::glb, glb_of(glb_description(1), glb_numbers())}}) {
+    INFO(name_of(format));
+    require_tetrahedron(parse_soup(pack(bytes), format, "file"));
+    const std::string parts = pack(bytes.substr(0, 50)) + pack("") + pack(bytes.substr(50)) + std::string(100, '\0');
+    require_tetrahedron(parse_soup(parts, format, "file"));
+    CHECK(unpack_gzip(parts, "file") == bytes);
+  }
+}
+
+TEST_CASE("gzip: properties are read through it") {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float "
+      "w\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 7\n1 0 0 8\n0 1 0 9\n3 0 1 2\n";
+  const MeshAttributes found = parse_mesh_attributes(pack(ply), MeshFormat::ply, "file");
+  REQUIRE(found.properties.size() == 1);
+  CHECK(found.properties[0].values == std::vector<double>{7, 8, 9});
+}
+
+TEST_CASE("gzip: a damaged, cut or endless file is refused in one line") {
+  const std::string packed = pack(kOff);
+  for (std::size_t size = 3; size < packed.size(); ++size) {
+    INFO(size);
+    require_refused(packed.substr(0, size), MeshFormat::off, "gzip's data end after");
+  }
+  std::string wrong = packed;
+  wrong[packed.size() - 6] ^= 1;  // of the checksum
+  require_refused(wrong, MeshFormat::off, "gzip's data are damaged after");
+  require_refused(packed + "more", MeshFormat::off, "gzip's data are damaged after");
+  require_refused(pack(packed), MeshFormat::off, "compressed by gzip; unpack it first");
+  require_refused(pack(""), MeshFormat::off, "the file is empty");
+  const std::string bomb = pack(std::string(8 << 20, ' '));
+  require_refused(bomb, MeshFormat::off, "unfolds to more than 200 times its size");
+  // The limit itself: what it allows passes, and one byte more does not.
+  ExpansionLimit limit(10, "file");
+  limit.spend(kMostExpansion * 10);
+  limit.spend(kFreeExpansion);
+  CHECK_THROWS_AS(limit.spend(1), Error);
+}
+
+TEST_CASE("content that is no mesh is named, whatever the extension says") {
+  const std::vector<std::pair<std::string, std::string>> contents{
+      {"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "the file is a Git LFS pointer"},
+      {" \n<!DOCTYPE HTML>\n<p>404", "an HTML page"},
+      {"<html lang=en>", "an HTML page"},
+      {"\xEF\xBB\xBF<?xml version=\"1.0\"?><!-- c --><COLLADA>", "XML of the kind 'COLLADA'"},
+      {"<?xml version=\"1.0\"?>\n<!DOCTYPE GIFTI SYSTEM \"g.dtd\">\n<GIFTI Version=\"1.0\">", "a GIFTI surface"},
+      {"<", "XML of the kind ''"},
+      {"\x89PNG\r\n", "a PNG image"},
+      {"PK\x03\x04", "compressed by zip"},
+      {"\xff\xff\xfe"
+       "created",
+       "a FreeSurfer surface"},
+      {"{\"asset\":{}}", "only binary files (.glb) are read"},
+      {"$MeshFormat\n4.1 0 8\n", "a Gmsh mesh"}};
+  for (const auto& [bytes, part] : contents) {
+    for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::stl, MeshFormat::glb}) {
+      require_refused(bytes, format, part);
+    }
+  }
+  for (const std::string& bytes : {kObj, kOff, kPly, kStl, kVtp, kVtk, std::string("hello"), std::string()}) {
+    CHECK(describe_content(bytes).empty());
+  }
+  std::string stl = binary_stl();
+  stl.replace(0, 5, "%PDF-");
+  require_tetrahedron(parse_soup(stl, MeshFormat::stl, "file"));
+}
+
+}  // namespace gvd::test_unpack
