@@ -7,6 +7,8 @@
 // (n + m)); marching in buckets is linear in its events, and everything after it is linear in the faces.
 // Invariant: a run throws before it begins, or says in its report what it could not do. Symbolic offsets decide ties in
 // every step and are taken out of the distances at the end.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,6 +18,7 @@
 #include "diagram/diagram_windows.hpp"
 #include "diagram/envelope/trace_envelope.hpp"
 #include "diagram/finish_diagram.hpp"
+#include "diagram/given_distances.hpp"
 #include "diagram/graph/connected_tracer.hpp"
 #include "diagram/growth/gap_tracer.hpp"
 #include "diagram/growth/trace_paper.hpp"
@@ -27,6 +30,8 @@
 #include "gvd/diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
+#include "gvd/text.hpp"
+#include "gvd/trace_diagram.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {
@@ -66,10 +71,8 @@ struct Traced {
   SymbolicOffset offset;  ///< contained in the distances of the labels
 };
 
-Traced trace_marched(const WorkingMesh& working, const DiagramOptions& options, const ParallelChunks& parallel,
-                     DiagramReport& report) {
-  const auto march_by_method = options.method == Method::paper ? march_in_order : march;
-  const FastMarchingResult marched = march_by_method(working, options.chosen_front(), options.progress);
+Traced trace_marched(const WorkingMesh& working, const FastMarchingResult& marched, const DiagramOptions& options,
+                     const ParallelChunks& parallel, DiagramReport& report) {
   report.propagation_events = marched.events;
   report.table_entries = static_cast<std::int64_t>(marched.table.entry_count());
   if (options.method.tracer != Tracer::envelope) {
@@ -136,6 +139,20 @@ void finish(const WorkingMesh& working, const Traced& traced, const DiagramOptio
   collect_cells(working, traced.diagram, parallel, diagram);
 }
 
+/// Runs all steps with the tables that `solve(working)` makes.
+template <class Solve>
+Diagram compute_by_tables(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options,
+                          const Solve& solve) {
+  check_diagram_options(options);
+  const WorkingMesh working(mesh, generators, options.progress);
+  const ParallelChunks parallel(options.threads, options.progress);
+  Diagram diagram;
+  diagram.generators = generators;
+  const FastMarchingResult solved = solve(working);
+  finish(working, trace_marched(working, solved, options, parallel, diagram.report), options, parallel, diagram);
+  return diagram;
+}
+
 }  // namespace
 
 void check_diagram_options(const DiagramOptions& options) {
@@ -147,13 +164,32 @@ void check_diagram_options(const DiagramOptions& options) {
 
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
   if (options.method.solver == Solver::windows) return compute_diagram_and_read(mesh, generators, options, nullptr);
-  check_diagram_options(options);
-  const WorkingMesh working(mesh, generators, options.progress);
-  const ParallelChunks parallel(options.threads, options.progress);
-  Diagram diagram;
-  diagram.generators = generators;
-  finish(working, trace_marched(working, options, parallel, diagram.report), options, parallel, diagram);
-  return diagram;
+  return compute_by_tables(mesh, generators, options, [&](const WorkingMesh& working) {
+    const auto march_by_method = options.method == Method::paper ? march_in_order : march;
+    return march_by_method(working, options.chosen_front(), options.progress);
+  });
+}
+
+Diagram trace_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DistanceSolver& solver,
+                      const DiagramOptions& options) {
+  return compute_by_tables(mesh, generators, options, [&](const WorkingMesh& working) {
+    return tabulate_distances(working, generators, solver, options.progress);
+  });
+}
+
+Diagram trace_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, std::span<const double> distances,
+                      const DiagramOptions& options) {
+  const auto vertices = static_cast<std::size_t>(mesh.vertex_count());
+  if (distances.size() != generators.size() * vertices) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("there are {} distances; {} and {} need {}", distances.size(),
+                            counted(std::ssize(generators), "generator", "generators"),
+                            counted(mesh.vertex_count(), "vertex", "vertices"), generators.size() * vertices));
+  }
+  const auto copy_row = [&](GeneratorId g, std::span<double> row) {
+    std::ranges::copy(distances.subspan(g.index() * vertices, vertices), row.begin());
+  };
+  return trace_diagram(mesh, generators, copy_row, options);
 }
 
 Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoint>& generators,

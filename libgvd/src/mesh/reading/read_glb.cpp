@@ -31,7 +31,7 @@ using Transform = Eigen::Matrix4d;
 
 constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
-enum Mode { kTriangles = 4, kStrip = 5, kFan = 6 };  // primitive.mode
+enum Mode { kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6 };  // primitive.mode
 
 /// Extensions without which the triangles can't be read.
 constexpr std::array<std::string_view, 3> kUnreadable{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
@@ -43,61 +43,29 @@ struct Accessor {
   std::size_t size = 1;
 };
 
-class GlbParser {
+/// The chunks of a file: its description, and the numbers of its binary chunk.
+class GlbFile {
  public:
-  GlbParser(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name), limit_(bytes.size(), name) {
-    soup_.unwelded = true;
-  }
-
-  PolygonSoup parse() {
+  GlbFile(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name), limit_(bytes.size(), name) {
     read_chunks();
-    refuse_extensions(gltf_);
-    visited_.assign(array("nodes").size(), 0);
-    for (const auto& [node, transform] : find_roots()) add_tree(node, transform);
-    if (left_out_ > 0) {
-      soup_.notes.push_back(
-          fmt::format("{} left out", counted(left_out_, "list of points or lines is", "lists of points or lines are")));
-    }
-    return std::move(soup_);
   }
 
- private:
-  using Placed = std::pair<std::size_t, Transform>;  // a node and the transform of its parent
+  const Json& description() const { return gltf_; }
+  const std::string& name() const { return name_; }
+  /// Counts what the file unfolds to.
+  void spend(std::uint64_t bytes) { limit_.spend(bytes); }
 
-  std::uint32_t word(std::size_t at) const {
-    if (at + 4 > bytes_.size()) refuse(fmt::format("the file ends at byte {}, inside a header", bytes_.size()));
-    return static_cast<std::uint32_t>(StoredNumber{StoredNumber::Kind::unsigned_integer, 4}.read(bytes_.data() + at));
-  }
-
-  void read_chunks() {
-    if (word(0) != kMagic) refuse("the file does not begin with 'glTF'");
-    if (word(4) != kVersion) refuse(fmt::format("the file has version {} of glTF, and only 2 is read", word(4)));
-    std::string_view json;
-    for (std::size_t at = kHeaderBytes; at < bytes_.size();) {
-      const std::size_t length = word(at), begin = at + kChunkHeaderBytes;
-      const std::uint32_t kind = word(at + 4);
-      if (length > bytes_.size() - begin) {
-        refuse(fmt::format("byte {}: a chunk should have {} bytes, and the file has {} more", at, length,
-                           bytes_.size() - begin));
-      }
-      if (kind == kJsonChunk && json.empty()) json = bytes_.substr(begin, length);
-      if (kind == kBinaryChunk && binary_.empty()) binary_ = bytes_.substr(begin, length);
-      at = begin + length;
-    }
-    gltf_ = Json::parse(json);
-    if (!gltf_.is_object()) refuse("the scene's description is no JSON object");
-  }
-
+  /// A list of the description; empty where there is none.
   const Json& array(const char* key) const {
     static const Json kNone = Json::array();
     const auto found = gltf_.find(key);
     return found == gltf_.end() ? kNone : *found;
   }
 
-  const Json& item(const char* key, std::size_t index) const {
+  const Json& item(const char* key, std::size_t i) const {
     const Json& items = array(key);
-    if (index >= items.size()) refuse(fmt::format("there is no item {} of {}", index, key));
-    return items.at(index);
+    if (i >= items.size()) refuse(fmt::format("there is no item {} of {}", i, key));
+    return items.at(i);
   }
 
   /// A member that is a whole number from 0.
@@ -108,131 +76,13 @@ class GlbParser {
     return found->get<std::size_t>();
   }
 
+  /// A value that is a whole number from 0.
   std::size_t index(const Json& value, const char* what) const {
     if (!value.is_number_unsigned()) refuse(fmt::format("an index of {} is no whole number", what));
     return value.get<std::size_t>();
   }
 
-  void refuse_extensions(const Json& object) const {
-    for (const Json& extension : object.value("extensionsRequired", Json::array())) {
-      const auto& name = extension.get_ref<const std::string&>();
-      if (std::ranges::find(kUnreadable, name) == kUnreadable.end()) continue;
-      refuse(fmt::format("the mesh needs glTF's extension {}, which is not read; export it without", name));
-    }
-  }
-
-  /// The roots of the scene. Without scenes these are all nodes without a parent; without nodes, every mesh has one.
-  std::vector<Placed> find_roots() {
-    std::vector<Placed> roots;
-    if (!array("scenes").empty()) {
-      const Json& scene = item("scenes", number(gltf_, "scene", 0));
-      for (const Json& node : scene.value("nodes", Json::array())) {
-        roots.emplace_back(index(node, "nodes"), Transform::Identity());
-      }
-      return roots;
-    }
-    std::vector<char> is_child(visited_.size(), 0);
-    for (const Json& node : array("nodes")) {
-      for (const Json& child : node.value("children", Json::array())) {
-        if (index(child, "nodes") < is_child.size()) is_child[index(child, "nodes")] = 1;
-      }
-    }
-    for (std::size_t n = 0; n < is_child.size(); ++n) {
-      if (is_child[n] == 0) roots.emplace_back(n, Transform::Identity());
-    }
-    for (std::size_t m = 0; visited_.empty() && m < array("meshes").size(); ++m) add_mesh(m, Transform::Identity());
-    return roots;
-  }
-
-  void add_tree(std::size_t root, const Transform& placed) {
-    std::vector<Placed> waiting{{root, placed}};
-    while (!waiting.empty()) {
-      const auto [n, parent] = waiting.back();
-      waiting.pop_back();
-      const Json& node = item("nodes", n);
-      if (std::exchange(visited_[n], 1) != 0) refuse(fmt::format("node {} has two parents", n));
-      const Transform transform = parent * transform_of(node);
-      if (node.contains("mesh")) add_mesh(number(node, "mesh"), transform);
-      const Json children = node.value("children", Json::array());
-      for (std::size_t i = children.size(); i-- > 0;) waiting.emplace_back(index(children[i], "nodes"), transform);
-    }
-  }
-
-  /// A matrix, by columns, or a translation, a rotation as quaternion (x, y, z, w) and a scale.
-  static Transform transform_of(const Json& node) {
-    const auto matrix = node.find("matrix");
-    if (matrix != node.end()) return Transform(matrix->get<std::array<double, 16>>().data());
-    const auto t = node.value("translation", std::array{0.0, 0.0, 0.0}),
-               s = node.value("scale", std::array{1.0, 1.0, 1.0});
-    const auto r = node.value("rotation", std::array{0.0, 0.0, 0.0, 1.0});
-    Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-    transform.translate(Vec3(t[0], t[1], t[2])).rotate(Eigen::Quaterniond(r[3], r[0], r[1], r[2]).normalized());
-    return transform.scale(Vec3(s[0], s[1], s[2])).matrix();
-  }
-
-  void add_mesh(std::size_t m, const Transform& transform) {
-    std::map<std::size_t, std::size_t> first_vertex;  // of each accessor of positions
-    for (const Json& primitive : item("meshes", m).at("primitives")) {
-      const std::size_t mode = number(primitive, "mode", kTriangles);
-      if (mode < kTriangles || mode > kFan) {
-        ++left_out_;
-        continue;
-      }
-      if (primitive.value("extensions", Json::object()).contains(kUnreadable[0])) {
-        refuse("the mesh is compressed by Draco, which is not read; export it without compression");
-      }
-      const std::size_t positions = number(primitive.at("attributes"), "POSITION");
-      const auto [known, is_new] = first_vertex.try_emplace(positions, soup_.positions.size());
-      const std::size_t count = number(item("accessors", positions), "count");
-      if (is_new) add_positions(positions, transform);
-      std::vector<double> corners = read_indices(primitive, count);
-      for (double& corner : corners) corner = require_vertex(corner, count) + double(known->second);
-      add_triangles(corners, Mode(mode), transform.topLeftCorner<3, 3>().determinant() < 0);
-    }
-  }
-
-  std::vector<double> read_indices(const Json& primitive, std::size_t vertices) {
-    if (primitive.contains("indices")) return read_accessor(number(primitive, "indices")).numbers;
-    limit_.spend(vertices * sizeof(double));
-    std::vector<double> all(vertices);
-    std::iota(all.begin(), all.end(), 0.0);
-    return all;
-  }
-
-  double require_vertex(double corner, std::size_t count) const {
-    if (corner >= 0 && corner < double(count) && corner == std::floor(corner)) return corner;
-    refuse(fmt::format("an index is {}, and there are {}", corner, counted(count, "vertex", "vertices")));
-  }
-
-  void add_positions(std::size_t accessor, const Transform& transform) {
-    const Accessor read = read_accessor(accessor);
-    if (read.size != 3) refuse(fmt::format("positions have {} coordinates", read.size));
-    check_counts(soup_.positions.size() + read.numbers.size() / 3, 0, name_);
-    for (std::size_t i = 0; i < read.numbers.size(); i += 3) {
-      const Eigen::Vector4d p =
-          transform * Eigen::Vector4d(read.numbers[i], read.numbers[i + 1], read.numbers[i + 2], 1);
-      const auto v = std::ssize(soup_.positions);
-      if (!p.allFinite()) {
-        throw Error(ErrorCode::precondition,
-                    fmt::format("{}: a coordinate of vertex {} is not a finite number", name_, v), v);
-      }
-      soup_.positions.emplace_back(p.head<3>());
-    }
-  }
-
-  /// Triangle i of a list, a strip or a fan. A transform that mirrors turns the triangles round.
-  void add_triangles(const std::vector<double>& corners, Mode mode, bool is_mirrored) {
-    const std::size_t step = mode == kTriangles ? 3 : 1;
-    for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
-      const bool is_turned = mode == kStrip && i % 2 == 1;
-      std::array<std::size_t, 3> triangle{mode == kFan ? 0 : i, i + 1, i + 2};
-      if (is_turned != is_mirrored) std::swap(triangle[1], triangle[2]);
-      for (const std::size_t k : triangle) soup_.corners.push_back(static_cast<std::int32_t>(corners[k]));
-      soup_.close_polygon();
-    }
-    check_counts(0, soup_.polygon_count(), name_);
-  }
-
+  /// Numbers or vectors of three numbers; those that stand for fractions are divided.
   Accessor read_accessor(std::size_t a) {
     const Json& accessor = item("accessors", a);
     if (accessor.contains("sparse")) refuse(fmt::format("accessor {} is sparse, which is not read", a));
@@ -260,6 +110,35 @@ class GlbParser {
       }
     }
     return read;
+  }
+
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name_, message));
+  }
+
+ private:
+  std::uint32_t word(std::size_t at) const {
+    if (at + 4 > bytes_.size()) refuse(fmt::format("the file ends at byte {}, inside a header", bytes_.size()));
+    return static_cast<std::uint32_t>(StoredNumber{StoredNumber::Kind::unsigned_integer, 4}.read(bytes_.data() + at));
+  }
+
+  void read_chunks() {
+    if (word(0) != kMagic) refuse("the file does not begin with 'glTF'");
+    if (word(4) != kVersion) refuse(fmt::format("the file has version {} of glTF, and only 2 is read", word(4)));
+    std::string_view json;
+    for (std::size_t at = kHeaderBytes; at < bytes_.size();) {
+      const std::size_t length = word(at), begin = at + kChunkHeaderBytes;
+      const std::uint32_t kind = word(at + 4);
+      if (length > bytes_.size() - begin) {
+        refuse(fmt::format("byte {}: a chunk should have {} bytes, and the file has {} more", at, length,
+                           bytes_.size() - begin));
+      }
+      if (kind == kJsonChunk && json.empty()) json = bytes_.substr(begin, length);
+      if (kind == kBinaryChunk && binary_.empty()) binary_ = bytes_.substr(begin, length);
+      at = begin + length;
+    }
+    gltf_ = Json::parse(json);
+    if (!gltf_.is_object()) refuse("the scene's description is no JSON object");
   }
 
   StoredNumber stored_number(std::size_t component_type) const {
@@ -298,14 +177,154 @@ class GlbParser {
     return binary_.substr(begin, length);
   }
 
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name_, message));
-  }
-
   std::string_view bytes_, binary_;
   std::string name_;
   ExpansionLimit limit_;
   Json gltf_;
+};
+
+/// The triangles of a file's scene.
+class GlbParser {
+ public:
+  GlbParser(std::string_view bytes, std::string_view name) : file_(bytes, name) { soup_.unwelded = true; }
+
+  PolygonSoup parse() {
+    refuse_extensions(file_.description());
+    visited_.assign(file_.array("nodes").size(), 0);
+    for (const auto& [node, transform] : find_roots()) add_tree(node, transform);
+    if (left_out_ > 0) {
+      soup_.notes.push_back(
+          fmt::format("{} left out", counted(left_out_, "list of points or lines is", "lists of points or lines are")));
+    }
+    return std::move(soup_);
+  }
+
+ private:
+  using Placed = std::pair<std::size_t, Transform>;  // a node and the transform of its parent
+
+  void refuse_extensions(const Json& object) const {
+    for (const Json& extension : object.value("extensionsRequired", Json::array())) {
+      const auto& name = extension.get_ref<const std::string&>();
+      if (std::ranges::find(kUnreadable, name) == kUnreadable.end()) continue;
+      file_.refuse(fmt::format("the mesh needs glTF's extension {}, which is not read; export it without", name));
+    }
+  }
+
+  /// The roots of the scene. Without scenes these are all nodes without a parent; without nodes, every mesh has one.
+  std::vector<Placed> find_roots() {
+    std::vector<Placed> roots;
+    if (!file_.array("scenes").empty()) {
+      const Json& scene = file_.item("scenes", file_.number(file_.description(), "scene", 0));
+      for (const Json& node : scene.value("nodes", Json::array())) {
+        roots.emplace_back(file_.index(node, "nodes"), Transform::Identity());
+      }
+      return roots;
+    }
+    std::vector<char> is_child(visited_.size(), 0);
+    for (const Json& node : file_.array("nodes")) {
+      for (const Json& child : node.value("children", Json::array())) {
+        if (file_.index(child, "nodes") < is_child.size()) is_child[file_.index(child, "nodes")] = 1;
+      }
+    }
+    for (std::size_t n = 0; n < is_child.size(); ++n) {
+      if (is_child[n] == 0) roots.emplace_back(n, Transform::Identity());
+    }
+    for (std::size_t m = 0; visited_.empty() && m < file_.array("meshes").size(); ++m)
+      add_mesh(m, Transform::Identity());
+    return roots;
+  }
+
+  void add_tree(std::size_t root, const Transform& placed) {
+    std::vector<Placed> waiting{{root, placed}};
+    while (!waiting.empty()) {
+      const auto [n, parent] = waiting.back();
+      waiting.pop_back();
+      const Json& node = file_.item("nodes", n);
+      if (std::exchange(visited_[n], 1) != 0) file_.refuse(fmt::format("node {} has two parents", n));
+      const Transform transform = parent * transform_of(node);
+      if (node.contains("mesh")) add_mesh(file_.number(node, "mesh"), transform);
+      const Json children = node.value("children", Json::array());
+      for (std::size_t i = children.size(); i-- > 0;)
+        waiting.emplace_back(file_.index(children[i], "nodes"), transform);
+    }
+  }
+
+  /// A matrix, by columns, or a translation, a rotation as quaternion (x, y, z, w) and a scale.
+  static Transform transform_of(const Json& node) {
+    const auto matrix = node.find("matrix");
+    if (matrix != node.end()) return Transform(matrix->get<std::array<double, 16>>().data());
+    const auto t = node.value("translation", std::array{0.0, 0.0, 0.0}),
+               s = node.value("scale", std::array{1.0, 1.0, 1.0});
+    const auto r = node.value("rotation", std::array{0.0, 0.0, 0.0, 1.0});
+    Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+    transform.translate(Vec3(t[0], t[1], t[2])).rotate(Eigen::Quaterniond(r[3], r[0], r[1], r[2]).normalized());
+    return transform.scale(Vec3(s[0], s[1], s[2])).matrix();
+  }
+
+  void add_mesh(std::size_t m, const Transform& transform) {
+    std::map<std::size_t, std::size_t> first_vertex;  // of each accessor of positions
+    for (const Json& primitive : file_.item("meshes", m).at("primitives")) {
+      const std::size_t mode = file_.number(primitive, "mode", kTriangleList);
+      if (mode < kTriangleList || mode > kTriangleFan) {
+        ++left_out_;
+        continue;
+      }
+      if (primitive.value("extensions", Json::object()).contains(kUnreadable[0])) {
+        file_.refuse("the mesh is compressed by Draco, which is not read; export it without compression");
+      }
+      const std::size_t positions = file_.number(primitive.at("attributes"), "POSITION");
+      const auto [known, is_new] = first_vertex.try_emplace(positions, soup_.positions.size());
+      const std::size_t count = file_.number(file_.item("accessors", positions), "count");
+      if (is_new) add_positions(positions, transform);
+      std::vector<double> corners = read_indices(primitive, count);
+      for (double& corner : corners) corner = require_vertex(corner, count) + double(known->second);
+      add_triangles(corners, Mode(mode), transform.topLeftCorner<3, 3>().determinant() < 0);
+    }
+  }
+
+  std::vector<double> read_indices(const Json& primitive, std::size_t vertices) {
+    if (primitive.contains("indices")) return file_.read_accessor(file_.number(primitive, "indices")).numbers;
+    file_.spend(vertices * sizeof(double));
+    std::vector<double> all(vertices);
+    std::iota(all.begin(), all.end(), 0.0);
+    return all;
+  }
+
+  double require_vertex(double corner, std::size_t count) const {
+    if (corner >= 0 && corner < double(count) && corner == std::floor(corner)) return corner;
+    file_.refuse(fmt::format("an index is {}, and there are {}", corner, counted(count, "vertex", "vertices")));
+  }
+
+  void add_positions(std::size_t accessor, const Transform& transform) {
+    const Accessor read = file_.read_accessor(accessor);
+    if (read.size != 3) file_.refuse(fmt::format("positions have {} coordinates", read.size));
+    check_counts(soup_.positions.size() + read.numbers.size() / 3, 0, file_.name());
+    for (std::size_t i = 0; i < read.numbers.size(); i += 3) {
+      const Eigen::Vector4d p =
+          transform * Eigen::Vector4d(read.numbers[i], read.numbers[i + 1], read.numbers[i + 2], 1);
+      const auto v = std::ssize(soup_.positions);
+      if (!p.allFinite()) {
+        throw Error(ErrorCode::precondition,
+                    fmt::format("{}: a coordinate of vertex {} is not a finite number", file_.name(), v), v);
+      }
+      soup_.positions.emplace_back(p.head<3>());
+    }
+  }
+
+  /// Triangle i of a list, a strip or a fan. A transform that mirrors turns the triangles round.
+  void add_triangles(const std::vector<double>& corners, Mode mode, bool is_mirrored) {
+    const std::size_t step = mode == kTriangleList ? 3 : 1;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
+      const bool is_turned = mode == kTriangleStrip && i % 2 == 1;
+      std::array<std::size_t, 3> triangle{mode == kTriangleFan ? 0 : i, i + 1, i + 2};
+      if (is_turned != is_mirrored) std::swap(triangle[1], triangle[2]);
+      for (const std::size_t k : triangle) soup_.corners.push_back(static_cast<std::int32_t>(corners[k]));
+      soup_.close_polygon();
+    }
+    check_counts(0, soup_.polygon_count(), file_.name());
+  }
+
+  GlbFile file_;
   std::vector<char> visited_;  // nodes
   std::int64_t left_out_ = 0;
   PolygonSoup soup_;

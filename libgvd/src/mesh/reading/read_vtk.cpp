@@ -17,7 +17,7 @@
 namespace gvd {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n\v\f";
+constexpr std::string_view kWhitespace = " \t\r\n\v\f";
 
 /// First version whose cells are arrays of offsets and corners.
 constexpr double kOffsetsVersion = 5;
@@ -73,7 +73,7 @@ class VtkParser {
     } else if (word == "field") {
       skip_field();
     } else if (word == "metadata") {
-      for (line(); at_ < bytes_.size() && line().find_first_not_of(kBlanks) != std::string_view::npos;) continue;
+      for (line(); at_ < bytes_.size() && line().find_first_not_of(kWhitespace) != std::string_view::npos;) continue;
     } else {
       refuse(fmt::format("{} is no section of a surface", gvd::quoted(word)));
     }
@@ -133,8 +133,8 @@ class VtkParser {
   }
 
   std::string_view token() {
-    at_ = std::min(bytes_.find_first_not_of(kBlanks, at_), bytes_.size());
-    const std::size_t end = std::min(bytes_.find_first_of(kBlanks, at_), bytes_.size());
+    at_ = std::min(bytes_.find_first_not_of(kWhitespace, at_), bytes_.size());
+    const std::size_t end = std::min(bytes_.find_first_of(kWhitespace, at_), bytes_.size());
     return bytes_.substr(std::exchange(at_, end), end - at_);
   }
 

@@ -174,10 +174,10 @@ class VtpParser {
   }
 
   std::vector<double> parse_text(std::string_view text, std::string_view what) {
-    constexpr std::string_view kBlanks = " \t\r\n\v\f";
+    constexpr std::string_view kBlank = " \t\r\n\v\f";
     std::vector<double> numbers;
-    for (std::size_t at = text.find_first_not_of(kBlanks); at < text.size(); at = text.find_first_not_of(kBlanks, at)) {
-      const std::string_view token = text.substr(at, text.find_first_of(kBlanks, at) - at);
+    for (std::size_t at = text.find_first_not_of(kBlank); at < text.size(); at = text.find_first_not_of(kBlank, at)) {
+      const std::string_view token = text.substr(at, text.find_first_of(kBlank, at) - at);
       const auto number = parse_double(token);
       if (!number) soup_.refuse(fmt::format("{} is no number in an array of {}", quoted(token), what));
       numbers.push_back(*number);

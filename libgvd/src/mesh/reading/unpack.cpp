@@ -28,7 +28,7 @@ constexpr int kGzipWindow = 15 + 16;
 constexpr std::size_t kMostInput = std::numeric_limits<uInt>::max();
 
 /// Bytes that content is searched for a mark that need not come first.
-constexpr std::size_t kSearched = 4096;
+constexpr std::size_t kSearchedBytes = 4096;
 
 class GzipReader {
  public:
@@ -135,12 +135,12 @@ std::string describe_content(std::string_view bytes) {
   bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
   const auto* mark = std::ranges::find_if(kMarks, [&](const Mark& m) { return bytes.starts_with(m.bytes); });
   if (mark != kMarks.end()) return std::string(mark->meaning);
-  const std::string begin = to_lower(bytes.substr(0, kSearched));
+  const std::string begin = to_lower(bytes.substr(0, kSearchedBytes));
   if (begin.starts_with("<!doctype html") || begin.starts_with("<html")) {
     return "an HTML page; download the file that it leads to";
   }
   if (!begin.starts_with("<")) return "";
-  const std::string_view root = root_element(bytes.substr(0, kSearched));
+  const std::string_view root = root_element(bytes.substr(0, kSearchedBytes));
   if (root == "VTKFile") return "";
   if (root == "GIFTI") return "a GIFTI surface; convert it to PLY or OBJ";
   return fmt::format("XML of the kind {}; of XML, only VTK's PolyData (.vtp) is read", quoted(root));

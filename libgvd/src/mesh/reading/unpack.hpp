@@ -9,8 +9,8 @@ namespace gvd {
 
 /// The most bytes that a file may unfold to when it is read: kMostExpansion times its size, and kFreeExpansion.
 ///
-/// Meshes shrink to a fifth by gzip; the most that we found is 1 : 40, a flat grid in binary STL. Deflate goes down to
-/// 1 : 1032, and a file that refers to one array a thousand times has no limit at all.
+/// gzip takes ten models to 1 : 1.7 to 3.5, and a flat grid of 180,000 triangles in binary STL to 1 : 12, the most that
+/// we found. Deflate goes down to 1 : 1032, and a file that refers to one array a thousand times has no limit at all.
 inline constexpr std::uint64_t kMostExpansion = 200, kFreeExpansion = 1 << 20;
 
 /// Counts what a file unfolds to, so that memory is bounded by the file's size.
