@@ -66,6 +66,27 @@ TEST_CASE("commands: the report names the method and what belongs to it") {
   }
 }
 
+TEST_CASE("commands: what they write as VTP and GLB, they read") {
+  const ScratchFolder scratch;
+  const std::string torus = data_file("torus.ply");
+  CHECK(
+      run_command("gvd-segment", torus + " -n 20 -q -o " + scratch / "a.vtp" + " -o " + scratch / "a.glb").exit_code ==
+      0);
+  for (const std::string& name : built_commands()) {
+    std::vector<std::string> meshes;
+    for (const std::string& arguments :
+         {torus, scratch / "a.vtp", scratch / "a.glb", "- --input-format vtp < " + scratch / "a.vtp"}) {
+      CAPTURE(name, arguments);
+      const std::string report = scratch / "r.json";
+      REQUIRE(run_command(name, "-n 20 -q --report " + report + " " + arguments).exit_code == 0);
+      nlohmann::json input = nlohmann::json::parse(read_text(report))["input"];
+      meshes.push_back(input["vertices"].dump() + " " + input["faces"].dump() + " " +
+                       input["euler_characteristic"].dump());
+    }
+    CHECK(meshes == std::vector<std::string>(4, meshes[0]));
+  }
+}
+
 TEST_CASE("commands: a bad file is refused in one line that names it") {
   const ScratchFolder scratch;
   const auto file = [&](const std::string& name, const std::string& text) {
@@ -79,6 +100,9 @@ TEST_CASE("commands: a bad file is refused in one line that names it") {
       {file("empty.obj", ""), 3},
       {file("empty.ply", ""), 3},
       {file("words.obj", "this is no mesh\n"), 3},
+      {file("pointer.ply", "version https://git-lfs.github.com/spec/v1\n"), 3},
+      {file("page.obj", "<!DOCTYPE html>\n"), 3},
+      {file("cut.obj.gz", "\x1f\x8b\x08"), 3},
       {file("words.ply", "this is no mesh\n"), 3},
       {file("bytes.stl", std::string(100, '\xff')), 3},
       {file("short.ply", torus.substr(0, torus.size() / 2)), 3},

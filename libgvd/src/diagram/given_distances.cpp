@@ -93,12 +93,13 @@ class Tabulator {
       : working_(working),
         mesh_(working.mesh()),
         generators_(generators),
-        components_(std::size_t(mesh_.vertex_count())),
         candidates_(mesh_.face_count()),
         offset_(SymbolicOffset::of_marching(mesh_.mean_edge_length(), generators.size())) {
+    UnionFind sets(std::size_t(mesh_.vertex_count()));
     for (const EdgeId e : mesh_.edges()) {
-      components_.unite(mesh_.from(mesh_.halfedge(e)).value(), mesh_.to(mesh_.halfedge(e)).value());
+      sets.unite(mesh_.from(mesh_.halfedge(e)).value(), mesh_.to(mesh_.halfedge(e)).value());
     }
+    for (const VertexId v : mesh_.vertices()) component_.push_back(sets.find(v.value()));
     for (const VertexId v : working.generator_vertices()) {
       double shortest = kInfinity;
       for_each_neighbour(mesh_, v, [&](VertexId, HalfedgeId h) { shortest = std::min(shortest, mesh_.length(h)); });
@@ -119,9 +120,7 @@ class Tabulator {
   }
 
  private:
-  bool reaches(GeneratorId g, VertexId v) {
-    return components_.find(v.value()) == components_.find(working_.vertex(g).value());
-  }
+  bool reaches(GeneratorId g, VertexId v) const { return component_[v] == component_[working_.vertex(g)]; }
 
   void check_row(GeneratorId g) {
     for (const VertexId v : working_.input().vertices()) {
@@ -162,20 +161,20 @@ class Tabulator {
   void extend_row() {
     using Offer = std::pair<double, VertexId>;
     std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
-    const auto offer_from = [&](VertexId v) {
-      for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId h) {
-        if (row_[u] == kInfinity) offers.emplace(row_[v] + mesh_.length(h), u);
-      });
-    };
     for (const VertexId v : mesh_.vertices()) {
-      if (row_[v] != kInfinity) offer_from(v);
+      if (row_[v] != kInfinity) continue;
+      for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId h) {
+        if (row_[u] != kInfinity) offers.emplace(row_[u] + mesh_.length(h), v);
+      });
     }
     while (!offers.empty()) {
       const auto [distance, v] = offers.top();
       offers.pop();
       if (row_[v] != kInfinity) continue;
       row_[v] = distance;
-      offer_from(v);
+      for_each_neighbour(mesh_, v, [&, from = distance](VertexId u, HalfedgeId h) {
+        if (row_[u] == kInfinity) offers.emplace(from + mesh_.length(h), u);
+      });
     }
   }
 
@@ -203,7 +202,7 @@ class Tabulator {
   const WorkingMesh& working_;
   const Mesh& mesh_;
   const std::vector<SurfacePoint>& generators_;
-  UnionFind components_;  // of vertices
+  IdVector<VertexId, std::int32_t> component_;
   FaceCandidates candidates_;
   SymbolicOffset offset_;
   IdVector<GeneratorId, double> separation_;  // least distance of the others at its vertex
