@@ -125,6 +125,7 @@ class GlbFile {
   void read_chunks() {
     if (word(0) != kMagic) refuse("the file does not begin with 'glTF'");
     if (word(4) != kVersion) refuse(fmt::format("the file has version {} of glTF, and only 2 is read", word(4)));
+    bytes_ = bytes_.substr(0, word(8));  // what follows the file's own length is no part of it
     std::string_view json;
     for (std::size_t at = kHeaderBytes; at < bytes_.size();) {
       const std::size_t length = word(at), begin = at + kChunkHeaderBytes;
