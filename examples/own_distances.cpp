@@ -156,8 +156,9 @@ int run(const gvd::Mesh& mesh, std::int32_t count) {
   }
   const gvd::Diagram by_heat = gvd::trace_diagram(mesh, generators, distances);
 
-  const bool are_sound = report("edge paths", mesh, by_paths, exact) & report("heat", mesh, by_heat, exact);
-  return are_sound ? 0 : 1;
+  const bool paths_are_sound = report("edge paths", mesh, by_paths, exact);
+  const bool heat_is_sound = report("heat", mesh, by_heat, exact);
+  return paths_are_sound && heat_is_sound ? 0 : 1;
 }
 
 }  // namespace

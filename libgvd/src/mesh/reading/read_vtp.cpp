@@ -87,7 +87,7 @@ class ArrayBytes {
 class VtpParser {
  public:
   VtpParser(std::string_view bytes, std::string_view name)
-      : name_(name), soup_(name), limit_(bytes.size(), name), bytes_(bytes), text_(bytes) {}
+      : soup_(name), limit_(bytes.size(), name), bytes_(bytes), text_(bytes) {}
 
   PolygonSoup parse() {
     load_document();
@@ -240,7 +240,6 @@ class VtpParser {
     soup_.refuse(fmt::format("an array of {} ends before its last byte, or is no Base64", what));
   }
 
-  std::string name_;
   VtkSoup soup_;
   ExpansionLimit limit_;
   std::string_view bytes_;

@@ -6,7 +6,6 @@
 #include "mesh/reading/unpack.hpp"
 
 #include <fmt/format.h>
-#define ZLIB_CONST  // inflate reads its input and does not write it
 #include <zlib.h>
 
 #include <algorithm>
