@@ -164,13 +164,18 @@ class VtpParser {
                                quoted(array.attribute("type").value())));
     }
     type->big_endian = big_endian_;
-    if (format == "binary") return type->read_all(read_bytes({array.child_value(), true}, what));
+    if (format == "binary") return to_numbers(*type, read_bytes({array.child_value(), true}, what));
     const std::uint64_t offset = array.attribute("offset").as_ullong();
     if (offset >= appended_.size()) {
       soup_.refuse(fmt::format("an array of {} begins {} bytes into the appended data, which have {}", what, offset,
                                appended_.size()));
     }
-    return type->read_all(read_bytes({appended_.substr(offset), is_base64_appended_}, what));
+    return to_numbers(*type, read_bytes({appended_.substr(offset), is_base64_appended_}, what));
+  }
+
+  std::vector<double> to_numbers(const StoredNumber& type, const std::string& bytes) {
+    limit_.spend(bytes.size() / type.size * sizeof(double));
+    return type.read_all(bytes);
   }
 
   std::vector<double> parse_text(std::string_view text, std::string_view what) {
