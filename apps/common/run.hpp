@@ -44,6 +44,8 @@ class RunReport {
   nlohmann::ordered_json& options();
   /// Member `results`, an object: the figures of the command itself.
   nlohmann::ordered_json& results();
+  /// All members; `generators` is null.
+  const nlohmann::ordered_json& document() const { return *document_; }
   /// Member `generators`: those that the run used or leaves, in the order of their ids.
   std::vector<ReportedGenerator>& generators() { return generators_; }
 

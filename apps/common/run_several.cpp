@@ -1,4 +1,5 @@
-// Several inputs of one call (--output-dir): one run after the other in this process, and a table of them.
+// Several inputs of one call (--output-dir): one run after the other in this process, and a table of them, as a note
+// and as CSV (--summary).
 //
 // Whatever a run throws is its own failure: a line with the name of its input, its exit code, and a row of the table.
 // A run keeps nothing for the next one, except memory that glibc holds ready.
@@ -11,13 +12,20 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <set>
 #include <utility>
 
 #include "common/outcome.hpp"
 #include "common/process.hpp"
+#include "gvd/io/write_file.hpp"
 
 namespace gvd::app {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 std::string figure(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? fmt::format("{:.6g}", *value) : "-";
@@ -46,8 +54,8 @@ void print_error(const std::string& command, const std::string& input, const std
   Console(command, {}, false, false).error(has_name ? message : fmt::format("{}: {}", input, message));
 }
 
-std::pair<Outcome, RunFigures> run_one(const std::string& command, const Options& options,
-                                       const std::function<void(Run&)>& body) {
+RunResult run_one(const std::string& command, const Options& options, const std::function<void(Run&)>& body) {
+  const auto start = std::chrono::steady_clock::now();
   const std::string& input = options.input.path;
   report_termination(command, input);
   Console console(fmt::format("{}: {}", command, input), detect_console_style(), options.quiet, options.verbose);
@@ -58,7 +66,50 @@ std::pair<Outcome, RunFigures> run_one(const std::string& command, const Options
   });
   console.clear_bar();
   print_error(command, input, outcome.message);
-  return {outcome, run.figures()};
+  const std::string result =
+      outcome.exit_code == kDone ? outcome.summary : fmt::format("failed ({}: {})", outcome.exit_code, outcome.summary);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return {input, result, run.figures(), taken.count(), outcome.exit_code, outcome.message, list_figures(run.report())};
+}
+
+/// A field of CSV (RFC 4180).
+std::string quote_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == text.npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + '"';
+}
+
+void append_figures(const Json& value, const std::string& name, Cells& cells) {
+  if (value.is_object()) {
+    for (const auto& [key, member] : value.items()) append_figures(member, name + '.' + key, cells);
+  } else if (value.is_string()) {
+    cells.emplace_back(name, value.get<std::string>());
+  } else if (value.is_boolean() || (value.is_number() && std::isfinite(value.get<double>()))) {
+    cells.emplace_back(name, value.dump());
+  }
+}
+
+/// Names of all figures, in the order in which the runs tell them.
+std::vector<std::string> list_columns(const std::vector<RunResult>& results) {
+  std::vector<std::string> names;
+  std::set<std::string> known;
+  for (const RunResult& result : results) {
+    for (const auto& [name, value] : result.cells) {
+      if (known.insert(name).second) names.push_back(name);
+    }
+  }
+  return names;
+}
+
+/// Writes --summary, where it is given.
+Outcome write_summary(const std::vector<Options>& runs, const std::vector<RunResult>& results) {
+  const OutputOptions& output = runs.front().output;
+  if (output.summary.empty()) return {};
+  return run_guarded([&] {
+    const std::string table = format_summary(runs.front().input.paths, results);
+    write_file(output.summary, [&](std::ostream& out) { out << table; });
+  });
 }
 
 }  // namespace
@@ -66,17 +117,15 @@ std::pair<Outcome, RunFigures> run_one(const std::string& command, const Options
 int run_several(const std::string& command, const std::vector<Options>& runs, const std::function<void(Run&)>& body) {
   std::vector<RunResult> results;
   int exit_code = kDone;
+  Outcome summary;
   for (const Options& options : runs) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto [outcome, figures] = run_one(command, options, body);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    const std::string result = outcome.exit_code == kDone
-                                   ? outcome.summary
-                                   : fmt::format("failed ({}: {})", outcome.exit_code, outcome.summary);
-    results.push_back({options.input.path, result, figures, taken.count()});
-    if (exit_code == kDone) exit_code = outcome.exit_code;
+    results.push_back(run_one(command, options, body));
+    summary = write_summary(runs, results);
+    if (exit_code == kDone) exit_code = results.back().exit_code;
     if (interrupt_requested()) break;
   }
+  print_error(command, runs.front().output.summary, summary.message);
+  if (exit_code == kDone) exit_code = summary.exit_code;
   // The last run may have been done when the signal came.
   if (exit_code == kDone && results.size() < runs.size()) exit_code = kInterrupted;
   Console console(command, {}, runs.front().quiet, false);
@@ -86,10 +135,15 @@ int run_several(const std::string& command, const std::vector<Options>& runs, co
 
 std::vector<std::string> format_results(const std::vector<RunResult>& results) {
   std::array<std::vector<std::string>, 6> columns{{{"input"}, {"result"}, {"regions"}, {"E"}, {"energy"}, {"time"}}};
-  for (const auto& [input, word, figures, seconds] : results) {
+  for (const RunResult& run : results) {
+    const RunFigures& figures = run.figures;
     const std::string regions = figures.regions ? fmt::format("{}", *figures.regions) : "-";
-    const std::array<std::string, 6> cells{
-        input, word, regions, figure(figures.error_integral), figure(figures.energy), fmt::format("{:.2f} s", seconds)};
+    const std::array<std::string, 6> cells{run.input,
+                                           run.result,
+                                           regions,
+                                           figure(figures.error_integral),
+                                           figure(figures.energy),
+                                           fmt::format("{:.2f} s", run.seconds)};
     for (std::size_t i = 0; i < cells.size(); ++i) columns[i].push_back(cells[i]);
   }
   std::vector<std::string> lines(results.size() + 1);
@@ -100,6 +154,31 @@ std::vector<std::string> format_results(const std::vector<RunResult>& results) {
     if (!may_lack || !lacks) append_column(lines, cells, !is_text);
   }
   return lines;
+}
+
+Cells list_figures(const RunReport& report) {
+  Cells cells;
+  for (const char* part : {"input", "diagram", "results"}) append_figures(report.document().at(part), part, cells);
+  return cells;
+}
+
+std::string format_summary(const std::vector<std::string>& inputs, const std::vector<RunResult>& results) {
+  const std::vector<std::string> columns = list_columns(results);
+  std::string table =
+      fmt::format("input,exit_code,error,{}{}seconds\n", fmt::join(columns, ","), columns.empty() ? "" : ",");
+  for (const RunResult& result : results) {
+    const std::map<std::string, std::string> values(result.cells.begin(), result.cells.end());
+    table += fmt::format("{},{},{},", quote_field(result.input), result.exit_code, quote_field(result.error));
+    for (const std::string& column : columns) {
+      const auto value = values.find(column);
+      table += value == values.end() ? "," : quote_field(value->second) + ',';
+    }
+    table += fmt::format("{:.3f}\n", result.seconds);
+  }
+  for (std::size_t i = results.size(); i < inputs.size(); ++i) {
+    table += fmt::format("{},,not run,{}\n", quote_field(inputs[i]), std::string(columns.size(), ','));
+  }
+  return table;
 }
 
 }  // namespace gvd::app

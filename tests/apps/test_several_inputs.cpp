@@ -1,12 +1,19 @@
 // Several inputs of one call: a run and outputs for each, and one table.
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
+#include "support/meshes.hpp"
+#include "support/sanitized.hpp"
+#include "support/simple_obj.hpp"
 
 namespace gvd::test_several_inputs {
 
@@ -93,9 +100,14 @@ TEST_CASE("several inputs: what would be lost or is not clear is refused before 
   for (const std::string& name : built_commands()) {
     require_error(name, inputs.all + " -n 9", 2, "with --output-dir");
     require_error(name, twins + inputs.to_out, 2, "would both write " + inputs.out + "/good.");
-    for (const char* option : {" -o a.ply", " --report a.json", " --diagram a.json", " --view a.html"}) {
+    for (const char* option : {" -o a.ply", " --report a.json", " --diagram a.json"}) {
       require_error(name, inputs.all + inputs.to_out + option, 2, " excludes ");
     }
+    require_error(name, inputs.all + inputs.to_out + " --view a.html", 2, "pages are named after the inputs");
+    require_error(name, inputs.good + " -n 9 --view", 2, "name a file");
+    require_error(name, inputs.good + " -n 9 --summary a.csv", 2, "requires --output-dir");
+    require_error(name, inputs.good + inputs.to_out + " --summary a.txt", 2, "the extension must be .csv");
+    require_error(name, inputs.good + inputs.to_out + " --summary none/a.csv", 6, "create it first");
     require_error(name, "- --input-format off" + inputs.to_out, 2, "standard input has no name");
     require_error(name, inputs.all + " --generators - --output-dir " + inputs.out, 2, "name a file");
     require_error(name, inputs.all + inputs.to_out + "/none/x", 6, "create it first");
@@ -107,6 +119,115 @@ TEST_CASE("several inputs: what would be lost or is not clear is refused before 
   }
   require_error("gvd-segment", inputs.all + inputs.to_out + " --stats a.csv", 2, " excludes ");
   CHECK(!fs::exists(inputs.out));
+}
+
+TEST_CASE("several inputs: --view without a name writes a page for each, as that of the same run alone") {
+  for (const std::string& name : built_commands()) {
+    const Inputs inputs;
+    const CommandResult result = run_command(name, inputs.all + inputs.to_out + " --view -q");
+    if (result.err.find("not part of this build") != result.err.npos) return;
+    CAPTURE(name, result.err);
+    CHECK(result.exit_code == 3);
+    CHECK(fs::exists(inputs.out + "/good.html"));
+    CHECK(!fs::exists(inputs.out + "/bad.html"));
+    const std::string alone = inputs.scratch / "alone.html";
+    REQUIRE(run_command(name, data_file("torus.ply") + " -n 9 -q --view " + alone).exit_code == 0);
+    CHECK(read_text(inputs.out + "/torus.html") == read_text(alone));
+  }
+}
+
+TEST_CASE("several inputs: a file of options asks for pages by an empty name") {
+  const Inputs inputs;
+  write_text(inputs.scratch / "o.toml", "view = \"\"\nup = \"z\"\n");
+  const CommandResult result =
+      run_command("gvd-segment", inputs.good + inputs.to_out + " -q --config " + inputs.scratch / "o.toml");
+  if (result.err.find("not part of this build") != result.err.npos) return;
+  CHECK(result.exit_code == 0);
+  CHECK(fs::exists(inputs.out + "/good.html"));
+}
+
+/// The records of a CSV whose fields hold no line breaks.
+std::vector<std::vector<std::string>> read_csv(const std::string& path) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(read_text(path));
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string>& fields = rows.emplace_back(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const bool twice = quoted && line[i] == '"' && line[i + 1] == '"';
+      if (line[i] == ',' && !quoted) {
+        fields.emplace_back();
+      } else if (line[i] == '"' && !twice) {
+        quoted = !quoted;
+      } else {
+        fields.back() += line[i];
+        i += twice ? 1 : 0;
+      }
+    }
+  }
+  return rows;
+}
+
+TEST_CASE("several inputs: --summary has a row for each, also for one that failed, with the figures of its report") {
+  for (const std::string& name : built_commands()) {
+    const Inputs inputs;
+    const std::string table = inputs.out + "/all.csv", report = inputs.scratch / "r.json";
+    fs::copy_file(inputs.bad, inputs.scratch / "a,\"b.off");
+    const CommandResult result = run_command(
+        name, inputs.all + " '" + inputs.scratch / "a,\"b.off" + "'" + inputs.to_out + " -q --summary " + table);
+    CAPTURE(name, result.err);
+    CHECK(result.exit_code == 3);
+    const auto rows = read_csv(table);
+    REQUIRE(rows.size() == 5);
+    for (const auto& row : rows) CHECK(row.size() == rows[0].size());
+    const auto cell = [&](std::size_t row, const std::string& column) {
+      const auto at = std::find(rows[0].begin(), rows[0].end(), column);
+      return at == rows[0].end() ? "no column" : rows[row][at - rows[0].begin()];
+    };
+    CHECK(std::vector(rows[0].begin(), rows[0].begin() + 3) == std::vector<std::string>{"input", "exit_code", "error"});
+    CHECK(cell(1, "exit_code") == "0");
+    CHECK(cell(2, "input") == inputs.bad);
+    CHECK(cell(2, "exit_code") == "3");
+    CHECK_THAT(cell(2, "error"), Contains("the first line of an OFF file"));
+    CHECK(cell(2, "input.faces").empty());
+    CHECK(cell(4, "input") == inputs.scratch / "a,\"b.off");
+    REQUIRE(run_command(name, inputs.good + " -n 9 -q --report " + report).exit_code == 0);
+    const auto json = nlohmann::json::parse(read_text(report));
+    CHECK(cell(3, "input.area") == json["input"]["area"].dump());
+    CHECK(cell(3, "diagram.length") == json["diagram"]["length"].dump());
+    CHECK(rows[0].back() == "seconds");
+  }
+}
+
+TEST_CASE("several inputs: an interrupt leaves a summary, with the inputs that have not run") {
+  const Inputs inputs;
+  setenv("TERM", "xterm", 1);
+  const std::string table = inputs.scratch / "all.csv", torus = inputs.scratch / "torus.obj";
+  write_simple_obj(torus, make_torus(kSanitized ? 125 : 500, kSanitized ? 50 : 200));
+  const StoppedRun stopped = interrupt_at(
+      "sampling", "gvd-segment", {torus, inputs.good, "-n", "50000", "--output-dir", inputs.out, "--summary", table});
+  CAPTURE(stopped.result.err);
+  CHECK(stopped.result.exit_code == 130);
+  const auto rows = read_csv(table);
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[1][0] == torus);
+  CHECK(rows[1][1] == "130");
+  CHECK_THAT(rows[1][2], Contains("interrupted"));
+  CHECK(rows[2][0] == inputs.good);
+  CHECK(rows[2][1].empty());
+  CHECK(rows[2][2] == "not run");
+}
+
+TEST_CASE("several inputs: a summary that can't be written is an error, and the runs go on") {
+  const Inputs inputs;
+  const std::string full = "/dev/full";
+  if (!fs::exists(full)) return;
+  const CommandResult result =
+      run_command("gvd-segment", data_file("torus.ply") + " " + inputs.good + inputs.to_out + " -q --summary " + full);
+  CAPTURE(result.err);
+  CHECK(result.exit_code == 6);
+  CHECK(line_count(result.err) == 1);
+  CHECK(fs::exists(inputs.out + "/good.ply") == fs::exists(inputs.out + "/torus.ply"));
 }
 
 TEST_CASE("several inputs: a file of options may list them") {

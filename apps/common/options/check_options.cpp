@@ -117,7 +117,7 @@ void check_build(const Options& options) {
 #ifndef GVD_HAS_VERIFY
   if (options.compute.verify) refuse("--verify: not part of this build; configure it with -DGVD_WITH_CGAL_GPL=ON");
 #endif
-  if (!options.output.view.empty() && !has_viewer()) {
+  if ((!options.output.view.empty() || options.output.views) && !has_viewer()) {
     refuse("--view: the viewer is not part of this build; configure it with -DGVD_WITH_VIEWER=ON");
   }
 }
@@ -240,17 +240,21 @@ void make_folder(const std::string& folder) {
   if (failed) refuse_target("--output-dir", folder, failed.message() + "; name another one");
 }
 
-/// A folder that is not there holds nothing that could be lost.
+/// A folder that is not there holds nothing that could be lost. It may be that of --summary, too.
 void check_folder(const Options& options, const OutputFormats& formats) {
-  const std::string& folder = options.output.folder;
+  const std::string &folder = options.output.folder, &summary = options.output.summary;
   const std::vector<Options> runs = plan_runs(options);
   check_names(runs);
-  std::error_code ignored;
-  if (!fs::exists(folder, ignored)) return make_folder(folder);
-  if (!fs::is_directory(folder, ignored)) refuse_target("--output-dir", folder, "is a file; name a folder");
   Targets targets(options);
+  std::error_code ignored;
+  const bool is_new = !fs::exists(folder, ignored);
+  const bool is_inside = one_name(fs::path(summary).parent_path().string()) == one_name(folder);
+  if (!is_new || !is_inside) targets.claim("--summary", summary);
+  if (is_new) return make_folder(folder);
+  if (!fs::is_directory(folder, ignored)) refuse_target("--output-dir", folder, "is a file; name a folder");
   for (const Options& run : runs) {
     for (const std::string& file : run.output.files) targets.claim_with_materials("--output-dir", file, formats);
+    targets.claim("--view", run.output.view);
   }
 }
 
@@ -263,9 +267,18 @@ void check_formats(const OutputOptions& output) {
   if (output.folder.empty() && names.size() > 1) refuse("--output-format: -o - writes one format; choose one");
 }
 
+/// Pages have names of their own only where there is no folder for them.
+void check_view(const OutputOptions& output) {
+  if (output.folder.empty() && output.views) refuse("--view: the name is empty; name a file, as in --view page.html");
+  if (output.folder.empty() || output.view.empty()) return;
+  refuse(fmt::format("--view {}: with --output-dir, pages are named after the inputs; give --view without a name",
+                     output.view));
+}
+
 void check_outputs(const Options& options, const OutputFormats& formats) {
   const OutputOptions& output = options.output;
   check_formats(output);
+  check_view(output);
   if (!output.folder.empty()) return check_folder(options, formats);
   Targets targets(options);
   for (const std::string& file : output.files) {
@@ -294,11 +307,9 @@ std::vector<Options> plan_runs(const Options& options) {
     Options& run = runs.emplace_back(options);
     run.input.path = path;
     if (options.output.folder.empty()) continue;
-    for (const std::string& format : options.output.formats) {
-      fs::path name = fs::path(path).stem();
-      name += '.' + format;
-      run.output.files.push_back((fs::path(options.output.folder) / name).string());
-    }
+    const std::string stem = (fs::path(options.output.folder) / fs::path(path).stem()).string();
+    for (const std::string& format : options.output.formats) run.output.files.push_back(stem + '.' + format);
+    if (options.output.views) run.output.view = stem + ".html";
   }
   return runs;
 }

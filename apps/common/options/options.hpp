@@ -72,7 +72,9 @@ struct OutputOptions {
   std::string report;
   std::string diagram;
   std::string view;
-  std::optional<UpAxis> up;                ///< of the page of `view`
+  bool views = false;                      ///< into `folder`, a page for each input
+  std::string summary;                     ///< a row for each input of `folder`
+  std::optional<UpAxis> up;                ///< of the pages
   bool no_curves = false;                  ///< leave the bisectors out of OBJ, VTP and GLB
   bool ascii_ply = false;                  ///< PLY as text
   std::map<std::string, std::string> own;  ///< further files of the command, by the option, empty where not given

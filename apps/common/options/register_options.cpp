@@ -151,6 +151,25 @@ std::string check_equals_sign(const std::string& file) {
   return fmt::format("'{}' begins with =; write -o {}", printable(file), printable(file.substr(1)));
 }
 
+/// --view names a page, or with --output-dir asks for one for each input, without a name.
+void register_view(CLI::App& app, OutputOptions& output) {
+  const auto store = [&output](const std::string& file) {
+    output.view = file;
+    output.views = file.empty();
+  };
+  app.add_option_function<std::string>("--view", store,
+                                       "Write an interactive page of the result (HTML); with --output-dir, --view "
+                                       "takes no name, and each INPUT has a page named after it")
+      ->expected(0, 1)
+      ->type_name("FILE.html")
+      ->check(with_extension({"html", "htm"}));
+  Choices<UpAxis> axes;
+  for (const UpAxis axis : {UpAxis::x, UpAxis::y, UpAxis::z, UpAxis::minus_x, UpAxis::minus_y, UpAxis::minus_z}) {
+    axes.emplace_back(to_text(axis), axis);
+  }
+  add_choice(app, "--up", output.up, axes, "Axis that points up on the page (default: y)")->needs("--view");
+}
+
 void register_output(CLI::App& app, OutputOptions& output, const Formats& formats) {
   app.add_option(
          "-o,--output", output.files,
@@ -179,14 +198,10 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
   add_file(app, "--report", output.report, "Write a report of the run (JSON)", "FILE.json")
       ->check(with_extension({"json"}))
       ->excludes("--output-dir");
-  add_file(app, "--view", output.view, "Write an interactive page of the result (HTML)", "FILE.html")
-      ->check(with_extension({"html", "htm"}))
-      ->excludes("--output-dir");
-  Choices<UpAxis> axes;
-  for (const UpAxis axis : {UpAxis::x, UpAxis::y, UpAxis::z, UpAxis::minus_x, UpAxis::minus_y, UpAxis::minus_z}) {
-    axes.emplace_back(to_text(axis), axis);
-  }
-  add_choice(app, "--up", output.up, axes, "Axis that points up on the page (default: y)")->needs("--view");
+  register_view(app, output);
+  add_file(app, "--summary", output.summary, "Write a table with a row for each INPUT (CSV)", "FILE.csv")
+      ->check(with_extension({"csv"}))
+      ->needs("--output-dir");
 }
 
 void register_diagram_output(CLI::App& app, OutputOptions& output) {

@@ -1,5 +1,7 @@
+#include <cmath>
 #include <csignal>
 #include <new>
+#include <nlohmann/json.hpp>
 
 #include "apps/run_command.hpp"
 #include "common/process.hpp"
@@ -85,6 +87,26 @@ TEST_CASE("results stand in columns, with a column for each figure that a run ha
                                  "long-name.ply  failed (3: unreadable input)        -       -  12.00 s"});
   const std::vector<std::string> plain = format_results({{"a", "done", {1, 0.5, std::nullopt}, 0}});
   CHECK(plain.front() == "input  result  regions    E    time");
+}
+
+TEST_CASE("a summary has the columns of all runs, quotes fields, and names inputs that have not run") {
+  const std::vector<RunResult> results{{"a", "done", {}, 0.5, 0, "", {{"input.faces", "4"}, {"results.stop", "x,\"y"}}},
+                                       {"b,c", "failed", {}, 0, 3, "two\nlines", {}},
+                                       {"d", "done", {}, 1, 0, "", {{"input.faces", "8"}, {"results.late", "true"}}}};
+  CHECK(format_summary({"a", "b,c", "d", "e"}, results) ==
+        "input,exit_code,error,input.faces,results.stop,results.late,seconds\n"
+        "a,0,,4,\"x,\"\"y\",,0.500\n"
+        "\"b,c\",3,\"two\nlines\",,,,0.000\n"
+        "d,0,,8,,true,1.000\n"
+        "e,,not run,,,,\n");
+  CHECK(format_summary({"a"}, {}) == "input,exit_code,error,seconds\na,,not run,\n");
+}
+
+TEST_CASE("figures of a report are its numbers, texts and truth values, without lists and nulls") {
+  RunReport report("gvd-test", {});
+  report.results() = {
+      {"faces", 3}, {"list", {1, 2}}, {"none", nullptr}, {"bad", NAN}, {"deep", {{"ok", true}, {"stop", "x"}}}};
+  CHECK(list_figures(report) == Cells{{"results.faces", "3"}, {"results.deep.ok", "true"}, {"results.deep.stop", "x"}});
 }
 
 TEST_CASE("columns are as wide as the letters in them, whatever bytes these take") {
