@@ -20,6 +20,7 @@ from tracked_files import ROOT, report, tracked
 # Names that are not in the sources, and why.
 FOREIGN = {
     "snake_case": "a way of writing names",
+    "build/site": "a folder that `make site` makes",
     "Kd": "a keyword of OBJ's material files",
     "data/meshes": "a folder of Debian's libcgal-demo",
     "test_diagram": "a target that add_gvd_tests of tests/CMakeLists.txt puts together",
