@@ -100,11 +100,16 @@ void add_row(DistanceTable& table, const CheckedMesh& input, const ExactField& f
     row[i] = nearest.distance;
     source[i] = nearest.generator;
   }
-  for (const VertexId v : input.mesh.vertices()) {
-    const std::int32_t i = input.input_vertex[v];
-    if (!table.targets.empty() || i < 0 || !(field.distance(v) < row[i])) continue;
+  const auto take = [&](std::size_t i, VertexId v) {
+    if (!(field.distance(v) < row[i])) return;
     row[i] = field.distance(v);
     source[i] = field.label(v);
+  };
+  for (std::size_t i = 0; table.targets.empty() && i < count; ++i) {
+    if (input.mesh_vertex[i].valid()) take(i, input.mesh_vertex[i]);  // several where they were welded
+  }
+  for (const VertexId v : input.mesh.vertices()) {
+    if (table.targets.empty() && input.input_vertex[v] >= 0) take(input.input_vertex[v], v);  // copies that were cut
   }
   if (of_nearest) table.nearest = std::move(source);
 }
