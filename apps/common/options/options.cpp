@@ -49,12 +49,14 @@ void add_method(Json& json, const ComputeOptions& compute) {
   json["method"] = name_in(kMethods, compute.method);
   json["chord_tolerance"] = exact ? Json(diagram.chord_tolerance) : Json();
   json["front"] = exact ? Json() : Json(name_in(kFronts, diagram.chosen_front()));
-  json["verify"] = compute.verify;
 }
 
-void add_output(Json& json, const OutputOptions& output) {
+void add_output(Json& json, const Options& options) {
+  const OutputOptions& output = options.output;
   json["output"] = output.files;
+  if (options.has_diagram) json["no_curves"] = output.no_curves;
   json["ascii_ply"] = output.ascii_ply;
+  if (options.has_diagram) json["diagram"] = or_null(output.diagram);
   json["view"] = or_null(output.view);
   json["up"] = output.up ? Json(to_text(*output.up)) : Json();
   json["report"] = or_null(output.report);
@@ -91,14 +93,13 @@ Json to_json(const Options& options) {
   if (options.has_diagram) {
     add_generators(json, options.generators);
     add_method(json, options.compute);
-    json["no_curves"] = options.output.no_curves;
-    json["diagram"] = or_null(options.output.diagram);
   } else {
     add_lists(json, options);
   }
   json["threads"] = options.compute.threads;
+  if (options.has_diagram) json["verify"] = options.compute.verify;
   json["max_memory"] = or_null(options.compute.max_memory);
-  add_output(json, options.output);
+  add_output(json, options);
   return json;
 }
 
