@@ -135,7 +135,8 @@ class VtkParser {
   std::string_view token() {
     at_ = std::min(bytes_.find_first_not_of(kWhitespace, at_), bytes_.size());
     const std::size_t end = std::min(bytes_.find_first_of(kWhitespace, at_), bytes_.size());
-    return bytes_.substr(std::exchange(at_, end), end - at_);
+    const std::size_t begin = std::exchange(at_, end);
+    return bytes_.substr(begin, end - begin);
   }
 
   std::string keyword() { return to_lower(token()); }
