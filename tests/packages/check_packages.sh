@@ -62,11 +62,15 @@ check_lintian() {
 
 # Each command writes in the clean root what it writes here.
 check_commands() {
-  local command
+  local command words only_there
   make_root "$work/root" "$packages"/gvd_*.deb
-  for command in gvd-segment gvd-lloyd gvd-remesh; do
-    run_in "$work/root" "$command" -q mesh.ply -n 20 -o "$command.obj" --diagram "$command.json" --verify --view "$command.html"
-    "$build/bin/$command" -q "$mesh" -n 20 -o "$work/$command.obj" --diagram "$work/$command.json"
+  for command in $(cd "$work/root/usr/bin" && ls gvd-*); do
+    words=(-n 20 -o "$command.obj" --diagram "$command.json") only_there=(--verify --view "$command.html")
+    if [ "$command" = gvd-distance ]; then
+      words=(--from 0,7 --isolines 0.1 -o "$command.obj" -o "$command.json") only_there=(--view "$command.html")
+    fi
+    run_in "$work/root" "$command" -q mesh.ply "${words[@]}" "${only_there[@]}"
+    (cd "$work" && "$build/bin/$command" -q "$mesh" "${words[@]}")
     cmp "$work/$command.obj" "$work/root/$command.obj"
     cmp "$work/$command.json" "$work/root/$command.json"
     [ -s "$work/root/$command.html" ] || fail "$command wrote no page"
