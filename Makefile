@@ -15,6 +15,8 @@ DEMO_OUTPUT ?= demo-output
 install_deps := $(if $(NO_INSTALL),:,scripts/install-deps.sh)
 missing_packages := $(if $(NO_INSTALL),:,scripts/install-deps.sh --missing)
 configure    := scripts/configure.sh
+# The Python package, unless its Debian packages are missing.
+python_if_possible = -DGVD_BUILD_PYTHON=$$([ -z "$$(scripts/install-deps.sh --missing python)" ] && echo ON || echo OFF)
 
 FUZZ        ?= build-fuzz
 FUZZ_SECONDS ?= 60
@@ -50,7 +52,7 @@ help:
 	@echo "make sanitize  run the tests under the address and undefined-behaviour sanitizers"
 	@echo "make sanitize-threads  run the tests of threads under the thread sanitizer"
 	@echo "make install   install library, headers and commands under PREFIX ($(PREFIX))"
-	@echo "make package   make Debian packages of library and commands in $(BUILD)/packages"
+	@echo "make package   make Debian packages of libraries, commands and the Python package in $(BUILD)/packages"
 	@echo "make format    lay out the sources with clang-format"
 	@echo "make lint      check layout, names, includes, sizes, and what the documents link to and name"
 	@echo "make clean     remove the build trees and the demo's output"
@@ -90,11 +92,9 @@ figures:
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-segment gvd-lloyd gvd-remesh gvd-bench gvd-why-exact
 	@scripts/figures.py write $(BUILD)/bin
 
-# With the Python package, unless its Debian packages are missing (NO_INSTALL=1).
 test:
 	@$(install_deps) build test python
-	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON \
-	  -DGVD_BUILD_PYTHON=$$([ -z "$$(scripts/install-deps.sh --missing python)" ] && echo ON || echo OFF) $(CMAKE_FLAGS)
+	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON $(python_if_possible) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS)
 	@scripts/check_examples.py $(BUILD)/bin
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
@@ -194,11 +194,11 @@ sanitize-threads:
 install: build
 	@cmake --install $(BUILD) --prefix $(PREFIX)
 
-# The same sources give the same packages: files are dated by the last commit.
+# The same sources give the same packages: files are dated by the last commit. `scripts/install-deps.sh python` first, for python3-gvd.
 package:
 	@$(install_deps) build package
 	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=OFF -DCMAKE_INSTALL_LIBDIR=lib/$$(dpkg-architecture -qDEB_HOST_MULTIARCH) \
-	  $(CMAKE_FLAGS)
+	  $(python_if_possible) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS)
 	@rm -rf $(BUILD)/packages
 	@SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct || date +%s) cpack --config $(BUILD)/CPackConfig.cmake

@@ -20,7 +20,8 @@ foreach(part segment lloyd remesh distance)
             FILES_MATCHING PATTERN *.hpp)
   endif()
 endforeach()
-install(TARGETS gvd_c EXPORT gvd-targets COMPONENT dev)
+# Programs that run need the shared library only, so it is a component of its own.
+install(TARGETS gvd_c EXPORT gvd-targets LIBRARY COMPONENT c NAMELINK_COMPONENT dev)
 install(DIRECTORY libgvd/c/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev FILES_MATCHING PATTERN *.h)
 install(EXPORT gvd-targets NAMESPACE gvd:: DESTINATION ${GVD_CMAKE_DIR} COMPONENT dev)
 if(GVD_COMMANDS)
@@ -46,19 +47,28 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/gvd-config-version.cmake 
 install(FILES ${PROJECT_BINARY_DIR}/gvd-config.cmake ${PROJECT_BINARY_DIR}/gvd-config-version.cmake
   DESTINATION ${GVD_CMAKE_DIR} COMPONENT dev)
 
+# gvd_install_pc(NAME DESCRIPTION REQUIRES LIBS CFLAGS): NAME.pc, which pkg-config reads.
+file(RELATIVE_PATH GVD_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" GVD_PC_PREFIX ${GVD_PC_PREFIX})
+function(gvd_install_pc name description requires libs cflags)
+  configure_file(cmake/gvd.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
+endfunction()
+
 # Users before what they use: static libraries are searched in the order of the command line.
 set(GVD_PC_LIBS "")
 set(GVD_PC_REQUIRES eigen3 fmt tbb)
+if(pugixml_FOUND)  # the readers of packed files and of VTP are there
+  list(APPEND GVD_PC_REQUIRES pugixml zlib)
+endif()
 foreach(part remesh segment lloyd)
   if(part IN_LIST GVD_INSTALLED_PARTS)
-    string(APPEND GVD_PC_LIBS " -lgvd_${part}")
+    string(APPEND GVD_PC_LIBS "-lgvd_${part} ")
   endif()
 endforeach()
 if(TARGET gvd_remesh)
   list(APPEND GVD_PC_REQUIRES openmesh)
 endif()
 list(JOIN GVD_PC_REQUIRES " " GVD_PC_REQUIRES)
-file(RELATIVE_PATH GVD_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
-string(REGEX REPLACE "/$" "" GVD_PC_PREFIX ${GVD_PC_PREFIX})
-configure_file(cmake/gvd.pc.in ${PROJECT_BINARY_DIR}/gvd.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/gvd.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
+gvd_install_pc(gvd "${PROJECT_DESCRIPTION}" "${GVD_PC_REQUIRES}" "${GVD_PC_LIBS}-lgvd" -std=c++20)
+gvd_install_pc(gvd_c "${PROJECT_DESCRIPTION}, from C" "" -lgvd_c "")

@@ -75,25 +75,49 @@ if(GVD_COMMANDS)
 "geodesic Voronoi diagrams on triangle meshes
 Commands that compute the Voronoi diagram of points on a triangle mesh, by
 exact distances along the surface. gvd-segment labels the faces with the
-nearest point, gvd-lloyd spreads points evenly, and gvd-remesh builds a
-coarse mesh of the same topology.")
+nearest point, gvd-lloyd spreads points evenly, gvd-remesh builds a coarse
+mesh of the same topology, and gvd-distance measures distances and paths.")
 endif()
+
+get_target_property(soname gvd_c SOVERSION)
+gvd_add_package(c libgvd-c${soname} libs "" "${GVD_FREE_OF_GPL}"
+"geodesic Voronoi diagrams on triangle meshes (C interface)
+The shared library for programs in C and in languages that call C functions:
+exact distances and shortest paths on triangle meshes, Voronoi diagrams,
+segmentation, relaxation and remeshing.")
+# What dpkg-shlibdeps reads for programs on this library, and the trigger that lintian asks for.
+file(WRITE ${PROJECT_BINARY_DIR}/debian/c/shlibs "libgvd_c ${soname} libgvd-c${soname} (>= ${PROJECT_VERSION})\n")
+file(WRITE ${PROJECT_BINARY_DIR}/debian/c/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_C_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/c/shlibs ${PROJECT_BINARY_DIR}/debian/c/triggers)
 
 # A static library fits the interface of one major version of {fmt} only, whose names begin with it.
 math(EXPR fmt_next "${fmt_VERSION_MAJOR} + 1")
+set(packed "")
+if(pugixml_FOUND)  # the readers of packed files and of VTP are there
+  set(packed "libpugixml-dev (>= 1.11), zlib1g-dev, ")
+endif()
 gvd_add_package(dev libgvd-dev libdevel
 "libeigen3-dev (>= 3.4), libfmt-dev (>= ${fmt_VERSION_MAJOR}), libfmt-dev (<< ${fmt_next}), libopenmesh-dev, \
-libtbb-dev (>= 2021)" "${GVD_FREE_OF_GPL}"
+libtbb-dev (>= 2021), ${packed}libgvd-c${soname} (= ${GVD_DEBIAN_VERSION})" "${GVD_FREE_OF_GPL}"
 "geodesic Voronoi diagrams on triangle meshes (library)
 The C++20 library of the commands in gvd: exact distances and shortest paths
 on triangle meshes, Voronoi diagrams with their bisectors and branch points,
-segmentation, relaxation and remeshing. Static libraries, headers, packages
-for CMake and pkg-config, and an example.")
+segmentation, relaxation and remeshing. Static libraries, the headers of C++
+and of C, packages for CMake and pkg-config, and examples.")
 if(TARGET gvd_verify)
   gvd_add_package(verify libgvd-verify-dev libdevel "libgvd-dev (= ${GVD_DEBIAN_VERSION}), libcgal-dev (>= 5.5)"
 "${GVD_BOUND_BY_GPL}"
 "check of geodesic Voronoi diagrams against CGAL (library)
 The part of libgvd that measures diagrams against the exact shortest paths of
 CGAL, which are under the GPL. It is separate so that libgvd-dev is not.")
+endif()
+if(TARGET gvd_python AND GVD_PYTHON STREQUAL /usr/bin/python3)  # another interpreter looks elsewhere
+  gvd_add_package(python python3-gvd python "${GVD_PYTHON_DEPENDS}" "${GVD_FREE_OF_GPL}"
+"geodesic Voronoi diagrams on triangle meshes (Python package)
+NumPy arrays in, NumPy arrays out: exact distances and shortest paths on
+triangle meshes, Voronoi diagrams with their bisectors and branch points,
+segmentation, relaxation and remeshing.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/debian/python/postinst
+      ${PROJECT_SOURCE_DIR}/packaging/debian/python/prerm)
 endif()
 include(CPack)

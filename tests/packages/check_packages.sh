@@ -10,6 +10,7 @@
 set -euo pipefail
 export LC_ALL=C.UTF-8
 build=$(realpath "$1")
+triplet=$(dpkg-architecture -qDEB_HOST_MULTIARCH)
 source=$(realpath "$(dirname "$0")/../..")
 work=$build/packages-test
 packages=$build/packages
@@ -42,12 +43,13 @@ make_root() {
   cp "$mesh" "$folder/mesh.ply"
 }
 
-# run_in FOLDER WORD...
+# run_in FOLDER WORD... No script has made the links to NumPy's libblas and liblapack, so their folders are named.
 run_in() {
   local folder=$1 as_root=()
   shift
   [ "$(id -u)" -eq 0 ] || as_root=(unshare --map-root-user)
-  env -i PATH=/usr/bin:/usr/sbin "${as_root[@]}" chroot "$folder" "$@"
+  env -i PATH=/usr/bin:/usr/sbin LD_LIBRARY_PATH="/usr/lib/$triplet/blas:/usr/lib/$triplet/lapack" \
+    "${as_root[@]}" chroot "$folder" "$@"
 }
 
 check_lintian() {
@@ -96,10 +98,10 @@ check_that_it_fails() {
 
 # Builds a project with the development packages, and looks for the owner of each file that the compiler and the linker read.
 check_development() {
-  local root=$work/dev-root strangers
+  local root=$work/dev-root own=("$packages"/libgvd-*.deb) package strangers
   rm -rf "$root" "$work/consumer"
   mkdir -p "$root"
-  for package in "$packages"/*-dev_*.deb; do dpkg-deb -x "$package" "$root"; done
+  for package in "${own[@]}"; do dpkg-deb -x "$package" "$root"; done
   cmake -S "$source/tests/consumer" -B "$work/consumer" -G "Unix Makefiles" -DCMAKE_PREFIX_PATH="$root/usr" \
     -DPARTS=segment,lloyd,remesh"$([ ! -e "$packages"/libgvd-verify-dev_*.deb ] || echo ,verify)" -DCMAKE_CXX_COMPILER=g++ \
     -DCMAKE_EXE_LINKER_FLAGS=-Wl,--trace >/dev/null
@@ -114,18 +116,43 @@ check_development() {
   [ -s "$work/owned" ] || fail "no file belongs to a package"
   strangers=$(comm -23 "$work/read" <(sed 's/.*: //' "$work/owned" | sort -u))
   [ -z "$strangers" ] || fail "no package has $strangers"
-  closure_of --simulate "$packages"/*-dev_*.deb g++ cmake | cut -d ' ' -f 1 | sort > "$work/closure"
+  closure_of --simulate "${own[@]}" g++ cmake | cut -d ' ' -f 1 | sort > "$work/closure"
   sed 's/:.*//' "$work/owned" | sort -u > "$work/owners"
   strangers=$(comm -23 "$work/owners" "$work/closure" | tr '\n' ' ')
   [ -z "$strangers" ] || fail "the development packages do not depend on $strangers"
   echo "a build with the development packages reads $(wc -l < "$work/read") files of $(wc -l < "$work/owners") packages"
 }
 
+# The installed example, built by gvd_c.pc of the unpacked packages, runs with the C library's package alone.
+check_c_library() {
+  local flags program=$work/c-root/path_of_a_mesh
+  flags=$(PKG_CONFIG_PATH=$work/dev-root/usr/lib/$triplet/pkgconfig pkg-config --cflags --libs gvd_c)
+  make_root "$work/c-root" "$packages"/libgvd-c*.deb
+  # shellcheck disable=SC2086 # flags are words
+  cc -o "$program" "$work/dev-root/usr/share/doc/gvd/examples/path_of_a_mesh.c" $flags
+  run_in "$work/c-root" /path_of_a_mesh mesh.ply 0 5 > "$work/path"
+  grep -q '^length [0-9.]*$' "$work/path" || fail "the example in C printed no length"
+}
+
+# The Python package imports its own files and Debian's NumPy, and writes there what gvd-segment writes. Without NumPy it does not.
+check_python() {
+  local use="import gvd; gvd.read('mesh.ply').segment(20).to_file('python.obj'); print(gvd.__file__)" root=$work/python-root
+  if ! grep -q '^GVD_BUILD_PYTHON:BOOL=ON' "$build/CMakeCache.txt"; then
+    echo "no Python package is built (GVD_BUILD_PYTHON=OFF)"
+    return
+  fi
+  make_root "$root" "$packages"/python3-gvd_*.deb
+  run_in "$root" python3 -B -c "$use" | grep -q -x /usr/lib/python3/dist-packages/gvd/__init__.py || fail "python3 finds no gvd"
+  diff <(grep -v mtllib "$work/gvd-segment.obj") <(grep -v mtllib "$root/python.obj") || fail "gvd.segment differs from gvd-segment"
+  rm -r "$root/usr/lib/python3/dist-packages/numpy"
+  if run_in "$root" python3 -B -c "$use" 2>/dev/null; then fail "the Python package runs without NumPy"; fi
+}
+
 mkdir -p "$work/apt/archives/partial"
 : > "$work/no-packages"
 # The lists of packages may be missing or old.
 closure_of --download-only libc6 >/dev/null 2>&1 || apt-get -q update
-for step in check_lintian check_commands check_that_it_fails check_development; do
+for step in check_lintian check_commands check_that_it_fails check_development check_c_library check_python; do
   started=$(date +%s%N)
   $step
   echo "$step: $((($(date +%s%N) - started) / 1000000)) ms"
