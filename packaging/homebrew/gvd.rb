@@ -17,7 +17,9 @@ class Gvd < Formula
   depends_on "eigen"
   depends_on "fmt"
   depends_on "open-mesh"
+  depends_on "pugixml"
   depends_on "tbb"
+  depends_on "zlib"
 
   on_macos do
     depends_on "gcc"

@@ -24,6 +24,7 @@ except ImportError as missing:
 NAMES = {"Eigen3": ("eigen", "eigen3", "eigen"), "OpenMesh": ("openmesh", "openmesh", "open-mesh"),
          "nlohmann_json": ("nlohmann_json", "nlohmann-json", "nlohmann-json"), "fmt": ("fmt", "fmt", "fmt"),
          "TBB": ("tbb-devel", "tbb", "tbb"), "CLI11": ("cli11", "cli11", "cli11"),
+         "pugixml": ("pugixml", "pugixml", "pugixml"), "ZLIB": ("zlib", "zlib", "zlib"),
          "GVD_TOMLPLUSPLUS_INCLUDE": ("tomlplusplus", "tomlplusplus", "tomlplusplus"), "CGAL": (None, "cgal", None)}
 
 
