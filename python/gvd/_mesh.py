@@ -380,8 +380,10 @@ def _sampler(n: Optional[int], sampling: str, seed: int, radius: Optional[float]
 
 
 def read(path: PathLike, *, on_defect: Literal["error", "repair", "largest"] = "repair",
-         input_format: Optional[Literal["obj", "ply", "off", "stl"]] = None) -> Mesh:
-    """Reads an OBJ, PLY, OFF or STL file. Defects are repaired where that loses nothing, with a warning for each kind.
+         input_format: Optional[Literal["obj", "ply", "off", "stl", "vtp", "vtk", "glb"]] = None) -> Mesh:
+    """Reads an OBJ, PLY, OFF, STL, VTP, legacy VTK or GLB file, packed by gzip or not.
+
+    Defects are repaired where that loses nothing, with a warning for each kind.
 
     >>> import gvd
     >>> gvd.read("data/torus.ply").summary["euler_characteristic"]

@@ -59,9 +59,14 @@ SharedMesh mesh_from_file(const std::filesystem::path& path, const std::optional
   const DefectPolicy policy = choose_policy(on_defect);
   std::optional<MeshFormat> known;
   if (format) {
-    known = choose<MeshFormat>(
-        "input_format", *format,
-        {{"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off}, {"stl", MeshFormat::stl}});
+    known = choose<MeshFormat>("input_format", *format,
+                               {{"obj", MeshFormat::obj},
+                                {"ply", MeshFormat::ply},
+                                {"off", MeshFormat::off},
+                                {"stl", MeshFormat::stl},
+                                {"vtp", MeshFormat::vtp},
+                                {"vtk", MeshFormat::vtk},
+                                {"glb", MeshFormat::glb}});
   }
   return run_unlocked(py::none(), [&](const Progress&) {
     const PolygonSoup soup = read_soup(path, known);
