@@ -38,7 +38,10 @@ if(TARGET gvd_verify)
 endif()
 
 install(FILES LICENSE LICENSES.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
-install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT dev)
+# The workflow in cohort/ runs commands, and some of its files are programs.
+install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT dev PATTERN cohort EXCLUDE)
+install(DIRECTORY examples/cohort DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT commands USE_SOURCE_PERMISSIONS
+        PATTERN __pycache__ EXCLUDE)
 
 configure_package_config_file(cmake/gvd-config.cmake.in ${PROJECT_BINARY_DIR}/gvd-config.cmake
   INSTALL_DESTINATION ${GVD_CMAKE_DIR})
