@@ -123,9 +123,12 @@ check_development() {
   echo "a build with the development packages reads $(wc -l < "$work/read") files of $(wc -l < "$work/owners") packages"
 }
 
-# The installed example, built by gvd_c.pc of the unpacked packages, runs with the C library's package alone.
+# The installed example, built by gvd_c.pc of the unpacked packages, runs with the C library's package alone. That of the headers
+# depends on it: it has the link that programs are linked by.
 check_c_library() {
-  local flags program=$work/c-root/path_of_a_mesh
+  local flags program=$work/c-root/path_of_a_mesh name
+  name=$(dpkg-deb -f "$packages"/libgvd-c*.deb Package)
+  dpkg-deb -f "$packages"/libgvd-dev_*.deb Depends | grep -q -F "$name (= " || fail "libgvd-dev does not depend on $name"
   flags=$(PKG_CONFIG_PATH=$work/dev-root/usr/lib/$triplet/pkgconfig pkg-config --cflags --libs gvd_c)
   make_root "$work/c-root" "$packages"/libgvd-c*.deb
   # shellcheck disable=SC2086 # flags are words
