@@ -154,6 +154,8 @@ class Mesh(Writable):
         shape = (len(source), len(self.vertices) if targets is None else len(targets))
         if out is not None and getattr(out, "shape", None) != shape:
             refuse(f"out: an array {shape} is needed, not {getattr(out, 'shape', type(out).__name__)}")
+        if out is not None and numpy.dtype(getattr(out, "dtype", object)).kind != "f":
+            refuse(f"out: an array of floats is needed, not of {getattr(out, 'dtype', 'objects')}")
         matrix: Floats = numpy.empty(shape) if out is None else out
         with reporting(progress) as callback:
             for begin, rows in self._batches(source, targets, threads, callback):

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ._error import refuse
 
 _VERTEX, _FACE, _POSITION = range(3)
+_LARGEST_INDEX = numpy.iinfo(numpy.int64).max
 
 
 class Points(NamedTuple):
@@ -43,6 +44,8 @@ def as_array(name: str, given: Any) -> NDArray[Any]:
     """An array of numbers. Refuses text, ragged lists and what holds no numbers."""
     if isinstance(given, (str, bytes)):
         refuse(f"{name}: numbers are needed, not the text {given[:40]!r}")
+    if isinstance(given, numpy.ma.MaskedArray) and numpy.any(given.mask):
+        refuse(f"{name}: some items are masked; leave these out, or fill them in")
     try:
         array = numpy.asarray(given)
     except (ValueError, TypeError):
@@ -55,9 +58,12 @@ def as_array(name: str, given: Any) -> NDArray[Any]:
 
 
 def _check_range(name: str, index: NDArray[Any]) -> None:
+    """Refuses what is no index, or what would turn into another one as a signed integer."""
     if (index < 0).any():
         first = int(numpy.flatnonzero(numpy.atleast_1d(index) < 0)[0])
         refuse(f"{name}: {int(numpy.atleast_1d(index)[first])} is negative; vertices and faces are numbered from 0", first)
+    if int(index.max()) > _LARGEST_INDEX:
+        refuse(f"{name}: {index.max()} is too large for a vertex or a face", int(index.argmax()))
 
 
 def _finite(name: str, values: NDArray[Any]) -> NDArray[Any]:

@@ -149,8 +149,10 @@ SurfaceRemeshOptions make_remesh_options(const Given& given, const Mesh& mesh, c
   options.start.constraints.prefers_boundary = !loose_boundary;
   given.read("relax", options.relaxation);
   if (given.has("place")) {
+    std::string place;
+    given.read("place", place);
     options.placement = choose<Placement>(
-        "place", given["place"].cast<std::string>(),
+        "place", place,
         {{"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}});
   }
   given.read("shape", options.remesh.placement.shape);

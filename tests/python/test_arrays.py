@@ -46,6 +46,7 @@ class Arrays(unittest.TestCase):
             "nan": (nan, F), "infinite": (V + numpy.inf, F), "beyond": (V, beyond), "negative": (V, negative),
             "complex": (V + 0j, F), "bool": (V, F > 3), "ragged": (V, [[0, 1, 2], [0, 1]]), "none": (None, F),
             "objects": (V.astype(object), F), "duplicate": (V, repeated), "masks": (V > 0, F),
+            "masked": (numpy.ma.masked_greater(V, 0.9), F),
         }
         for name, (vertices, faces) in wrong.items():
             with self.subTest(name), warnings.catch_warnings():
@@ -122,7 +123,9 @@ class PointsOfAMesh(unittest.TestCase):
                  "face": (len(F), (1, 0, 0)), "weights": (0, (0.5, 0.5, 0.5)), "two weights": (0, (0.5, 0.5)),
                  "pair": ([1, 2], [(1, 0, 0)]), "nan": (numpy.nan, 0.0, 0.0), "two floats": (0.5, 0.5), "bool": True,
                  "mask": [True, False], "integer positions": numpy.zeros((2, 3), int), "huge": (1e200, 0.0, 0.0),
-                 "float face": (0.5, (1, 0, 0)), "deep": numpy.zeros((2, 2, 3)), "beyond": 2**40, "far beyond": 2**70}
+                 "float face": (0.5, (1, 0, 0)), "deep": numpy.zeros((2, 2, 3)), "beyond": 2**40, "far beyond": 2**70,
+                 "wraps to 5": numpy.uint64(2**63 + 5), "face wraps to 0": (numpy.uint64(2**63), (1, 0, 0)),
+                 "masked": numpy.ma.masked_equal([1, 2], 2)}
         for name, points in wrong.items():
             with self.subTest(name), self.assertRaises(gvd.Error) as caught:
                 self.mesh.distances(points)
@@ -141,7 +144,10 @@ class PointsOfAMesh(unittest.TestCase):
                      lambda: self.mesh.voronoi([0, 1], threads=-1), lambda: self.mesh.voronoi([0, 1], chord_tolerance=0),
                      lambda: self.mesh.distances([0, 1], each=True, threads=-1), lambda: self.mesh.log_map([0, 1]), lambda: self.mesh.distances([0], progress=7),
                      lambda: self.mesh.distances([0], out=numpy.zeros(3)), lambda: gvd.read(7),
-                     lambda: self.mesh.distances([0], each=True, out=numpy.zeros((2, 3)))):
+                     lambda: self.mesh.distances([0], each=True, out=numpy.zeros((2, 3))),
+                     lambda: self.mesh.distances([0], each=True, out=numpy.zeros((1, len(V)), int)),
+                     lambda: self.mesh.remesh(9, place=3), lambda: self.mesh.remesh(9, relax=-1),
+                     lambda: self.mesh.lloyd(5, coarse=-1)):
             with self.assertRaises(gvd.Error) as caught:
                 call()
             self.assertEqual(caught.exception.code, "invalid_option")

@@ -7,6 +7,8 @@
 
 #include <utility>
 
+#include "gvd/error.hpp"
+
 namespace gvd {
 namespace {
 
@@ -74,6 +76,9 @@ class Starter {
 }  // namespace
 
 RelaxationStart start_relaxation(const Mesh& mesh, const RelaxationStartOptions& options) {
+  if (options.copy.faces.value_or(0) < 0) {
+    throw Error(ErrorCode::invalid_option, "the number of a copy's faces must not be negative");
+  }
   return Starter(mesh, options).start();
 }
 

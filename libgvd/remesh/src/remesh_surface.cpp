@@ -282,6 +282,9 @@ RelaxationStartOptions SurfaceRemeshOptions::default_start() {
 }
 
 SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& options) {
+  if (options.iterations() < 0) {
+    throw Error(ErrorCode::invalid_option, "the number of iterations must not be negative", options.iterations());
+  }
   if (!(compute_area(mesh) > 0)) {
     throw Error(ErrorCode::precondition,
                 "no triangle has an area, so there is nothing to remesh; give a surface with area");

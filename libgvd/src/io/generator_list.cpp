@@ -228,7 +228,8 @@ class Resolver {
   SurfacePoint resolve_vertex(std::int64_t index) const {
     const std::vector<VertexId>* const map = options_.input_vertices;
     const std::int64_t count = map ? std::ssize(*map) : mesh_.vertex_count();
-    if (index >= count) refuse(fmt::format("there is no vertex {}; the mesh has {}, numbered from 0", index, count));
+    if (index < 0 || index >= count)
+      refuse(fmt::format("there is no vertex {}; the mesh has {}, numbered from 0", index, count));
     const VertexId v = map ? (*map)[index] : VertexId(index);
     if (!v.valid()) refuse(fmt::format("vertex {} is in no face of the mesh; choose another", index));
     return vertex_point(mesh_, v);
@@ -236,7 +237,7 @@ class Resolver {
 
   SurfacePoint resolve_face(const GeneratorEntry& entry) const {
     const std::int32_t count = mesh_.face_count();
-    if (entry.index >= count) {
+    if (entry.index < 0 || entry.index >= count) {
       refuse(fmt::format("there is no face {}; the mesh has {}, numbered from 0", entry.index, count));
     }
     try {

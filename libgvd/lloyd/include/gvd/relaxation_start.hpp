@@ -54,8 +54,8 @@ inline constexpr std::int64_t kCopyFacesPerGenerator = 2;
 /// There is no copy where it would have less than kCopyFacesPerGenerator faces for each generator, or more than half of
 /// the mesh's. Farthest points are sampled on the copy. By default, neither listed generators nor those of a covering
 /// radius have one: nothing moves relaxed generators to a copy.
-/// Throws what sample_generators, make_curvature_density, make_coarse_copy and constrain_start throw. Cost: the sum of
-/// theirs.
+/// Throws Error{invalid_option} for a copy of fewer than 0 faces, and what sample_generators, make_curvature_density,
+/// make_coarse_copy and constrain_start throw. Cost: the sum of theirs.
 RelaxationStart start_relaxation(const Mesh& mesh, const RelaxationStartOptions& options);
 
 /// relax_generators from a start: its constraints, density and copy take the place of those of the options.

@@ -58,8 +58,8 @@ struct SurfaceRemesh {
 /// generators are left out for those that are added. Where these are many, a start with fewer is tried too, and the
 /// nearer remesh is taken. Listed generators are never left out: none is added to them then.
 /// Properties: those of `remesh`, and vertex_count = the number of generators with `exact_count`.
-/// Throws what start_relaxation, relax_generators and remesh throw; Error{precondition} for a mesh without area. Cost:
-/// theirs; twice that at most with `exact_count`.
+/// Throws what start_relaxation, relax_generators and remesh throw; Error{precondition} for a mesh without area;
+/// Error{invalid_option} for a negative number of iterations. Cost: theirs; twice that at most with `exact_count`.
 SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& options);
 
 /// Searches for the fewest sampled generators whose remesh is within `distance` of the mesh, both ways.
