@@ -37,9 +37,10 @@ auto run_unlocked(const py::object& callback, Work&& work) {
     if (callback.is_none()) return true;
     PyObject* const answer = PyObject_CallFunction(callback.ptr(), "sd", std::string(step).c_str(), fraction);
     if (answer == nullptr) return !(raised = true);
-    const bool goes_on = answer != Py_False;
+    const int is_false = PyObject_RichCompareBool(answer, Py_False, Py_EQ);  // NumPy has a False of its own
     Py_DECREF(answer);
-    return goes_on;
+    if (is_false < 0) return !(raised = true);
+    return is_false == 0;
   };
   try {
     const py::gil_scoped_release unlocked;

@@ -1,6 +1,7 @@
 // The module _gvd: the library as the Python package needs it. The classes and functions that users meet are in
 // python/gvd, with their documents and checks of arguments; nothing here is meant to be called by others.
 #include <array>
+#include <string_view>
 
 #include "bindings.hpp"
 #include "gvd/error.hpp"
@@ -23,7 +24,11 @@ void translate_error(std::exception_ptr thrown) {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const Error& error) {
     const py::object type = py::module_::import("gvd._error").attr("Error");
-    const py::object raised = type(error.what(), name_of(error.code()), error.element());
+    // Names of files need not be UTF-8; Python keeps such bytes as it does in its own names of files.
+    const std::string_view text = error.what();
+    const auto message = py::reinterpret_steal<py::object>(
+        PyUnicode_DecodeUTF8(text.data(), py::ssize_t(text.size()), "surrogateescape"));
+    const py::object raised = type(message, name_of(error.code()), error.element());
     PyErr_SetObject(type.ptr(), raised.ptr());
   }
 }

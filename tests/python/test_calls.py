@@ -117,15 +117,21 @@ class Calls(unittest.TestCase):
         self.assertGreater(len(told), 1)
         self.assertTrue(all(0 <= fraction <= 1 for _, fraction in told))
         self.assertEqual([f for _, f in told], sorted(f for _, f in told))
-        with self.assertRaises(gvd.Error) as caught:
-            mesh.distances(list(range(2000)), each=True, progress=lambda step, fraction: False)
-        self.assertEqual(caught.exception.code, "interrupted")
+        for false in (False, numpy.False_):
+            with self.assertRaises(gvd.Error) as caught:
+                mesh.distances(list(range(2000)), each=True, progress=lambda step, fraction: false)
+            self.assertEqual(caught.exception.code, "interrupted")
 
         def fail(step, fraction):
             raise ZeroDivisionError(step)
 
         with self.assertRaises(ZeroDivisionError):
             mesh.distances(list(range(2000)), each=True, progress=fail)
+
+    def test_an_error_tells_of_a_name_that_is_no_unicode(self):
+        with self.assertRaisesRegex(gvd.Error, "no such file") as caught:
+            gvd.read(b"/no/\xff.obj")
+        self.assertIn(os.fsdecode(b"/no/\xff.obj"), str(caught.exception))
 
     def run_with_bar(self, first):
         code = f"{first}\nimport gvd\ngvd.read({str(meshes.FIGURE)!r}).distances(list(range(300)), each=True, progress=True)\n"
