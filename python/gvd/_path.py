@@ -31,8 +31,8 @@ class Path(NamedTuple):
         return _vtk.lines([self.positions])
 
     def to_file(self, path: Any) -> None:
-        """Writes the positions: .npy, .csv with a header, or .obj with one polyline."""
-        name = os.fspath(path)
+        """Writes the positions: .npy, .csv with a header, or .obj with one polyline (none for a path of one point)."""
+        name = os.fsdecode(path)
         if name.endswith(".npy"):
             numpy.save(name, self.positions)
         elif name.endswith(".csv"):
@@ -40,6 +40,7 @@ class Path(NamedTuple):
         elif name.endswith(".obj"):
             with open(name, "w", encoding="ascii") as out:
                 out.writelines("v %.17g %.17g %.17g\n" % tuple(p) for p in self.positions)
-                out.write("l " + " ".join(str(i + 1) for i in range(len(self.positions))) + "\n")
+                if len(self.positions) > 1:
+                    out.write("l " + " ".join(str(i + 1) for i in range(len(self.positions))) + "\n")
         else:
             refuse(f"{name}: a path is written as .npy, .csv or .obj")

@@ -11,6 +11,7 @@
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/segment.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::python {
 namespace {
@@ -201,7 +202,7 @@ std::string make_page(const LabelledMesh& mesh, const std::string& title) {
 
 void write_result(const std::filesystem::path& path, LabelledMesh mesh, const OwnFormats& own,
                   const WriteOptions& options) {
-  const std::string extension = path.extension().string();
+  const std::string extension = to_lower(path.extension().string());
   for (const auto& [format, write] : own) {
     if (extension == "." + format) return write_file(path, write);
   }

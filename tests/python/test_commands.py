@@ -117,6 +117,14 @@ class SameBytes(unittest.TestCase):
                 torus.remesh(**wrong)
             self.assertEqual(caught.exception.code, "invalid_option")
 
+    def test_extensions_in_capitals(self):
+        regions = gvd.read(meshes.TORUS).segment(6)
+        for extension in ("json", "ply", "html"):
+            regions.to_file(self.folder / f"c.{extension}")
+            regions.to_file(self.folder / f"C.{extension.upper()}")
+            self.assertEqual((self.folder / f"C.{extension.upper()}").read_bytes(),
+                             (self.folder / f"c.{extension}").read_bytes())
+
     def test_page(self):
         self.run_command("gvd-segment", meshes.FIGURE, "-n", 6, "-o", "f.ply", "--view", "f.html")
         regions = gvd.read(meshes.FIGURE).segment(6)
@@ -148,6 +156,8 @@ class SameBytes(unittest.TestCase):
         numpy.testing.assert_array_equal(numpy.load(self.folder / "p.npy"), path.positions)
         numpy.testing.assert_array_equal(numpy.loadtxt(self.folder / "p.csv", delimiter=",", skiprows=1), path.positions)
         self.assertEqual((self.folder / "p.obj").read_text().count("v "), len(path.positions))
+        gvd.read(meshes.TORUS).path(7, 7).to_file(os.fsencode(self.folder / "o.obj"))  # a line needs two points
+        self.assertRegex((self.folder / "o.obj").read_text(), r"^v [^\n]*\n$")
 
 
 try:
