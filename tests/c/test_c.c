@@ -154,6 +154,18 @@ static void test_refusals(void) {
   CHECK(gvd_diagram_compute(mesh, twice, 1, (gvd_method)7, NULL, &diagram) == GVD_INVALID_OPTION);
   CHECK(gvd_diagram_compute(NULL, twice, 1, GVD_EXACT, NULL, &diagram) == GVD_INVALID_OPTION);
   CHECK(gvd_point_at_vertex(mesh, 7, &point) == GVD_PRECONDITION);
+  /* Where generators keep to the boundary, coincident ones are merged: fewer than `count` points would be written. */
+  gvd_lloyd_options options;
+  gvd_lloyd_defaults(&options);
+  options.keep_boundary = 1;
+  gvd_point relaxed[2];
+  CHECK(gvd_lloyd(mesh, twice, 2, &options, NULL, relaxed, NULL) == GVD_INVALID_OPTION);
+  CHECK(strstr(gvd_last_error(), "coincide") != NULL);
+  options.crease_angle = NAN;
+  CHECK(gvd_lloyd(mesh, twice, 1, &options, NULL, relaxed, NULL) == GVD_INVALID_OPTION);
+  gvd_lloyd_defaults(&options);
+  options.tolerance = NAN;
+  CHECK(gvd_lloyd(mesh, twice, 1, &options, NULL, relaxed, NULL) == GVD_INVALID_OPTION);
   CHECK(gvd_mesh_generators(mesh, &point) == GVD_INVALID_OPTION);
   CHECK(gvd_mesh_write(mesh, "mesh.unknown") == GVD_INVALID_OPTION);
   CHECK(gvd_mesh_write(mesh, "/no/such/folder/mesh.ply") == GVD_UNWRITABLE_OUTPUT);

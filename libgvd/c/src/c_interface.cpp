@@ -218,7 +218,7 @@ RelaxationStartOptions start_options(const Mesh& mesh, const gvd_point* listed, 
   RelaxationStartOptions start;
   if (listed != nullptr) start.listed = to_points(mesh, listed, count);
   start.sampling = sampling_options(options.sampling, count, options.seed);
-  if (options.crease_angle > 0) start.constraints.crease_angle = options.crease_angle;
+  if (!(options.crease_angle <= 0)) start.constraints.crease_angle = options.crease_angle;
   start.threads = threads_of(run);
   start.progress = progress_of(run);
   return start;
@@ -460,13 +460,15 @@ gvd_status gvd_lloyd(const gvd_mesh* mesh, const gvd_point* listed, int32_t coun
     given(relaxed, "relaxed");
     LloydOptions relaxation;
     if (asked.iterations >= 0) relaxation.max_iterations = asked.iterations;
-    if (asked.tolerance >= 0) relaxation.energy_tolerance = asked.tolerance;
+    if (!(asked.tolerance < 0)) relaxation.energy_tolerance = asked.tolerance;
     relaxation.diagram = diagram_options(run);
     relaxation.progress = progress_of(run);
     RelaxationStartOptions start = start_options(surface, listed, count, asked, run);
     start.constraints.keep_boundary = asked.keep_boundary != 0;
     if (asked.iterations == 0) start.copy.faces = 0;
-    const LloydResult result = relax_generators(surface, start_relaxation(surface, start), relaxation);
+    const RelaxationStart made = start_relaxation(surface, start);
+    if (std::ssize(made.points) != count) refuse("some of the given generators coincide; leave these out");
+    const LloydResult result = relax_generators(surface, made, relaxation);
     copy_points(result.generators, relaxed);
     if (energy != nullptr) *energy = result.final_energy;
   });

@@ -25,7 +25,7 @@ extern "C" {
 #define GVD_API __attribute__((visibility("default")))
 #endif
 
-/* The values are the exit codes of the commands. */
+/* The values are the exit codes of the commands, except GVD_OUT_OF_MEMORY: they end with 5 then. */
 typedef enum gvd_status {
   GVD_OK = 0,
   GVD_OUT_OF_MEMORY = 1,
