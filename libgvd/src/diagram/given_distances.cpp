@@ -125,6 +125,10 @@ class Tabulator {
   void check_row(GeneratorId g) {
     for (const VertexId v : working_.input().vertices()) {
       const double d = row_[v];
+      if (!reaches(g, v)) {
+        row_[v] = kInfinity;
+        continue;
+      }
       if (!(d >= 0) || (d > kLongestDistance && d != kInfinity)) {
         throw Error(ErrorCode::precondition,
                     fmt::format("the distance of generator {} at vertex {} is {}; give a number from 0 to {:g}, or "
@@ -132,7 +136,6 @@ class Tabulator {
                                 g.value(), v.value(), d, kLongestDistance),
                     v.value());
       }
-      if (!reaches(g, v)) row_[v] = kInfinity;
     }
   }
 
