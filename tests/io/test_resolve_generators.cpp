@@ -1,5 +1,6 @@
 // Entries of a list as points of a mesh, and points in the same place.
 #include <cmath>
+#include <limits>
 
 #include "gvd/diagram.hpp"
 #include "io/generator_fixture.hpp"
@@ -26,6 +27,12 @@ TEST_CASE("vertices are those of the input file") {
   CHECK(message("1\n0\n") == "list:2: vertex 0 is in no face of the mesh; choose another");
   CHECK(message("3\n") == "list:1: there is no vertex 3; the mesh has 3, numbered from 0");
   CHECK(message("8 1 0 0\n") == "list:1: there is no face 8; the mesh has 8, numbered from 0");
+  for (const auto kind : {Kind::vertex, Kind::face}) {
+    GeneratorList list{"list", {}};
+    list.entries.push_back({kind, std::numeric_limits<std::int64_t>::min() + 1, {1, 0, 0}, 0});
+    CHECK_THAT(refusal([&] { resolve_generators(mesh, list, options); }, ErrorCode::precondition),
+               Catch::Matchers::StartsWith("list: there is no "));
+  }
   CHECK_THAT(message("1\n3 0.5 0.5 0.5\n"), Catch::Matchers::StartsWith("list:2: barycentric coordinates"));
   CHECK_THAT(message("3 1.5 -0.5 0\n"), Catch::Matchers::StartsWith("list:1: barycentric coordinates"));
   CHECK_THAT(message("3 1e300 0 0\n"), Catch::Matchers::Contains("1e+300 0 0 must"));
