@@ -1,11 +1,12 @@
 // gvd-distance: exact distances on the surface from points of a list, shortest paths, and isolines.
 //
-// One exact field answers for the nearest source; with --each there is one field after the other, each of one source.
+// One exact field answers for the nearest source; with --each, each thread computes whole rows, each of one source.
 // The distances form a table with a row for each field: of the vertices as the input file numbers them, or of the
 // points of --to. Unused vertices of the file are infinitely far; copies of a vertex that was cut count as the nearest
 // one. Files hold the table, or the mesh with the distances of its vertices; paths and isolines go where curves fit.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,36 +83,87 @@ void report_options(Run& run, const OwnOptions& own) {
   reported["isolines"] = own.isolines ? Json(*own.isolines) : Json();
 }
 
-ExactField make_field(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& sources, const OwnOptions& own) {
+ExactFieldOptions field_options(Run& run, const OwnOptions& own) {
   ExactFieldOptions options;
   options.threads = run.options().compute.threads;
   options.progress = run.progress();
   options.max_distance = own.max_distance.value_or(kInfinity);
-  return run.timed("distances", [&] { return ExactField(mesh, sources, options); });
+  return options;
 }
 
-/// The distances of a field in the order of the table's points, and the sources where it asks for them.
-void add_row(DistanceTable& table, const CheckedMesh& input, const ExactField& field, bool of_nearest) {
+/// Calls take(i, v) for each vertex i of the file and each vertex v of the mesh that it became: several where one was
+/// cut, and the same one for several that were welded.
+template <class Take>
+void match_vertices(const CheckedMesh& input, const Take& take) {
+  for (std::size_t i = 0; i < input.mesh_vertex.size(); ++i) {
+    if (input.mesh_vertex[i].valid()) take(i, input.mesh_vertex[i]);
+  }
+  for (const VertexId v : input.mesh.vertices()) {
+    if (input.input_vertex[v] >= 0) take(std::size_t(input.input_vertex[v]), v);
+  }
+}
+
+/// The distances of a field in the order of the table's points, and the nearest sources.
+void add_nearest(DistanceTable& table, const CheckedMesh& input, const ExactField& field) {
   const std::size_t count = table.targets.empty() ? input.mesh_vertex.size() : table.targets.size();
   std::vector<double>& row = table.rows.emplace_back(count, kInfinity);
-  std::vector<GeneratorId> source(count);
+  table.nearest.resize(count);
   for (std::size_t i = 0; i < table.targets.size(); ++i) {
     const ExactField::Nearest nearest = field.nearest(table.targets[i]);
     row[i] = nearest.distance;
-    source[i] = nearest.generator;
+    table.nearest[i] = nearest.generator;
   }
-  const auto take = [&](std::size_t i, VertexId v) {
+  if (!table.targets.empty()) return;
+  match_vertices(input, [&](std::size_t i, VertexId v) {
     if (!(field.distance(v) < row[i])) return;
     row[i] = field.distance(v);
-    source[i] = field.label(v);
-  };
-  for (std::size_t i = 0; table.targets.empty() && i < count; ++i) {
-    if (input.mesh_vertex[i].valid()) take(i, input.mesh_vertex[i]);  // several where they were welded
+    table.nearest[i] = field.label(v);
+  });
+}
+
+/// Sources whose rows are computed at once: enough for all cores, and little beside the table.
+constexpr std::size_t kSourcesAtOnce = 64;
+
+/// The part of the machine's memory that a table may take: it is computed and written beside other things.
+constexpr double kMemoryShare = 0.5;
+
+/// Refuses a table that the memory does not hold, before the work.
+void check_table(const Options& options, std::size_t sources, std::size_t points) {
+  const double machine = kMemoryShare * double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
+  const double most = std::min(machine, double(options.compute.max_memory.value_or(INT64_MAX)));
+  const double needed = double(sources) * double(points) * sizeof(double);
+  if (needed <= most) return;
+  refuse(
+      fmt::format("--each: {} sources and {} points make a table of {:.3g} GB, and at most {:.3g} GB fit; give fewer "
+                  "sources, or --to; Python's distance_rows computes row by row",
+                  sources, points, needed / 1e9, most / 1e9));
+}
+
+/// A row of distances from each source.
+void add_rows(Run& run, const OwnOptions& own, const CheckedMesh& input, DistanceTable& table) {
+  const bool has_targets = !table.targets.empty();
+  const std::size_t sources = table.sources.size();
+  const std::size_t columns = has_targets ? table.targets.size() : std::size_t(input.mesh.vertex_count());
+  check_table(run.options(), sources, has_targets ? columns : input.mesh_vertex.size());
+  ExactFieldOptions options = field_options(run, own);
+  std::vector<double> rows;
+  for (std::size_t begin = 0; begin < sources; begin += kSourcesAtOnce) {
+    const std::size_t end = std::min(begin + kSourcesAtOnce, sources);
+    rows.resize((end - begin) * columns);
+    options.progress = [&, shown = run.progress()](std::string_view step, double done) {
+      return shown(step, (double(begin) + done * double(end - begin)) / double(sources));
+    };
+    compute_distance_rows(input.mesh, {table.sources.begin() + begin, table.sources.begin() + end},
+                          has_targets ? &table.targets : nullptr, rows, options);
+    for (auto first = rows.begin(); first != rows.end(); first += columns) {
+      if (has_targets) {
+        table.rows.emplace_back(first, first + columns);
+        continue;
+      }
+      std::vector<double>& row = table.rows.emplace_back(input.mesh_vertex.size(), kInfinity);
+      match_vertices(input, [&](std::size_t i, VertexId v) { row[i] = std::min(row[i], first[v.index()]); });
+    }
   }
-  for (const VertexId v : input.mesh.vertices()) {
-    if (table.targets.empty() && input.input_vertex[v] >= 0) take(input.input_vertex[v], v);  // copies that were cut
-  }
-  if (of_nearest) table.nearest = std::move(source);
 }
 
 void add_paths(DistanceTable& table, const ExactField& field, GeneratorId only) {
@@ -243,8 +295,9 @@ void write_files(Run& run, const Mesh& mesh, const DistanceTable& table, Labelle
 /// One field for the nearest source.
 void measure_nearest(Run& run, const OwnOptions& own, const CheckedMesh& input, DistanceTable& table) {
   const Mesh& mesh = input.mesh;
-  const ExactField field = make_field(run, mesh, table.sources, own);
-  add_row(table, input, field, true);
+  const ExactField field =
+      run.timed("distances", [&] { return ExactField(mesh, table.sources, field_options(run, own)); });
+  add_nearest(table, input, field);
   if (own.paths) run.timed("paths", [&] { add_paths(table, field, GeneratorId()); });
   if (own.isolines) {
     const IsolineOptions options{.threads = run.options().compute.threads, .progress = run.progress()};
@@ -262,13 +315,20 @@ void measure_nearest(Run& run, const OwnOptions& own, const CheckedMesh& input, 
                   [&] { return std::vector{make_distance_scene("Distances", mesh, field, table)}; });
 }
 
-/// A field for each source.
-void measure_each(Run& run, const OwnOptions& own, const CheckedMesh& input, DistanceTable& table) {
+/// The paths from all targets to each source.
+void add_all_paths(Run& run, const OwnOptions& own, const Mesh& mesh, DistanceTable& table) {
+  ExactFieldOptions options = field_options(run, own);
   for (std::size_t i = 0; i < table.sources.size(); ++i) {
-    const ExactField field = make_field(run, input.mesh, {table.sources[i]}, own);
-    add_row(table, input, field, false);
-    if (own.paths) run.timed("paths", [&] { add_paths(table, field, GeneratorId(i)); });
+    options.progress = [&, shown = run.progress()](std::string_view, double done) {
+      return shown("paths", (double(i) + done) / double(table.sources.size()));
+    };
+    add_paths(table, ExactField(mesh, {table.sources[i]}, options), GeneratorId(i));
   }
+}
+
+void measure_each(Run& run, const OwnOptions& own, const CheckedMesh& input, DistanceTable& table) {
+  run.timed("distances", [&] { add_rows(run, own, input, table); });
+  if (own.paths) run.timed("paths", [&] { add_all_paths(run, own, input.mesh, table); });
   report_table(run, input.mesh, own, table);
   write_files(run, input.mesh, table, {.mesh = input.mesh});
 }

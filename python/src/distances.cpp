@@ -48,10 +48,8 @@ py::array compute_rows(const SharedMesh& input, const PointList& from, const Poi
   py::array_t<double> result({rows, columns});
   double* const out = result.mutable_data();
   run_unlocked(progress, [&](const Progress& reported) {
-    ParallelChunks(threads, reported).run(rows, {"distances"}, [&](std::size_t i) {
-      const VertexDistances found = measure(input->mesh, {from.points[i]}, at, {{}, {}, 1});
-      std::copy(found.distance.begin(), found.distance.end(), out + i * columns);
-    });
+    compute_distance_rows(input->mesh, from.points, at != nullptr ? &at->points : nullptr, {out, rows * columns},
+                          {.progress = reported, .threads = threads});
   });
   return result;
 }

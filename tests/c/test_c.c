@@ -49,6 +49,19 @@ static void test_mesh(void) {
   REQUIRE(gvd_mesh_create(kSquare, 4, flipped, 2, 1, &mesh) == GVD_OK);
   CHECK(strstr(gvd_mesh_repairs(mesh), "orient") != NULL);
   gvd_mesh_free(mesh);
+
+  /* Vertex 0 is in no face and goes: distances are those of the others, and tell which ones by the input's numbers. */
+  const int32_t without_first[] = {1, 2, 3};
+  gvd_point source;
+  double distances[3];
+  REQUIRE(gvd_mesh_create(kSquare, 4, without_first, 1, 1, &mesh) == GVD_OK);
+  CHECK(gvd_mesh_vertex_count(mesh) == 3 && gvd_mesh_input_vertex_count(mesh) == 4);
+  CHECK(gvd_mesh_vertex_of_input(mesh, 0) == -1 && gvd_mesh_vertex_of_input(mesh, 4) == -1);
+  CHECK(gvd_point_at_vertex(mesh, 1, &source) == GVD_OK);
+  CHECK(gvd_distances(mesh, &source, 1, NULL, distances, NULL) == GVD_OK);
+  CHECK(distances[gvd_mesh_vertex_of_input(mesh, 1)] == 0);
+  CHECK(distances[gvd_mesh_vertex_of_input(mesh, 2)] == 1);
+  gvd_mesh_free(mesh);
 }
 
 static void test_distances(void) {

@@ -44,6 +44,12 @@ struct SharedMesh {
   std::once_flag tree_made;
   std::unique_ptr<ClosestPointTree> tree;
 
+  std::int64_t input_vertices() const {
+    return vertex_of_input.empty() ? mesh.vertex_count() : std::ssize(vertex_of_input);
+  }
+  VertexId vertex_of(std::int64_t input) const {
+    return vertex_of_input.empty() ? VertexId(input) : vertex_of_input[std::size_t(input)];
+  }
   const ClosestPointTree& closest() {
     std::call_once(tree_made, [this] { tree = std::make_unique<ClosestPointTree>(mesh); });
     return *tree;
@@ -263,6 +269,13 @@ int32_t gvd_mesh_vertex_count(const gvd_mesh* mesh) { return mesh->mesh().vertex
 
 int32_t gvd_mesh_face_count(const gvd_mesh* mesh) { return mesh->mesh().face_count(); }
 
+int64_t gvd_mesh_input_vertex_count(const gvd_mesh* mesh) { return mesh->shared->input_vertices(); }
+
+int32_t gvd_mesh_vertex_of_input(const gvd_mesh* mesh, int64_t vertex) {
+  const bool is_known = vertex >= 0 && vertex < mesh->shared->input_vertices();
+  return is_known ? mesh->shared->vertex_of(vertex).value() : -1;
+}
+
 void gvd_mesh_vertices(const gvd_mesh* mesh, double* vertices) {
   for (const Vec3& p : mesh->mesh().positions()) vertices = std::copy_n(p.data(), 3, vertices);
 }
@@ -280,13 +293,11 @@ gvd_status gvd_mesh_write(const gvd_mesh* mesh, const char* path) {
 gvd_status gvd_point_at_vertex(const gvd_mesh* mesh, int64_t vertex, gvd_point* point) {
   return guarded([&] {
     const SharedMesh& shared = *given(mesh, "mesh").shared;
-    const auto& inputs = shared.vertex_of_input;
-    const std::int64_t count = inputs.empty() ? shared.mesh.vertex_count() : std::ssize(inputs);
-    if (vertex < 0 || vertex >= count) {
-      throw Error(ErrorCode::precondition,
-                  "there is no vertex " + std::to_string(vertex) + "; the last one is " + std::to_string(count - 1));
+    if (vertex < 0 || vertex >= shared.input_vertices()) {
+      throw Error(ErrorCode::precondition, "there is no vertex " + std::to_string(vertex) + "; the last one is " +
+                                               std::to_string(shared.input_vertices() - 1));
     }
-    const VertexId v = inputs.empty() ? VertexId(vertex) : inputs[std::size_t(vertex)];
+    const VertexId v = shared.vertex_of(vertex);
     if (!v.valid()) throw Error(ErrorCode::precondition, "vertex " + std::to_string(vertex) + " is in no face");
     given(point, "point") = to_c(vertex_point(shared.mesh, v));
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "gvd/ids.hpp"
@@ -116,5 +117,13 @@ struct VertexDistances {
 /// bytes a face, since no windows are kept.
 VertexDistances compute_vertex_distances(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                          const ExactFieldOptions& options = {});
+
+/// Distances from each source alone. Row i of `rows`, row-major, gets those of all vertices from source i, or where
+/// `at` is not null those of these points. Each thread computes whole rows, so all are busy where there are many.
+/// Throws what ExactField throws, and Error{invalid_option} where `rows` has not sources x points numbers or there are
+/// offsets. Cost: a field for each source. Memory: 130 bytes a face for each thread, or with `at` those of a field.
+void compute_distance_rows(const Mesh& mesh, const std::vector<SurfacePoint>& sources,
+                           const std::vector<SurfacePoint>* at, std::span<double> rows,
+                           const ExactFieldOptions& options = {});
 
 }  // namespace gvd

@@ -207,6 +207,20 @@ TEST_CASE("gvd-distance: --each has a row for each source, whose least is that o
   REQUIRE(paths.size() == 6);
   for (std::size_t i = 0; i < 6; ++i) CHECK(paths[i]["source"] == i / 3);
   CHECK(paths[0]["points"] == paths[1]["points"]);
+  const json targets = measure(scratch, mesh + " --from 0,40,90 --to 90,17 --each").output;
+  CHECK(targets["distances"][1][0] == each["distances"][1][90]);
+  CHECK(targets["distances"][2][1] == each["distances"][2][17]);
+}
+
+TEST_CASE("gvd-distance: --each refuses a table that the memory does not hold, before the work") {
+  const ScratchFolder scratch;
+  std::string list;
+  for (int v = 0; v < 2900; ++v) list += fmt::format("{}\n", v);
+  write_text(scratch / "all.txt", list);
+  require_error(
+      "gvd-distance",
+      data_file("figure.obj") + " --each --max-memory 60M --from " + scratch / "all.txt" + " -o " + scratch / "a.npy",
+      2, "give fewer sources");
 }
 
 TEST_CASE("gvd-distance: what is farther than --max-distance, or in another component, is inf") {

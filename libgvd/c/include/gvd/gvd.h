@@ -69,6 +69,10 @@ GVD_API void gvd_mesh_free(gvd_mesh* mesh);
 GVD_API const char* gvd_mesh_repairs(const gvd_mesh* mesh);
 GVD_API int32_t gvd_mesh_vertex_count(const gvd_mesh* mesh);
 GVD_API int32_t gvd_mesh_face_count(const gvd_mesh* mesh);
+/* Vertices are those of the mesh. Repairs and welding make others than those of the file or of the arrays, which have
+ * `input_vertex_count`; gvd_mesh_vertex_of_input tells which one an input vertex became, -1 where it is in no face. */
+GVD_API int64_t gvd_mesh_input_vertex_count(const gvd_mesh* mesh);
+GVD_API int32_t gvd_mesh_vertex_of_input(const gvd_mesh* mesh, int64_t vertex);
 /* vertices: 3 x vertex_count */
 GVD_API void gvd_mesh_vertices(const gvd_mesh* mesh, double* vertices);
 /* faces: 3 x face_count */

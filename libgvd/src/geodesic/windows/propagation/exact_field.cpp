@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "base/barycentric.hpp"
+#include "base/parallel_chunks.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/tangent_fan.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
@@ -191,6 +192,31 @@ VertexDistances compute_vertex_distances(const Mesh& mesh, const std::vector<Sur
   field.distance.resize(mesh.vertex_count());
   field.label.resize(mesh.vertex_count());
   return {std::move(field.distance), std::move(field.label)};
+}
+
+void compute_distance_rows(const Mesh& mesh, const std::vector<SurfacePoint>& sources,
+                           const std::vector<SurfacePoint>* at, std::span<double> rows,
+                           const ExactFieldOptions& options) {
+  const std::size_t columns = at != nullptr ? at->size() : std::size_t(mesh.vertex_count());
+  if (!options.offsets.empty()) throw Error(ErrorCode::invalid_option, "rows of distances have no offsets");
+  if (rows.size() != sources.size() * columns) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("{} numbers are given for {} rows of {} distances", rows.size(), sources.size(), columns));
+  }
+  ExactFieldOptions alone = options;
+  alone.threads = 1;
+  alone.progress = {};
+  ParallelChunks(options.threads, options.progress).run(sources.size(), {"distances"}, [&](std::size_t i) {
+    const std::span<double> row = rows.subspan(i * columns, columns);
+    if (at == nullptr) {
+      const VertexDistances found = compute_vertex_distances(mesh, {sources[i]}, alone);
+      std::copy(found.distance.begin(), found.distance.end(), row.begin());
+    } else {
+      const ExactField field(mesh, {sources[i]}, alone);
+      std::transform(at->begin(), at->end(), row.begin(),
+                     [&](const SurfacePoint& point) { return field.nearest(point).distance; });
+    }
+  });
 }
 
 }  // namespace gvd
