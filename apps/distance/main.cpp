@@ -274,7 +274,7 @@ void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const Dista
                                    counted(count, "distance", "distances"),
                                    own.max_distance ? " within --max-distance" : ""));
   }
-  if (!table.isolines.empty()) {
+  if (own.isolines) {
     run.console().note(fmt::format("{} on {}", counted(std::ssize(table.isolines), "isoline", "isolines"),
                                    counted(std::ssize(results["isolines"]), "level", "levels")));
   }

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from . import _gvd, _vtk
 from ._files import Writable
+from ._options import checked
 from ._points import Points
 from ._progress import Progress, reporting
 
@@ -119,6 +120,7 @@ class Diagram(Writable):
         """What violates the invariants of a diagram, one line each: normally nothing (see gvd/check.hpp)."""
         return self._native.check()
 
+    @checked
     def segment(self, *, labels: Literal["smooth", "nearest"] = "smooth", progress: Progress = None) -> Segmentation:
         """A label for every face: see Mesh.segment."""
         with reporting(progress) as callback:

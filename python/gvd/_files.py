@@ -7,6 +7,7 @@ from typing import Any, Optional, Union
 
 from . import _gvd
 from ._error import Error
+from ._options import checked
 
 PathLike = Union[str, "os.PathLike[str]"]
 
@@ -19,6 +20,7 @@ class Writable:
 
     _native: Any
 
+    @checked
     def to_file(self, path: PathLike, *, title: str = "gvd", no_curves: bool = False, ascii_ply: bool = False) -> None:
         """Writes a complete file or none, in the format of its extension, as the commands do.
 
@@ -27,6 +29,7 @@ class Writable:
         """
         self._native.write(os.fspath(path), _gvd.WriteOptions(title, no_curves, ascii_ply))
 
+    @checked
     def to_html(self, *, title: str = "gvd") -> str:
         """The page as text: one file that any browser opens, without network."""
         page: str = self._native.page(title)

@@ -13,6 +13,7 @@ from . import _gvd, _vtk
 from ._diagram import Diagram, Segmentation
 from ._error import refuse
 from ._files import PathLike, Writable
+from ._options import checked
 from ._path import Path
 from ._points import Points, as_array, make_entries, one_of
 from ._progress import Callback, Progress, part_of, reporting
@@ -50,6 +51,7 @@ class Mesh(Writable):
 
     _native: _gvd.Mesh
 
+    @checked
     def __init__(self, vertices: ArrayLike, faces: ArrayLike, *,
                  on_defect: Literal["error", "repair", "largest"] = "error") -> None:
         at, corners = as_array("vertices", vertices), as_array("faces", faces)
@@ -63,7 +65,7 @@ class Mesh(Writable):
     def _warn(self) -> None:
         """Tells what was repaired, as of the line that called Mesh or read."""
         for note in self._native.notes():
-            warnings.warn(note, stacklevel=3)
+            warnings.warn(note, stacklevel=4)
 
     @classmethod
     def _wrap(cls, native: _gvd.Mesh) -> Mesh:
@@ -108,6 +110,7 @@ class Mesh(Writable):
         entries = make_entries(name, points)
         return self._native.resolve(name, entries[:3], max_snap, coincident)
 
+    @checked
     def points(self, points: Any, *, max_snap: Optional[float] = None) -> Points:
         """Points as faces and barycentric coordinates. `max_snap`: the farthest that a position may be, mesh units."""
         return Points(*self._resolve("points", points, max_snap=max_snap).arrays())
@@ -116,6 +119,7 @@ class Mesh(Writable):
         """Positions (n, 3) of points."""
         return self._native.positions(self._resolve("points", points))
 
+    @checked
     def sample(self, n: Optional[int] = None, *, sampling: str = "farthest", seed: int = 0,
                radius: Optional[float] = None, progress: Progress = None) -> Points:
         """Points that are spread over the surface: `n` of them, or as many as leave no point farther than `radius`.
@@ -125,6 +129,7 @@ class Mesh(Writable):
         one_of("sample", n, None, radius)
         return Points(*self._sample(_sampler(n, sampling, seed, radius), progress).arrays())
 
+    @checked
     def farthest(self, n: int, *, seed: int = 0, progress: Progress = None) -> Points:
         """`n` points, each as far as possible from all before it.
 
@@ -138,6 +143,7 @@ class Mesh(Writable):
         with reporting(progress) as callback:
             return self._native.sample(sampler, callback)
 
+    @checked
     def distances(self, points: Any, *, each: bool = False, at: Any = None, out: Any = None, threads: int = 0,
                   progress: Progress = None) -> Floats:
         """Exact distances of all vertices (or of the points `at`) to the nearest of `points`: an array (n).
@@ -162,6 +168,7 @@ class Mesh(Writable):
                 matrix[begin : begin + len(rows)] = rows
         return matrix
 
+    @checked
     def distance_rows(self, points: Any, *, at: Any = None, threads: int = 0,
                       progress: Progress = None) -> Iterator[Floats]:
         """The rows of `distances(points, each=True)`, one after the other, in bounded memory and with all cores.
@@ -193,6 +200,7 @@ class Mesh(Writable):
             part = part_of(callback, begin / len(source), end / len(source))
             yield begin, _gvd.rows(self._native, source.part(begin, end), targets, threads, part)
 
+    @checked
     def nearest(self, points: Any, *, at: Any = None, threads: int = 0,
                 progress: Progress = None) -> tuple[Floats, NDArray[numpy.int32]]:
         """Distances to the nearest of `points`, and which one it is (-1: none reaches), both (n)."""
@@ -207,6 +215,7 @@ class Mesh(Writable):
     @overload
     def path(self, start: Any, end: Any, *, threads: int = ..., progress: Progress = ...) -> Union[Path, list[Path]]: ...
 
+    @checked
     def path(self, start: Any, end: Any, *, threads: int = 0, progress: Progress = None) -> Union[Path, list[Path]]:
         """A shortest path from `start` to `end`, or to the nearest of several ends. Several starts: a list of paths.
 
@@ -225,6 +234,7 @@ class Mesh(Writable):
                  for points, end, length, complete in traced]
         return paths[0] if starts.single else paths
 
+    @checked
     def log_map(self, point: Any, *, threads: int = 0, progress: Progress = None) -> Floats:
         """The logarithm of every vertex at a point, (n, 2): the vector in whose direction the shortest path departs.
 
@@ -237,6 +247,7 @@ class Mesh(Writable):
         with reporting(progress) as callback:
             return _gvd.logs(self._native, at, threads, callback)
 
+    @checked
     def voronoi(self, points: Any, *, method: Literal["exact", "gbgvd", "paper"] = "exact",
                 front: Optional[Literal["planar", "circle"]] = None, chord_tolerance: Optional[float] = None,
                 max_snap: Optional[float] = None, merge_coincident: bool = False, threads: int = 0,
@@ -257,6 +268,7 @@ class Mesh(Writable):
         with reporting(progress) as callback:
             return Diagram(self, _gvd.diagram(self._native, generators, compute, callback))
 
+    @checked
     def segment(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
                 radius: Optional[float] = None, labels: Literal["smooth", "nearest"] = "smooth",
                 method: Literal["exact", "gbgvd", "paper"] = "exact", front: Optional[Literal["planar", "circle"]] = None,
@@ -278,6 +290,7 @@ class Mesh(Writable):
             points = self._resolve("generators", generators, coincident="refuse")
         return self._diagram(points, compute, progress).segment(labels=labels, progress=progress)
 
+    @checked
     def lloyd(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
               radius: Optional[float] = None, fixed: Any = None, features: Union[None, str, float] = None,
               keep_boundary: bool = False, density: Any = None, gradation: Optional[float] = None,
@@ -305,6 +318,7 @@ class Mesh(Writable):
         with reporting(progress) as callback:
             return Relaxation(self, _gvd.relax(self._native, options, compute, callback))
 
+    @checked
     def remesh(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
                radius: Optional[float] = None, target_edge: Optional[float] = None, error: Optional[float] = None,
                relax: Optional[int] = None, fixed: Any = None, features: Union[None, str, float] = None,
@@ -381,6 +395,7 @@ def _sampler(n: Optional[int], sampling: str, seed: int, radius: Optional[float]
     return _gvd.Sampler(sampling, max(-1, min(int(n or 0), (1 << 31) - 1)), int(seed), 0.0, usual)
 
 
+@checked
 def read(path: PathLike, *, on_defect: Literal["error", "repair", "largest"] = "repair",
          input_format: Optional[Literal["obj", "ply", "off", "stl", "vtp", "vtk", "glb"]] = None) -> Mesh:
     """Reads an OBJ, PLY, OFF, STL, VTP, legacy VTK or GLB file, packed by gzip or not.

@@ -1,6 +1,8 @@
 """Shortest paths."""
 from __future__ import annotations
 
+import contextlib
+import io
 import os
 from typing import Any, NamedTuple
 
@@ -8,7 +10,7 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _vtk
-from ._error import refuse
+from ._error import Error, refuse
 from ._points import Points
 
 
@@ -31,16 +33,26 @@ class Path(NamedTuple):
         return _vtk.lines([self.positions])
 
     def to_file(self, path: Any) -> None:
-        """Writes the positions: .npy, .csv with a header, or .obj with one polyline (none for a path of one point)."""
-        name = os.fsdecode(path)
+        """Writes the positions: .npy, .csv with a header, or .obj with one polyline (none for a path of one point).
+
+        A complete file or none, as the other results do."""
+        name, out = os.fsdecode(path), io.BytesIO()
         if name.endswith(".npy"):
-            numpy.save(name, self.positions)
+            numpy.save(out, self.positions)
         elif name.endswith(".csv"):
-            numpy.savetxt(name, self.positions, fmt="%.17g", delimiter=",", header="x,y,z", comments="")
+            numpy.savetxt(out, self.positions, fmt="%.17g", delimiter=",", header="x,y,z", comments="")
         elif name.endswith(".obj"):
-            with open(name, "w", encoding="ascii") as out:
-                out.writelines("v %.17g %.17g %.17g\n" % tuple(p) for p in self.positions)
-                if len(self.positions) > 1:
-                    out.write("l " + " ".join(str(i + 1) for i in range(len(self.positions))) + "\n")
+            numpy.savetxt(out, self.positions, fmt="v %.17g %.17g %.17g")
+            if len(self.positions) > 1:
+                out.write(b"l " + b" ".join(b"%d" % (i + 1) for i in range(len(self.positions))) + b"\n")
         else:
             refuse(f"{name}: a path is written as .npy, .csv or .obj")
+        part = f"{name}.{os.getpid()}.part"
+        try:
+            with open(part, "wb") as file:
+                file.write(out.getvalue())
+            os.replace(part, name)
+        except (OSError, ValueError) as error:
+            with contextlib.suppress(OSError, ValueError):
+                os.remove(part)
+            raise Error(f"{name!r}: cannot write the path: {error}", "unwritable_output") from None

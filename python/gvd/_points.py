@@ -77,6 +77,11 @@ def _is_pair(given: Any) -> bool:
     return isinstance(given, tuple) and len(given) == 2 and numpy.ndim(given[1]) > 0
 
 
+def _is_mixed(given: Any) -> bool:
+    """Whether some items are numbers and others have several: vertices among positions."""
+    return len({isinstance(item, (list, tuple, numpy.ndarray)) for item in given}) > 1
+
+
 def _from_pair(name: str, face: Any, bary: Any) -> Entries:
     """(face, barycentric) of one point, or two arrays of many."""
     faces, weights = as_array(name, face), as_array(name, bary)
@@ -102,10 +107,12 @@ def _from_array(name: str, array: NDArray[Any]) -> Entries:
 def make_entries(name: str, given: Any) -> Entries:
     """Tells apart what was given. Throws Error where it is nothing of it."""
     if isinstance(given, numbers.Integral) and not isinstance(given, bool):
+        if not 0 <= int(given) < 1 << 63:
+            refuse(f"{name}: there is no vertex {given}; vertices are numbered from 0")
         return _from_array(name, numpy.asarray(int(given)))
     if _is_pair(given):
         return _from_pair(name, *given)
-    if isinstance(given, (list, tuple)) and any(_is_pair(item) for item in given):
+    if isinstance(given, (list, tuple)) and (any(_is_pair(item) for item in given) or _is_mixed(given)):
         parts = [make_entries(f"{name}[{i}]", item) for i, item in enumerate(given)]
         if not all(part.single for part in parts):
             refuse(f"{name}: each item of a list is one point")

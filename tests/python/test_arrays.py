@@ -106,8 +106,7 @@ class PointsOfAMesh(unittest.TestCase):
         mixed = [(4, weights), 7, (0.0, 0.0, 0.0)]
         for given in ((4, weights), [(4, weights)], ([4], [weights]), gvd.Points(numpy.array([4]), numpy.array([weights]))):
             numpy.testing.assert_allclose(at(given), [inside], atol=1e-15)
-        with self.assertRaises(gvd.Error):
-            at([7, (0.0, 0.0, 0.0)])
+        numpy.testing.assert_allclose(at([7, (0.0, 0.0, 0.0)]), [V[7], (0.0, 0.0, 0.0)], atol=1e-15)
         numpy.testing.assert_allclose(at(mixed), [inside, V[7], V[0]], atol=1e-15)
         numpy.testing.assert_allclose(at((0.25, 0.25, 9.0)), [(0.25, 0.25, 0)], atol=1e-15)
         numpy.testing.assert_allclose(at(V[[3, 4]].astype(numpy.float64) + (0, 0, 1)), V[[3, 4]], atol=1e-15)
@@ -151,6 +150,23 @@ class PointsOfAMesh(unittest.TestCase):
             with self.assertRaises(gvd.Error) as caught:
                 call()
             self.assertEqual(caught.exception.code, "invalid_option")
+
+    def test_options_of_a_wrong_kind_are_refused_in_one_line(self):
+        for call, words in ((lambda: self.mesh.voronoi([0, 1], threads=1.5), "threads: a whole number"),
+                            (lambda: self.mesh.voronoi([0, 1], threads=True), "threads: a whole number"),
+                            (lambda: self.mesh.voronoi([0, 1], threads=2**40), "threads: .* is too large"),
+                            (lambda: self.mesh.voronoi([0, 1], method=None), "method: a text"),
+                            (lambda: self.mesh.segment(radius="x"), "radius: a number"),
+                            (lambda: self.mesh.remesh(error="x"), "error: a number"),
+                            (lambda: self.mesh.lloyd(5, tolerance=[1]), "tolerance: a number"),
+                            (lambda: self.mesh.lloyd("5"), "n: a whole number"),
+                            (lambda: self.mesh.segment(3).to_html(title=3), "title: a text"),
+                            (lambda: gvd.read("a.obj", on_defect=2), "on_defect: a text")):
+            with self.assertRaisesRegex(gvd.Error, words) as caught:
+                call()
+            self.assertNotIn("\n", str(caught.exception))
+            self.assertEqual(caught.exception.code, "invalid_option")
+        self.assertEqual(len(self.mesh.voronoi([0, 1], threads=numpy.int8(1), chord_tolerance=numpy.float32(1e-3)).cells), 2)
 
 
 if __name__ == "__main__":

@@ -157,6 +157,10 @@ class SameBytes(unittest.TestCase):
         numpy.testing.assert_array_equal(numpy.loadtxt(self.folder / "p.csv", delimiter=",", skiprows=1), path.positions)
         self.assertEqual((self.folder / "p.obj").read_text().count("v "), len(path.positions))
         gvd.read(meshes.TORUS).path(7, 7).to_file(os.fsencode(self.folder / "o.obj"))  # a line needs two points
+        with self.assertRaises(gvd.Error) as caught:
+            gvd.read(meshes.TORUS).path(7, 8).to_file(self.folder / "none" / "p.csv")
+        self.assertEqual(caught.exception.code, "unwritable_output")
+        self.assertEqual(list(self.folder.glob("**/*.part")), [])
         self.assertRegex((self.folder / "o.obj").read_text(), r"^v [^\n]*\n$")
 
 
