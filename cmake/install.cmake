@@ -60,10 +60,7 @@ endfunction()
 
 # Users before what they use: static libraries are searched in the order of the command line.
 set(GVD_PC_LIBS "")
-set(GVD_PC_REQUIRES eigen3 fmt tbb)
-if(pugixml_FOUND)  # the readers of packed files and of VTP are there
-  list(APPEND GVD_PC_REQUIRES pugixml zlib)
-endif()
+set(GVD_PC_REQUIRES eigen3 fmt tbb pugixml zlib)
 foreach(part remesh segment lloyd)
   if(part IN_LIST GVD_INSTALLED_PARTS)
     string(APPEND GVD_PC_LIBS "-lgvd_${part} ")

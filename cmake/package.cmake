@@ -92,13 +92,9 @@ set(CPACK_DEBIAN_C_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/c/shlibs $
 
 # A static library fits the interface of one major version of {fmt} only, whose names begin with it.
 math(EXPR fmt_next "${fmt_VERSION_MAJOR} + 1")
-set(packed "")
-if(pugixml_FOUND)  # the readers of packed files and of VTP are there
-  set(packed "libpugixml-dev (>= 1.11), zlib1g-dev, ")
-endif()
 gvd_add_package(dev libgvd-dev libdevel
 "libeigen3-dev (>= 3.4), libfmt-dev (>= ${fmt_VERSION_MAJOR}), libfmt-dev (<< ${fmt_next}), libopenmesh-dev, \
-libtbb-dev (>= 2021), ${packed}libgvd-c${soname} (= ${GVD_DEBIAN_VERSION})" "${GVD_FREE_OF_GPL}"
+libtbb-dev (>= 2021), libpugixml-dev (>= 1.11), zlib1g-dev, libgvd-c${soname} (= ${GVD_DEBIAN_VERSION})" "${GVD_FREE_OF_GPL}"
 "geodesic Voronoi diagrams on triangle meshes (library)
 The C++20 library of the commands in gvd: exact distances and shortest paths
 on triangle meshes, Voronoi diagrams with their bisectors and branch points,

@@ -307,7 +307,8 @@ std::vector<Options> plan_runs(const Options& options) {
     Options& run = runs.emplace_back(options);
     run.input.path = path;
     if (options.output.folder.empty()) continue;
-    const std::string stem = (fs::path(options.output.folder) / fs::path(path).stem()).string();
+    const fs::path name = fs::path(path).filename(), unpacked = file_extension(path) == "gz" ? name.stem() : name;
+    const std::string stem = (fs::path(options.output.folder) / unpacked.stem()).string();
     for (const std::string& format : options.output.formats) run.output.files.push_back(stem + '.' + format);
     if (options.output.views) run.output.view = stem + ".html";
   }

@@ -199,12 +199,13 @@ TEST_CASE("an option of a format that is not written names the option that choos
 
 TEST_CASE("each input has a run, with files of its name in the folder") {
   Options options;
-  options.input.paths = {"a/x.ply", "y.z.obj"};
+  options.input.paths = {"a/x.ply", "y.z.obj", "scan.stl.GZ"};
   options.input.path = "a/x.ply";
   options.output.folder = "out";
   options.output.formats = {"ply", "json"};
   const std::vector<Options> runs = plan_runs(options);
-  REQUIRE(runs.size() == 2);
+  REQUIRE(runs.size() == 3);
+  CHECK(runs[2].output.files == std::vector<std::string>{"out/scan.ply", "out/scan.json"});
   CHECK(runs[0].input.path == "a/x.ply");
   CHECK(runs[0].output.files == std::vector<std::string>{"out/x.ply", "out/x.json"});
   CHECK(runs[1].input.path == "y.z.obj");
