@@ -15,8 +15,9 @@ TIME_MARGIN = 8
 JOB_MEGABYTES = 150  # of Snakemake and step.py in a job of a cluster: they hold 90
 LEAST_MINUTES = 5  # a job's start, and Python's, on a busy file system
 
-# Fewest bytes of a face, with its share of half a vertex, in files whose faces are not counted by their start.
-BYTES_OF_A_FACE = {".obj": 28, ".stl": 120}
+# Fewest bytes of a face, with its share of half a vertex, in files whose faces are not counted by their start. Packed files hold
+# more than their bytes tell: they are no default.
+BYTES_OF_A_FACE = {".obj": 28, ".stl": 120, ".vtk": 22, ".glb": 12}
 
 
 def estimate_faces(path):
