@@ -316,9 +316,9 @@ void lloyd(Run& run, const OwnOptions& own) {
   const CheckedMesh input = load_input(run);
   const Mesh& mesh = input.mesh;
   ConstraintOptions constraints = own.constraints;
-  if (max_iterations(own.relaxation) == 0) constraints.coarse = 0;
-  // Other methods are for comparison: iteration by iteration, on the mesh.
-  if (own.relaxation.acceleration != Acceleration::lbfgs && !constraints.coarse) constraints.coarse = 0;
+  CopyOptions copy;
+  copy.faces = constraints.coarse;
+  constraints.coarse = copy_options(own.relaxation, copy).faces;
   const RelaxationStart start = make_start(run, input, constraints);
   RelaxationTrace trace;
   const LloydResult relaxed = relax(run, mesh, start, own, trace);

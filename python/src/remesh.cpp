@@ -98,9 +98,7 @@ Relaxed relax(const SharedMesh& input, const py::dict& options, const ComputeOpt
   RelaxationStartOptions start;
   read_start(given, input->mesh, start);
   start.threads = compute.threads;
-  // As gvd-lloyd: other methods are for comparison, iteration by iteration, on the mesh.
-  const bool is_plain = relaxation.acceleration != Acceleration::lbfgs && !start.copy.faces;
-  if (is_plain || max_iterations(relaxation) == 0) start.copy.faces = 0;
+  start.copy = copy_options(relaxation, start.copy);
   return run_unlocked(progress, [&](const Progress& reported) {
     start.progress = relaxation.progress = reported;
     const RelaxationStart made = start_relaxation(input->mesh, start);

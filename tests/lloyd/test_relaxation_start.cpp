@@ -62,6 +62,18 @@ TEST_CASE("start_relaxation: listed generators stay, and have a copy only where 
   CHECK(!start_relaxation(mesh, options).copy);
 }
 
+TEST_CASE("copy_options: no copy without iterations, and none by default for methods that are compared") {
+  LloydOptions relaxation;
+  CopyOptions asked;
+  CHECK(!copy_options(relaxation, asked).faces);
+  relaxation.acceleration = Acceleration::none;
+  CHECK(copy_options(relaxation, asked).faces == 0);
+  asked.faces = 500;
+  CHECK(copy_options(relaxation, asked).faces == 500);
+  relaxation.max_iterations = 0;
+  CHECK(copy_options(relaxation, asked).faces == 0);
+}
+
 TEST_CASE("start_relaxation: steps are told in their order, and constraints and weights reach the relaxation") {
   const Mesh mesh = test::make_torus(80, 40);
   RelaxationStartOptions options = sampled(30);

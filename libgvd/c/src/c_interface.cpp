@@ -476,7 +476,7 @@ gvd_status gvd_lloyd(const gvd_mesh* mesh, const gvd_point* listed, int32_t coun
     relaxation.progress = progress_of(run);
     RelaxationStartOptions start = start_options(surface, listed, count, asked, run);
     start.constraints.keep_boundary = asked.keep_boundary != 0;
-    if (asked.iterations == 0) start.copy.faces = 0;
+    start.copy = copy_options(relaxation);
     const RelaxationStart made = start_relaxation(surface, start);
     if (std::ssize(made.points) != count) refuse("some of the given generators coincide; leave these out");
     const LloydResult result = relax_generators(surface, made, relaxation);

@@ -75,6 +75,12 @@ class Starter {
 
 }  // namespace
 
+CopyOptions copy_options(const LloydOptions& relaxation, CopyOptions asked) {
+  const bool compares = relaxation.acceleration != Acceleration::lbfgs && !asked.faces;
+  if (compares || max_iterations(relaxation) == 0) asked.faces = 0;
+  return asked;
+}
+
 RelaxationStart start_relaxation(const Mesh& mesh, const RelaxationStartOptions& options) {
   if (options.copy.faces.value_or(0) < 0) {
     throw Error(ErrorCode::invalid_option, "the number of a copy's faces must not be negative");

@@ -19,11 +19,7 @@
 extern "C" {
 #endif
 
-#if defined(_WIN32)
-#define GVD_API __declspec(dllexport)
-#else
 #define GVD_API __attribute__((visibility("default")))
-#endif
 
 /* The values are the exit codes of the commands, except GVD_OUT_OF_MEMORY: they end with 5 then. */
 typedef enum gvd_status {

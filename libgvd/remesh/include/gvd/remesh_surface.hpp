@@ -62,7 +62,8 @@ struct SurfaceRemesh {
 /// Error{invalid_option} for a negative number of iterations. Cost: theirs; twice that at most with `exact_count`.
 SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& options);
 
-/// Searches for the fewest sampled generators whose remesh is within `distance` of the mesh, both ways.
+/// Searches for the fewest sampled generators whose remesh is within `distance` of the mesh, both ways; mesh units, >
+/// 0.
 ///
 /// A number that gives no mesh counts as infinitely far, unless none before has given one: then larger ones would take
 /// long. At most four generators for each vertex of the mesh are tried, or 2000 where it has few. `on_trial` is called
