@@ -22,8 +22,8 @@ std::string_view name_of(MeshFormat format);
 /// for any other name. An extension .gz behind it is ignored.
 std::optional<MeshFormat> format_from_extension(std::string_view name);
 
-/// The format of a file. The content decides first: the mark of a GLB, VTP or VTK, the first line of a PLY or OFF, the
-/// length or the first word of an STL, the first statement of an OBJ. Otherwise the extension of `name` decides.
+/// The format of a file. The content decides first. GLB, VTP and VTK begin with a mark, PLY and OFF with a first line.
+/// STL is known by its length or first word, OBJ by its first statement. Otherwise the extension of `name` decides.
 /// Nothing where neither is known. The content of a gzip file says nothing.
 /// Cost: O(1), and O(length) of leading comments.
 std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name);
@@ -45,8 +45,8 @@ struct PolygonSoup {
   }
 };
 
-/// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF), STL (ascii and binary), PolyData of VTK
-/// (.vtp, and legacy .vtk, also with the surface cells of an unstructured grid) or GLB. Each may be packed by gzip.
+/// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF), STL (ascii and binary), VTP, VTK or GLB.
+/// VTK is the legacy format, with PolyData or the surface cells of an unstructured grid. Each may be packed by gzip.
 ///
 /// `format` overrides the detection. Numbers do not depend on the locale. Vertices and polygons keep their order.
 /// Properties: (1) every index is in range; (2) every coordinate is finite; (3) there is at least one polygon;
