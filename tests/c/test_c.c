@@ -164,7 +164,7 @@ static void test_refusals(void) {
   CHECK(gvd_distances(mesh, NULL, 1, NULL, distances, NULL) == GVD_INVALID_OPTION);
   CHECK(gvd_distances(mesh, twice, 0, NULL, distances, NULL) == GVD_INVALID_OPTION);
   CHECK(gvd_diagram_compute(mesh, twice, 2, GVD_EXACT, NULL, &diagram) == GVD_PRECONDITION);
-  CHECK(gvd_diagram_compute(mesh, twice, 1, (gvd_method)7, NULL, &diagram) == GVD_INVALID_OPTION);
+  CHECK(gvd_diagram_compute(mesh, twice, 1, 7, NULL, &diagram) == GVD_INVALID_OPTION);
   CHECK(gvd_diagram_compute(NULL, twice, 1, GVD_EXACT, NULL, &diagram) == GVD_INVALID_OPTION);
   CHECK(gvd_point_at_vertex(mesh, 7, &point) == GVD_PRECONDITION);
   /* Where generators keep to the boundary, coincident ones are merged: fewer than `count` points would be written. */

@@ -90,7 +90,8 @@ GVD_API gvd_status gvd_point_at_vertex(const gvd_mesh* mesh, int64_t vertex, gvd
 GVD_API gvd_status gvd_point_near(const gvd_mesh* mesh, const double position[3], gvd_point* point, double* distance);
 GVD_API gvd_status gvd_point_position(const gvd_mesh* mesh, const gvd_point* point, double position[3]);
 
-typedef enum gvd_sampling { GVD_FARTHEST = 0, GVD_RANDOM = 1, GVD_POISSON = 2, GVD_VERTICES = 3 } gvd_sampling;
+enum { GVD_FARTHEST = 0, GVD_RANDOM = 1, GVD_POISSON = 2, GVD_VERTICES = 3 };
+typedef int32_t gvd_sampling; /* one of the constants above; any other number is GVD_INVALID_OPTION */
 
 /* Spreads `count` points over the surface. points: count */
 GVD_API gvd_status gvd_sample(const gvd_mesh* mesh, int32_t count, gvd_sampling kind, uint64_t seed, const gvd_run* run,
@@ -118,7 +119,8 @@ GVD_API void gvd_path_points(const gvd_path* path, gvd_point* points);
 
 typedef struct gvd_diagram gvd_diagram;
 
-typedef enum gvd_method { GVD_EXACT = 0, GVD_GBGVD = 1, GVD_PAPER = 2 } gvd_method;
+enum { GVD_EXACT = 0, GVD_GBGVD = 1, GVD_PAPER = 2 };
+typedef int32_t gvd_method; /* one of the constants above; any other number is GVD_INVALID_OPTION */
 
 /* The diagram of `count` generators. The mesh may be freed before the diagram. */
 GVD_API gvd_status gvd_diagram_compute(const gvd_mesh* mesh, const gvd_point* generators, int32_t count,
