@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -118,12 +117,6 @@ void note_copy(Run& run, const CoarseRelaxation& used, const RelaxationStart& st
 nlohmann::ordered_json describe_copy(const CoarseRelaxation& copy) {
   if (copy.faces == 0) return nullptr;
   return {{"faces", copy.faces}, {"iterations", copy.iterations}, {"diagrams", copy.diagrams}};
-}
-
-const char* name_of(LloydStop stop) {
-  constexpr std::array<const char*, 6> kNames{"centroids",  "energy",     "no descent",
-                                              "prediction", "iterations", "time limit"};
-  return kNames[static_cast<std::size_t>(stop)];
 }
 
 void report_constraints(nlohmann::ordered_json& options, const ConstraintOptions& constraints) {

@@ -27,9 +27,6 @@ void show_iteration(Run& run, std::int64_t iterations, double energy);
 /// Notes what was done on a copy of the mesh. `copy_faces`: of the copy of the start; 0: there was none.
 void note_copy(Run& run, const CoarseRelaxation& used, const RelaxationStart& start, bool ends_on_copy);
 
-/// The reason of a relaxation's end in one word, as reports and pages name it.
-const char* name_of(LloydStop stop);
-
 /// The part of a relaxation on a copy of the mesh, for reports; null where there was none.
 nlohmann::ordered_json describe_copy(const CoarseRelaxation& copy);
 

@@ -42,10 +42,6 @@ struct OwnOptions {
   std::optional<double> time_limit;  ///< of the relaxation, seconds, >= 0
 };
 
-/// The values of --accelerate, which the report gives for each iteration too.
-const Choices<Acceleration> kAccelerations{
-    {"lbfgs", Acceleration::lbfgs}, {"anderson", Acceleration::anderson}, {"none", Acceleration::none}};
-
 constexpr const char* kExamples =
     "  gvd-lloyd bunny.obj -n 30 -o relaxed.txt\n"
     "  gvd-lloyd bunny.obj --generators samples.csv --iterations 200 -o relaxed.json\n"
@@ -63,7 +59,7 @@ void register_relaxation(CLI::App& line, OwnOptions& own) {
   LloydOptions &options = own.relaxation, plain;
   plain.acceleration = Acceleration::none;
   line.option_defaults()->group("Relaxation");
-  add_choice(line, "--accelerate", options.acceleration, kAccelerations,
+  add_choice(line, "--accelerate", options.acceleration, kAccelerationNames,
              "How to find the steps: by a quasi-Newton method (lbfgs, the default), by Anderson mixing of the last "
              "steps, or by Lloyd's method alone");
   add_choice(line, "--relocate", options.relocate, Choices<bool>{{"on", true}, {"off", false}},
@@ -101,14 +97,14 @@ const char* describe(LloydStop stop) {
 }
 
 /// The measure of an iteration's energy: the name of a method, or `sampled` without a diagram.
-std::string measure_name(const LloydIteration& iteration) {
-  return iteration.is_sampled ? "sampled" : name_in(kMethods, iteration.method);
+std::string_view measure_name(const LloydIteration& iteration) {
+  return iteration.is_sampled ? "sampled" : name_in(kMethodNames, iteration.method);
 }
 
 /// How the step of an iteration was found, in one word.
-std::string step_name(const LloydIteration& iteration) {
+std::string_view step_name(const LloydIteration& iteration) {
   if (iteration.relocated > 0) return "relocation";
-  return iteration.by == Acceleration::none ? "lloyd" : name_in(kAccelerations, iteration.by);
+  return iteration.by == Acceleration::none ? "lloyd" : name_in(kAccelerationNames, iteration.by);
 }
 
 /// One array for each figure of the iterations. The first energy is that of the given generators.
@@ -140,7 +136,7 @@ double area_variation(const IdVector<GeneratorId, Cell>& cells) {
 
 void report_own_options(Json& reported, const OwnOptions& own) {
   const LloydOptions& options = own.relaxation;
-  reported["accelerate"] = name_in(kAccelerations, options.acceleration);
+  reported["accelerate"] = name_in(kAccelerationNames, options.acceleration);
   reported["relocate"] = relocates(options);
   reported["iterations"] = max_iterations(options);
   const std::optional<double> tolerance = energy_tolerance(options);
@@ -180,8 +176,8 @@ class RelaxationTrace {
 
 void RelaxationTrace::write(std::ostream& out, const LloydResult& result, const Method& method) const {
   out << "iteration,energy,largest_move,mean_move,method,step,seconds\n";
-  const std::string first =
-      result.iterations.empty() ? name_in(kMethods, method) : measure_name(result.iterations.front());
+  const std::string_view first =
+      result.iterations.empty() ? name_in(kMethodNames, method) : measure_name(result.iterations.front());
   out << fmt::format("0,{},0,0,{},start,{:.6f}\n", result.initial_energy, first, seconds_.front());
   for (std::size_t i = 0; i < result.iterations.size(); ++i) {
     const LloydIteration& done = result.iterations[i];
@@ -216,7 +212,7 @@ std::vector<ViewScene> make_iteration_scenes(const Mesh& mesh, const LloydResult
   const std::size_t gaps = std::min(kMostScenes - 1, std::max<std::size_t>(last, has_copy ? 0 : 1));
   std::vector<ViewScene> scenes{make_scene(mesh, relaxed.diagram, "Relaxed", relaxed.final_energy)};
   scenes[0].figures.push_back({"Iterations", fmt::format("{}", last)});
-  scenes[0].figures.push_back({"Stopped by", name_of(relaxed.stop)});
+  scenes[0].figures.push_back({"Stopped by", std::string(name_in(kLloydStopNames, relaxed.stop))});
   if (has_copy) scenes[0].figures.push_back({"On a coarse copy", describe_copy_iterations(relaxed.copy)});
   if (last > 0) scenes[0].iteration = last;
   for (std::size_t k = 0; k < gaps; ++k) {
@@ -241,7 +237,7 @@ void report_result(Run& run, const Mesh& mesh, const LloydResult& result) {
   const double variation = area_variation(result.diagram.cells);
   Json& results = run.report().results();
   results["iterations"] = result.iterations.size();
-  results["stop"] = name_of(result.stop);
+  results["stop"] = name_in(kLloydStopNames, result.stop);
   add_iterations(results, result);
   results["coarse"] = describe_copy(result.copy);
   results["residual"] = result.residual;

@@ -55,7 +55,7 @@ void report_relaxation(Run& run, const SurfaceRemesh& made) {
                                    counted(std::ssize(relaxed.iterations), "iteration", "iterations"),
                                    relaxed.initial_energy, relaxed.final_energy));
   run.report().results()["relaxation"] = {
-      {"iterations", relaxed.iterations.size()},   {"stop", name_of(relaxed.stop)},
+      {"iterations", relaxed.iterations.size()},   {"stop", name_in(kLloydStopNames, relaxed.stop)},
       {"initial_energy", relaxed.initial_energy},  {"final_energy", relaxed.final_energy},
       {"extremities", relaxed.extremities.size()}, {"diagrams", relaxed.diagrams},
       {"coarse", describe_copy(relaxed.copy)}};
@@ -70,7 +70,7 @@ void report_options(Run& run, const Settings& settings, const ConstraintOptions&
   report_constraints(reported, constraints);
   reported["target_edge"] = generators.target_edge ? Json(*generators.target_edge) : nullptr;
   reported["loose_boundary"] = settings.loose_boundary;
-  reported["place"] = name_in(kPlacements, placement);
+  reported["place"] = name_in(kPlacementNames, placement);
   reported["shape"] = placement == Placement::fit ? Json(asked.remesh.placement.shape) : nullptr;
   reported["allow_intersections"] = asked.remesh.allow_intersections;
   reported["no_refine"] = !asked.remesh.refine;

@@ -77,7 +77,7 @@ void register_remesh(CLI::App& line, Settings& settings) {
            "Exactly as many vertices as asked for, or no mesh: leave out a generator where the mesh can do without it "
            "for each one that is added (generators of a list stay: the same as --no-refine)")
       ->excludes("--no-refine");
-  add_choice(line, "--place", settings.place, kPlacements,
+  add_choice(line, "--place", settings.place, kPlacementNames,
              "Where to put vertices: at the generators, at the best points for the planes of their cells, or fitted to "
              "the surface (default: fit; generator with --generators and --vertices)");
   add_number(line, "--shape", settings.shape, kShapes,

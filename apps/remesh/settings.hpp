@@ -22,9 +22,6 @@ struct Settings {
   bool carry = false;
 };
 
-inline const Choices<Placement> kPlacements{
-    {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
-
 /// Adds --target-edge and --error, which take the place of -n, and the options of relaxation and remesh. Parsing fills
 /// `settings`, which must outlive `command`, and the shared options of the command.
 void register_settings(Command& command, Settings& settings);

@@ -34,8 +34,6 @@ constexpr const char* kExamples =
     "  gvd-segment - --input-format ply --vertices 3,17,99 -o - < a.ply > b.ply\n"
     "  gvd-segment scans/*.stl -n 30 --output-dir regions --output-format ply,json\n";
 
-const Choices<FaceLabels> kLabels{{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}};
-
 /// A note names this many generators.
 constexpr std::size_t kNamed = 8;
 
@@ -59,7 +57,7 @@ void report_options(Run& run, const OwnOptions& own, const SegmentOptions& optio
   reported["stats"] = file("--stats");
   reported["face_labels"] = file("--face-labels");
   reported["vertex_distances"] = file("--vertex-distances");
-  reported["labels"] = own.cut ? nullptr : Json(name_in(kLabels, options.labels));
+  reported["labels"] = own.cut ? nullptr : Json(name_in(kFaceLabelNames, options.labels));
 }
 
 /// The note on generators that own no face. It names a few of them; the report lists all.
@@ -189,7 +187,7 @@ int main(int argc, char** argv) {
                    {{"ply", "obj", "off", "stl", "vtp", "glb", "json"}}});
   command.line().option_defaults()->group("Regions");
   add_flag(command.line(), "--cut", own.cut, "Split faces along the bisectors instead of labelling whole faces");
-  add_choice(command.line(), "--labels", own.labels, kLabels,
+  add_choice(command.line(), "--labels", own.labels, kFaceLabelNames,
              "How to label whole faces on a bisector: for borders as short as its faces allow, or by the largest share "
              "(default: smooth)")
       ->excludes("--cut");

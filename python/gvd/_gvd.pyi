@@ -23,7 +23,8 @@ class WriteOptions:
     def __init__(self, title: str, no_curves: bool, ascii_ply: bool, /) -> None: ...
 
 class Sampler:
-    def __init__(self, sampling: str, count: int, seed: int, radius: float, compute: ComputeOptions, /) -> None: ...
+    def __init__(self, sampling: str, count: int, seed: int, radius: Optional[float],
+                 compute: ComputeOptions, /) -> None: ...
 
 class Mesh:
     @staticmethod

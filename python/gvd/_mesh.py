@@ -347,8 +347,8 @@ class Mesh(Writable):
             n = self._native.count_for(target_edge)
         options = self._start("remesh", compute, 1 if error is not None else n, generators, sampling, seed, radius)
         options.update(self._constraints(fixed, features, keep_boundary, density, gradation, coarse))
-        options.update(relax=relax, loose_boundary=loose_boundary, place=place, shape=shape, exact_count=exact_count,
-                       max_added=max_added, no_refine=no_refine, allow_intersections=allow_intersections)
+        options.update(relax=relax, prefers_boundary=not loose_boundary, place=place, shape=shape, exact_count=exact_count,
+                       max_added=max_added, refine=not no_refine, allow_intersections=allow_intersections)
         with reporting(progress) as callback:
             return Remesh(self, _gvd.remesh(self._native, options, compute, error, callback))
 
@@ -382,17 +382,13 @@ class Mesh(Writable):
 def _sampler(n: Optional[int], sampling: str, seed: int, radius: Optional[float],
              compute: Optional[_gvd.ComputeOptions] = None) -> _gvd.Sampler:
     """How points are sampled, once `one_of` has passed."""
-    usual = compute or _gvd.ComputeOptions("exact", None, None, 0)
     for name, value in (("n", n), ("seed", seed)):
         if value is not None and (isinstance(value, bool) or not isinstance(value, (int, numpy.integer))):
             refuse(f"{name}: a whole number is needed, not {value!r}")
     if not 0 <= seed < 1 << 64:
         refuse(f"seed: {seed} is not in 0 ... 2^64 - 1")
-    if radius is not None:
-        return _gvd.Sampler("radius", 1, int(seed), float(radius), usual)
-    if sampling == "radius":
-        refuse("sampling: give the radius itself, as radius=R")
-    return _gvd.Sampler(sampling, max(-1, min(int(n or 0), (1 << 31) - 1)), int(seed), 0.0, usual)
+    return _gvd.Sampler(sampling, max(-1, min(int(n or 0), (1 << 31) - 1)), int(seed), radius,
+                        compute or _gvd.ComputeOptions("exact", None, None, 0))
 
 
 @checked

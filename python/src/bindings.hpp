@@ -44,12 +44,12 @@ struct ComputeOptions {
   DiagramOptions make() const;
 };
 
-/// How generators are sampled. `sampling`: farthest, random, vertices, poisson, or radius. Throws
-/// Error{invalid_option} for another name.
+/// How generators are sampled: `sampling` is farthest, random, vertices or poisson, and a covering `radius` goes before
+/// it. Throws Error{invalid_option} for another name.
 struct Sampler {
   SamplingOptions options;
 
-  Sampler(const std::string& sampling, std::int64_t count, std::uint64_t seed, double radius,
+  Sampler(const std::string& sampling, std::int64_t count, std::uint64_t seed, std::optional<double> radius,
           const ComputeOptions& compute);
 };
 

@@ -4,12 +4,14 @@
 #include <pybind11/pybind11.h>
 
 #include <chrono>
-#include <initializer_list>
+#include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "gvd/error.hpp"
+#include "gvd/names.hpp"
 #include "gvd/progress.hpp"
 
 // How Python calls the library: without the interpreter's lock, and with names in place of enumerators.
@@ -53,13 +55,10 @@ auto run_unlocked(const py::object& callback, Work&& work) {
 
 /// The value that `name` stands for. Throws Error{invalid_option} that names the option and lists the names.
 template <class T>
-T choose(std::string_view option, const std::string& name, std::initializer_list<std::pair<const char*, T>> choices) {
-  std::string known;
-  for (const auto& [text, value] : choices) {
-    if (name == text) return value;
-    known += (known.empty() ? "" : ", ") + std::string(text);
-  }
-  throw Error(ErrorCode::invalid_option, fmt::format("{}: '{}' is none of {}", option, name, known));
+T choose(std::string_view option, const std::string& name, const Choices<T>& choices) {
+  if (const std::optional<T> value = value_in(choices, name)) return *value;
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("{}: '{}' is none of {}", option, name, fmt::join(std::views::keys(choices), ", ")));
 }
 
 }  // namespace gvd::python

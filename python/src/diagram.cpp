@@ -52,8 +52,7 @@ SharedDiagram make_diagram(const SharedMesh& input, const PointList& generators,
 }
 
 Segmented segment(const SharedDiagram& of, const std::string& labels, const py::object& progress) {
-  const auto chosen =
-      choose<FaceLabels>("labels", labels, {{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}});
+  const FaceLabels chosen = choose("labels", labels, kFaceLabelNames);
   return run_unlocked(progress, [&](const Progress& reported) {
     return Segmented{of, segment_faces(of->mesh(), of->diagram(), {chosen, reported})};
   });
@@ -172,9 +171,8 @@ void bind_results(py::module_& module) {
 
 DiagramOptions ComputeOptions::make() const {
   DiagramOptions options;
-  options.method =
-      choose<Method>("method", method, {{"exact", Method::exact}, {"gbgvd", Method::gbgvd}, {"paper", Method::paper}});
-  if (front) options.front = choose<Front>("front", *front, {{"planar", Front::planar}, {"circle", Front::circle}});
+  options.method = choose("method", method, kMethodNames);
+  if (front) options.front = choose("front", *front, kFrontNames);
   if (chord_tolerance) options.chord_tolerance = *chord_tolerance;
   options.threads = threads;
   return options;

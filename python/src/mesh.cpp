@@ -13,6 +13,7 @@
 #include "calls.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/read_soup.hpp"
+#include "gvd/names.hpp"
 #include "gvd/sampling.hpp"
 
 namespace gvd::python {
@@ -48,7 +49,7 @@ PolygonSoup make_soup(const Array<double>& positions, const Array<std::int64_t>&
 
 SharedMesh mesh_from_arrays(const Array<double>& positions, const Array<std::int64_t>& faces,
                             const std::string& on_defect) {
-  const DefectPolicy policy = choose_policy(on_defect);
+  const DefectPolicy policy = choose("on_defect", on_defect, kDefectPolicyNames);
   const PolygonSoup soup = make_soup(positions, faces);
   return run_unlocked(py::none(),
                       [&](const Progress&) { return std::make_shared<CheckedMesh>(build_mesh(soup, policy)); });
@@ -58,16 +59,7 @@ SharedMesh mesh_from_file(const std::filesystem::path& path, const std::optional
                           const std::string& on_defect) {
   const DefectPolicy policy = choose_policy(on_defect);
   std::optional<MeshFormat> known;
-  if (format) {
-    known = choose<MeshFormat>("input_format", *format,
-                               {{"obj", MeshFormat::obj},
-                                {"ply", MeshFormat::ply},
-                                {"off", MeshFormat::off},
-                                {"stl", MeshFormat::stl},
-                                {"vtp", MeshFormat::vtp},
-                                {"vtk", MeshFormat::vtk},
-                                {"glb", MeshFormat::glb}});
-  }
+  if (format) known = choose("input_format", *format, kMeshFormatNames);
   return run_unlocked(py::none(), [&](const Progress&) {
     const PolygonSoup soup = read_soup(path, known);
     try {
@@ -140,23 +132,18 @@ py::array compute_positions(const CheckedMesh& checked, const PointList& list) {
 
 }  // namespace
 
-Sampler::Sampler(const std::string& sampling, std::int64_t count, std::uint64_t seed, double radius,
+Sampler::Sampler(const std::string& sampling, std::int64_t count, std::uint64_t seed, std::optional<double> radius,
                  const ComputeOptions& compute) {
-  options.kind = choose<Sampling>("sampling", sampling,
-                                  {{"farthest", Sampling::farthest},
-                                   {"random", Sampling::random},
-                                   {"vertices", Sampling::vertices},
-                                   {"poisson", Sampling::poisson},
-                                   {"radius", Sampling::covering_radius}});
+  options.kind = radius ? Sampling::covering_radius : choose("sampling", sampling, kSamplingNames);
   options.count = std::int32_t(std::clamp<std::int64_t>(count, -1, std::numeric_limits<std::int32_t>::max()));
   options.seed = seed;
-  options.radius = radius;
+  options.radius = radius.value_or(0);
   options.front = compute.make().chosen_front();
 }
 
 void bind_mesh(py::module_& module) {
   py::class_<Sampler>(module, "Sampler")
-      .def(py::init<const std::string&, std::int64_t, std::uint64_t, double, const ComputeOptions&>());
+      .def(py::init<const std::string&, std::int64_t, std::uint64_t, std::optional<double>, const ComputeOptions&>());
   py::class_<PointList>(module, "PointList")
       .def("__len__", [](const PointList& list) { return list.points.size(); })
       .def("part",

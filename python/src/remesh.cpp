@@ -40,6 +40,12 @@ class Given {
     }
   }
 
+  /// Throws Error{invalid_option} for a name that is none of the choices.
+  template <class T, class Choice>
+  void read(const char* name, T& value, const Choices<Choice>& choices) const {
+    if (has(name)) value = choose(name, options_[name].cast<std::string>(), choices);
+  }
+
  private:
   const py::dict& options_;
 };
@@ -59,8 +65,8 @@ void read_start(const Given& given, const Mesh& mesh, RelaxationStartOptions& st
   if (given.has("features")) {
     const bool is_name = py::isinstance<py::str>(given["features"]);
     start.constraints.crease_angle.reset();
-    start.constraints.prefers_creases =
-        is_name && choose<bool>("features", given["features"].cast<std::string>(), {{"auto", true}, {"none", false}});
+    start.constraints.prefers_creases = is_name && choose("features", given["features"].cast<std::string>(),
+                                                          Choices<bool>{{"auto", true}, {"none", false}});
     if (start.constraints.prefers_creases) start.constraints.crease_angle = kUsualCreaseAngle;
     if (!is_name) given.read("features", start.constraints.crease_angle);
   }
@@ -72,11 +78,7 @@ void read_start(const Given& given, const Mesh& mesh, RelaxationStartOptions& st
 
 LloydOptions make_lloyd_options(const Given& given) {
   LloydOptions options;
-  std::string accelerate = "lbfgs";
-  given.read("accelerate", accelerate);
-  options.acceleration = choose<Acceleration>(
-      "accelerate", accelerate,
-      {{"lbfgs", Acceleration::lbfgs}, {"anderson", Acceleration::anderson}, {"none", Acceleration::none}});
+  given.read("accelerate", options.acceleration, kAccelerationNames);
   given.read("relocate", options.relocate);
   given.read("iterations", options.max_iterations);
   given.read("tolerance", options.energy_tolerance);
@@ -104,12 +106,6 @@ Relaxed relax(const SharedMesh& input, const py::dict& options, const ComputeOpt
     const RelaxationStart made = start_relaxation(input->mesh, start);
     return Relaxed{input, std::make_shared<const LloydResult>(relax_generators(input->mesh, made, relaxation))};
   });
-}
-
-const char* name_of(LloydStop stop) {
-  constexpr std::array<const char*, 6> kNames{"centroids",  "energy",     "no descent",
-                                              "prediction", "iterations", "time limit"};
-  return kNames[std::size_t(stop)];
 }
 
 std::vector<double> energies(const Relaxed& relaxed) {
@@ -142,23 +138,13 @@ SurfaceRemeshOptions make_remesh_options(const Given& given, const Mesh& mesh, c
   SurfaceRemeshOptions options;
   read_start(given, mesh, options.start);
   options.start.threads = compute.threads;
-  bool loose_boundary = false;
-  given.read("loose_boundary", loose_boundary);
-  options.start.constraints.prefers_boundary = !loose_boundary;
+  given.read("prefers_boundary", options.start.constraints.prefers_boundary);
   given.read("relax", options.relaxation);
-  if (given.has("place")) {
-    std::string place;
-    given.read("place", place);
-    options.placement = choose<Placement>(
-        "place", place,
-        {{"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}});
-  }
+  given.read("place", options.placement, kPlacementNames);
   given.read("shape", options.remesh.placement.shape);
   given.read("exact_count", options.exact_count);
   given.read("max_added", options.remesh.max_added);
-  bool no_refine = false;
-  given.read("no_refine", no_refine);
-  options.remesh.refine = !no_refine;
+  given.read("refine", options.remesh.refine);
   given.read("allow_intersections", options.remesh.allow_intersections);
   options.remesh.diagram = compute.make();
   return options;
@@ -221,7 +207,7 @@ void bind_relaxation(py::module_& module) {
            [](const py::object& self) {
              return view(self.cast<const Relaxed&>().result->moments.raw(), &CellMoments::energy, self);
            })
-      .def("stop", [](const Relaxed& r) { return name_of(r.result->stop); })
+      .def("stop", [](const Relaxed& r) { return name_in(kLloydStopNames, r.result->stop); })
       .def("residual", [](const Relaxed& r) { return r.result->residual; })
       .def("write_samples", [](const Relaxed& r, const std::filesystem::path& path) {
         run_unlocked(py::none(), [&](const Progress&) { write_samples(r, path); });

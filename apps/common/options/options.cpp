@@ -23,10 +23,10 @@ Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text
 
 void add_generators(Json& json, const GeneratorOptions& generators) {
   json["n"] = or_null(generators.count);
-  json["sampling"] = name_in(kSamplings, generators.sampling);
+  json["sampling"] = name_in(kSamplingNames, generators.sampling);
   json["seed"] = generators.seed;
   json["generators"] = or_null(generators.file);
-  json["generators_format"] = generators.format ? Json(name_in(kGeneratorFormats, *generators.format)) : Json();
+  json["generators_format"] = generators.format ? Json(name_in(kGeneratorFormatNames, *generators.format)) : Json();
   json["vertices"] = or_null(generators.vertices);
   json["radius"] = or_null(generators.radius);
   json["max_snap"] = or_null(generators.max_snap);
@@ -46,9 +46,9 @@ void add_lists(Json& json, const Options& options) {
 void add_method(Json& json, const ComputeOptions& compute) {
   const DiagramOptions diagram = make_diagram_options(compute);
   const bool exact = compute.method == Method::exact;
-  json["method"] = name_in(kMethods, compute.method);
+  json["method"] = name_in(kMethodNames, compute.method);
   json["chord_tolerance"] = exact ? Json(diagram.chord_tolerance) : Json();
-  json["front"] = exact ? Json() : Json(name_in(kFronts, diagram.chosen_front()));
+  json["front"] = exact ? Json() : Json(name_in(kFrontNames, diagram.chosen_front()));
 }
 
 void add_output(Json& json, const Options& options) {
@@ -88,8 +88,8 @@ DiagramOptions make_diagram_options(const ComputeOptions& compute) {
 Json to_json(const Options& options) {
   Json json = Json::object();
   json["input"] = options.input.path;
-  json["input_format"] = options.input.format ? Json(name_in(kMeshFormats, *options.input.format)) : Json();
-  json["on_defect"] = name_in(kDefectPolicies, options.input.on_defect);
+  json["input_format"] = options.input.format ? Json(name_in(kMeshFormatNames, *options.input.format)) : Json();
+  json["on_defect"] = name_in(kDefectPolicyNames, options.input.on_defect);
   if (options.has_diagram) {
     add_generators(json, options.generators);
     add_method(json, options.compute);

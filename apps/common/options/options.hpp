@@ -5,7 +5,6 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "gvd/diagram.hpp"
@@ -104,33 +103,6 @@ struct ConstraintOptions {
   double gradation = 0.3;
   std::optional<std::int64_t> coarse;  ///< faces of a copy to relax on first; 0: none; nothing: by the mesh
 };
-
-/// The names of some values, as on the command line and in the report.
-template <class T>
-using Choices = std::vector<std::pair<std::string, T>>;
-
-inline const Choices<MeshFormat> kMeshFormats{
-    {"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off}, {"stl", MeshFormat::stl},
-    {"vtp", MeshFormat::vtp}, {"vtk", MeshFormat::vtk}, {"glb", MeshFormat::glb}};
-inline const Choices<DefectPolicy> kDefectPolicies{
-    {"error", DefectPolicy::error}, {"repair", DefectPolicy::repair}, {"largest", DefectPolicy::largest}};
-inline const Choices<Sampling> kSamplings{{"farthest", Sampling::farthest},
-                                          {"random", Sampling::random},
-                                          {"vertices", Sampling::vertices},
-                                          {"poisson", Sampling::poisson}};
-inline const Choices<GeneratorFormat> kGeneratorFormats{
-    {"text", GeneratorFormat::text}, {"csv", GeneratorFormat::csv}, {"json", GeneratorFormat::json}};
-inline const Choices<Method> kMethods{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}, {"paper", Method::paper}};
-inline const Choices<Front> kFronts{{"planar", Front::planar}, {"circle", Front::circle}};
-
-/// The name of a value; empty where it has none.
-template <class T>
-std::string name_in(const Choices<T>& choices, const T& value) {
-  for (const auto& [name, named] : choices) {
-    if (named == value) return name;
-  }
-  return "";
-}
 
 /// The format of a file of `-o`: its extension, or for "-" that of standard output.
 std::string format_of(const OutputOptions& output, const std::string& file);

@@ -36,9 +36,9 @@ void register_input(CLI::App& app, InputOptions& input) {
       ->required()
       ->type_name("")
       ->check(not_empty("file"));
-  add_choice(app, "--input-format", input.format, kMeshFormats,
+  add_choice(app, "--input-format", input.format, kMeshFormatNames,
              "Format of the input; required with -, otherwise detected from content and extension");
-  add_choice(app, "--on-defect", input.on_defect, kDefectPolicies,
+  add_choice(app, "--on-defect", input.on_defect, kDefectPolicyNames,
              "How to treat defects of the mesh: refuse them, repair them without loss (default), or repair them and "
              "keep only the largest component");
 }
@@ -46,7 +46,7 @@ void register_input(CLI::App& app, InputOptions& input) {
 /// Options that choose generators on the surface.
 void register_sampling(CLI::App& app, GeneratorOptions& generators) {
   add_number(app, "-n,--count", generators.count, kCount, "Number of generators to sample");
-  add_choice(app, "--sampling", generators.sampling, kSamplings, "How -n places generators (default: farthest)");
+  add_choice(app, "--sampling", generators.sampling, kSamplingNames, "How -n places generators (default: farthest)");
   add_number(app, "--seed", generators.seed, kAnyWhole, "Seed of the random choices (default: 0)");
   add_number(app, "--radius", generators.radius, kPositive,
              "Sample generators until no point of the surface is farther than this from the nearest one, in mesh units")
@@ -72,7 +72,7 @@ void register_lists(CLI::App& app, GeneratorOptions& generators) {
   add_file(app, "--generators", generators.file,
            "File that lists the generators (text, .csv or .json), or - for standard input")
       ->excludes("--count", "--radius", "--sampling", "--seed");
-  add_choice(app, "--generators-format", generators.format, kGeneratorFormats,
+  add_choice(app, "--generators-format", generators.format, kGeneratorFormatNames,
              "Format of that list, otherwise detected from extension and content")
       ->needs("--generators");
   const auto store = [&generators](const std::string& text) {
@@ -122,14 +122,14 @@ void register_points(CLI::App& app, Options& options) {
 }
 
 void register_method(CLI::App& app, ComputeOptions& compute) {
-  add_choice(app, "--method", compute.method, kMethods,
+  add_choice(app, "--method", compute.method, kMethodNames,
              "How to build the diagram: from exact distances (default), by growth with fast marching, or by the "
              "paper's steps as written");
   add_number(app, "--chord-tolerance", compute.chord_tolerance, kPositive,
              fmt::format("Largest distance between an exact bisector and its straight pieces, in mean edge lengths "
                          "(default: {}, at least {})",
                          DiagramOptions{}.chord_tolerance, kLeastChordTolerance));
-  add_choice(app, "--front", compute.front, kFronts,
+  add_choice(app, "--front", compute.front, kFrontNames,
              "Shape of the front in fast marching: planar (default with --method paper) or circle (default with "
              "--method gbgvd)");
 }
@@ -225,7 +225,7 @@ std::vector<ValueRule> method_rules(CLI::App& app, ComputeOptions& compute) {
   const auto clash = [&compute]() -> std::string {
     if (!compute.chord_tolerance || compute.method == Method::exact) return "";
     return fmt::format("--method {} and --chord-tolerance exclude each other: keep one",
-                       name_in(kMethods, compute.method));
+                       name_in(kMethodNames, compute.method));
   };
   const auto frontless = [&compute]() -> std::string {
     if (compute.method != Method::exact) return "";

@@ -86,14 +86,11 @@ template <class T, class Target>
 CLI::Option* add_choice(CLI::App& app, const std::string& names, Target& target, const Choices<T>& choices,
                         const std::string& description) {
   std::vector<std::string> listed;
-  for (const auto& [name, value] : choices) listed.push_back(name);
-  const auto store = [&target, choices, listed](const std::string& text) -> std::string {
-    for (const auto& [name, value] : choices) {
-      if (text != name) continue;
-      target = value;
-      return "";
-    }
-    return describe_unknown(text, listed);
+  for (const auto& [name, value] : choices) listed.emplace_back(name);
+  const auto store = [&target, choices, listed](const std::string& text) {
+    const std::optional<T> value = value_in(choices, text);
+    if (value) target = *value;
+    return value ? "" : describe_unknown(text, listed);
   };
   return add_parsed(app, names, fmt::format("{}", fmt::join(listed, "|")), store, description);
 }

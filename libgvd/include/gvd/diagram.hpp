@@ -8,6 +8,7 @@
 #include "gvd/front.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/names.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
@@ -40,6 +41,7 @@ struct Method {
 inline constexpr Method Method::exact{Solver::windows, Tracer::envelope};
 inline constexpr Method Method::gbgvd{Solver::fast_marching, Tracer::growth};
 inline constexpr Method Method::paper{Solver::fast_marching, Tracer::paper};
+inline const Choices<Method> kMethodNames{{"exact", Method::exact}, {"gbgvd", Method::gbgvd}, {"paper", Method::paper}};
 
 /// Least chord tolerance, in mean edge lengths. Distances have a relative error of some 1e-13, and a point can be 10 to
 /// 100 times as far from the bisector as its two distances differ: below this limit rounding decides.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gvd/names.hpp"
+
 namespace gvd {
 
 /// Shape of the wave that a local distance update assumes (section 4.1 of the paper).
@@ -7,5 +9,6 @@ enum class Front {
   planar,  ///< linear between the two known distances: the paper's
   circle,  ///< from a point source unfolded out of the two known distances
 };
+inline const Choices<Front> kFrontNames{{"planar", Front::planar}, {"circle", Front::circle}};
 
 }  // namespace gvd

@@ -10,6 +10,7 @@
 
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/names.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
 
@@ -35,6 +36,8 @@ struct GeneratorList {
 
 /// The formats of a list, which docs/guide/generators.md describes.
 enum class GeneratorFormat { text, csv, json };
+inline const Choices<GeneratorFormat> kGeneratorFormatNames{
+    {"text", GeneratorFormat::text}, {"csv", GeneratorFormat::csv}, {"json", GeneratorFormat::json}};
 
 /// The format that a list is written in. JSON begins with a brace or bracket. A line of CSV that holds more than a
 /// comment has a comma, or is the header `vertex`; anything else is text. Cost: O(length).

@@ -23,6 +23,7 @@
 #include "gvd/io/write_file.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/mesh_property.hpp"
+#include "gvd/names.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/read_soup.hpp"

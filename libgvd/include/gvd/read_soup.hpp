@@ -9,14 +9,15 @@
 #include <string_view>
 #include <vector>
 
+#include "gvd/names.hpp"
 #include "gvd/vec.hpp"
 
 namespace gvd {
 
 enum class MeshFormat { obj, ply, off, stl, vtp, vtk, glb };
-
-/// "obj", "ply", "off", "stl", "vtp", "vtk" or "glb".
-std::string_view name_of(MeshFormat format);
+inline const Choices<MeshFormat> kMeshFormatNames{
+    {"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off}, {"stl", MeshFormat::stl},
+    {"vtp", MeshFormat::vtp}, {"vtk", MeshFormat::vtk}, {"glb", MeshFormat::glb}};
 
 /// The format that a file name's extension, or a bare name such as "ply", stands for, in upper or lower case; nothing
 /// for any other name. An extension .gz behind it is ignored.

@@ -5,6 +5,7 @@
 
 #include "gvd/front.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/names.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
 
@@ -18,6 +19,11 @@ enum class Sampling {
   poisson,          ///< `count` points, random but evenly spaced (blue noise)
   covering_radius,  ///< farthest points until no point of the surface is farther than `radius` from the nearest one
 };
+/// Those of `count` points.
+inline const Choices<Sampling> kSamplingNames{{"farthest", Sampling::farthest},
+                                              {"random", Sampling::random},
+                                              {"vertices", Sampling::vertices},
+                                              {"poisson", Sampling::poisson}};
 
 struct SamplingOptions {
   Sampling kind = Sampling::farthest;

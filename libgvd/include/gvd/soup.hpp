@@ -7,6 +7,7 @@
 
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/names.hpp"
 #include "gvd/read_soup.hpp"
 
 namespace gvd {
@@ -17,6 +18,8 @@ enum class DefectPolicy {
   repair,   ///< repairs defects where that loses no part of the surface, refuses the others
   largest,  ///< repairs, then keeps only the component with the largest area (the first of equal ones)
 };
+inline const Choices<DefectPolicy> kDefectPolicyNames{
+    {"error", DefectPolicy::error}, {"repair", DefectPolicy::repair}, {"largest", DefectPolicy::largest}};
 
 enum class DefectKind {
   unwelded_vertices,         ///< corners of an STL or GLB: welded where their coordinates are equal (-0 equals 0)

@@ -113,7 +113,7 @@ std::string write(const Mesh& mesh, OutputFormat format, bool ascii) {
 }
 
 void check_written(const Mesh& mesh, MeshFormat format, bool ascii) {
-  const auto output = parse_output_format(name_of(format));
+  const auto output = parse_output_format(name_in(kMeshFormatNames, format));
   require(output.has_value(), "a format can be read and not written");
   // What a repair leaves of a mesh may be smaller than a mesh may be.
   const bool may_be_refused = mesh.bbox_diagonal() < 2 * kSmallestExtent;
@@ -127,7 +127,7 @@ void check_written(const Mesh& mesh, MeshFormat format, bool ascii) {
 /// Writes the triangles as STL or GLB, which have 32-bit floats, and compares the corners.
 void check_written_floats(const Mesh& mesh, MeshFormat format) {
   std::string bytes;
-  const OutputFormat output = *parse_output_format(name_of(format));
+  const OutputFormat output = *parse_output_format(name_in(kMeshFormatNames, format));
   if (!attempt({ErrorCode::unwritable_output}, [&] { bytes = write(mesh, output, false); })) return;
   PolygonSoup soup;
   attempt({}, [&] { soup = parse_soup(bytes, format, "the written file"); });

@@ -79,7 +79,7 @@ struct CommaNumbers : std::numpunct<char> {
 TEST_CASE("the format is detected by content first, then by extension") {
   for (const auto& [format, bytes] : samples()) {
     for (const std::string name : {"a.obj", "a.OFF", "a.ply", "a.stl", "a", "a.b/c", "a.txt"}) {
-      INFO(name << " " << name_of(format));
+      INFO(name << " " << name_in(kMeshFormatNames, format));
       CHECK(detect_format(bytes, name) == format);
     }
   }
@@ -139,7 +139,7 @@ TEST_CASE("numbers are the same in any locale") {
 TEST_CASE("a file cut off at any byte is read or refused") {
   for (const auto& [format, bytes] : samples()) {
     for (std::size_t size = 0; size < bytes.size(); ++size) {
-      INFO(name_of(format) << " cut off at " << size);
+      INFO(name_in(kMeshFormatNames, format) << " cut off at " << size);
       read_anything(bytes.substr(0, size), format);
       // Formats with counts in the header notice every missing byte but the last line break.
       if (format != MeshFormat::obj && size + 1 < bytes.size() && size + 24 < bytes.size()) {
@@ -173,7 +173,7 @@ TEST_CASE("a file with changed bytes is read or refused") {
         }
         if (changed.empty()) changed.assign(1, ' ');
       }
-      INFO(name_of(format) << " " << changed);
+      INFO(name_in(kMeshFormatNames, format) << " " << changed);
       read_anything(changed, format);
     }
   }
@@ -211,8 +211,8 @@ TEST_CASE("check_counts: as many vertices and polygons as 32-bit ids can count, 
 TEST_CASE("mesh format: names and extensions, upper or lower case") {
   for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off, MeshFormat::stl, MeshFormat::vtp,
                                   MeshFormat::vtk, MeshFormat::glb}) {
-    CHECK(format_from_extension(name_of(format)) == format);
-    CHECK(format_from_extension("a.b/model." + std::string(name_of(format))) == format);
+    CHECK(format_from_extension(name_in(kMeshFormatNames, format)) == format);
+    CHECK(format_from_extension("a.b/model." + std::string(name_in(kMeshFormatNames, format))) == format);
   }
   CHECK(format_from_extension("MODEL.OBJ") == MeshFormat::obj);
   CHECK(format_from_extension("model.obj.gz") == MeshFormat::obj);

@@ -38,7 +38,7 @@ TEST_CASE("gzip: every format is read through it, in one member or in several, w
                                       {MeshFormat::vtp, kVtp},
                                       {MeshFormat::vtk, kVtk},
                                       {MeshFormat::glb, glb_of(glb_description(1), glb_numbers())}}) {
-    INFO(name_of(format));
+    INFO(name_in(kMeshFormatNames, format));
     require_tetrahedron(parse_soup(pack(bytes), format, "file"));
     const std::string parts = pack(bytes.substr(0, 50)) + pack("") + pack(bytes.substr(50)) + std::string(100, '\0');
     require_tetrahedron(parse_soup(parts, format, "file"));

@@ -10,6 +10,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/features.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/names.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
 
@@ -23,6 +24,8 @@ enum class Acceleration {
   lbfgs,     ///< a quasi-Newton method (L-BFGS) with the Hessian of the centroidal Voronoi energy to begin with
   anderson,  ///< Anderson's mixing of the last steps
 };
+inline const Choices<Acceleration> kAccelerationNames{
+    {"lbfgs", Acceleration::lbfgs}, {"anderson", Acceleration::anderson}, {"none", Acceleration::none}};
 
 struct LloydOptions {
   /// How each generator may move, one for each; empty: all are free.
@@ -103,6 +106,10 @@ enum class LloydStop {
   max_iterations,  ///< the number of iterations is max_iterations
   time_limit,      ///< is_time_over returned true
 };
+inline const Choices<LloydStop> kLloydStopNames{
+    {"centroids", LloydStop::centroids},       {"energy", LloydStop::energy},
+    {"no descent", LloydStop::no_descent},     {"prediction", LloydStop::prediction},
+    {"iterations", LloydStop::max_iterations}, {"time limit", LloydStop::time_limit}};
 
 /// One iteration that lowered the energy.
 struct LloydIteration {

@@ -5,6 +5,7 @@
 
 #include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/names.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
 
@@ -16,6 +17,8 @@ enum class Placement {
   quadric,    ///< at the points nearest to the planes of their cells' faces, in the sense of least squares
   fit,        ///< so that the remesh is near the surface in the sense of least squares, with good triangles
 };
+inline const Choices<Placement> kPlacementNames{
+    {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
 
 struct PlacementOptions {
   Placement method = Placement::fit;

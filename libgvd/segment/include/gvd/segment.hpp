@@ -8,6 +8,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/names.hpp"
 #include "gvd/progress.hpp"
 
 namespace gvd {
@@ -17,6 +18,7 @@ enum class FaceLabels {
   nearest,  ///< with the cell that has the largest share: each face by itself, so borders are jagged
   smooth,   ///< so that the borders between regions are short
 };
+inline const Choices<FaceLabels> kFaceLabelNames{{"smooth", FaceLabels::smooth}, {"nearest", FaceLabels::nearest}};
 
 struct SegmentOptions {
   FaceLabels labels = FaceLabels::smooth;

@@ -21,8 +21,6 @@
 namespace gvd {
 namespace {
 
-constexpr std::array<std::string_view, 7> kNames = {"obj", "ply", "off", "stl", "vtp", "vtk", "glb"};
-
 constexpr std::string_view kGzipExtension = ".gz";
 
 /// The first word of the first line that is neither blank nor a comment, within the first megabyte.
@@ -98,15 +96,10 @@ std::string read_bytes(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::string_view name_of(MeshFormat format) { return kNames[static_cast<int>(format)]; }
-
 std::optional<MeshFormat> format_from_extension(std::string_view name) {
   if (to_lower(name).ends_with(kGzipExtension)) name.remove_suffix(kGzipExtension.size());
   const std::size_t dot = name.rfind('.');
-  const std::string extension = to_lower(dot == name.npos ? name : name.substr(dot + 1));
-  const auto it = std::find(kNames.begin(), kNames.end(), extension);
-  if (it == kNames.end()) return std::nullopt;
-  return static_cast<MeshFormat>(it - kNames.begin());
+  return value_in(kMeshFormatNames, to_lower(dot == name.npos ? name : name.substr(dot + 1)));
 }
 
 std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name) {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// Tables of the names of values, as commands, reports and Python have them. Each stands beside its values.
+namespace gvd {
+
+template <class T>
+using Choices = std::vector<std::pair<std::string_view, T>>;
+
+/// The value of a name; nothing for any other text.
+template <class T>
+std::optional<T> value_in(const Choices<T>& choices, std::string_view text) {
+  for (const auto& [name, value] : choices) {
+    if (name == text) return value;
+  }
+  return std::nullopt;
+}
+
+/// The name of a value; empty where it has none.
+template <class T>
+std::string_view name_in(const Choices<T>& choices, const T& value) {
+  for (const auto& [name, named] : choices) {
+    if (named == value) return name;
+  }
+  return "";
+}
+
+}  // namespace gvd
