@@ -41,15 +41,6 @@ PolygonSoup read(const InputOptions& input, std::string* standard_input) {
   return soup;
 }
 
-/// Adds the name of the input to the errors of build_mesh, which knows no file.
-CheckedMesh check(const InputOptions& input, const PolygonSoup& soup) {
-  try {
-    return build_mesh(soup, input.on_defect);
-  } catch (const Error& error) {
-    throw Error(error.code(), name_of(input) + ": " + error.what(), error.element());
-  }
-}
-
 /// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
 void check_formats(const OutputOptions& output, const Mesh& mesh) {
   for (const std::string& file : output.files) {
@@ -209,7 +200,7 @@ void note_on_input(Run& run, const std::string& message) {
 CheckedMesh load_input(Run& run, std::string* standard_input) {
   const InputOptions& input = run.options().input;
   const PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
-  CheckedMesh checked = run.timed("check", [&] { return check(input, soup); });
+  CheckedMesh checked = run.timed("check", [&] { return build_mesh(soup, input.on_defect, name_of(input)); });
   for (const std::string& message : checked.defects.messages) note_on_input(run, message);
   if (standard_input == nullptr) note_texture(run, soup);
   note_coarse_coordinates(run, checked.mesh);

@@ -31,7 +31,8 @@ class Mesh(Writable):
     Mesh(V, F) takes arrays or lists: V (n, 3) numbers, F (m, k) integers, k >= 3; polygons are cut into triangles.
     `on_defect`: "error" refuses non-manifold edges, inconsistent orientation, unused vertices and the like; "repair"
     repairs what loses nothing and says so in a warning; "largest" also keeps the largest component only.
-    `input_vertex` and `input_face` then say which rows of V and F the mesh's elements come from.
+    `input_vertex` and `input_face` then say which rows of V and F the mesh's elements come from. The mesh of a result
+    (a cut, a remesh) is its own input. Meshes can be pickled, for other processes.
 
     Points of a mesh are given in one of these ways, one or many:
 

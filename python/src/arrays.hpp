@@ -3,6 +3,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <type_traits>
@@ -33,15 +34,10 @@ struct Numbers<Id<Tag>> {
   using Type = std::int32_t;
   static constexpr py::ssize_t count = 0;
 };
-template <>
-struct Numbers<Vec2> {
+template <int N>
+struct Numbers<Eigen::Matrix<double, N, 1>> {
   using Type = double;
-  static constexpr py::ssize_t count = 2;
-};
-template <>
-struct Numbers<Vec3> {
-  using Type = double;
-  static constexpr py::ssize_t count = 3;
+  static constexpr py::ssize_t count = N;
 };
 template <class Value, std::size_t N>
 struct Numbers<std::array<Value, N>> {
@@ -79,6 +75,15 @@ template <class Struct, class Value>
 py::array view(const std::vector<Struct>& structs, Value Struct::*member, const py::handle& owner) {
   const Value* const first = structs.empty() ? nullptr : &(structs.front().*member);
   return view_members(first, structs.size(), sizeof(Struct), owner);
+}
+
+/// The vector that `view` has made an array of.
+template <class Value>
+std::vector<Value> to_vector(const py::handle& viewed) {
+  const auto numbers = viewed.cast<Array<typename Numbers<Value>::Type>>();
+  std::vector<Value> values(numbers.shape(0));
+  std::copy_n(numbers.data(), numbers.size(), reinterpret_cast<typename Numbers<Value>::Type*>(values.data()));
+  return values;
 }
 
 /// An array that takes over a vector.

@@ -153,13 +153,7 @@ void bind_results(py::module_& module) {
   bind_files<Segmented>(segmented);
 
   py::class_<Cut> cut_class(module, "Cut");
-  cut_class
-      .def("mesh",
-           [](const Cut& c) {
-             auto checked = std::make_shared<CheckedMesh>();
-             checked->mesh = c.cut.mesh;
-             return checked;
-           })
+  cut_class.def("mesh", [](const Cut& c) { return std::make_shared<CheckedMesh>(as_input(c.cut.mesh)); })
       .def("labels", member_view<Cut>([](const Cut& c) -> auto& { return c.cut.label; }))
       .def("parents", member_view<Cut>([](const Cut& c) -> auto& { return c.cut.parent; }))
       .def("vertex_labels", member_view<Cut>([](const Cut& c) -> auto& { return c.vertices.label; }))

@@ -6,68 +6,54 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <tuple>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
 #include "gvd/generator_list.hpp"
-#include "gvd/read_soup.hpp"
 #include "gvd/names.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/sampling.hpp"
 
 namespace gvd::python {
 namespace {
 
-DefectPolicy choose_policy(const std::string& name) {
-  return choose<DefectPolicy>(
-      "on_defect", name,
-      {{"error", DefectPolicy::error}, {"repair", DefectPolicy::repair}, {"largest", DefectPolicy::largest}});
-}
-
-/// Polygons of equally many corners. Throws Error{precondition} for a corner that is no vertex.
-PolygonSoup make_soup(const Array<double>& positions, const Array<std::int64_t>& faces) {
-  PolygonSoup soup;
-  const auto at = positions.unchecked<2>();
-  const auto corner = faces.unchecked<2>();
-  soup.positions.reserve(at.shape(0));
-  for (py::ssize_t v = 0; v < at.shape(0); ++v) soup.positions.emplace_back(at(v, 0), at(v, 1), at(v, 2));
-  soup.corners.reserve(faces.size());
-  for (py::ssize_t f = 0; f < corner.shape(0); ++f) {
-    for (py::ssize_t k = 0; k < corner.shape(1); ++k) {
-      const std::int64_t v = corner(f, k);
-      if (v < 0 || v >= at.shape(0)) {
-        throw Error(ErrorCode::precondition,
-                    fmt::format("face {} has the vertex {}; there are {}, numbered from 0", f, v, at.shape(0)), f);
-      }
-      soup.corners.push_back(std::int32_t(v));
-    }
-    soup.close_polygon();
-  }
-  return soup;
-}
-
 SharedMesh mesh_from_arrays(const Array<double>& positions, const Array<std::int64_t>& faces,
                             const std::string& on_defect) {
   const DefectPolicy policy = choose("on_defect", on_defect, kDefectPolicyNames);
-  const PolygonSoup soup = make_soup(positions, faces);
+  const std::span at(positions.data(), std::size_t(positions.size()));
+  const PolygonSoup soup = make_soup(at, {faces.data(), std::size_t(faces.size())}, std::size_t(faces.shape(1)));
   return run_unlocked(py::none(),
                       [&](const Progress&) { return std::make_shared<CheckedMesh>(build_mesh(soup, policy)); });
 }
 
 SharedMesh mesh_from_file(const std::filesystem::path& path, const std::optional<std::string>& format,
                           const std::string& on_defect) {
-  const DefectPolicy policy = choose_policy(on_defect);
+  const DefectPolicy policy = choose("on_defect", on_defect, kDefectPolicyNames);
   std::optional<MeshFormat> known;
   if (format) known = choose("input_format", *format, kMeshFormatNames);
   return run_unlocked(py::none(), [&](const Progress&) {
-    const PolygonSoup soup = read_soup(path, known);
-    try {
-      return std::make_shared<CheckedMesh>(build_mesh(soup, policy));
-    } catch (const Error& error) {
-      throw Error(error.code(), path.string() + ": " + error.what(), error.element());
-    }
+    return std::make_shared<CheckedMesh>(build_mesh(read_soup(path, known), policy, path.string()));
   });
+}
+
+/// For pickle: the arrays of a mesh, those of its input's elements, and the notes.
+py::tuple get_state(const py::object& self) {
+  const CheckedMesh& c = self.cast<const CheckedMesh&>();
+  return py::make_tuple(view(c.mesh.positions(), self), view(c.mesh.face_vertices(), self), view(c.mesh_vertex, self),
+                        view(c.input_vertex, self), view(c.input_polygon, self), c.defects.messages);
+}
+
+SharedMesh set_state(const py::tuple& state) {
+  auto checked = std::make_shared<CheckedMesh>();
+  checked->mesh = Mesh(to_vector<Vec3>(state[0]), to_vector<std::array<VertexId, 3>>(state[1]));
+  checked->mesh_vertex = to_vector<VertexId>(state[2]);
+  checked->input_vertex = IdVector<VertexId, std::int32_t>(to_vector<std::int32_t>(state[3]));
+  checked->input_polygon = IdVector<FaceId, std::int32_t>(to_vector<std::int32_t>(state[4]));
+  checked->defects.messages = state[5].cast<std::vector<std::string>>();
+  return checked;
 }
 
 py::dict summarize(const CheckedMesh& checked) {
@@ -155,6 +141,7 @@ void bind_mesh(py::module_& module) {
   py::class_<CheckedMesh, SharedMesh>(module, "Mesh")
       .def_static("from_arrays", &mesh_from_arrays)
       .def_static("from_file", &mesh_from_file)
+      .def(py::pickle(&get_state, &set_state))
       .def("vertices",
            [](const py::object& self) { return view(self.cast<const CheckedMesh&>().mesh.positions(), self); })
       .def("faces",

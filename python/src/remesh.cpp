@@ -234,12 +234,7 @@ void bind_remesh(py::module_& module) {
   bind_relaxation(module);
   bind_map(module);
   py::class_<Remeshed>(module, "Remesh")
-      .def("mesh",
-           [](const Remeshed& r) {
-             auto checked = std::make_shared<CheckedMesh>();
-             checked->mesh = r.result().mesh;
-             return checked;
-           })
+      .def("mesh", [](const Remeshed& r) { return std::make_shared<CheckedMesh>(as_input(r.result().mesh)); })
       .def("diagram",
            [](const Remeshed& r) {
              return std::make_shared<MeshDiagram>(

@@ -1,5 +1,6 @@
 """Arrays and points of every kind: accepted, or refused in one line."""
 import gc
+import multiprocessing
 import pickle
 import unittest
 import warnings
@@ -86,6 +87,26 @@ class Arrays(unittest.TestCase):
         for array, copy in zip(arrays, copies):
             numpy.testing.assert_array_equal(array, copy)
         del blocks
+
+    def test_a_mesh_survives_pickling_with_the_places_of_its_elements(self):
+        unused = numpy.concatenate([V[:1] + 5, V])
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            mesh = gvd.Mesh(unused, numpy.concatenate([F + 1, F[:1] + 1]), on_defect="repair")
+        again = pickle.loads(pickle.dumps(mesh))
+        for name in ("vertices", "faces", "input_vertex", "input_face"):
+            numpy.testing.assert_array_equal(getattr(again, name), getattr(mesh, name))
+        numpy.testing.assert_array_equal(again.input_vertex, numpy.arange(1, len(V) + 1))
+        self.assertEqual(again.summary, mesh.summary)
+        numpy.testing.assert_array_equal(again.distances([0, 7]), mesh.distances([0, 7]))
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            numpy.testing.assert_array_equal(pool.apply(gvd.Mesh.distances, (mesh, 3)), mesh.distances(3))
+
+    def test_the_meshes_of_results_are_their_own_input(self):
+        mesh = gvd.read(meshes.TORUS)
+        for made in (mesh.voronoi([0, 100, 200]).cut().mesh, mesh.remesh(100).mesh):
+            numpy.testing.assert_array_equal(made.input_vertex, numpy.arange(len(made.vertices)))
+            numpy.testing.assert_array_equal(made.input_face, numpy.arange(len(made.faces)))
 
     def test_an_error_survives_pickling(self):
         error = pickle.loads(pickle.dumps(gvd.Error("no", "precondition", 7)))

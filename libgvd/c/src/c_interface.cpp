@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -38,18 +37,13 @@ using namespace gvd;
 /// A mesh with what its handle answers from. Shared by all handles that need it.
 struct SharedMesh {
   Mesh mesh;
-  std::vector<VertexId> vertex_of_input;  ///< empty: the vertices of the mesh are those of the input
+  std::vector<VertexId> vertex_of_input;
   std::string repairs;
   std::optional<std::vector<SurfacePoint>> generators;  ///< of the vertices of a remesh
   std::once_flag tree_made;
   std::unique_ptr<ClosestPointTree> tree;
 
-  std::int64_t input_vertices() const {
-    return vertex_of_input.empty() ? mesh.vertex_count() : std::ssize(vertex_of_input);
-  }
-  VertexId vertex_of(std::int64_t input) const {
-    return vertex_of_input.empty() ? VertexId(input) : vertex_of_input[std::size_t(input)];
-  }
+  bool has_input(std::int64_t vertex) const { return vertex >= 0 && vertex < std::ssize(vertex_of_input); }
   const ClosestPointTree& closest() {
     std::call_once(tree_made, [this] { tree = std::make_unique<ClosestPointTree>(mesh); });
     return *tree;
@@ -84,24 +78,11 @@ gvd_status fail(gvd_status status, const char* message) noexcept {
   return status;
 }
 
-gvd_status status_of(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::invalid_option:
-      return GVD_INVALID_OPTION;
-    case ErrorCode::unreadable_input:
-      return GVD_UNREADABLE_INPUT;
-    case ErrorCode::precondition:
-      return GVD_PRECONDITION;
-    case ErrorCode::no_valid_result:
-      return GVD_NO_VALID_RESULT;
-    case ErrorCode::unwritable_output:
-    case ErrorCode::reader_gone:
-      return GVD_UNWRITABLE_OUTPUT;
-    case ErrorCode::interrupted:
-      return GVD_INTERRUPTED;
-  }
-  return GVD_INTERNAL_ERROR;
-}
+/// Of each ErrorCode, in their order.
+constexpr std::array<gvd_status, 7> kStatuses{GVD_INVALID_OPTION,  GVD_UNREADABLE_INPUT,  GVD_PRECONDITION,
+                                              GVD_NO_VALID_RESULT, GVD_UNWRITABLE_OUTPUT, GVD_UNWRITABLE_OUTPUT,
+                                              GVD_INTERRUPTED};
+static_assert(std::size_t(ErrorCode::interrupted) + 1 == kStatuses.size());
 
 /// Does the work of a call; its exceptions become a status and a message.
 template <class Work>
@@ -110,7 +91,7 @@ gvd_status guarded(Work&& work) noexcept {
     work();
     return GVD_OK;
   } catch (const Error& error) {
-    return fail(status_of(error.code()), error.what());
+    return fail(kStatuses[std::size_t(error.code())], error.what());
   } catch (const std::bad_alloc&) {
     return fail(GVD_OUT_OF_MEMORY, "out of memory; use a smaller mesh or fewer generators");
   } catch (const std::exception& error) {
@@ -189,34 +170,6 @@ std::unique_ptr<gvd_mesh> make_handle(CheckedMesh checked) {
 
 DefectPolicy policy(int repair) { return repair != 0 ? DefectPolicy::repair : DefectPolicy::error; }
 
-PolygonSoup make_soup(const double* vertices, std::int64_t vertex_count, const std::int32_t* faces,
-                      std::int64_t face_count) {
-  if (vertex_count < 0 || face_count < 0) refuse("a count is negative");
-  PolygonSoup soup;
-  for (std::int64_t v = 0; v < vertex_count; ++v) {
-    const double* const p = &given(vertices, "vertices") + 3 * v;
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
-      throw Error(ErrorCode::precondition, "vertex " + std::to_string(v) + " has a coordinate that is not finite", v);
-    }
-    soup.positions.emplace_back(p[0], p[1], p[2]);
-  }
-  for (std::int64_t f = 0; f < face_count; ++f) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const std::int32_t v = (&given(faces, "faces"))[3 * f + corner];
-      if (v < 0 || v >= vertex_count) {
-        throw Error(ErrorCode::precondition,
-                    "face " + std::to_string(f) + " has vertex " + std::to_string(v) + ", and there are " +
-                        std::to_string(vertex_count),
-                    f);
-      }
-      soup.corners.push_back(v);
-    }
-    soup.close_polygon();
-  }
-  if (face_count == 0) throw Error(ErrorCode::precondition, "there is no face");
-  return soup;
-}
-
 /// What gvd_lloyd_options and gvd_remesh_options share.
 template <class Options>
 RelaxationStartOptions start_options(const Mesh& mesh, const gvd_point* listed, std::int32_t count,
@@ -243,12 +196,7 @@ gvd_status gvd_mesh_read(const char* path, int repair, gvd_mesh** mesh) {
   return guarded([&] {
     given(mesh, "mesh");
     const std::string name = &given(path, "path");
-    try {
-      *mesh = make_handle(build_mesh(read_soup(name), policy(repair))).release();
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::precondition) throw;
-      throw Error(error.code(), name + ": " + error.what(), error.element());  // build_mesh knows no file
-    }
+    *mesh = make_handle(build_mesh(read_soup(name), policy(repair), name)).release();
   });
 }
 
@@ -256,7 +204,11 @@ gvd_status gvd_mesh_create(const double* vertices, int64_t vertex_count, const i
                            int repair, gvd_mesh** mesh) {
   return guarded([&] {
     given(mesh, "mesh");
-    const PolygonSoup soup = make_soup(vertices, vertex_count, faces, face_count);
+    if (vertex_count < 0 || face_count < 0) refuse("a count is negative");
+    if (vertex_count > 0) given(vertices, "vertices");
+    if (face_count > 0) given(faces, "faces");
+    const std::vector<std::int64_t> corners(faces, faces + 3 * face_count);
+    const PolygonSoup soup = make_soup({vertices, 3 * std::size_t(vertex_count)}, corners);
     *mesh = make_handle(build_mesh(soup, policy(repair))).release();
   });
 }
@@ -269,11 +221,11 @@ int32_t gvd_mesh_vertex_count(const gvd_mesh* mesh) { return mesh->mesh().vertex
 
 int32_t gvd_mesh_face_count(const gvd_mesh* mesh) { return mesh->mesh().face_count(); }
 
-int64_t gvd_mesh_input_vertex_count(const gvd_mesh* mesh) { return mesh->shared->input_vertices(); }
+int64_t gvd_mesh_input_vertex_count(const gvd_mesh* mesh) { return std::ssize(mesh->shared->vertex_of_input); }
 
 int32_t gvd_mesh_vertex_of_input(const gvd_mesh* mesh, int64_t vertex) {
-  const bool is_known = vertex >= 0 && vertex < mesh->shared->input_vertices();
-  return is_known ? mesh->shared->vertex_of(vertex).value() : -1;
+  const SharedMesh& shared = *mesh->shared;
+  return shared.has_input(vertex) ? shared.vertex_of_input[std::size_t(vertex)].value() : -1;
 }
 
 void gvd_mesh_vertices(const gvd_mesh* mesh, double* vertices) {
@@ -293,11 +245,11 @@ gvd_status gvd_mesh_write(const gvd_mesh* mesh, const char* path) {
 gvd_status gvd_point_at_vertex(const gvd_mesh* mesh, int64_t vertex, gvd_point* point) {
   return guarded([&] {
     const SharedMesh& shared = *given(mesh, "mesh").shared;
-    if (vertex < 0 || vertex >= shared.input_vertices()) {
+    if (!shared.has_input(vertex)) {
       throw Error(ErrorCode::precondition, "there is no vertex " + std::to_string(vertex) + "; the last one is " +
-                                               std::to_string(shared.input_vertices() - 1));
+                                               std::to_string(std::ssize(shared.vertex_of_input) - 1));
     }
-    const VertexId v = shared.vertex_of(vertex);
+    const VertexId v = shared.vertex_of_input[std::size_t(vertex)];
     if (!v.valid()) throw Error(ErrorCode::precondition, "vertex " + std::to_string(vertex) + " is in no face");
     given(point, "point") = to_c(vertex_point(shared.mesh, v));
   });
@@ -504,9 +456,7 @@ gvd_status gvd_remesh(const gvd_mesh* mesh, const gvd_point* listed, int32_t cou
     if (asked.crease_angle < 0) remesh.start.constraints.crease_angle = kUsualCreaseAngle;
     remesh.remesh.diagram = diagram_options(run);
     RemeshResult result = remesh_surface(surface, remesh).result;
-    CheckedMesh checked;
-    checked.mesh = std::move(result.mesh);
-    auto handle = make_handle(std::move(checked));
+    auto handle = make_handle(as_input(std::move(result.mesh)));
     handle->shared->generators = std::move(result.generators);
     *coarse = handle.release();
   });

@@ -46,6 +46,10 @@ struct PolygonSoup {
   }
 };
 
+/// The soup of two arrays: three coordinates for each vertex, in mesh units, and `size` corners for each polygon.
+/// Throws Error{precondition} for a corner that is no vertex. Cost: O(n).
+PolygonSoup make_soup(std::span<const double> coordinates, std::span<const std::int64_t> corners, std::size_t size = 3);
+
 /// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF), STL (ascii and binary), VTP, VTK or GLB.
 /// VTK is the legacy format, with PolyData or the surface cells of an unstructured grid. Each may be packed by gzip.
 ///

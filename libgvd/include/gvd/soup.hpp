@@ -81,9 +81,12 @@ struct CheckedMesh {
 /// defect. Under the others it is what can't be repaired: a component with one side only (a Moebius strip; under
 /// `largest` only if it is the largest), a polygon that is folded or crosses itself, a coordinate beyond
 /// kLargestCoordinate, a mesh smaller than kSmallestExtent or so thin that rounding hides most triangles, or no face
-/// left. Cost: O(n log n) time for n corners, O(n)
+/// left. Messages begin with `name`, where there is one: that of the file. Cost: O(n log n) time for n corners, O(n)
 /// memory.
-CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy = DefectPolicy::repair);
+CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy = DefectPolicy::repair, std::string_view name = {});
+
+/// A mesh that is its own input: each element comes from itself. Cost: O(n).
+CheckedMesh as_input(Mesh mesh);
 
 /// The limits keep squared areas, products of four lengths, in the range of a double (1e-308 to 1e308).
 inline constexpr double kLargestCoordinate = 1e75;  ///< absolute, in mesh units

@@ -113,6 +113,40 @@ TEST_CASE("a soup without defects becomes the same mesh") {
   }
 }
 
+TEST_CASE("a soup of arrays has polygons of one size, and refuses corners that are no vertices") {
+  const std::vector<double> square{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  const PolygonSoup quad = gvd::make_soup(square, std::vector<std::int64_t>{0, 1, 2, 3}, 4);
+  CHECK(quad.polygon_count() == 1);
+  CHECK(quad.positions[2] == Vec3(1, 1, 0));
+  CHECK(build_mesh(quad).mesh.face_count() == 2);
+  for (const std::int64_t wrong : {std::int64_t{-1}, std::int64_t{4}, std::int64_t{1} << 32}) {
+    try {
+      gvd::make_soup(square, std::vector<std::int64_t>{0, 1, 2, 0, 2, wrong});
+      FAIL("no error");
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::precondition);
+      CHECK(error.element() == 1);
+      CHECK_THAT(error.what(), Catch::Matchers::Contains("face 1 has the vertex " + std::to_string(wrong)));
+    }
+  }
+}
+
+TEST_CASE("errors begin with the name of the file, and the mesh of a result is its own input") {
+  const PolygonSoup twice =
+      gvd::make_soup(std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0}, std::vector<std::int64_t>{0, 1, 2, 0, 1, 2});
+  try {
+    build_mesh(twice, DefectPolicy::error, "a.ply");
+    FAIL("no error");
+  } catch (const Error& error) {
+    CHECK_THAT(error.what(), Catch::Matchers::StartsWith("a.ply: "));
+    CHECK(error.element() == 1);
+  }
+  const CheckedMesh own = as_input(build_mesh(twice).mesh);
+  CHECK(own.input_vertex.raw() == std::vector<std::int32_t>{0, 1, 2});
+  CHECK(own.input_polygon.raw() == std::vector<std::int32_t>{0});
+  CHECK(own.mesh_vertex == std::vector<VertexId>{VertexId(0), VertexId(1), VertexId(2)});
+}
+
 TEST_CASE("unwelded: equal coordinates are one vertex, and -0 is 0") {
   PolygonSoup soup =
       make_soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 1, -0.0}, {1, -0.0, 0}, {1, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});

@@ -387,7 +387,9 @@ void DefectLog::add(DefectKind kind, std::int64_t count, std::int64_t first, con
   report_.messages.push_back(message);
 }
 
-CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy) {
+namespace {
+
+CheckedMesh build_repaired(const PolygonSoup& soup, DefectPolicy policy) {
   examine_polygons(soup);
   examine_positions(soup);
   DefectLog log(policy);
@@ -407,6 +409,28 @@ CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy) {
   require_shapes(checked.mesh);
   checked.defects = std::move(log.report());
   add_remarks(checked);
+  return checked;
+}
+
+}  // namespace
+
+CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy, std::string_view name) {
+  try {
+    return build_repaired(soup, policy);
+  } catch (const Error& error) {
+    if (name.empty()) throw;
+    throw Error(error.code(), fmt::format("{}: {}", name, error.what()), error.element());
+  }
+}
+
+CheckedMesh as_input(Mesh mesh) {
+  CheckedMesh checked;
+  checked.mesh = std::move(mesh);
+  for (const VertexId v : checked.mesh.vertices()) {
+    checked.mesh_vertex.push_back(v);
+    checked.input_vertex.push_back(v.value());
+  }
+  for (const FaceId f : checked.mesh.faces()) checked.input_polygon.push_back(f.value());
   return checked;
 }
 
