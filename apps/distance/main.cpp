@@ -166,11 +166,12 @@ void add_rows(Run& run, const OwnOptions& own, const CheckedMesh& input, Distanc
   }
 }
 
-void add_paths(DistanceTable& table, const ExactField& field, GeneratorId only) {
+void add_paths(DistanceTable& table, const Mesh& mesh, const ExactField& field, GeneratorId only) {
   for (std::size_t i = 0; i < table.targets.size(); ++i) {
     GeodesicPath path = field.path(table.targets[i]);
     const GeneratorId source = only.valid() && path.generator.valid() ? only : path.generator;
-    table.paths.push_back({static_cast<std::int32_t>(i), source, std::move(path)});
+    TargetPath& added = table.paths.emplace_back(TargetPath{std::int32_t(i), source, std::move(path)});
+    for (const SurfacePoint& point : added.path.points) added.positions.push_back(position(mesh, point));
   }
 }
 
@@ -260,7 +261,7 @@ void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const Dista
   results = {{"sources", table.sources.size()}, {"distances", count}, {"unreached", unreached}, {"largest", largest}};
   results["targets"] = describe_targets(mesh, table);
   Json& paths = results["paths"] = Json::array();
-  for (const auto& [target, source, path] : table.paths) {
+  for (const auto& [target, source, path, positions] : table.paths) {
     paths.push_back({{"source", source.value()},
                      {"target", target},
                      {"length", std::isfinite(path.length) ? Json(path.length) : Json()},
@@ -287,8 +288,7 @@ void write_files(Run& run, const Mesh& mesh, const DistanceTable& table, Labelle
   write_output_files(
       run, output,
       {{"npy", [&](std::ostream& out) { write_distances_npy(out, table); }},
-       {"csv",
-        [&](std::ostream& out) { has_paths ? write_paths_csv(out, mesh, table) : write_distances_csv(out, table); }},
+       {"csv", [&](std::ostream& out) { has_paths ? write_paths_csv(out, table) : write_distances_csv(out, table); }},
        {"json", [&](std::ostream& out) { write_distances_json(out, mesh, table); }}});
 }
 
@@ -298,7 +298,7 @@ void measure_nearest(Run& run, const OwnOptions& own, const CheckedMesh& input, 
   const ExactField field =
       run.timed("distances", [&] { return ExactField(mesh, table.sources, field_options(run, own)); });
   add_nearest(table, input, field);
-  if (own.paths) run.timed("paths", [&] { add_paths(table, field, GeneratorId()); });
+  if (own.paths) run.timed("paths", [&] { add_paths(table, mesh, field, GeneratorId()); });
   if (own.isolines) {
     const IsolineOptions options{.threads = run.options().compute.threads, .progress = run.progress()};
     table.isolines = run.timed("isolines", [&] { return field.isolines(choose_levels(mesh, field, own), options); });
@@ -322,7 +322,7 @@ void add_all_paths(Run& run, const OwnOptions& own, const Mesh& mesh, DistanceTa
     options.progress = [&, shown = run.progress()](std::string_view, double done) {
       return shown("paths", (double(i) + done) / double(table.sources.size()));
     };
-    add_paths(table, ExactField(mesh, {table.sources[i]}, options), GeneratorId(i));
+    add_paths(table, mesh, ExactField(mesh, {table.sources[i]}, options), GeneratorId(i));
   }
 }
 

@@ -1,7 +1,6 @@
 """Shortest paths."""
 from __future__ import annotations
 
-import contextlib
 import io
 import os
 from typing import Any, NamedTuple
@@ -9,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy
 from numpy.typing import NDArray
 
-from . import _vtk
-from ._error import Error, refuse
+from . import _gvd, _vtk
+from ._error import refuse
 from ._points import Points
 
 
@@ -33,26 +32,18 @@ class Path(NamedTuple):
         return _vtk.lines([self.positions])
 
     def to_file(self, path: Any) -> None:
-        """Writes the positions: .npy, .csv with a header, or .obj with one polyline (none for a path of one point).
+        """Writes .npy or .obj (the positions, as one polyline) or .csv (as gvd-distance --paths does).
 
-        A complete file or none, as the other results do."""
+        A complete file or none, as the other results do. A path of one point has no line in .obj."""
         name, out = os.fsdecode(path), io.BytesIO()
         if name.endswith(".npy"):
             numpy.save(out, self.positions)
         elif name.endswith(".csv"):
-            numpy.savetxt(out, self.positions, fmt="%.17g", delimiter=",", header="x,y,z", comments="")
+            out.write(_gvd.format_path(*self.points, self.positions, self.length, self.end))
         elif name.endswith(".obj"):
             numpy.savetxt(out, self.positions, fmt="v %.17g %.17g %.17g")
             if len(self.positions) > 1:
                 out.write(b"l " + b" ".join(b"%d" % (i + 1) for i in range(len(self.positions))) + b"\n")
         else:
             refuse(f"{name}: a path is written as .npy, .csv or .obj")
-        part = f"{name}.{os.getpid()}.part"
-        try:
-            with open(part, "wb") as file:
-                file.write(out.getvalue())
-            os.replace(part, name)
-        except (OSError, ValueError) as error:
-            with contextlib.suppress(OSError, ValueError):
-                os.remove(part)
-            raise Error(f"{name!r}: cannot write the path: {error}", "unwritable_output") from None
+        _gvd.write_file(name, out.getvalue())

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <sstream>
 #include <thread>
 
 #include "arrays.hpp"
@@ -12,6 +13,8 @@
 #include "bindings.hpp"
 #include "calls.hpp"
 #include "gvd/exact_field.hpp"
+#include "gvd/io/distance_writer.hpp"
+#include "gvd/io/write_file.hpp"
 
 namespace gvd::python {
 namespace {
@@ -74,6 +77,19 @@ py::list compute_paths(const SharedMesh& input, const PointList& from, const Poi
   return result;
 }
 
+/// The table of one path, as gvd-distance --paths writes it.
+py::bytes format_path(const Array<std::int32_t>& face, const Array<double>& bary, const Array<double>& positions,
+                      double length, std::int32_t end) {
+  TargetPath path{0, GeneratorId(end), {{}, {}, length}};
+  for (py::ssize_t k = 0; k < face.size(); ++k) {
+    path.path.points.push_back({FaceId(face.at(k)), {bary.at(k, 0), bary.at(k, 1), bary.at(k, 2)}});
+    path.positions.emplace_back(positions.at(k, 0), positions.at(k, 1), positions.at(k, 2));
+  }
+  std::ostringstream out;
+  write_paths_csv(out, {.paths = {std::move(path)}});
+  return out.str();
+}
+
 /// The logarithm of every vertex at the only point of `at`; NaN where no path leads to it.
 py::array compute_logs(const SharedMesh& input, const PointList& at, int threads, const py::object& progress) {
   const Mesh& mesh = input->mesh;
@@ -101,6 +117,10 @@ void bind_distances(py::module_& module) {
   module.def("rows", &compute_rows);
   module.def("paths", &compute_paths);
   module.def("logs", &compute_logs);
+  module.def("format_path", &format_path);
+  module.def("write_file", [](const std::filesystem::path& path, const std::string& content) {
+    write_file(path, [&](std::ostream& out) { out << content; });
+  });
 }
 
 }  // namespace gvd::python

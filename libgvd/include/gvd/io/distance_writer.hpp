@@ -9,6 +9,7 @@
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
+#include "gvd/vec.hpp"
 
 namespace gvd {
 
@@ -19,9 +20,10 @@ void write_labels_csv(std::ostream& out, const IdVector<FaceId, GeneratorId>& la
 
 /// A shortest path from a point that distances were asked for.
 struct TargetPath {
-  std::int32_t target = 0;  ///< index of that point
-  GeneratorId source;       ///< where the path ends
-  GeodesicPath path;        ///< its generator is another number where one source after the other was computed
+  std::int32_t target = 0;           ///< index of that point
+  GeneratorId source;                ///< where the path ends
+  GeodesicPath path;                 ///< its generator is another number where one source after the other was computed
+  std::vector<Vec3> positions = {};  ///< of its points, mesh units
 };
 
 /// Distances of points from sources, and curves of them, for files.
@@ -49,7 +51,7 @@ void write_distances_npy(std::ostream& out, const DistanceTable& table);
 void write_distances_csv(std::ostream& out, const DistanceTable& table);
 
 /// Writes a line for each point of each path, with the columns path, source, target, length, face, b0, b1, b2, x, y, z.
-void write_paths_csv(std::ostream& out, const Mesh& mesh, const DistanceTable& table);
+void write_paths_csv(std::ostream& out, const DistanceTable& table);
 
 /// Writes all of it as `gvd-distance/1` (docs/schema). Infinity is null.
 void write_distances_json(std::ostream& out, const Mesh& mesh, const DistanceTable& table);

@@ -75,7 +75,7 @@ ViewScene make_distance_scene(std::string name, const Mesh& mesh, const ExactFie
   scene.mesh = &mesh;
   for (const VertexId v : mesh.vertices()) scene.vertex_distance.push_back(field.distance(v));
   scene.generators = positions(mesh, table.sources);
-  for (const TargetPath& path : table.paths) scene.paths.push_back(positions(mesh, path.path.points));
+  for (const TargetPath& path : table.paths) scene.paths.push_back(path.positions);
   for (const Isoline& line : table.isolines) {
     scene.isolines.push_back(positions(mesh, line.points));
     if (line.closed) scene.isolines.back().push_back(scene.isolines.back().front());

@@ -65,13 +65,11 @@ void print_curves(ByteWriter& out, const Mesh& mesh, const DistanceTable& table)
 }
 
 /// Distances fall from the path's length to 0, by the lengths of its pieces.
-MeshCurve make_path_curve(const Mesh& mesh, const GeodesicPath& path, std::size_t index) {
-  MeshCurve curve{fmt::format("path_{}", index), {}, {}};
-  for (const SurfacePoint& point : path.points) {
-    const Vec3 at = position(mesh, point);
-    const double before = curve.points.empty() ? path.length : curve.distance.back();
-    curve.distance.push_back(curve.points.empty() ? before : std::max(0.0, before - (at - curve.points.back()).norm()));
-    curve.points.push_back(at);
+MeshCurve make_path_curve(const TargetPath& path, std::size_t index) {
+  const std::vector<Vec3>& at = path.positions;
+  MeshCurve curve{fmt::format("path_{}", index), at, {path.path.length}};
+  for (std::size_t k = 1; k < at.size(); ++k) {
+    curve.distance.push_back(std::max(0.0, curve.distance.back() - (at[k] - at[k - 1]).norm()));
   }
   return curve;
 }
@@ -115,15 +113,15 @@ void write_distances_csv(std::ostream& stream, const DistanceTable& table) {
   out.finish();
 }
 
-void write_paths_csv(std::ostream& stream, const Mesh& mesh, const DistanceTable& table) {
+void write_paths_csv(std::ostream& stream, const DistanceTable& table) {
   ByteWriter out(stream);
   out.text("path,source,target,length,face,b0,b1,b2,x,y,z\n");
   for (std::size_t i = 0; i < table.paths.size(); ++i) {
-    const auto& [target, source, path] = table.paths[i];
-    for (const SurfacePoint& point : path.points) {
-      const Vec3 p = position(mesh, point);
-      out.print("{},{},{},{},{},{},{}\n", i, source.value(), target, path.length, point.face.value(),
-                fmt::join(point.bary, ","), fmt::join(p.data(), p.data() + 3, ","));
+    const auto& [target, source, path, positions] = table.paths[i];
+    for (std::size_t k = 0; k < path.points.size(); ++k) {
+      const double* const p = positions[k].data();
+      out.print("{},{},{},{},{},{},{}\n", i, source.value(), target, path.length, path.points[k].face.value(),
+                fmt::join(path.points[k].bary, ","), fmt::join(p, p + 3, ","));
     }
   }
   out.finish();
@@ -147,7 +145,7 @@ void write_distances_json(std::ostream& stream, const Mesh& mesh, const Distance
 std::vector<MeshCurve> make_curves(const Mesh& mesh, const DistanceTable& table) {
   std::vector<MeshCurve> curves;
   for (std::size_t i = 0; i < table.paths.size(); ++i) {
-    if (table.paths[i].path.points.size() > 1) curves.push_back(make_path_curve(mesh, table.paths[i].path, i));
+    if (table.paths[i].positions.size() > 1) curves.push_back(make_path_curve(table.paths[i], i));
   }
   for (const Isoline& line : table.isolines) {
     MeshCurve& curve = curves.emplace_back(MeshCurve{fmt::format("isoline_{:.10g}", line.level), {}, {}});
