@@ -12,8 +12,10 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <utility>
@@ -102,28 +104,70 @@ std::vector<std::string> list_columns(const std::vector<RunResult>& results) {
   return names;
 }
 
-/// Writes --summary, where it is given.
-Outcome write_summary(const std::vector<Options>& runs, const std::vector<RunResult>& results) {
-  const OutputOptions& output = runs.front().output;
-  if (output.summary.empty()) return {};
-  return run_guarded([&] {
-    const std::string table = format_summary(runs.front().input.paths, results);
-    write_file(output.summary, [&](std::ostream& out) { out << table; });
-  });
+/// The rows of the results from `first` on, then those of the inputs that have none.
+std::string format_rows(const std::vector<std::string>& inputs, const std::vector<RunResult>& results,
+                        std::size_t first, const std::vector<std::string>& columns) {
+  std::string rows;
+  for (std::size_t i = first; i < results.size(); ++i) {
+    const RunResult& result = results[i];
+    const std::map<std::string, std::string> values(result.cells.begin(), result.cells.end());
+    rows += fmt::format("{},{},{},", quote_field(result.input), result.exit_code, quote_field(result.error));
+    for (const std::string& column : columns) {
+      const auto value = values.find(column);
+      rows += value == values.end() ? "," : quote_field(value->second) + ',';
+    }
+    rows += fmt::format("{:.3f}\n", result.seconds);
+  }
+  for (std::size_t i = results.size(); i < inputs.size(); ++i) {
+    rows += fmt::format("{},,not run,{}\n", quote_field(inputs[i]), std::string(columns.size(), ','));
+  }
+  return rows;
 }
+
+/// The file of --summary. Rows are appended, so that a run's takes no longer the more runs came before; the file is
+/// written whole where the last run has a new column, or where it can't be appended to.
+class SummaryFile {
+ public:
+  explicit SummaryFile(std::string path) : path_(std::move(path)) {}
+
+  /// Writes the rows of the results that it lacks, and those of the `inputs` behind them.
+  Outcome write(const std::vector<std::string>& inputs, const std::vector<RunResult>& results) {
+    if (path_.empty()) return {};
+    const auto is_known = [this](const auto& cell) { return contains(columns_, cell.first); };
+    const bool fits = written_ > 0 && std::ranges::all_of(results.back().cells, is_known);
+    std::fstream file;
+    if (fits) file.open(path_, std::ios::in | std::ios::out | std::ios::ate);  // fails where the file is gone
+    const bool is_appended = fits && (file << format_rows(inputs, results, written_, columns_)).flush();
+    Outcome outcome;
+    if (!is_appended) {
+      const std::string table = format_summary(inputs, results);
+      outcome = run_guarded([&] { write_file(path_, [&](std::ostream& out) { out << table; }); });
+      columns_ = list_columns(results);
+    }
+    written_ = outcome.exit_code == kDone ? results.size() : 0;
+    return outcome;
+  }
+
+ private:
+  std::string path_;  // empty: none
+  std::vector<std::string> columns_;
+  std::size_t written_ = 0;  // results; 0 before the first and after a failure
+};
 
 }  // namespace
 
 int run_several(const std::string& command, const std::vector<Options>& runs, const std::function<void(Run&)>& body) {
   std::vector<RunResult> results;
   int exit_code = kDone;
+  SummaryFile file(runs.front().output.summary);
   Outcome summary;
   for (const Options& options : runs) {
     results.push_back(run_one(command, options, body));
-    summary = write_summary(runs, results);
+    summary = file.write({}, results);
     if (exit_code == kDone) exit_code = results.back().exit_code;
     if (interrupt_requested()) break;
   }
+  if (results.size() < runs.size()) summary = file.write(runs.front().input.paths, results);
   print_error(command, runs.front().output.summary, summary.message);
   if (exit_code == kDone) exit_code = summary.exit_code;
   // The last run may have been done when the signal came.
@@ -164,21 +208,8 @@ Cells list_figures(const RunReport& report) {
 
 std::string format_summary(const std::vector<std::string>& inputs, const std::vector<RunResult>& results) {
   const std::vector<std::string> columns = list_columns(results);
-  std::string table =
-      fmt::format("input,exit_code,error,{}{}seconds\n", fmt::join(columns, ","), columns.empty() ? "" : ",");
-  for (const RunResult& result : results) {
-    const std::map<std::string, std::string> values(result.cells.begin(), result.cells.end());
-    table += fmt::format("{},{},{},", quote_field(result.input), result.exit_code, quote_field(result.error));
-    for (const std::string& column : columns) {
-      const auto value = values.find(column);
-      table += value == values.end() ? "," : quote_field(value->second) + ',';
-    }
-    table += fmt::format("{:.3f}\n", result.seconds);
-  }
-  for (std::size_t i = results.size(); i < inputs.size(); ++i) {
-    table += fmt::format("{},,not run,{}\n", quote_field(inputs[i]), std::string(columns.size(), ','));
-  }
-  return table;
+  return fmt::format("input,exit_code,error,{}{}seconds\n", fmt::join(columns, ","), columns.empty() ? "" : ",") +
+         format_rows(inputs, results, 0, columns);
 }
 
 }  // namespace gvd::app

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <new>
 #include <nlohmann/json.hpp>
 
@@ -100,6 +103,38 @@ TEST_CASE("a summary has the columns of all runs, quotes fields, and names input
         "d,0,,8,,true,1.000\n"
         "e,,not run,,,,\n");
   CHECK(format_summary({"a"}, {}) == "input,exit_code,error,seconds\na,,not run,\n");
+}
+
+TEST_CASE("the summary grows by a row after each run, and is written anew for a new column") {
+  install_signal_handlers();
+  const gvd::test::ScratchFolder scratch;
+  const std::string table = scratch / "all.csv";
+  std::vector<Options> runs = quiet_runs({"a", "b", "c", "d"});
+  for (Options& options : runs) {
+    options.output.summary = table;
+    options.input.paths = {"a", "b", "c", "d"};
+  }
+  std::vector<std::string> seen;
+  const int code = run_several("gvd-test", runs, [&](Run& run) {
+    const std::string& input = run.options().input.path;
+    if (input != "a") seen.push_back(gvd::test::read_text(table));
+    if (input == "b") std::ofstream(table, std::ios::app) << "mark\n";
+    run.report().results()[input == "c" ? "late" : "n"] = 7;
+    if (input == "c") std::raise(SIGINT);
+  });
+  CHECK(code == 130);
+  REQUIRE(seen.size() == 2);
+  const std::string before = seen[0].substr(0, seen[0].rfind(','));
+  CHECK(before == "input,exit_code,error,results.n,seconds\na,0,,7");
+  CHECK(seen[1].starts_with(seen[0] + "mark\nb,0,,7,"));  // appended
+  const std::string all = gvd::test::read_text(table);
+  CHECK(all.starts_with("input,exit_code,error,results.n,results.late,seconds\na,0,,7,,"));
+  CHECK(all.ends_with("\nd,,not run,,,\n"));
+  CHECK(std::count(all.begin(), all.end(), '\n') == 5);
+  install_signal_handlers();
+  CHECK(run_several("gvd-test", runs, [&](Run&) { std::filesystem::remove(table); }) == 0);
+  const std::string again = gvd::test::read_text(table);
+  CHECK(std::count(again.begin(), again.end(), '\n') == 5);
 }
 
 TEST_CASE("figures of a report are its numbers, texts and truth values, without lists and nulls") {
