@@ -74,6 +74,24 @@ TEST_CASE("glb: quantized and interleaved positions are read") {
                                  MeshFormat::glb, "file"));
 }
 
+TEST_CASE("glb: normalized signed numbers are clamped to -1") {
+  std::string numbers;
+  for (const std::array<std::int16_t, 3>& p : std::vector<std::array<std::int16_t, 3>>{
+           {-32768, 0, 0}, {-32767, 32767, 0}, {0, 0, 32767}, {16384, 0, -32768}}) {
+    for (const std::int16_t x : p) numbers += bytes_of(x);
+    numbers += "..";
+  }
+  std::string description =
+      replaced(glb_description(1), R"("componentType":5126)", R"("componentType":5122,"normalized":true)");
+  description = replaced(description, R"("byteLength":48})", R"("byteLength":32,"byteStride":8})");
+  const PolygonSoup soup = parse_soup(glb_of(description, numbers + std::string(16, '\0') + glb_numbers().substr(48)),
+                                      MeshFormat::glb, "file");
+  REQUIRE(soup.positions.size() == 4);
+  CHECK(soup.positions[0] == Vec3(-1, 0, 0));
+  CHECK(soup.positions[1] == Vec3(-1, 1, 0));
+  CHECK(soup.positions[3] == Vec3(16384.0 / 32767, 0, -1));
+}
+
 TEST_CASE("glb: what is not read is refused in one clear line") {
   const auto refused = [](const std::string& from, const std::string& to, const std::string& part) {
     INFO(from << " -> " << to);

@@ -65,7 +65,8 @@ TEST_CASE("gzip: a damaged, cut or endless file is refused in one line") {
   std::string wrong = packed;
   wrong[packed.size() - 6] ^= 1;  // of the checksum
   require_refused(wrong, MeshFormat::off, "gzip's data are damaged after");
-  require_refused(packed + "more", MeshFormat::off, "gzip's data are damaged after");
+  require_refused(packed + "more", MeshFormat::off, "4 bytes behind gzip's data are no gzip");
+  require_refused(packed + '\0' + packed, MeshFormat::off, "behind gzip's data are no gzip");
   require_refused(pack(packed), MeshFormat::off, "compressed by gzip; unpack it first");
   require_refused(pack(""), MeshFormat::off, "the file is empty");
   const std::string bomb = pack(std::string(8 << 20, ' '));

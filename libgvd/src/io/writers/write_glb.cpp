@@ -1,6 +1,6 @@
 // Binary glTF 2.0 (Khronos; ISO/IEC 12113): a header, a JSON chunk, a chunk of numbers.
 //
-// The JSON chunk describes views of the numbers, and comes before them in the file. So the surface and the bisectors
+// The JSON chunk describes views of the numbers, and comes before them in the file. So the surface and the lines
 // are described first, which adds up the bytes, and then written in the same order.
 // Each region is a primitive with a material, and with vertices of its own: a vertex on a border or a crease comes once
 // for each region and normal. Positions are 32-bit floats, which `check_single_precision` has allowed.
@@ -57,7 +57,7 @@ class GlbWriter {
         surface_(split_shading_vertices(labelled.mesh, labelled.face_label, regions_)),
         lines_(collect_lines(labelled)) {
     describe_surface();
-    describe_bisectors();
+    describe_lines();
   }
 
   void write(std::ostream& stream) {
@@ -74,7 +74,7 @@ class GlbWriter {
     out.text(text);
     for (const std::uint32_t word : {std::uint32_t(binary_bytes_), kBinaryChunk}) out.binary(word);
     write_surface(out);
-    write_bisectors(out);
+    write_lines(out);
     out.finish();
   }
 
@@ -161,8 +161,8 @@ class GlbWriter {
     return mesh_.position(surface_.vertices[shading_vertex].vertex);
   }
 
-  /// All bisectors are one primitive of line segments.
-  void describe_bisectors() {
+  /// All bisectors and curves are one primitive of line segments.
+  void describe_lines() {
     std::size_t points = 0;
     for (const OutputLine& line : lines_) points += line.points.size();
     if (points == 0) return;
@@ -190,7 +190,7 @@ class GlbWriter {
     }
   }
 
-  void write_bisectors(ByteWriter& out) const {
+  void write_lines(ByteWriter& out) const {
     for (const OutputLine& line : lines_) {
       for (const Vec3& p : line.points) out.floats(p);
     }

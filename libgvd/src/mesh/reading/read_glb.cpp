@@ -82,7 +82,7 @@ class GlbFile {
     return value.get<std::size_t>();
   }
 
-  /// Numbers or vectors of three numbers; those that stand for fractions are divided.
+  /// Numbers or vectors of three numbers; those that stand for fractions are divided, -128 as -127.
   Accessor read_accessor(std::size_t a) {
     const Json& accessor = item("accessors", a);
     if (accessor.contains("sparse")) refuse(fmt::format("accessor {} is sparse, which is not read", a));
@@ -103,10 +103,12 @@ class GlbFile {
     }
     limit_.spend(count * read.size * sizeof(double));
     read.numbers.reserve(count * read.size);
-    const double scale = accessor.value("normalized", false) ? largest(stored) : 1;
+    const bool is_fraction = accessor.value("normalized", false) && stored.kind != StoredNumber::Kind::real;
+    const double scale = is_fraction ? largest(stored) : 1, least = is_fraction ? -scale : -kInfinity;
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t k = 0; k < read.size; ++k) {
-        read.numbers.push_back(stored.read(view.data() + begin + i * stride + k * stored.size) / scale);
+        const double number = stored.read(view.data() + begin + i * stride + k * stored.size);
+        read.numbers.push_back(std::max(number, least) / scale);
       }
     }
     return read;
@@ -119,7 +121,7 @@ class GlbFile {
  private:
   std::uint32_t word(std::size_t at) const {
     if (at + 4 > bytes_.size()) refuse(fmt::format("the file ends at byte {}, inside a header", bytes_.size()));
-    return static_cast<std::uint32_t>(StoredNumber{StoredNumber::Kind::unsigned_integer, 4}.read(bytes_.data() + at));
+    return static_cast<std::uint32_t>(StoredNumber{.size = 4}.read_bits(bytes_.data() + at));
   }
 
   void read_chunks() {
@@ -160,7 +162,6 @@ class GlbFile {
 
   /// The number that stands for 1 in normalized integers.
   static double largest(const StoredNumber& stored) {
-    if (stored.kind == StoredNumber::Kind::real) return 1;
     return std::exp2(8.0 * double(stored.size) - (stored.kind == StoredNumber::Kind::signed_integer ? 1 : 0)) - 1;
   }
 

@@ -204,11 +204,7 @@ class VtpParser {
   std::uint64_t read_word(ArrayBytes& data, std::string_view what) const {
     const std::string bytes = data.take(header_.size);
     if (bytes.size() != header_.size) refuse_short(what);
-    std::uint64_t word = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      word = word << 8 | std::uint8_t(bytes[big_endian_ ? i : bytes.size() - 1 - i]);
-    }
-    return word;
+    return header_.read_bits(bytes.data());
   }
 
   /// Header: the number of blocks, the size of each, that of the last one or 0 where it is as large; then the packed

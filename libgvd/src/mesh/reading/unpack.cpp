@@ -23,6 +23,9 @@ namespace {
 /// For inflateInit2: the largest window, and gzip's header.
 constexpr int kGzipWindow = 15 + 16;
 
+/// The first bytes of a member.
+constexpr std::string_view kGzipMark = "\x1f\x8b";
+
 /// zlib counts the input in 32 bits.
 constexpr std::size_t kMostInput = std::numeric_limits<uInt>::max();
 
@@ -39,10 +42,11 @@ class GzipReader {
   GzipReader& operator=(const GzipReader&) = delete;
 
   std::string unpack() {
-    while (bytes_.find_first_not_of('\0') != bytes_.npos) {
+    do {
       unpack_member();
       inflateReset(&stream_);
-    }
+    } while (bytes_.starts_with(kGzipMark));
+    if (bytes_.find_first_not_of('\0') != bytes_.npos) refuse_rest();
     return std::move(content_);
   }
 
@@ -69,6 +73,12 @@ class GzipReader {
     throw Error(ErrorCode::unreadable_input,
                 fmt::format("{}: gzip's data {} after {} unpacked bytes; get the file again", name_,
                             status == Z_BUF_ERROR ? "end" : "are damaged", content_.size()));
+  }
+
+  [[noreturn]] void refuse_rest() const {
+    throw Error(ErrorCode::unreadable_input,
+                fmt::format("{}: {} no gzip; remove them, or get the file again", name_,
+                            counted(std::ssize(bytes_), "byte behind gzip's data is", "bytes behind gzip's data are")));
   }
 
   std::string_view bytes_;  // what is left
