@@ -17,7 +17,6 @@
 #include <queue>
 #include <utility>
 
-#include "base/union_find.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
 #include "mesh/vertex_ring.hpp"
@@ -34,58 +33,19 @@ constexpr double kLeastSeparation = 1e-3;
 /// Whether the first generator is nearer at all corners of a face.
 bool beats(const Corners& a, const Corners& b) { return a[0] < b[0] && a[1] < b[1] && a[2] < b[2]; }
 
-/// Lists of candidates for all faces in one array; freed items are used again.
-class FaceCandidates {
- public:
-  struct Candidate {
-    GeneratorId generator;
-    Corners distance{};
-    std::int32_t next = -1;
-  };
-
-  explicit FaceCandidates(std::int32_t faces) : first_(faces, -1) {}
-
-  /// Adds a generator with a higher id than all before, unless one of the face beats it; removes those that it beats.
-  void merge(FaceId f, GeneratorId g, const Corners& distance) {
-    for (std::int32_t i = first_[f]; i >= 0; i = items_[i].next) {
-      if (beats(items_[i].distance, distance)) return;
-    }
-    std::int32_t last = -1;
-    for (std::int32_t i = first_[f]; i >= 0;) {
-      const std::int32_t next = items_[i].next;
-      if (beats(distance, items_[i].distance)) {
-        link(f, last) = next;
-        items_[i].next = std::exchange(free_, i);
-      } else {
-        last = i;
-      }
-      i = next;
-    }
-    const std::int32_t added = take_free();
-    items_[added] = {g, distance, -1};
-    link(f, last) = added;
-  }
-
-  template <class Visit>
-  void for_each(FaceId f, Visit visit) const {
-    for (std::int32_t i = first_[f]; i >= 0; i = items_[i].next) visit(items_[i]);
-  }
-
- private:
-  std::int32_t& link(FaceId f, std::int32_t item) { return item < 0 ? first_[f] : items_[item].next; }
-
-  std::int32_t take_free() {
-    if (free_ < 0) {
-      items_.emplace_back();
-      return static_cast<std::int32_t>(items_.size()) - 1;
-    }
-    return std::exchange(free_, items_[free_].next);
-  }
-
-  IdVector<FaceId, std::int32_t> first_;
-  std::vector<Candidate> items_;
-  std::int32_t free_ = -1;
+/// A generator that may be the nearest one of points of a face, with its distances at the corners.
+struct Candidate {
+  GeneratorId generator;
+  Corners distance{};
 };
+
+/// Adds a generator to those of a face, unless one of them beats it; removes those that it beats.
+void merge(std::vector<Candidate>& candidates, const Candidate& added) {
+  const auto beats_added = [&](const Candidate& c) { return beats(c.distance, added.distance); };
+  if (std::ranges::any_of(candidates, beats_added)) return;
+  std::erase_if(candidates, [&](const Candidate& c) { return beats(added.distance, c.distance); });
+  candidates.push_back(added);
+}
 
 class Tabulator {
  public:
@@ -95,11 +55,8 @@ class Tabulator {
         generators_(generators),
         candidates_(mesh_.face_count()),
         offset_(SymbolicOffset::of_marching(mesh_.mean_edge_length(), generators.size())) {
-    UnionFind sets(std::size_t(mesh_.vertex_count()));
-    for (const EdgeId e : mesh_.edges()) {
-      sets.unite(mesh_.from(mesh_.halfedge(e)).value(), mesh_.to(mesh_.halfedge(e)).value());
-    }
-    for (const VertexId v : mesh_.vertices()) component_.push_back(sets.find(v.value()));
+    const auto component = compute_face_components(mesh_);
+    for (const VertexId v : mesh_.vertices()) component_.push_back(component[Mesh::face(mesh_.halfedge(v))]);
     for (const VertexId v : working.generator_vertices()) {
       double shortest = kInfinity;
       for_each_neighbour(mesh_, v, [&](VertexId, HalfedgeId h) { shortest = std::min(shortest, mesh_.length(h)); });
@@ -186,18 +143,18 @@ class Tabulator {
     for (const FaceId f : mesh_.faces()) {
       const auto& [a, b, c] = mesh_.vertices(f);
       if (row_[a] == kInfinity) continue;  // a component without the generator
-      candidates_.merge(f, g, {row_[a] + offset, row_[b] + offset, row_[c] + offset});
+      merge(candidates_[f], {g, {row_[a] + offset, row_[b] + offset, row_[c] + offset}});
     }
   }
 
   GeneratorTable make_table() const {
     GeneratorTable table(mesh_.vertex_count(), mesh_.face_count());
     for (const FaceId f : mesh_.faces()) {
-      candidates_.for_each(f, [&](const FaceCandidates::Candidate& c) {
+      for (const auto& [generator, distance] : candidates_[f]) {
         std::array<std::int32_t, 3> corner{};
-        for (std::size_t i = 0; i < 3; ++i) corner[i] = table.lower(mesh_.vertices(f)[i], c.generator, c.distance[i]);
-        table.add(f, c.generator, corner, 0);
-      });
+        for (std::size_t i = 0; i < 3; ++i) corner[i] = table.lower(mesh_.vertices(f)[i], generator, distance[i]);
+        table.add(f, generator, corner, 0);
+      }
     }
     return table;
   }
@@ -206,7 +163,7 @@ class Tabulator {
   const Mesh& mesh_;
   const std::vector<SurfacePoint>& generators_;
   IdVector<VertexId, std::int32_t> component_;
-  FaceCandidates candidates_;
+  IdVector<FaceId, std::vector<Candidate>> candidates_;
   SymbolicOffset offset_;
   IdVector<GeneratorId, double> separation_;  // least distance of the others at its vertex
   IdVector<VertexId, double> row_;            // of the current generator
