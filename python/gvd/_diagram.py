@@ -8,7 +8,7 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _gvd, _vtk
-from ._files import Writable
+from ._files import Writable, forward
 from ._options import checked
 from ._points import Points
 from ._progress import Progress, reporting
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from ._mesh import Mesh
 
 Floats = NDArray[numpy.float64]
-Ids = NDArray[numpy.int32]
 
 
 class Bisector(NamedTuple):
@@ -73,20 +72,12 @@ class Diagram(Writable):
         return (f"gvd.Diagram({len(self.cells)} cells, {len(self.branch_points.distances)} branch points, "
                 f"{self._native.bisector_count()} bisectors)")
 
-    @property
-    def labels(self) -> Ids:
-        """The nearest generator of each vertex (n), -1 where none reaches; a view."""
-        return self._native.labels()
-
-    @property
-    def distances(self) -> Floats:
-        """The distance of each vertex to its generator (n), infinite where none reaches; a view."""
-        return self._native.distances()
-
-    @property
-    def face_labels(self) -> Ids:
-        """The generator of each face that lies in one cell (m), -1 for faces that bisectors cut; a view."""
-        return self._native.face_labels()
+    labels = forward(_gvd.Diagram.labels, "The nearest generator of each vertex (n), -1 where none reaches; a view.")
+    distances = forward(_gvd.Diagram.distances,
+                        "The distance of each vertex to its generator (n), infinite where none reaches; a view.")
+    face_labels = forward(_gvd.Diagram.face_labels,
+                          "The generator of each face that lies in one cell (m), -1 for faces that bisectors cut; a view.")
+    length = forward(_gvd.Diagram.length, "Length of all bisectors, mesh units.")
 
     @property
     def generators(self) -> Points:
@@ -110,11 +101,6 @@ class Diagram(Writable):
     def cells(self) -> list[Cell]:
         """A cell for each generator."""
         return [Cell(*cell) for cell in self._native.cells()]
-
-    @property
-    def length(self) -> float:
-        """Length of all bisectors, mesh units."""
-        return self._native.length()
 
     def check(self) -> list[str]:
         """What violates the invariants of a diagram, one line each: normally nothing (see gvd/check.hpp)."""
@@ -156,20 +142,10 @@ class Segmentation(Writable):
     def __repr__(self) -> str:
         return f"gvd.Segmentation({len(self.diagram.generators.face)} regions, {len(self.labels)} faces)"
 
-    @property
-    def labels(self) -> Ids:
-        """The label of each face (m), -1 where no generator reaches; a view."""
-        return self._native.labels()
-
-    @property
-    def without_face(self) -> Ids:
-        """Generators that own no face, because their cells lie inside faces of others; a view."""
-        return self._native.without_face()
-
-    @property
-    def border_length(self) -> float:
-        """Length of the edges between regions, mesh units."""
-        return self._native.border_length()
+    labels = forward(_gvd.Segmentation.labels, "The label of each face (m), -1 where no generator reaches; a view.")
+    without_face = forward(_gvd.Segmentation.without_face,
+                           "Generators that own no face, because their cells lie inside faces of others; a view.")
+    border_length = forward(_gvd.Segmentation.border_length, "Length of the edges between regions, mesh units.")
 
     def to_vtk(self) -> Any:
         """The surface as vtkPolyData, with Label of its faces and Distance of its vertices."""
@@ -195,25 +171,10 @@ class Cut(Writable):
         """The mesh: first the vertices of the input, in their order."""
         return self.diagram.mesh._wrap(self._native.mesh())
 
-    @property
-    def labels(self) -> Ids:
-        """The label of each face, -1 where no generator reaches; a view."""
-        return self._native.labels()
-
-    @property
-    def parents(self) -> Ids:
-        """The face of the input that each face is a part of; a view."""
-        return self._native.parents()
-
-    @property
-    def vertex_labels(self) -> Ids:
-        """A nearest generator of each vertex; a view."""
-        return self._native.vertex_labels()
-
-    @property
-    def distances(self) -> Floats:
-        """The distance of each vertex to its generator, mesh units; a view."""
-        return self._native.distances()
+    labels = forward(_gvd.Cut.labels, "The label of each face, -1 where no generator reaches; a view.")
+    parents = forward(_gvd.Cut.parents, "The face of the input that each face is a part of; a view.")
+    vertex_labels = forward(_gvd.Cut.vertex_labels, "A nearest generator of each vertex; a view.")
+    distances = forward(_gvd.Cut.distances, "The distance of each vertex to its generator, mesh units; a view.")
 
     def to_vtk(self) -> Any:
         """The mesh as vtkPolyData, with Label and Parent of its faces and Distance of its vertices."""

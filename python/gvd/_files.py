@@ -3,7 +3,8 @@ from __future__ import annotations
 
 import html
 import os
-from typing import Any, Optional, Union
+from collections.abc import Callable
+from typing import Any, Optional, TypeVar, Union, cast
 
 from . import _gvd
 from ._error import Error
@@ -13,6 +14,14 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 _HEIGHT = 600
 """Height of the page in a notebook, in pixels."""
+
+
+T = TypeVar("T")
+
+
+def forward(method: Callable[[Any], T], doc: str, native: str = "_native") -> T:
+    """A property with the value of a method of the object that a result wraps."""
+    return cast(T, property(lambda self: method(getattr(self, native)), doc=doc))
 
 
 class Writable:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _gvd, _vtk
 from ._diagram import Diagram, Segmentation
 from ._error import refuse
-from ._files import PathLike, Writable
+from ._files import PathLike, Writable, forward
 from ._options import checked
 from ._path import Path
 from ._points import Points, as_array, make_entries, one_of
@@ -77,30 +77,13 @@ class Mesh(Writable):
     def __repr__(self) -> str:
         return f"gvd.Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
 
-    @property
-    def vertices(self) -> Floats:
-        """Positions (n, 3), a view."""
-        return self._native.vertices()
-
-    @property
-    def faces(self) -> NDArray[numpy.int32]:
-        """Vertices of the faces (m, 3), a view."""
-        return self._native.faces()
-
-    @property
-    def input_vertex(self) -> NDArray[numpy.int32]:
-        """The input's vertex for each vertex, -1 for the midpoint of a split edge; a view."""
-        return self._native.input_vertex()
-
-    @property
-    def input_face(self) -> NDArray[numpy.int32]:
-        """The input's polygon for each face; a view."""
-        return self._native.input_face()
-
-    @property
-    def summary(self) -> dict[str, Any]:
-        """Numbers of vertices, edges, faces, components and boundary loops, Euler characteristic, area, diagonal."""
-        return self._native.summary()
+    vertices = forward(_gvd.Mesh.vertices, "Positions (n, 3), a view.")
+    faces = forward(_gvd.Mesh.faces, "Vertices of the faces (m, 3), a view.")
+    input_vertex = forward(_gvd.Mesh.input_vertex,
+                           "The input's vertex for each vertex, -1 for the midpoint of a split edge; a view.")
+    input_face = forward(_gvd.Mesh.input_face, "The input's polygon for each face; a view.")
+    summary = forward(_gvd.Mesh.summary, "Numbers of vertices, edges, faces, components and boundary loops, "
+                                         "Euler characteristic, area and diagonal, by their names.")
 
     def to_vtk(self) -> Any:
         """The mesh as vtkPolyData."""

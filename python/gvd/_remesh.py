@@ -5,19 +5,14 @@ import functools
 import os
 from typing import TYPE_CHECKING, Any
 
-import numpy
-from numpy.typing import NDArray
-
 from . import _gvd
 from ._diagram import Diagram
-from ._files import PathLike, Writable
+from ._files import PathLike, Writable, forward
 from ._points import Points
 from ._progress import Progress, reporting
 
 if TYPE_CHECKING:
     from ._mesh import Mesh
-
-Floats = NDArray[numpy.float64]
 
 
 class Relaxation(Writable):
@@ -37,30 +32,15 @@ class Relaxation(Writable):
         """The relaxed generators; views."""
         return self.diagram.generators
 
-    @property
-    def energies(self) -> Floats:
-        """The energy at the start and after each iteration, mesh units to the fourth; it never rises."""
-        return self._relaxation.energies()
-
-    @property
-    def areas(self) -> Floats:
-        """The area of each cell, square mesh units; a view."""
-        return self._relaxation.areas()
-
-    @property
-    def cell_energies(self) -> Floats:
-        """The integral of the squared distance over each cell, mesh units to the fourth; a view."""
-        return self._relaxation.cell_energies()
-
-    @property
-    def residual(self) -> float:
-        """The largest distance of a generator from its centroid, mesh units."""
-        return self._relaxation.residual()
-
-    @property
-    def stop(self) -> str:
-        """Why it ended: "centroids", "energy", "no descent", "prediction" or "iterations"."""
-        return self._relaxation.stop()
+    energies = forward(_gvd.Relaxation.energies,
+                       "The energy at the start and after each iteration, mesh units to the fourth.", "_relaxation")
+    areas = forward(_gvd.Relaxation.areas, "The area of each cell, square mesh units; a view.", "_relaxation")
+    cell_energies = forward(_gvd.Relaxation.cell_energies,
+                            "The squared distance over each cell, integrated; mesh units to the fourth; a view.", "_relaxation")
+    residual = forward(_gvd.Relaxation.residual,
+                       "The largest distance of a generator from its centroid, mesh units.", "_relaxation")
+    stop = forward(_gvd.Relaxation.stop,
+                   'Why it ended: "centroids", "energy", "no descent", "prediction" or "iterations".', "_relaxation")
 
     def points_to_file(self, path: PathLike) -> None:
         """Writes the generators with normals, areas and energies (.ply, .xyz, .npy), as gvd-lloyd --points does."""
@@ -115,10 +95,9 @@ class Remesh(Writable):
         """The diagram of all generators on the surface; generator i is vertex i of the mesh."""
         return Diagram(self.surface, self._native.diagram())
 
-    @property
-    def figures(self) -> dict[str, Any]:
-        """Generators added and left out, distances from and to the surface (mesh units), mean Q, least angle (degrees)."""
-        return self._native.describe()
+    figures = forward(_gvd.Remesh.describe,
+                      "Generators added and left out, distances to and from the surface (mesh units), mean Q, "
+                      "least angle (degrees).")
 
     def map(self, *, progress: Progress = None) -> RemeshMap:
         """The map between the surface and the coarse mesh."""

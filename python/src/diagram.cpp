@@ -19,26 +19,23 @@ namespace {
 struct Segmented {
   SharedDiagram of;
   Segmentation segmentation;
-
-  LabelledMesh labelled() const {
-    const Diagram& diagram = of->diagram();
-    return {of->mesh(), &segmentation.face_label, nullptr, &diagram.vertex_label, &diagram.vertex_distance, &diagram};
-  }
 };
 
 struct Cut {
   SharedDiagram of;
   CutMesh cut;
   CutVertices vertices;
-
-  LabelledMesh labelled() const {
-    return {cut.mesh, &cut.label, &cut.parent, &vertices.label, &vertices.distance, &of->diagram(), &of->mesh()};
-  }
 };
 
-LabelledMesh labelled(const MeshDiagram& of) {
+LabelledMesh labelled(const MeshDiagram& of, const IdVector<FaceId, GeneratorId>& label) {
   const Diagram& diagram = of.diagram();
-  return {of.mesh(), &diagram.face_label, nullptr, &diagram.vertex_label, &diagram.vertex_distance, &diagram};
+  return {of.mesh(), &label, nullptr, &diagram.vertex_label, &diagram.vertex_distance, &diagram};
+}
+LabelledMesh labelled(const MeshDiagram& of) { return labelled(of, of.diagram().face_label); }
+LabelledMesh labelled(const Segmented& made) { return labelled(*made.of, made.segmentation.face_label); }
+LabelledMesh labelled(const Cut& c) {
+  return {c.cut.mesh,           &c.cut.label,     &c.cut.parent, &c.vertices.label,
+          &c.vertices.distance, &c.of->diagram(), &c.of->mesh()};
 }
 
 SharedDiagram make_diagram(const SharedMesh& input, const PointList& generators, const ComputeOptions& compute,
@@ -121,9 +118,6 @@ OwnFormats own_formats(const Cut& made) {
              write_cut_json(out, made.of->mesh(), made.of->diagram(), made.cut, made.vertices);
            }}};
 }
-
-LabelledMesh labelled(const Segmented& made) { return made.labelled(); }
-LabelledMesh labelled(const Cut& made) { return made.labelled(); }
 
 /// Adds the members `write` and `page`, which every result has.
 template <class Result, class Class>
@@ -218,14 +212,12 @@ void bind_diagram(py::module_& module) {
   }));
 
   py::class_<MeshDiagram, SharedDiagram> diagram(module, "Diagram");
-  const auto add = [&](const char* name, auto get) { diagram.def(name, member_view<MeshDiagram>(get)); };
-  add(
-      "labels", [](const MeshDiagram& d) -> auto& { return d.diagram().vertex_label; });
-  add(
-      "distances", [](const MeshDiagram& d) -> auto& { return d.diagram().vertex_distance; });
-  add(
-      "face_labels", [](const MeshDiagram& d) -> auto& { return d.diagram().face_label; });
   diagram
+      .def("labels", member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().vertex_label; }))
+      .def("distances",
+           member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().vertex_distance; }))
+      .def("face_labels",
+           member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().face_label; }))
       .def("generators",
            [](const py::object& self) {
              return view_points(self.cast<const MeshDiagram&>().diagram().generators, self);

@@ -159,7 +159,7 @@ class PointsOfAMesh(unittest.TestCase):
 
     def test_wrong_options_are_refused(self):
         for call in (lambda: self.mesh.voronoi([0, 1], method="best"), lambda: self.mesh.sample(0),
-                     lambda: self.mesh.sample(3, sampling="even"), lambda: self.mesh.segment(),
+                     lambda: self.mesh.sample(3, sampling="even"), lambda: self.mesh.sample(3, sampling="radius"), lambda: self.mesh.segment(),
                      lambda: self.mesh.segment(3, radius=0.5), lambda: self.mesh.segment(3, labels="rough"),
                      lambda: self.mesh.voronoi([0, 1], threads=-1), lambda: self.mesh.voronoi([0, 1], chord_tolerance=0),
                      lambda: self.mesh.distances([0, 1], each=True, threads=-1), lambda: self.mesh.log_map([0, 1]), lambda: self.mesh.distances([0], progress=7),
@@ -178,6 +178,11 @@ class PointsOfAMesh(unittest.TestCase):
                             (lambda: self.mesh.voronoi([0, 1], threads=2**40), "threads: .* is too large"),
                             (lambda: self.mesh.voronoi([0, 1], method=None), "method: a text"),
                             (lambda: self.mesh.segment(radius="x"), "radius: a number"),
+                            (lambda: self.mesh.points(V[3] * 1.0, max_snap=numpy.nan), "max_snap: a number"),
+                            (lambda: self.mesh.voronoi([0, 1], chord_tolerance=numpy.nan), "chord_tolerance: a number"),
+                            (lambda: self.mesh.segment(radius=numpy.nan), "radius: a number"),
+                            (lambda: self.mesh.lloyd(5, gradation=numpy.float32("nan")), "gradation: a number"),
+                            (lambda: self.mesh.lloyd(5, features=numpy.nan), "angle"),
                             (lambda: self.mesh.remesh(error="x"), "error: a number"),
                             (lambda: self.mesh.lloyd(5, tolerance=[1]), "tolerance: a number"),
                             (lambda: self.mesh.lloyd("5"), "n: a whole number"),

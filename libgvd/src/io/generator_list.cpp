@@ -255,7 +255,7 @@ class Resolver {
     } catch (const Error& error) {
       refuse(error.what());
     }
-    if (options_.max_snap && closest.distance > *options_.max_snap) {
+    if (options_.max_snap && !(closest.distance <= *options_.max_snap)) {
       refuse(fmt::format("this position is {} from the surface, more than the {} allowed; move it, or raise max_snap",
                          closest.distance, *options_.max_snap));
     }
