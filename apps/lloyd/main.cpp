@@ -288,12 +288,11 @@ LloydResult relax(Run& run, const Mesh& mesh, const RelaxationStart& start, cons
 }
 
 void write_outputs(Run& run, const Mesh& mesh, const Diagram& diagram) {
-  const LabelledMesh output{mesh,    &diagram.face_label, nullptr, &diagram.vertex_label, &diagram.vertex_distance,
-                            &diagram};
   const auto list = [&](GeneratorFormat format) {
     return [&mesh, &diagram, format](std::ostream& out) { out << format_generators(mesh, diagram.generators, format); };
   };
-  write_output_files(run, output, {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}});
+  write_output_files(run, label_mesh(mesh, diagram, diagram.face_label),
+                     {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}});
 }
 
 void write_points_file(Run& run, const Mesh& mesh, const LloydResult& relaxed) {

@@ -140,9 +140,8 @@ void write_whole_faces(Run& run, const Mesh& mesh, const Diagram& diagram, const
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
   const std::optional<double> ratio = report_segmentation(run, mesh, diagram, segmentation);
   if (options.labels == FaceLabels::smooth) note_long_borders(run, ratio);
-  const LabelledMesh output{mesh,    &segmentation.face_label, nullptr, &diagram.vertex_label, &diagram.vertex_distance,
-                            &diagram};
-  write_files(run, output, [&](std::ostream& out) { write_segmentation_json(out, mesh, diagram, segmentation); });
+  write_files(run, label_mesh(mesh, diagram, segmentation.face_label),
+              [&](std::ostream& out) { write_segmentation_json(out, mesh, diagram, segmentation); });
 }
 
 void write_cut_faces(Run& run, const Mesh& mesh, const Diagram& diagram) {

@@ -27,12 +27,10 @@ struct Cut {
   CutVertices vertices;
 };
 
-LabelledMesh labelled(const MeshDiagram& of, const IdVector<FaceId, GeneratorId>& label) {
-  const Diagram& diagram = of.diagram();
-  return {of.mesh(), &label, nullptr, &diagram.vertex_label, &diagram.vertex_distance, &diagram};
+LabelledMesh labelled(const MeshDiagram& of) { return label_mesh(of.mesh(), of.diagram(), of.diagram().face_label); }
+LabelledMesh labelled(const Segmented& made) {
+  return label_mesh(made.of->mesh(), made.of->diagram(), made.segmentation.face_label);
 }
-LabelledMesh labelled(const MeshDiagram& of) { return labelled(of, of.diagram().face_label); }
-LabelledMesh labelled(const Segmented& made) { return labelled(*made.of, made.segmentation.face_label); }
 LabelledMesh labelled(const Cut& c) {
   return {c.cut.mesh,           &c.cut.label,     &c.cut.parent, &c.vertices.label,
           &c.vertices.distance, &c.of->diagram(), &c.of->mesh()};

@@ -58,7 +58,7 @@ void add_output(Json& json, const Options& options) {
   json["ascii_ply"] = output.ascii_ply;
   if (options.has_diagram) json["diagram"] = or_null(output.diagram);
   json["view"] = or_null(output.view);
-  json["up"] = output.up ? Json(to_text(*output.up)) : Json();
+  json["up"] = output.up ? Json(name_in(kUpAxisNames, *output.up)) : Json();
   json["report"] = or_null(output.report);
 }
 

@@ -163,11 +163,7 @@ void register_view(CLI::App& app, OutputOptions& output) {
       ->expected(0, 1)
       ->type_name("FILE.html")
       ->check(with_extension({"html", "htm"}));
-  Choices<UpAxis> axes;
-  for (const UpAxis axis : {UpAxis::x, UpAxis::y, UpAxis::z, UpAxis::minus_x, UpAxis::minus_y, UpAxis::minus_z}) {
-    axes.emplace_back(to_text(axis), axis);
-  }
-  add_choice(app, "--up", output.up, axes, "Axis that points up on the page (default: y)")->needs("--view");
+  add_choice(app, "--up", output.up, kUpAxisNames, "Axis that points up on the page (default: y)")->needs("--view");
 }
 
 void register_output(CLI::App& app, OutputOptions& output, const Formats& formats) {

@@ -407,7 +407,7 @@ gvd_status gvd_segment_write(const gvd_diagram* diagram, const char* path, const
     if (format == OutputFormat::json) {
       return write_file(file, [&](std::ostream& out) { write_segmentation_json(out, of.shared->mesh, made, labels); });
     }
-    write_mesh(file, {of.shared->mesh, &labels.face_label, nullptr, &made.vertex_label, &made.vertex_distance, &made});
+    write_mesh(file, label_mesh(of.shared->mesh, made, labels.face_label));
   });
 }
 

@@ -12,6 +12,7 @@
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/mesh_property.hpp"
+#include "gvd/names.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/vec.hpp"
 
@@ -19,6 +20,9 @@ namespace gvd {
 
 /// The file formats of a mesh or diagram that is written. docs/guide/formats.md says what each one carries.
 enum class OutputFormat { ply, obj, off, stl, vtp, glb, json };
+inline const Choices<OutputFormat> kOutputFormatNames{
+    {"ply", OutputFormat::ply}, {"obj", OutputFormat::obj}, {"off", OutputFormat::off},  {"stl", OutputFormat::stl},
+    {"vtp", OutputFormat::vtp}, {"glb", OutputFormat::glb}, {"json", OutputFormat::json}};
 
 /// The format of an extension, with or without its dot, in upper or lower case.
 std::optional<OutputFormat> parse_output_format(std::string_view extension);
@@ -56,6 +60,11 @@ struct LabelledMesh {
   const std::vector<std::array<double, 2>>* corner_texture = nullptr;
   bool ascii_ply = false;  ///< PLY as text instead of binary
 };
+
+/// A mesh with the labels and distances of its diagram, and with these labels of its faces.
+inline LabelledMesh label_mesh(const Mesh& mesh, const Diagram& diagram, const IdVector<FaceId, GeneratorId>& faces) {
+  return {mesh, &faces, nullptr, &diagram.vertex_label, &diagram.vertex_distance, &diagram};
+}
 
 /// Writes the mesh in one format. The stream is flushed and checked.
 ///

@@ -13,6 +13,7 @@
 #include "gvd/io/distance_writer.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/names.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/vec.hpp"
 
@@ -72,9 +73,8 @@ struct ViewScene {
 
 /// The axis that points up at the start.
 enum class UpAxis { x, y, z, minus_x, minus_y, minus_z };
-
-/// "x", "y", "z", "-x", "-y" or "-z".
-const char* to_text(UpAxis axis);
+inline const Choices<UpAxis> kUpAxisNames{{"x", UpAxis::x},        {"y", UpAxis::y},        {"z", UpAxis::z},
+                                          {"-x", UpAxis::minus_x}, {"-y", UpAxis::minus_y}, {"-z", UpAxis::minus_z}};
 
 struct ViewOptions {
   std::string title = "Geodesic Voronoi diagram";  ///< UTF-8; invalid bytes are replaced

@@ -239,7 +239,7 @@ std::string make_data(const std::vector<ViewScene>& scenes, const ViewOptions& o
   ViewBlobs blobs;
   json manifest{{"schema", "gvd-view/1"},
                 {"title", options.title},
-                {"up", to_text(options.up)},
+                {"up", name_in(kUpAxisNames, options.up)},
                 {"scale", frame.scale},
                 {"origin", {frame.origin.x(), frame.origin.y(), frame.origin.z()}},
                 {"scenes", json::array()}};
@@ -325,11 +325,6 @@ ViewScene make_view_scene(std::string name, const LabelledMesh& shown) {
   scene.vertex_distance = *shown.vertex_distance;
   scene.figures = io::make_figures(mesh, *shown.diagram, shown.mesh);
   return scene;
-}
-
-const char* to_text(UpAxis axis) {
-  constexpr std::array<const char*, 6> kAxisNames{"x", "y", "z", "-x", "-y", "-z"};
-  return kAxisNames.at(static_cast<std::size_t>(axis));
 }
 
 bool has_viewer() { return !io::view_template().empty(); }

@@ -31,6 +31,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -287,9 +288,6 @@ void check_single_precision(const Mesh& mesh, std::string_view format) {
 namespace gvd {
 namespace {
 
-/// In the order of OutputFormat.
-constexpr std::array<std::string_view, 7> kExtensions{"ply", "obj", "off", "stl", "vtp", "glb", "json"};
-
 void check_count(std::size_t count, std::int32_t expected, const char* what) {
   if (std::cmp_equal(count, expected)) return;
   throw Error(ErrorCode::precondition,
@@ -328,20 +326,18 @@ void write_bare_obj(std::ostream& out, const LabelledMesh& mesh) { io::write_obj
 constexpr std::array kMeshWriters{io::write_ply, write_bare_obj, io::write_off, io::write_stl,
                                   io::write_vtp, io::write_glb,  write_json};
 static_assert(static_cast<std::size_t>(OutputFormat::json) + 1 == kMeshWriters.size());
-static_assert(kExtensions.size() == kMeshWriters.size());
 
 }  // namespace
 
 std::optional<OutputFormat> parse_output_format(std::string_view extension) {
-  const auto found = std::find(kExtensions.begin(), kExtensions.end(), io::bare_extension(extension));
-  if (found == kExtensions.end()) return std::nullopt;
-  return static_cast<OutputFormat>(found - kExtensions.begin());
+  return value_in(kOutputFormatNames, io::bare_extension(extension));
 }
 
 OutputFormat output_format(const std::filesystem::path& path) {
   if (const auto format = parse_output_format(path.extension().string())) return *format;
-  throw Error(ErrorCode::invalid_option, fmt::format("'{}': no output format has this extension; use one of .{}",
-                                                     path.string(), fmt::join(kExtensions, ", .")));
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("'{}': no output format has this extension; use one of .{}", path.string(),
+                          fmt::join(std::views::keys(kOutputFormatNames), ", .")));
 }
 
 void check_format(const Mesh& mesh, OutputFormat format) {
