@@ -120,15 +120,12 @@ nlohmann::ordered_json describe_copy(const CoarseRelaxation& copy) {
 }
 
 void report_constraints(nlohmann::ordered_json& options, const ConstraintOptions& constraints) {
-  using Json = nlohmann::ordered_json;
-  options["fixed"] = constraints.fixed.empty() ? Json() : Json(constraints.fixed);
-  options["features"] = constraints.auto_features ? Json("auto")
-                        : constraints.features    ? Json(*constraints.features)
-                                                  : Json();
+  options["fixed"] = or_null(constraints.fixed);
+  options["features"] = constraints.auto_features ? "auto" : or_null(constraints.features);
   options["keep_boundary"] = constraints.keep_boundary;
-  options["density"] = constraints.density.empty() ? Json() : Json(constraints.density);
+  options["density"] = or_null(constraints.density);
   options["gradation"] = constraints.gradation;
-  options["coarse"] = constraints.coarse ? Json(*constraints.coarse) : Json();
+  options["coarse"] = or_null(constraints.coarse);
 }
 
 }  // namespace gvd::app

@@ -79,8 +79,8 @@ void report_options(Run& run, const OwnOptions& own) {
   Json& reported = run.report().options();
   reported["each"] = own.each;
   reported["paths"] = own.paths;
-  reported["max_distance"] = own.max_distance ? Json(*own.max_distance) : Json();
-  reported["isolines"] = own.isolines ? Json(*own.isolines) : Json();
+  reported["max_distance"] = or_null(own.max_distance);
+  reported["isolines"] = or_null(own.isolines);
 }
 
 ExactFieldOptions field_options(Run& run, const OwnOptions& own) {

@@ -139,12 +139,11 @@ void report_own_options(Json& reported, const OwnOptions& own) {
   reported["accelerate"] = name_in(kAccelerationNames, options.acceleration);
   reported["relocate"] = relocates(options);
   reported["iterations"] = max_iterations(options);
-  const std::optional<double> tolerance = energy_tolerance(options);
-  reported["tolerance"] = tolerance ? Json(*tolerance) : Json();
+  reported["tolerance"] = or_null(energy_tolerance(options));
   reported["move_tolerance"] = options.move_tolerance;
   reported["step"] = options.step;
   report_constraints(reported, own.constraints);
-  reported["time_limit"] = own.time_limit ? Json(*own.time_limit) : Json();
+  reported["time_limit"] = or_null(own.time_limit);
 }
 
 /// When the energy of each iteration was known, and the generators then. The library reads no clock.

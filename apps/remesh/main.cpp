@@ -68,7 +68,7 @@ void report_options(Run& run, const Settings& settings, const ConstraintOptions&
   const Placement placement = asked.chosen_placement();
   reported["relax"] = asked.iterations();
   report_constraints(reported, constraints);
-  reported["target_edge"] = generators.target_edge ? Json(*generators.target_edge) : nullptr;
+  reported["target_edge"] = or_null(generators.target_edge);
   reported["loose_boundary"] = settings.loose_boundary;
   reported["place"] = name_in(kPlacementNames, placement);
   reported["shape"] = placement == Placement::fit ? Json(asked.remesh.placement.shape) : nullptr;
@@ -144,7 +144,7 @@ std::int32_t count_for(const Mesh& mesh, double edge) {
 /// The map that `--map` and `--carry` need; empty without them.
 RemeshMap make_map(Run& run, const Mesh& mesh, const RemeshResult& result, bool carry) {
   const std::string& path = run.options().output.own.at(kMap);
-  run.report().options()["map"] = path.empty() ? Json() : Json(path);
+  run.report().options()["map"] = or_null(path);
   if (path.empty() && !carry) return {};
   return run.timed("map", [&] { return map_to_remesh(mesh, result, run.options().compute.threads, run.progress()); });
 }

@@ -49,10 +49,7 @@ struct OwnOptions {
 
 void report_options(Run& run, const OwnOptions& own, const SegmentOptions& options) {
   Json& reported = run.report().options();
-  const auto file = [&](const char* option) {
-    const std::string& name = run.options().output.own.at(option);
-    return name.empty() ? Json() : Json(name);
-  };
+  const auto file = [&](const char* option) { return or_null(run.options().output.own.at(option)); };
   reported["cut"] = own.cut;
   reported["stats"] = file("--stats");
   reported["face_labels"] = file("--face-labels");
@@ -122,7 +119,7 @@ std::optional<double> report_segmentation(Run& run, const Mesh& mesh, const Diag
   results["smoothed_faces"] = segmentation.smoothed_faces;
   results["border_length"] = borders;
   const std::optional<double> ratio = bisectors > 0 ? std::optional(borders / bisectors) : std::nullopt;
-  results["border_ratio"] = ratio ? Json(*ratio) : Json();
+  results["border_ratio"] = or_null(ratio);
   report_regions(run, mesh, segmentation.face_label, diagram.generators.size());
   return ratio;
 }

@@ -14,13 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
-
-Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
-
 void add_generators(Json& json, const GeneratorOptions& generators) {
   json["n"] = or_null(generators.count);
   json["sampling"] = name_in(kSamplingNames, generators.sampling);
@@ -84,6 +77,8 @@ DiagramOptions make_diagram_options(const ComputeOptions& compute) {
   options.threads = compute.threads;
   return options;
 }
+
+Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 Json to_json(const Options& options) {
   Json json = Json::object();

@@ -113,6 +113,13 @@ std::vector<std::string> written_formats(const OutputOptions& output);
 /// The library's options for every diagram of a run, with its defaults for what is not given, and no progress.
 DiagramOptions make_diagram_options(const ComputeOptions& compute);
 
+/// A value for the report; null where it is not given, or a text is empty.
+template <class T, class Json = nlohmann::ordered_json>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+nlohmann::ordered_json or_null(const std::string& text);
+
 /// The options as they were understood, defaults included; null for what was not given. For the report.
 nlohmann::ordered_json to_json(const Options& options);
 
