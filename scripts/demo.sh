@@ -16,7 +16,7 @@ announce() {
   echo "  2. builds the library and the commands under $1/: some minutes, about 4 CPU minutes."
   echo "     It fetches three.js and esbuild from npm into $1/. The next build takes only what has changed"
   echo "  3. runs the commands on $mesh and writes to $2/, in a few seconds. Pages to open in a browser:"
-  echo "     $2/segments.html, $2/relaxed.html, $2/coarse.html"
+  echo "     $2/segments.html, $2/relaxed.html, $2/coarse.html, $2/distances.html"
 }
 
 if [ "$1" = --announce ]; then
@@ -35,15 +35,14 @@ run() {
   "$@"
 }
 
-# 24 regions; 300 relaxed samples; a coarse mesh with these samples as vertices; distances.
+# 24 regions; 300 relaxed samples; a coarse mesh with these samples as vertices; distances from the nose, and the path to a hind foot.
 run "$bin/gvd-segment" "$mesh" -n 24 \
   -o "$out/segments.ply" --diagram "$out/segments.json" --report "$out/segments-report.json" --view "$out/segments.html"
 run "$bin/gvd-lloyd" "$mesh" -n 300 \
   -o "$out/relaxed.json" --report "$out/relaxed-report.json" --view "$out/relaxed.html"
 run "$bin/gvd-remesh" "$mesh" --generators "$out/relaxed.json" \
   -o "$out/coarse.obj" --report "$out/coarse-report.json" --view "$out/coarse.html"
-
-run "$bin/gvd-distance" "$mesh" --from 17,2000 --to 900 --paths --isolines 0.1 \
+run "$bin/gvd-distance" "$mesh" --from 1867 --to 520 --paths --isolines 0.1 \
   -o "$out/distances.npy" --report "$out/distances-report.json" --view "$out/distances.html"
 
 echo
