@@ -20,8 +20,9 @@ class BuildWithCMake(build_ext):
     """Builds the target gvd_python, and puts the module where setuptools expects it."""
 
     def build_extension(self, ext):
-        tree = pathlib.Path(os.environ.get("GVD_BUILD", OWN / "cmake"))
-        if "GVD_BUILD" in os.environ:
+        given = os.environ.get("GVD_BUILD")
+        tree = pathlib.Path(given or OWN / "cmake")
+        if given:
             self.build_tree(tree)
         else:
             self.build_own_tree(tree)
@@ -39,6 +40,7 @@ class BuildWithCMake(build_ext):
 
     def build_tree(self, tree, *flags):
         environment = {**os.environ, "npm_config_fetch_retries": "0"}
+        environment.pop("PYTHONPATH", None)  # an isolated build hides NumPy by it, which CMake looks for
         if flags:
             subprocess.run([ROOT / "scripts" / "configure.sh", "release", tree, *FLAGS, *flags,
                             f"-DGVD_PYTHON={sys.executable}"], cwd=ROOT, check=True, env=environment)
