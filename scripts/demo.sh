@@ -35,15 +35,19 @@ run() {
   "$@"
 }
 
+# A build without the viewer (GVD_WITH_VIEWER=OFF) makes no pages.
+pages=yes
+"$bin/gvd-segment" -q "$mesh" -n 2 --view "$out/segments.html" 2>/dev/null || pages=""
+
 # 24 regions; 300 relaxed samples; a coarse mesh with these samples as vertices; distances from the nose, and the path to a hind foot.
 run "$bin/gvd-segment" "$mesh" -n 24 \
-  -o "$out/segments.ply" --diagram "$out/segments.json" --report "$out/segments-report.json" --view "$out/segments.html"
+  -o "$out/segments.ply" --diagram "$out/segments.json" --report "$out/segments-report.json" ${pages:+--view "$out/segments.html"}
 run "$bin/gvd-lloyd" "$mesh" -n 300 \
-  -o "$out/relaxed.json" --report "$out/relaxed-report.json" --view "$out/relaxed.html"
+  -o "$out/relaxed.json" --report "$out/relaxed-report.json" ${pages:+--view "$out/relaxed.html"}
 run "$bin/gvd-remesh" "$mesh" --generators "$out/relaxed.json" \
-  -o "$out/coarse.obj" --report "$out/coarse-report.json" --view "$out/coarse.html"
+  -o "$out/coarse.obj" --report "$out/coarse-report.json" ${pages:+--view "$out/coarse.html"}
 run "$bin/gvd-distance" "$mesh" --from 1867 --to 520 --paths --isolines 0.1 \
-  -o "$out/distances.npy" --report "$out/distances-report.json" --view "$out/distances.html"
+  -o "$out/distances.npy" --report "$out/distances-report.json" ${pages:+--view "$out/distances.html"}
 
 echo
 echo "Written:"
@@ -51,6 +55,7 @@ for file in segments.ply segments.json relaxed.json coarse.obj distances.npy \
             segments-report.json relaxed-report.json coarse-report.json distances-report.json; do
   echo "  $out/$file"
 done
+[ -n "$pages" ] || exit 0
 echo "Pages, to open in a browser:"
 for file in segments.html relaxed.html coarse.html distances.html; do
   echo "  $out/$file"
