@@ -36,11 +36,9 @@ Command::Command(CommandInfo info) : info_(guard(std::move(info))), line_(info_.
   line_.footer(help_footer(info_.examples));
 }
 
-void Command::add_target(const std::string& name, const std::string& type, const std::string& description,
-                         const std::vector<std::string>& extensions) {
-  CLI::Option* const option = add_file(line_, name, options_.output.own[name], description, type);
+void Command::add_target(const std::string& name, const std::string& description) {
+  CLI::Option* const option = add_side_output(line_, name, options_.output.own[name], description);
   option->group("Output")->excludes("--output-dir");
-  option->check(with_extension(extensions));
 }
 
 int Command::run(int argc, const char* const* argv, const std::function<void(Run&)>& body) {

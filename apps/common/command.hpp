@@ -39,10 +39,8 @@ class Command {
   Options& options() { return options_; }
 
   /// Adds an option that names a further file of the command: `output.own["--stats"]` of the run's options. It is
-  /// checked as the files of all commands are. `type` stands for it in --help. `extensions`, without their dots: of the
-  /// names that it takes.
-  void add_target(const std::string& name, const std::string& type, const std::string& description,
-                  const std::vector<std::string>& extensions);
+  /// checked as the files of all commands are, with the extensions of `side_extensions`.
+  void add_target(const std::string& name, const std::string& description);
 
   /// Parses, runs `body` and returns the exit code: 0 where it returns, or else that of `run_guarded`, with its message
   /// in one line on standard error. With --output-dir, runs `body` once for each input: see `run_several`.

@@ -341,11 +341,7 @@ int main(int argc, char** argv) {
                    {{"txt", "csv", "json", "ply", "obj", "off", "stl", "vtp", "glb"}}});
   register_relaxation(command.line(), own);
   register_constraints(command.line(), own.constraints);
-  command.add_target(
-      "--points", "FILE",
-      "Write the generators with normals, barycentric coordinates, areas and energies (.ply, .xyz, .npy)",
-      {"ply", "xyz", "npy"});
-  command.add_target("--trace", "FILE.csv", "Write energy, moves, methods and seconds of each iteration as CSV",
-                     {"csv"});
+  command.add_target("--points", "Write the generators with normals, barycentric coordinates, areas and energies");
+  command.add_target("--trace", "Write energy, moves, methods and seconds of each iteration as CSV");
   return command.run(argc, argv, [&](Run& run) { lloyd(run, own); });
 }

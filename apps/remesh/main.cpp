@@ -240,7 +240,6 @@ int main(int argc, char** argv) {
                    {{"ply", "obj", "off", "stl", "vtp", "glb", "json"}, false}});  // the coarse mesh has no labels
   register_settings(command, settings);
   command.add_target(
-      kMap, "FILE.json",
-      "Write the point of INPUT for each output vertex, and the point of the output for each input vertex", {"json"});
+      kMap, "Write the point of INPUT for each output vertex, and the point of the output for each input vertex");
   return command.run(argc, argv, [&](Run& run) { run_remesh(run, settings); });
 }

@@ -187,13 +187,10 @@ int main(int argc, char** argv) {
              "How to label whole faces on a bisector: for borders as short as its faces allow, or by the largest share "
              "(default: smooth)")
       ->excludes("--cut");
-  command.add_target("--face-labels", "FILE.npy|csv",
-                     "Write the label of each face, in the order of the faces in .ply (-1 for none)", {"npy", "csv"});
-  command.add_target("--vertex-distances", "FILE.npy|csv",
+  command.add_target("--face-labels", "Write the label of each face, in the order of the faces in .ply (-1 for none)");
+  command.add_target("--vertex-distances",
                      "Write the distance of each vertex from its generator, in the order of the vertices in .ply; .csv "
-                     "has the generators, too",
-                     {"npy", "csv"});
-  command.add_target("--stats", "FILE.csv", "Write the area, perimeter, radius and neighbours of each region (CSV)",
-                     {"csv"});
+                     "has the generators, too");
+  command.add_target("--stats", "Write the area, perimeter, radius and neighbours of each region (CSV)");
   return command.run(argc, argv, [&](Run& run) { segment(run, own); });
 }

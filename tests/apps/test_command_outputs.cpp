@@ -1,6 +1,7 @@
 // What the commands write: whether they can, which files they must not replace, and the same bytes every time.
 
 #include <filesystem>
+#include <regex>
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
@@ -52,6 +53,42 @@ TEST_CASE("commands: whether outputs can be written is found out before the work
   fs::remove_all(scratch / "c.mtl");
   fs::remove(scratch / "options.toml");
   CHECK(fs::is_empty(scratch / ""));
+}
+
+/// The options of a command that name a file to write beside those of -o, with their types, as --help lists them.
+std::vector<std::pair<std::string, std::string>> side_outputs(const std::string& name) {
+  const std::string help = run_command(name, "--help").out;
+  const std::size_t begin = help.find("\nOutput:\n");
+  const std::string group = help.substr(begin, help.find("\n\n", begin) - begin);
+  const std::regex line("(--[a-z-]+) (FILE\\S*)");
+  std::vector<std::pair<std::string, std::string>> found;
+  for (std::sregex_iterator match(group.begin(), group.end(), line), last; match != last; ++match) {
+    if ((*match)[1] != "--output") found.emplace_back((*match)[1], (*match)[2]);
+  }
+  return found;
+}
+
+TEST_CASE("commands: no side output replaces a file of another kind") {
+  const ScratchFolder scratch;
+  write_text(scratch / "keep.stl", "a mesh");
+  std::vector<std::string> commands = built_commands();
+  commands.emplace_back("gvd-distance");
+  for (const std::string& name : commands) {
+    const std::string start = data_file("torus.ply") + (name == "gvd-distance" ? " --from 3 " : " -n 5 ");
+    const auto outputs = side_outputs(name);
+    CHECK(outputs.size() >= 3);
+    for (const auto& [option, type] : outputs) {
+      CAPTURE(name, option);
+      CHECK_THAT(type, StartsWith("FILE."));  // it tells what is accepted
+      const std::string folder = option == "--summary" ? " --output-dir " + scratch / "" : "";
+      for (const char* file : {"keep.stl", "none", "a.json.stl"}) {
+        const std::string path = scratch / file;
+        require_error(name, start + option + " " + path + folder, 2,
+                      option + ": '" + path + "': the extension must be ");
+      }
+    }
+  }
+  CHECK(read_text(scratch / "keep.stl") == "a mesh");
 }
 
 TEST_CASE("commands: a file that grows too large is one line, and leaves nothing") {

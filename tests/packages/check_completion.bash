@@ -58,6 +58,11 @@ for command in "$@"; do
   complete_line "$command" "" | expect "$command" report.json mesh.ply options.toml folder "two words.json"
   complete_line "$command" -o m | expect "$command -o m" mesh.ply
   complete_line "$command" --report "" | expect "$command --report" report.json folder "two words.json"
+  if [ "$command" = gvd-segment ]; then
+    touch labels.npy labels.csv labels.txt
+    complete_line "$command" --face-labels l | expect "$command --face-labels l" labels.npy labels.csv
+    rm labels.*
+  fi
   complete_line "$command" --config o | expect "$command --config o" options.toml
   complete_line "$command" --output-dir "" | expect "$command --output-dir" folder
   complete_line "$command" --threads "" | expect "$command --threads" ""
@@ -69,6 +74,11 @@ for command in "$@"; do
     offer '--input-f' | expect "fish: $command --input-f" --input-format
     offer '-o m' | expect "fish: $command -o m" mesh.ply
     offer '--output-dir ' | expect "fish: $command --output-dir" folder/
+    if [ "$command" = gvd-segment ]; then
+      touch labels.npy labels.csv labels.txt
+      offer '--face-labels ' | grep -e npy -e csv | expect "fish: $command --face-labels" labels.npy labels.csv
+      rm labels.*
+    fi
     offer '--config o' | expect "fish: $command --config o" options.toml
     offer '-' | grep -c -e '^--[a-z]' | expect "fish: $command -" "$(printf '%s\n' "${options[@]}" | grep -c -e '^--')"
   fi

@@ -21,7 +21,7 @@ struct CompletedOption {
   bool takes_value = false;
   bool is_repeatable = false;
   std::vector<std::string> words = {};
-  std::string files = {};  ///< "any", "folder", or the extension that they have; empty: no file
+  std::string files = {};  ///< "any", "folder", or their extensions, parted by "|"; empty: no file
 
   /// Its names as typed, with `separator` between them, and `suffix` behind the long ones.
   std::string names(const char* separator, const char* suffix = "") const {
@@ -34,8 +34,8 @@ struct CompletedOption {
 
 void add_alternative(CompletedOption& option, const std::string& text) {
   const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
-  if (text.starts_with("FILE")) {
-    option.files = text == "FILE" ? "any" : text.substr(text.find('.') + 1);
+  if (text == "FILE") {
+    option.files = "any";
   } else if (text == "DIR") {
     option.files = "folder";
   } else if (std::any_of(text.begin(), text.end(), is_small)) {
@@ -49,7 +49,12 @@ CompletedOption make_completed_option(const CLI::Option& entry) {
   option.takes_value = entry.get_items_expected_max() > 0;
   option.is_repeatable = entry.get_items_expected_max() > 1;
   if (entry.get_positional()) option.type = "FILE";
-  for (const std::string& text : CLI::detail::split(option.type, '|')) add_alternative(option, text);
+  constexpr std::string_view kWithExtension = "FILE.";
+  if (option.type.starts_with(kWithExtension)) {
+    option.files = option.type.substr(kWithExtension.size());
+  } else {
+    for (const std::string& text : CLI::detail::split(option.type, '|')) add_alternative(option, text);
+  }
   return option;
 }
 
@@ -89,7 +94,8 @@ constexpr const char* kBashScript = R"(# Completion of {0} for bash, made by {0}
     '') return ;;
     any) mapfile -t -O ${{#COMPREPLY[@]}} COMPREPLY < <(compgen -f -- "$word") ;;
     folder) mapfile -t -O ${{#COMPREPLY[@]}} COMPREPLY < <(compgen -d -- "$word") ;;
-    *) mapfile -t -O ${{#COMPREPLY[@]}} COMPREPLY < <(compgen -d -- "$word"; compgen -f -X "!*.$files" -- "$word") ;;
+    *) mapfile -t -O ${{#COMPREPLY[@]}} COMPREPLY < <(compgen -d -- "$word"
+         for files in ${{files//|/ }}; do compgen -f -X "!*.$files" -- "$word"; done) ;;
   esac
   compopt -o filenames 2>/dev/null
 }}
@@ -101,8 +107,8 @@ std::string make_bash(const std::string& command, const std::vector<CompletedOpt
   for (const CompletedOption& option : options) {
     if (const std::string typed = option.names(" "); !typed.empty()) names.push_back(typed);
     if (!option.takes_value || option.names("").empty()) continue;
-    cases +=
-        fmt::format("    {}) words='{}' files={} ;;\n", option.names("|"), fmt::join(option.words, " "), option.files);
+    cases += fmt::format("    {}) words='{}' files='{}' ;;\n", option.names("|"), fmt::join(option.words, " "),
+                         option.files);
   }
   const std::string function = "_" + CLI::detail::find_and_replace(command, "-", "_");
   return fmt::format(fmt::runtime(kBashScript), command, function, cases, fmt::join(names, " "));
@@ -110,10 +116,12 @@ std::string make_bash(const std::string& command, const std::vector<CompletedOpt
 
 /// What _arguments does for the value.
 std::string zsh_action(const CompletedOption& option) {
+  const bool has_several = option.files.find('|') != option.files.npos;
+  const std::string extensions = has_several ? "(" + option.files + ")" : option.files;
   const std::string files = option.files.empty()       ? ""
                             : option.files == "any"    ? "_files"
                             : option.files == "folder" ? "_files -/"
-                                                       : fmt::format("_files -g \"*.{}\"", option.files);
+                                                       : fmt::format("_files -g \"*.{}\"", extensions);
   if (option.words.empty()) return files.empty() ? " " : files;
   const std::string words = fmt::format("{}", fmt::join(option.words, " "));
   return files.empty() ? fmt::format("({})", words) : fmt::format("{{compadd - {}; {}}}", words, files);
@@ -145,7 +153,9 @@ std::string fish_value(const CompletedOption& option) {
   std::vector<std::string> words = option.words;
   if (option.files == "folder") words.push_back("(__fish_complete_directories)");
   const bool has_extension = !option.files.empty() && option.files != "any" && option.files != "folder";
-  if (has_extension) words.push_back(fmt::format("(__fish_complete_suffix .{})", option.files));
+  for (const std::string& extension : CLI::detail::split(option.files, '|')) {
+    if (has_extension) words.push_back(fmt::format("(__fish_complete_suffix .{})", extension));
+  }
   const std::string listed = words.empty() ? "" : fmt::format(" -a '{}'", fmt::join(words, " "));
   return (option.files == "any" ? " -r -F" : " -x") + listed;
 }

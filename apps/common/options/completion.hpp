@@ -9,7 +9,8 @@ namespace gvd::app {
 /// lists, their values as far as the type shows them, and names of files. Without the last line break.
 ///
 /// The type of an option is a list of alternatives, parted by "|". One with a small letter is a word, "FILE" any file,
-/// "FILE.json" a file with this extension, "DIR" a folder. Others, such as "N", are not completed. INPUT is a file.
+/// "DIR" a folder. Others, such as "N", are not completed. "FILE.npy|csv" is a file with one of these extensions. INPUT
+/// is a file.
 /// Precondition: no word of a type, and no name, holds a blank or a character that a shell expands.
 std::string make_completion(const CLI::App& app, const std::string& shell);
 

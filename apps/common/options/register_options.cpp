@@ -162,7 +162,7 @@ void register_view(CLI::App& app, OutputOptions& output) {
                                        "takes no name, and each INPUT has a page named after it")
       ->expected(0, 1)
       ->type_name("FILE.html")
-      ->check(with_extension({"html", "htm"}));
+      ->check(has_side_extension("--view"));
   add_choice(app, "--up", output.up, kUpAxisNames, "Axis that points up on the page (default: y)")->needs("--view");
 }
 
@@ -191,20 +191,15 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
       });
   add_flag(app, "--ascii-ply", output.ascii_ply,
            "Write .ply as text instead of binary; meshio reads face labels only from text");
-  add_file(app, "--report", output.report, "Write a report of the run (JSON)", "FILE.json")
-      ->check(with_extension({"json"}))
-      ->excludes("--output-dir");
+  add_side_output(app, "--report", output.report, "Write a report of the run (JSON)")->excludes("--output-dir");
   register_view(app, output);
-  add_file(app, "--summary", output.summary, "Write a table with a row for each INPUT (CSV)", "FILE.csv")
-      ->check(with_extension({"csv"}))
+  add_side_output(app, "--summary", output.summary, "Write a table with a row for each INPUT (CSV)")
       ->needs("--output-dir");
 }
 
 void register_diagram_output(CLI::App& app, OutputOptions& output) {
   add_flag(app, "--no-curves", output.no_curves, "Leave the bisectors out of .obj, .vtp and .glb");
-  add_file(app, "--diagram", output.diagram, "Write the diagram (JSON)", "FILE.json")
-      ->check(with_extension({"json"}))
-      ->excludes("--output-dir");
+  add_side_output(app, "--diagram", output.diagram, "Write the diagram (JSON)")->excludes("--output-dir");
 }
 
 /// Why an option for some formats does nothing, unless a file or standard output gets one of them.

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "common/options/command_line.hpp"
@@ -70,8 +71,22 @@ CLI::Validator not_empty(const std::string& kind) {
   return {[kind](std::string& name) { return name.empty() ? "the name is empty; name a " + kind : ""; }, ""};
 }
 
-CLI::Validator with_extension(const std::vector<std::string>& extensions) {
-  const auto check = [extensions](const std::string& file) {
+const std::vector<std::string>& side_extensions(const std::string& option) {
+  static const std::map<std::string, std::vector<std::string>> kExtensions{{"--diagram", {"json"}},
+                                                                           {"--face-labels", {"npy", "csv"}},
+                                                                           {"--map", {"json"}},
+                                                                           {"--points", {"ply", "xyz", "npy"}},
+                                                                           {"--report", {"json"}},
+                                                                           {"--stats", {"csv"}},
+                                                                           {"--summary", {"csv"}},
+                                                                           {"--trace", {"csv"}},
+                                                                           {"--vertex-distances", {"npy", "csv"}},
+                                                                           {"--view", {"html", "htm"}}};
+  return kExtensions.at(option);
+}
+
+CLI::Validator has_side_extension(const std::string& option) {
+  const auto check = [&extensions = side_extensions(option)](const std::string& file) {
     std::error_code ignored;
     const auto status = std::filesystem::status(file, ignored);
     const bool is_stream = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
@@ -93,6 +108,12 @@ std::string describe_unknown(const std::string& text, const std::vector<std::str
 CLI::Option* add_file(CLI::App& app, const std::string& names, std::string& target, const std::string& description,
                       const std::string& type) {
   return app.add_option(names, target, description)->type_name(type)->check(not_empty("file"));
+}
+
+CLI::Option* add_side_output(CLI::App& app, const std::string& name, std::string& target,
+                             const std::string& description) {
+  const std::string type = fmt::format("FILE.{}", fmt::join(side_extensions(name), "|"));
+  return add_file(app, name, target, description, type)->check(has_side_extension(name));
 }
 
 }  // namespace gvd::app

@@ -59,12 +59,20 @@ CLI::Option* add_flag(CLI::App& app, const std::string& names, bool& target, con
 /// Refuses an empty name. `kind`: what is to be named, for messages.
 CLI::Validator not_empty(const std::string& kind);
 
-/// Refuses names without one of these extensions, given without dots. Pipes, "-", /dev and /proc may have any name.
-CLI::Validator with_extension(const std::vector<std::string>& extensions);
-
 /// Adds an option that names a file. `type`: "FILE", or with an extension.
 CLI::Option* add_file(CLI::App& app, const std::string& names, std::string& target, const std::string& description,
                       const std::string& type = "FILE");
+
+/// The extensions, without their dots, of the files that an option writes beside those of -o: of all commands, so that
+/// none of them puts a table or a report in the place of a mesh. Throws std::out_of_range for any other option.
+const std::vector<std::string>& side_extensions(const std::string& option);
+
+/// Refuses names without one of the `side_extensions` of the option. Pipes, "-", /dev and /proc may have any name.
+CLI::Validator has_side_extension(const std::string& option);
+
+/// Adds an option that names a file which is written beside those of -o.
+CLI::Option* add_side_output(CLI::App& app, const std::string& name, std::string& target,
+                             const std::string& description);
 
 /// Adds an option that takes one number in `range`. `Target` is T or std::optional<T>.
 template <class T, class Target>
