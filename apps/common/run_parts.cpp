@@ -119,9 +119,9 @@ void verify(Run& run, const Mesh& mesh, const Diagram& diagram) {
 void verify(Run&, const Mesh&, const Diagram&) {}
 #endif
 
-/// The mesh as the options want it in one format. JSON is the diagram itself, and keeps its bisectors.
-LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh, OutputFormat format) {
-  if (output.no_curves && format != OutputFormat::json) mesh.diagram = nullptr;
+/// The mesh as the options want it.
+LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh) {
+  mesh.no_bisectors = output.no_curves;
   mesh.ascii_ply = output.ascii_ply;
   return mesh;
 }
@@ -137,7 +137,7 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
   }
   const auto known = parse_output_format(format);
   if (!known) throw Error(ErrorCode::invalid_option, "-o " + path + ": this command does not write ." + format);
-  const LabelledMesh chosen = choose_content(run.options().output, mesh, *known);
+  const LabelledMesh chosen = choose_content(run.options().output, mesh);
   if (standard) return write_standard_output([&](std::ostream& out) { write_mesh(out, chosen, *known); });
   write_mesh(path, chosen, run.progress());
 }

@@ -194,7 +194,7 @@ void write_result(const std::filesystem::path& path, LabelledMesh mesh, const Ow
     const std::string page = make_page(mesh, options.title);
     return write_file(path, [&](std::ostream& out) { out << page; });
   }
-  if (options.no_curves) mesh.diagram = nullptr;
+  mesh.no_bisectors = options.no_curves;
   mesh.ascii_ply = options.ascii_ply;
   write_mesh(path, mesh);
 }

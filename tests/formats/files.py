@@ -83,11 +83,28 @@ def segments(diagram):
 
 
 def region_vertices(labels, faces):
-    """For each label the number of vertices of its faces."""
-    vertices = {}
-    for label, face in zip(labels, faces):
-        vertices.setdefault(label, set()).update(face)
-    return {label: len(of_label) for label, of_label in vertices.items()}
+    """The number of pairs of a label and a vertex of its faces."""
+    return len({(label, v) for label, face in zip(labels, faces) for v in face})
+
+
+def srgb(linear):
+    """A linear factor of light as a channel of sRGB, 0 to 255."""
+    return round(255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055))
+
+
+def one_color_each(labels, colors):
+    """The colour of each label, where every element with the label has the same one."""
+    of_label = {}
+    for label, color in zip(labels, colors):
+        assert of_label.setdefault(label, tuple(color)) == tuple(color), f"label {label} has several colours"
+    return of_label
+
+
+def palette(work):
+    """The colour of each label in whole.ply, from its text: of the vertices."""
+    lines = (pathlib.Path(work) / "text.ply").read_text().split("end_header\n")[1].split("\n")[: WIDTH * HEIGHT + 3]
+    rows = [line.split() for line in lines]
+    return one_color_each([int(row[4]) for row in rows], [tuple(map(int, row[5:8])) for row in rows])
 
 
 if __name__ == "__main__":

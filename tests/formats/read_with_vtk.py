@@ -42,7 +42,7 @@ def check_ply(name):
     assert (array(mesh.GetCellData(), "intensity") == labels % 256).all()
     of_faces = colors_by_label(array(mesh.GetCellData(), "RGB"), labels)
     of_vertices = colors_by_label(array(mesh.GetPointData(), "RGB"), vertex_labels)
-    assert of_faces == of_vertices and len(set(of_faces.values())) == len(of_faces)
+    assert of_faces == of_vertices == files.palette(work)
 
 
 def check_vtp():
@@ -83,13 +83,16 @@ def leaves(data):
 
 def check_glb():
     blocks = list(leaves(read(vtkGLTFReader(), "whole.glb")))
-    regions = [b for b in blocks if b.GetNumberOfPolys() > 0]
-    expected = files.region_vertices(diagram["face_labels"], faces)
-    # In the order of the labels, the unlabelled ones last: a copy of all vertices for each region would be far more.
-    assert [b.GetNumberOfPoints() for b in regions] == [expected[k] for k in sorted(expected, key=lambda k: k % 2**32)]
-    for block in regions:
-        normals = vtk_to_numpy(block.GetPointData().GetNormals() or block.GetPointData().GetArray("NORMAL"))
-        assert numpy.abs(numpy.linalg.norm(normals, axis=1) - 1).max() < 1e-5 and (normals[:, 2] > 0.8).all()
+    (surface,) = [b for b in blocks if b.GetNumberOfPolys() > 0]
+    assert surface.GetNumberOfPoints() == files.region_vertices(diagram["face_labels"], faces)
+    data = surface.GetPointData()
+    normals = vtk_to_numpy(data.GetNormals() or data.GetArray("NORMAL"))
+    assert numpy.abs(numpy.linalg.norm(normals, axis=1) - 1).max() < 1e-5 and (normals[:, 2] > 0.8).all()
+    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    of_corners = array(data, "_LABEL")[corners]
+    assert (of_corners == labels[:, None]).all(), "the corners of each face have its label"
+    colors = [tuple(files.srgb(c) for c in color) for color in array(data, "COLOR_0").tolist()]
+    assert files.one_color_each(array(data, "_LABEL").astype(int).tolist(), colors) == files.palette(work)
     assert sum(b.GetNumberOfLines() for b in blocks) == files.segments(diagram)
     assert sum(b.GetNumberOfLines() for b in leaves(read(vtkGLTFReader(), "plain.glb"))) == 0
 

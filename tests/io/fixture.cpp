@@ -105,6 +105,10 @@ void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
+Rgb color_in(const LabelledMesh& mesh, GeneratorId label) {
+  return label.valid() ? region_colors(mesh).at(label.index()) : kUnlabelledColor;
+}
+
 std::string to_bytes(const LabelledMesh& mesh, OutputFormat format) {
   std::ostringstream out;
   write_mesh(out, mesh, format);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gvd/diagram.hpp"
+#include "gvd/io/label_color.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh.hpp"
 
@@ -41,6 +42,9 @@ class TemporaryFolder {
 
 std::string read_bytes(const std::filesystem::path& path);
 void write_bytes(const std::filesystem::path& path, const std::string& bytes);
+
+/// The colour of a label in the files of a mesh.
+Rgb color_in(const LabelledMesh& mesh, GeneratorId label);
 
 /// The bytes that `write_mesh` writes.
 std::string to_bytes(const LabelledMesh& mesh, OutputFormat format);

@@ -7,7 +7,7 @@ export const kTextureWidth = 256;
 export const kLatticeWidth = 1024;
 
 export const kUnlabelled = new Color('#c9d1d8');
-export const kUnreachedFill = [156, 154, 151];  // kUnreachedColor of view_steps.hpp
+export const kUnreachedFill = [156, 154, 151];  // kUnlabelledColor of gvd/io/label_color.hpp
 
 // Added generators are red, brighter than any region. Their lightness differs from that of given generators too, so
 // they differ without hue.

@@ -6,7 +6,9 @@
 #include <set>
 
 #include "gvd/geodesic_tracing.hpp"
+#include "gvd/io/mesh_writer.hpp"
 #include "io/view/view_steps.hpp"
+#include "io/writers/region_colors.hpp"
 #include "support/catch.hpp"
 #include "support/color_difference.hpp"
 #include "support/generators.hpp"
@@ -86,7 +88,7 @@ TEST_CASE("CIEDE2000 agrees with the published test pairs") {
 
 TEST_CASE("any two colours of the page differ for every kind of vision") {
   std::vector<Rgb> colors(io::kRegionPalette.begin(), io::kRegionPalette.end());
-  colors.push_back(io::kUnreachedColor);
+  colors.push_back(kUnlabelledColor);
   for (std::size_t a = 0; a < colors.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       for (const Vision& vision : visions()) {
@@ -110,6 +112,66 @@ TEST_CASE("neighbours have different colours on every mesh, with any number of g
       CHECK(least_difference_of_neighbours(scene, diagram) >= 20);
     }
   }
+}
+
+/// Whole faces with the label of their largest piece.
+IdVector<FaceId, GeneratorId> whole_labels(const Diagram& diagram) {
+  IdVector<FaceId, GeneratorId> label = diagram.face_label;
+  for (const FacePiece& piece : diagram.pieces) label[piece.face] = piece.generator;
+  return label;
+}
+
+TEST_CASE("the page of a mesh with labels has the colours of its files, and so has that of its diagram") {
+  for (const auto& [name, mesh] : small_family()) {
+    for (const int count : {8, 60}) {
+      INFO(name << ", " << count << " generators");
+      const Diagram diagram = compute_diagram(mesh, random_generators(mesh, count, 3));
+      LabelledMesh file{mesh, &diagram.face_label, nullptr, &diagram.vertex_label, &diagram.vertex_distance, &diagram};
+      const ViewScene cells = make_view_scene("", mesh, diagram);
+      CHECK(io::choose_scene_colors({cells}).at(0) == region_colors(file));
+      file.no_bisectors = true;
+      CHECK(io::choose_scene_colors({cells}).at(0) == region_colors(file));
+      const IdVector<FaceId, GeneratorId> label = whole_labels(diagram);
+      file.face_label = &label;
+      CHECK(io::choose_scene_colors({make_view_scene("", file)}).at(0) == region_colors(file));
+    }
+  }
+}
+
+TEST_CASE("in files, labels differ that meet along edges, and those that meet along a bisector") {
+  std::size_t edges = 0, bisectors = 0;
+  for (const auto& [name, mesh] : small_family()) {
+    for (const int count : {2, 8, 30, 100, 400}) {
+      INFO(name << ", " << count << " generators");
+      const Diagram diagram = compute_diagram(mesh, random_generators(mesh, count, 5));
+      const IdVector<FaceId, GeneratorId> label = whole_labels(diagram);
+      const std::vector<Rgb> colors =
+          region_colors({mesh, &label, nullptr, &diagram.vertex_label, &diagram.vertex_distance, &diagram});
+      const auto is_same = [&](GeneratorId a, GeneratorId b) {
+        return a.valid() && b.valid() && a != b && colors[a.index()] == colors[b.index()];
+      };
+      for (const HalfedgeId h : mesh.halfedges()) {
+        if (mesh.twin(h).valid()) edges += is_same(label[Mesh::face(h)], label[Mesh::face(mesh.twin(h))]);
+      }
+      for (const Bisector& bisector : diagram.bisectors) bisectors += is_same(bisector.left, bisector.right);
+    }
+  }
+  CHECK(edges == 0);
+  CHECK(bisectors == 0);
+}
+
+TEST_CASE("labels of vertices alone have colours, too, and a label that nothing has is no error") {
+  const Mesh mesh = make_grid(3, 1);
+  IdVector<VertexId, GeneratorId> label(mesh.vertex_count());
+  for (const VertexId v : mesh.vertices()) {
+    if (mesh.position(v).x() < 3) label[v] = GeneratorId(mesh.position(v).x() < 2 ? 0 : 7);
+  }
+  LabelledMesh file{mesh};
+  CHECK(region_colors(file).empty());
+  file.vertex_label = &label;
+  const std::vector<Rgb> colors = region_colors(file);
+  REQUIRE(colors.size() == 8);
+  CHECK(colors[0] != colors[7]);
 }
 
 TEST_CASE("every colour is used about as often as the others") {

@@ -1,11 +1,7 @@
-// The elements that formats share: regions, bisectors as lines, vertices with normals, colours of labels.
+// The elements that formats share: regions, bisectors as lines, vertices with normals.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <set>
-#include <tuple>
 
-#include "gvd/io/label_color.hpp"
 #include "io/fixture.hpp"
 #include "io/writers/format_writers.hpp"
 #include "support/catch.hpp"
@@ -86,9 +82,7 @@ TEST_CASE("bisectors of one point are left out, and without a diagram there are 
 }
 
 ShadingVertices split(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label = nullptr) {
-  LabelledMesh labelled{mesh};
-  labelled.face_label = label;
-  return split_shading_vertices(mesh, label, collect_regions(labelled));
+  return split_shading_vertices(mesh, label);
 }
 
 /// Two triangles with a common edge, the second one turned by an angle in degrees.
@@ -112,13 +106,10 @@ TEST_CASE("regions have vertices of their own with common normals") {
   IdVector<FaceId, GeneratorId> label;
   for (int f = 0; f < mesh.face_count(); ++f) label.push_back(GeneratorId(f % 5));
   const ShadingVertices result = split(mesh, &label);
-  REQUIRE(result.first.size() == 6);
-  CHECK(result.first.back() == result.vertices.size());
   for (std::int32_t i = 0; i < mesh.halfedge_count(); ++i) {
     const HalfedgeId h(i);
     const std::uint32_t index = result.of_corner[h];
-    const std::size_t region = label[Mesh::face(h)].index();
-    CHECK((result.first[region] <= index && index < result.first[region + 1]));
+    CHECK(result.vertices[index].label == label[Mesh::face(h)]);
     CHECK(result.vertices[index].vertex == mesh.from(h));
     // On a fine sphere the normal is the position.
     const Vec3 normal = result.vertices[index].normal.cast<double>();
@@ -133,8 +124,11 @@ TEST_CASE("a mesh with one region keeps its vertices, in the order of its faces"
   const Mesh mesh = test::make_sphere(2);
   const ShadingVertices result = split(mesh);
   CHECK(result.vertices.size() == mesh.positions().size());
-  CHECK(result.first == std::vector<std::uint32_t>{0, static_cast<std::uint32_t>(mesh.vertex_count())});
-  CHECK(result.of_corner[HalfedgeId(0)] == 0);
+  std::uint32_t next = 0;
+  for (const std::uint32_t index : result.of_corner) {
+    CHECK(index <= next);
+    next = std::max(next, index + 1);
+  }
 }
 
 TEST_CASE("faces without area have the normals of their neighbours, or the z axis") {
@@ -145,54 +139,6 @@ TEST_CASE("faces without area have the normals of their neighbours, or the z axi
   const ShadingVertices result = split(pair);
   CHECK(result.vertices.size() == 4);
   CHECK(result.vertices[result.of_corner[HalfedgeId(4)]].normal == Eigen::Vector3f(1, 0, 0));
-}
-
-int spread(const Rgb& c) { return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}); }
-
-/// Hue in degrees, by the hexagon.
-double hue(const Rgb& c) {
-  const double range = spread(c);
-  if (c.red >= c.green && c.red >= c.blue) return std::fmod(360 + 60 * (c.green - c.blue) / range, 360.0);
-  if (c.green >= c.blue) return 120 + 60 * (c.blue - c.red) / range;
-  return 240 + 60 * (c.red - c.green) / range;
-}
-
-double hue_difference(int a, int b) {
-  const double difference = std::abs(hue(label_color(GeneratorId(a))) - hue(label_color(GeneratorId(b))));
-  return std::min(difference, 360 - difference);
-}
-
-TEST_CASE("(1) a label's colour is fixed") {
-  CHECK(label_color(GeneratorId(0)) == Rgb{242, 92, 92});
-  CHECK(label_color(GeneratorId()) == kUnlabelledColor);
-  CHECK(spread(kUnlabelledColor) == 0);
-}
-
-TEST_CASE("(2) consecutive labels lie a golden angle apart, the first 13 at least 20 degrees") {
-  for (int label = 0; label < 1000; ++label) CHECK(hue_difference(label, label + 1) == Approx(137.5).margin(2));
-  for (int a = 0; a < 13; ++a) {
-    for (int b = 0; b < a; ++b) CHECK(hue_difference(a, b) > 18);  // 20 but for the rounding to bytes
-  }
-}
-
-TEST_CASE("(3) no label is grey, and hundreds differ") {
-  std::set<std::tuple<int, int, int>> colors;
-  for (int label = 0; label < 300; ++label) {
-    const Rgb color = label_color(GeneratorId(label));
-    CHECK(spread(color) > 80);
-    colors.insert({color.red, color.green, color.blue});
-  }
-  CHECK(colors.size() > 290);
-  CHECK(spread(label_color(GeneratorId(2147483647))) > 80);
-}
-
-TEST_CASE("the colour and the low byte of a label tell 10,000 regions apart") {
-  // All that VTK keeps of a label in a PLY: docs/guide/formats.md.
-  std::set<std::array<int, 4>> seen;
-  for (int i = 0; i < 10000; ++i) {
-    const Rgb color = label_color(GeneratorId(i));
-    CHECK(seen.insert({color.red, color.green, color.blue, i % 256}).second);
-  }
 }
 
 }  // namespace gvd::test_mesh_elements

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
-#include "gvd/io/label_color.hpp"
 #include "io/fixture.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
@@ -56,73 +56,71 @@ struct Glb {
 
 using Corner = std::array<float, 3>;
 
-/// The position of every corner of every triangle, in order.
-std::vector<Corner> corner_positions(const Glb& glb, const Json& primitive) {
-  const auto values = glb.get<float>(primitive["attributes"]["POSITION"].get<std::size_t>());
-  std::vector<Corner> corners;
-  for (const std::uint32_t i : glb.get<std::uint32_t>(primitive["indices"].get<std::size_t>())) {
-    corners.push_back({values.at(3 * i), values.at(3 * i + 1), values.at(3 * i + 2)});
-  }
-  return corners;
-}
-
-/// The same of the faces with one label.
-std::vector<Corner> corner_positions(const Labelled& labelled, GeneratorId label) {
-  std::vector<Corner> corners;
-  for (int f = 0; f < labelled.mesh.face_count(); ++f) {
-    if (labelled.face_label[FaceId(f)] != label) continue;
-    for (const VertexId v : labelled.mesh.vertices(FaceId(f))) {
-      const Eigen::Vector3f p = labelled.mesh.position(v).cast<float>();
-      corners.push_back({p.x(), p.y(), p.z()});
-    }
-  }
-  return corners;
-}
-
-TEST_CASE("a labelled GLB has one primitive a region, with its colour") {
+TEST_CASE("a labelled GLB is one primitive, whose vertices have the labels of their faces and the colours of these") {
   const Labelled labelled;
   const Glb glb(to_bytes(labelled.view(), OutputFormat::glb));
   CHECK(glb.json["asset"]["version"] == "2.0");
   CHECK(glb.json["scenes"][0]["nodes"] == Json({0, 1}));
-  const Json& primitives = glb.json["meshes"][0]["primitives"];
-  REQUIRE(primitives.size() == 4);
-  const std::vector<int> labels{0, 1, 2, -1};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Json& primitive = primitives[i];
-    CHECK(primitive["mode"] == 4);
-    CHECK(primitive["extras"]["label"] == labels[i]);
-    const Json& material = glb.json["materials"].at(primitive["material"].get<std::size_t>());
-    CHECK(material["name"] == (i == 3 ? "unlabelled" : "region_" + std::to_string(i)));
-    const double red = label_color(GeneratorId(labels[i])).red / 255.0;
-    CHECK(material["pbrMetallicRoughness"]["baseColorFactor"][0].get<double>() ==
-          Approx(std::pow((red + 0.055) / 1.055, 2.4)).margin(1e-4));
-    CHECK(corner_positions(glb, primitive) == corner_positions(labelled, GeneratorId(labels[i])));
+  REQUIRE(glb.json["meshes"][0]["primitives"].size() == 1);
+  const Json& primitive = glb.json["meshes"][0]["primitives"][0];
+  CHECK(primitive["mode"] == 4);
+  const Json& material = glb.json["materials"].at(primitive["material"].get<std::size_t>());
+  CHECK(material["pbrMetallicRoughness"]["baseColorFactor"] == Json({1.0, 1.0, 1.0, 1}));
+  const auto attribute = [&](const char* name) {
+    return glb.get<float>(primitive["attributes"][name].get<std::size_t>());
+  };
+  const std::vector<float> positions = attribute("POSITION"), colors = attribute("COLOR_0"),
+                           labels = attribute("_LABEL");
+  const auto indices = glb.get<std::uint32_t>(primitive["indices"].get<std::size_t>());
+  REQUIRE(indices.size() == 3 * 24);
+  const auto linear = [](std::uint8_t channel) { return std::pow((channel / 255.0 + 0.055) / 1.055, 2.4); };
+  for (const HalfedgeId h : labelled.mesh.halfedges()) {
+    const std::size_t i = indices[h.index()];
+    const Eigen::Vector3f p = labelled.mesh.position(labelled.mesh.from(h)).cast<float>();
+    CHECK(Eigen::Vector3f(positions.at(3 * i), positions.at(3 * i + 1), positions.at(3 * i + 2)) == p);
+    const GeneratorId label = labelled.face_label[Mesh::face(h)];
+    CHECK(labels.at(i) == float(label.value()));
+    const Rgb color = color_in(labelled.view(), label);
+    CHECK(colors.at(3 * i) == Approx(linear(color.red)).margin(1e-4));
+    CHECK(colors.at(3 * i + 1) == Approx(linear(color.green)).margin(1e-4));
+    CHECK(colors.at(3 * i + 2) == Approx(linear(color.blue)).margin(1e-4));
   }
 }
 
-TEST_CASE("each region of a GLB has vertices of its own, within the bounds that it names") {
+TEST_CASE("the vertices of a GLB lie within the bounds that it names, and all are used") {
   const Labelled labelled;
   const Glb glb(to_bytes(labelled.view(), OutputFormat::glb));
-  std::size_t vertices = 0;
-  for (const Json& primitive : glb.json["meshes"][0]["primitives"]) {
-    const auto index = primitive["attributes"]["POSITION"].get<std::size_t>();
-    const auto values = glb.get<float>(index);
-    vertices += values.size() / 3;
-    const auto indices = glb.get<std::uint32_t>(primitive["indices"].get<std::size_t>());
-    CHECK(3 * (*std::max_element(indices.begin(), indices.end()) + 1) == values.size());
-    std::array<float, 3> low, high;
-    low.fill(std::numeric_limits<float>::max());
-    high.fill(std::numeric_limits<float>::lowest());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      low[i % 3] = std::min(low[i % 3], values[i]);
-      high[i % 3] = std::max(high[i % 3], values[i]);
-    }
-    CHECK(glb.json["accessors"][index]["min"].get<std::array<float, 3>>() == low);
-    CHECK(glb.json["accessors"][index]["max"].get<std::array<float, 3>>() == high);
-    // Views that several accessors share must name their stride.
-    CHECK(glb.json["bufferViews"][glb.json["accessors"][index]["bufferView"].get<std::size_t>()]["byteStride"] == 12);
+  const Json& primitive = glb.json["meshes"][0]["primitives"][0];
+  const auto index = primitive["attributes"]["POSITION"].get<std::size_t>();
+  const auto values = glb.get<float>(index);
+  const auto indices = glb.get<std::uint32_t>(primitive["indices"].get<std::size_t>());
+  CHECK(std::set(indices.begin(), indices.end()).size() == values.size() / 3);
+  std::array<float, 3> low, high;
+  low.fill(std::numeric_limits<float>::max());
+  high.fill(std::numeric_limits<float>::lowest());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    low[i % 3] = std::min(low[i % 3], values[i]);
+    high[i % 3] = std::max(high[i % 3], values[i]);
   }
-  CHECK(vertices <= 72);
+  CHECK(glb.json["accessors"][index]["min"].get<std::array<float, 3>>() == low);
+  CHECK(glb.json["accessors"][index]["max"].get<std::array<float, 3>>() == high);
+}
+
+TEST_CASE("a GLB of 2,000 regions has two primitives") {
+  const Mesh mesh = make_grid(50, 40);
+  IdVector<FaceId, GeneratorId> label;
+  for (const FaceId f : mesh.faces()) label.push_back(GeneratorId(f.value() / 2));
+  Diagram diagram = Labelled().diagram;
+  LabelledMesh view{mesh};
+  view.face_label = &label;
+  view.diagram = &diagram;
+  const Glb glb(to_bytes(view, OutputFormat::glb));
+  std::size_t primitives = 0;
+  for (const Json& item : glb.json["meshes"]) primitives += item["primitives"].size();
+  CHECK(primitives == 2);
+  CHECK(glb.json["materials"].size() == 2);
+  const auto labels = glb.get<float>(glb.json["meshes"][0]["primitives"][0]["attributes"]["_LABEL"].get<std::size_t>());
+  CHECK(std::set(labels.begin(), labels.end()).size() == 2000);
 }
 
 TEST_CASE("the normals of a GLB have length 1 and point out of the surface") {
@@ -153,6 +151,7 @@ TEST_CASE("a plain GLB is one grey surface") {
   CHECK(glb.json["meshes"].size() == 1);
   CHECK(glb.json["meshes"][0]["primitives"].size() == 1);
   CHECK(glb.json["materials"][0]["name"] == "surface");
+  CHECK(glb.json["meshes"][0]["primitives"][0]["attributes"].size() == 2);
 }
 
 }  // namespace gvd::test_write_glb

@@ -1,7 +1,6 @@
 #include <array>
 #include <sstream>
 
-#include "gvd/io/label_color.hpp"
 #include "io/fixture.hpp"
 #include "support/catch.hpp"
 
@@ -23,7 +22,7 @@ TEST_CASE("a coloured OFF has colours behind each vertex and face") {
     std::array<double, 7> numbers{};
     for (double& number : numbers) text >> number;
     CHECK(Vec3(numbers[0], numbers[1], numbers[2]) == labelled.mesh.position(VertexId(v)));
-    const Rgb color = label_color(labelled.diagram.vertex_label[VertexId(v)]);
+    const Rgb color = color_in(labelled.view(), labelled.diagram.vertex_label[VertexId(v)]);
     CHECK(255 * numbers[3] == Approx(color.red).margin(0.02));
     CHECK(255 * numbers[4] == Approx(color.green).margin(0.02));
     CHECK(255 * numbers[5] == Approx(color.blue).margin(0.02));
@@ -31,7 +30,7 @@ TEST_CASE("a coloured OFF has colours behind each vertex and face") {
   }
   for (int f = 0; f < faces; ++f) {
     const auto& [a, b, c] = labelled.mesh.vertices(FaceId(f));
-    const Rgb color = label_color(labelled.face_label[FaceId(f)]);
+    const Rgb color = color_in(labelled.view(), labelled.face_label[FaceId(f)]);
     std::vector<int> numbers(7);
     for (int& number : numbers) text >> number;
     CHECK(numbers == std::vector<int>{3, a.value(), b.value(), c.value(), color.red, color.green, color.blue});
@@ -49,7 +48,7 @@ TEST_CASE("without labels of vertices a coloured OFF takes those of a face besid
   std::string line;
   for (int i = 0; i < 3; ++i) std::getline(text, line);
   const FaceId beside = Mesh::face(labelled.mesh.halfedge(VertexId(0)));
-  const double red = label_color(labelled.face_label[beside]).red / 255.0;
+  const double red = color_in(view, labelled.face_label[beside]).red / 255.0;
   std::istringstream words(line);
   double x = 0, y = 0, z = 0, read = 0;
   words >> x >> y >> z >> read;

@@ -4,7 +4,6 @@
 #include <limits>
 #include <sstream>
 
-#include "gvd/io/label_color.hpp"
 #include "io/fixture.hpp"
 #include "support/catch.hpp"
 
@@ -26,7 +25,7 @@ GeneratorId take_label(const std::string& bytes, std::size_t& offset) {
   const GeneratorId label(take<std::int32_t>(bytes, offset));
   const Rgb color{take<std::uint8_t>(bytes, offset), take<std::uint8_t>(bytes, offset),
                   take<std::uint8_t>(bytes, offset)};
-  CHECK(color == label_color(label));
+  CHECK(color == color_in(Labelled().view(), label));
   return label;
 }
 

@@ -1,4 +1,3 @@
-#include "gvd/io/label_color.hpp"
 #include "io/fixture.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
@@ -25,7 +24,7 @@ TEST_CASE("a binary STL has the size, normals and colours that it should") {
       CHECK(take_vector(bytes, offset) == labelled.mesh.position(v).cast<float>().cast<double>());
     }
     const int attribute = take<std::uint16_t>(bytes, offset);
-    const Rgb color = label_color(labelled.face_label[FaceId(f)]);
+    const Rgb color = color_in(labelled.view(), labelled.face_label[FaceId(f)]);
     CHECK((attribute & 0x8000) != 0);
     CHECK((attribute >> 10 & 31) == color.red / 8);
     CHECK((attribute >> 5 & 31) == color.green / 8);

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <cstdint>
-
-#include "gvd/ids.hpp"
+#include <vector>
 
 namespace gvd {
 
@@ -15,14 +14,16 @@ struct Rgb {
 };
 
 /// The grey of faces and vertices that no generator reaches.
-inline constexpr Rgb kUnlabelledColor{160, 160, 160};
+inline constexpr Rgb kUnlabelledColor{0x9c, 0x9a, 0x97};
 
-/// The colour of a generator's region, the same in every file; kUnlabelledColor for an invalid id. Pages
-/// have few colours instead, chosen so that neighbours differ (gvd/io/view.hpp).
+struct LabelledMesh;
+
+/// The colour of each label up to the largest one, the same in every file of the mesh and on its page.
 ///
-/// Properties: (1) it depends on the id alone and is the same on every machine; (2) the hues of consecutive ids differ
-/// by the golden angle (137.5 degrees), those of any two of the first 13 by at least 20; (3) no label is grey.
-/// Cost: O(1), no allocation.
-Rgb label_color(GeneratorId generator);
+/// Properties: (1) labels that meet along an edge differ by at least 20 in CIEDE2000, also for the colour-blind, on
+/// surfaces with up to three handles; (2) so do labels with a common bisector, unless (1) forbids it; (3) colours are
+/// few: labels that do not meet may share one; (4) they depend on the labels alone and are the same on every machine.
+/// Cost: O(n log n) time, O(n + largest label) memory.
+std::vector<Rgb> region_colors(const LabelledMesh& mesh);
 
 }  // namespace gvd

@@ -49,7 +49,7 @@ struct LabelledMesh {
   const IdVector<FaceId, FaceId>* face_parent = nullptr;          ///< the face of the input that a face is a piece of
   const IdVector<VertexId, GeneratorId>* vertex_label = nullptr;  ///< invalid ids are written as -1
   const IdVector<VertexId, double>* vertex_distance = nullptr;    ///< mesh units; infinity where no generator reaches
-  const Diagram* diagram = nullptr;                               ///< its bisectors become polylines
+  const Diagram* diagram = nullptr;  ///< its bisectors become polylines, and cells that meet have different colours
   /// The mesh of the diagram's surface points. Null: `mesh` itself. Set where `mesh` was cut along the bisectors.
   const Mesh* diagram_mesh = nullptr;
   const std::vector<MeshCurve>* curves = nullptr;  ///< for OBJ, VTP and GLB, behind the bisectors
@@ -58,7 +58,8 @@ struct LabelledMesh {
   /// Texture coordinates of the corners of the faces, three for each face, for PLY (a list `texcoord`) and OBJ (`vt`).
   /// A face with a number that is not finite has none. Null: none.
   const std::vector<std::array<double, 2>>* corner_texture = nullptr;
-  bool ascii_ply = false;  ///< PLY as text instead of binary
+  bool ascii_ply = false;     ///< PLY as text instead of binary
+  bool no_bisectors = false;  ///< leave those of the diagram out of OBJ, VTP and GLB
 };
 
 /// A mesh with the labels and distances of its diagram, and with these labels of its faces.

@@ -11,6 +11,7 @@
 #include "gvd/exact_field.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/io/distance_writer.hpp"
+#include "gvd/io/label_color.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/names.hpp"
@@ -52,6 +53,7 @@ struct ViewScene {
   const Mesh* mesh = nullptr;                  ///< not owned; must outlive the call that makes the page
   IdVector<FaceId, GeneratorId> face_label;    ///< invalid where the face is cut or no generator reaches it
   std::vector<FacePiece> pieces;               ///< of the cut faces, drawn in place of the faces
+  std::vector<Rgb> region_color;               ///< of each label; empty: chosen so that neighbours differ
   IdVector<VertexId, double> vertex_distance;  ///< infinity where no generator reaches
   std::vector<std::vector<Vec3>> bisectors;    ///< polylines; a closed one repeats its first point at its end
   std::vector<std::vector<Vec3>> isolines;     ///< curves of equal distance; a closed one repeats its first point

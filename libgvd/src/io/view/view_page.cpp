@@ -52,10 +52,11 @@ void check_size(std::string_view what, std::int32_t size, std::int32_t wanted) {
 
 void check_labels(const ViewScene& scene) {
   const auto check = [&](GeneratorId label, std::int64_t face) {
-    const bool known = scene.cells.empty() || label.value() < scene.cells.count();
+    const bool known = (scene.cells.empty() || label.value() < scene.cells.count()) &&
+                       (scene.region_color.empty() || label.value() < std::ssize(scene.region_color));
     if (known && label.value() <= kLargestLabel) return;
-    refuse(fmt::format("face {} of the view has label {}, which has no cell; give a cell for each label", face,
-                       label.value()),
+    refuse(fmt::format("face {} of the view has label {}, which has no cell or no colour; give one for each label",
+                       face, label.value()),
            face);
   };
   for (const FaceId f : scene.face_label.ids()) check(scene.face_label[f], f.value());
@@ -323,6 +324,7 @@ ViewScene make_view_scene(std::string name, const LabelledMesh& shown) {
   scene.mesh = &shown.mesh;
   scene.face_label = *shown.face_label;
   scene.vertex_distance = *shown.vertex_distance;
+  scene.region_color = region_colors(shown);
   scene.figures = io::make_figures(mesh, *shown.diagram, shown.mesh);
   return scene;
 }

@@ -19,49 +19,12 @@
 
 namespace gvd::io {
 
-/// Colours of the page's regions. Any two of them, and each one and the grey of what no generator reaches, differ by at
-/// least 20 in CIEDE2000: for full colour vision, and simulated for protanopia, deuteranopia and tritanopia by the
-/// matrices of Machado et al. 2009, and of Vienot et al. 1999 and Brettel et al. 1997. The usual ones were found by
-/// simulated annealing of the smallest of these differences, which is 21.2, with lightnesses from 42 to 90. Of all
-/// colours that differ from them as much, which have lightnesses below 20, the other two are the lightest pair.
-inline constexpr std::array<Rgb, 9> kRegionPalette{{{0x3b, 0x64, 0xa0},
-                                                    {0xe5, 0x85, 0x13},
-                                                    {0xc5, 0xee, 0xb8},
-                                                    {0x5d, 0x9b, 0xfe},
-                                                    {0x9a, 0x4f, 0x06},
-                                                    {0xff, 0xd7, 0xf7},
-                                                    {0x66, 0x62, 0x60},
-                                                    {0x3c, 0x23, 0x14},
-                                                    {0x1e, 0x28, 0x3c}}};
-inline constexpr std::size_t kUsualColors = 7;  ///< of the palette, at its start; dark lines do not show on the others
-inline constexpr Rgb kUnreachedColor{0x9c, 0x9a, 0x97};
-
 /// Pairs of regions with a common border in the picture: of faces with a common edge and, where faces are cut, of cells
 /// with a common bisector. Each pair once, smaller label first, ascending. Cost: O(n log n).
 std::vector<std::pair<GeneratorId, GeneratorId>> find_adjacent_regions(const ViewScene& scene);
 
-/// A colour of the palette for each of `count` labels, such that adjacent ones differ.
-///
-/// Each label in turn takes, of the usual colours that no neighbour has yet, the one that the fewest labels have; of
-/// the others where there is none. In the order (smallest-last, Matula and Beck 1983) each label has at most d
-/// neighbours before it, d being the degeneracy of the graph. For connected regions d is at most 5 on a surface of
-/// genus 0. For genus g > 0 it is at most (5 + sqrt(1 + 48 g)) / 2 (Heawood 1890). So the usual colours suffice up to
-/// genus 1, and the palette up to genus 3. Elsewhere, a label with all colours round it takes that of the fewest
-/// neighbours.
-/// Cost: O(n log n) for n labels and pairs.
-std::vector<Rgb> choose_region_colors(std::size_t count,
-                                      const std::vector<std::pair<GeneratorId, GeneratorId>>& adjacent);
-
-/// The colours `before` of the first labels, all of the palette, changed until adjacent labels differ: labels that have
-/// the colour of a neighbour, that are new, or that have a dark colour without need.
-///
-/// A label takes a usual colour that no neighbour has, if there is one. Else it takes one from a neighbour, which then
-/// needs another one in turn. This ends nearly always after a few changes. If it does not, all colours are chosen anew.
-/// Cost: O(n log n) for n labels and pairs; nearly always O(n).
-std::vector<Rgb> adapt_region_colors(const std::vector<Rgb>& before, std::size_t count,
-                                     const std::vector<std::pair<GeneratorId, GeneratorId>>& adjacent);
-
-/// The colours of the labels of each scene, of the region palette, such that regions with a common border differ.
+/// The colours of the labels of each scene, of the region palette, such that regions with a common border differ: those
+/// that the scene names, if it does.
 ///
 /// Scenes of several iterations belong together: from the last iteration back, each one keeps the colours of the one
 /// after it, and changes as few as it has to. A region can be followed over the slider so.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "gvd/ids.hpp"
+#include "gvd/io/label_color.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/vec.hpp"
@@ -16,20 +18,31 @@
 // checked the lengths of the arrays. Each writer throws Error{unwritable_output}.
 namespace gvd::io {
 
+/// A mesh to be written, with the colours of its labels.
+struct ColoredMesh : LabelledMesh {
+  explicit ColoredMesh(const LabelledMesh& labelled) : LabelledMesh(labelled), colors(region_colors(labelled)) {}
+  Rgb color(GeneratorId label) const { return label.valid() ? colors[label.index()] : kUnlabelledColor; }
+
+  std::vector<Rgb> colors;
+};
+
 /// PLY, binary or text: positions as doubles, distances as floats where these hold them, labels, and their colours.
-void write_ply(std::ostream& stream, const LabelledMesh& mesh);
+void write_ply(std::ostream& stream, const ColoredMesh& mesh);
 
 /// VTK PolyData in XML, arrays in Base64: faces with labels, bisectors and curves as lines.
-void write_vtp(std::ostream& stream, const LabelledMesh& mesh);
+void write_vtp(std::ostream& stream, const ColoredMesh& mesh);
 
-/// Binary glTF 2.0: a primitive with vertices and normals of its own and a material for each region, the bisectors as
-/// line segments.
-/// The file can't exceed 4 GiB.
-void write_glb(std::ostream& stream, const LabelledMesh& mesh);
+/// Binary glTF 2.0: the surface as one primitive, with normals, colours and labels of vertices, and the bisectors as
+/// line segments. The file can't exceed 4 GiB.
+void write_glb(std::ostream& stream, const ColoredMesh& mesh);
 
 /// Throws Error{unwritable_output} where 32-bit floats can't hold the mesh: a coordinate is too large for one, or the
 /// whole mesh lies between two of them. `format` is the name of the file format, for the message. Cost: O(n).
 void check_single_precision(const Mesh& mesh, std::string_view format);
+
+/// A colour of sRGB (IEC 61966-2-1) as linear factors of light, which Blender takes `Kd` for and glTF prescribes.
+/// Rounded to four digits, which 8 bits need, so that the last bit of pow does not matter.
+std::array<double, 3> to_linear(const Rgb& color);
 
 /// The bytes of a NumPy file (version 1.0 of the format) before its numbers. `type`: "<f8" or "<i4".
 std::string npy_header(std::string_view type, const std::vector<std::size_t>& shape);
@@ -66,22 +79,21 @@ std::vector<OutputLine> collect_lines(const LabelledMesh& mesh);
 struct ShadingVertex {
   VertexId vertex;
   Eigen::Vector3f normal;  ///< of length 1
+  GeneratorId label;       ///< of its region
 };
 
 /// The vertices of a mesh, each once for every region and every side of a crease that meet there.
 struct ShadingVertices {
-  std::vector<ShadingVertex> vertices;  ///< those of a region lie together, in the order in which it uses them
-  std::vector<std::uint32_t> first;     ///< of each region; one more entry for the end
+  std::vector<ShadingVertex> vertices;            ///< in the order in which the faces use them
   IdVector<HalfedgeId, std::uint32_t> of_corner;  ///< index in `vertices` for the corner where a halfedge begins
 };
 
-/// Splits the vertices of `mesh`. `label` is that of each face, null for one region; `regions` are of these labels.
+/// Splits the vertices of `mesh`. `label` is that of each face, null for one region.
 ///
 /// Properties: (1) a normal is the mean of the faces weighted by their angles, over both sides of a border between
 /// regions, so that borders do not show; (2) faces at an angle above 40 degrees have different normals; (3) faces
 /// without area have the normals of their neighbours, or the z axis where there is none.
 /// Cost: O(n) time and memory.
-ShadingVertices split_shading_vertices(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label,
-                                       const std::vector<Region>& regions);
+ShadingVertices split_shading_vertices(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label);
 
 }  // namespace gvd::io

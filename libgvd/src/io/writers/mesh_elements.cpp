@@ -1,56 +1,20 @@
-// The elements of an output that several formats share: regions, bisectors as polylines, vertices with normals, and
-// colours of labels.
+// The elements of an output that several formats share: regions, bisectors as polylines, and vertices with normals.
 //
 // A renderer needs a vertex once for every normal. So the ring of faces around a vertex is split at creases, where the
 // normal changes, and at borders between regions, where it does not: shading runs on over a border.
-// Invariant: the order of regions, lines and vertices depends on the mesh alone, and colours on the label alone, so
-// that all formats agree and the same input gives the same bytes.
+// Invariant: the order of regions, lines and vertices depends on the mesh alone, so that all formats agree and the same
+// input gives the same bytes.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
-#include "gvd/io/label_color.hpp"
 #include "gvd/surface_point.hpp"
 #include "io/writers/format_writers.hpp"
 #include "mesh/vertex_ring.hpp"
-
-namespace gvd {
-namespace {
-
-/// The golden angle as a fraction of the circle: (3 - sqrt 5) / 2. Its multiples are spread evenly.
-constexpr double kGoldenTurn = 0.38196601125010515;
-
-struct Tone {
-  double saturation;
-  double value;
-};
-/// Used in turn, so that labels with similar hues differ in tone.
-constexpr std::array<Tone, 3> kTones{{{0.62, 0.95}, {0.85, 0.78}, {0.45, 0.88}}};
-
-std::uint8_t to_byte(double channel) { return std::uint8_t(std::lround(255 * channel)); }
-
-/// One channel of the colour (hue, saturation, value); `offset` is 5, 3, 1 for red, green, blue.
-double channel(double offset, double hue, const Tone& tone) {
-  const double k = std::fmod(offset + 6 * hue, 6.0);
-  return tone.value * (1 - tone.saturation * std::clamp(std::min(k, 4 - k), 0.0, 1.0));
-}
-
-}  // namespace
-
-Rgb label_color(GeneratorId generator) {
-  if (!generator.valid()) return kUnlabelledColor;
-  const double turns = kGoldenTurn * generator.value();
-  const double hue = turns - std::floor(turns);
-  const Tone& tone = kTones[generator.index() % kTones.size()];
-  return {to_byte(channel(5, hue, tone)), to_byte(channel(3, hue, tone)), to_byte(channel(1, hue, tone))};
-}
-
-}  // namespace gvd
 
 namespace gvd::io {
 namespace {
@@ -67,32 +31,24 @@ class Splitter {
     for (const VertexId v : mesh.vertices()) split(v);
   }
 
-  /// Numbers the vertices by region, in the order in which its faces use them.
-  ShadingVertices run(const std::vector<Region>& regions) {
+  /// Numbers the vertices in the order in which the faces use them.
+  ShadingVertices run() {
     ShadingVertices result;
     std::vector<std::uint32_t> number(split_.size(), kUnseen);
-    result.of_corner.resize(of_corner_.size());
-    for (const Region& region : regions) {
-      result.first.push_back(std::uint32_t(result.vertices.size()));
-      for (const FaceId f : region.faces) {
-        for (const HalfedgeId h : {Mesh::halfedge(f, 0), Mesh::halfedge(f, 1), Mesh::halfedge(f, 2)}) {
-          const std::uint32_t index = of_corner_[h];
-          if (number[index] == kUnseen) {
-            number[index] = std::uint32_t(result.vertices.size());
-            result.vertices.push_back(split_[index]);
-          }
-          result.of_corner[h] = number[index];
-        }
+    for (const HalfedgeId h : mesh_.halfedges()) {
+      std::uint32_t& known = number[of_corner_[h]];
+      if (known == kUnseen) {
+        known = std::uint32_t(result.vertices.size());
+        result.vertices.push_back(split_[of_corner_[h]]);
       }
+      result.of_corner.push_back(known);
     }
-    result.first.push_back(std::uint32_t(result.vertices.size()));
     return result;
   }
 
  private:
-  bool same_region(HalfedgeId g, HalfedgeId h) const {
-    return label_ == nullptr || (*label_)[Mesh::face(g)] == (*label_)[Mesh::face(h)];
-  }
+  GeneratorId label_of(HalfedgeId h) const { return label_ == nullptr ? GeneratorId() : (*label_)[Mesh::face(h)]; }
+  bool same_region(HalfedgeId g, HalfedgeId h) const { return label_of(g) == label_of(h); }
 
   /// A face without area is no crease.
   bool is_crease(HalfedgeId g, HalfedgeId h) const {
@@ -131,7 +87,7 @@ class Splitter {
       for (last = first + 1; last < ring_.size() && !is_crease(ring_[last - 1], ring_[last]);) ++last;
       const Eigen::Vector3f normal = mean_normal(first, last);
       for (std::size_t i = first; i < last; ++i) {
-        if (i == first || !same_region(ring_[i - 1], ring_[i])) split_.push_back({v, normal});
+        if (i == first || !same_region(ring_[i - 1], ring_[i])) split_.push_back({v, normal, label_of(ring_[i])});
         of_corner_[ring_[i]] = std::uint32_t(split_.size()) - 1;
       }
     }
@@ -189,15 +145,14 @@ void collect_bisectors(const LabelledMesh& mesh, std::vector<OutputLine>& lines)
 
 std::vector<OutputLine> collect_lines(const LabelledMesh& mesh) {
   std::vector<OutputLine> lines;
-  if (mesh.diagram != nullptr) collect_bisectors(mesh, lines);
+  if (mesh.diagram != nullptr && !mesh.no_bisectors) collect_bisectors(mesh, lines);
   if (mesh.curves == nullptr) return lines;
   for (const MeshCurve& curve : *mesh.curves) lines.push_back({{}, {}, curve.name, curve.points, curve.distance});
   return lines;
 }
 
-ShadingVertices split_shading_vertices(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label,
-                                       const std::vector<Region>& regions) {
-  return Splitter(mesh, label).run(regions);
+ShadingVertices split_shading_vertices(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label) {
+  return Splitter(mesh, label).run();
 }
 
 }  // namespace gvd::io

@@ -39,7 +39,6 @@
 
 #include "gvd/error.hpp"
 #include "gvd/io/diagram_json.hpp"
-#include "gvd/io/label_color.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/text.hpp"
 #include "io/writers/byte_writer.hpp"
@@ -130,12 +129,11 @@ void write_obj(std::ostream& stream, const LabelledMesh& mesh, const std::string
 }
 
 /// Writes the .mtl of an OBJ: one material for each region.
-void write_materials(std::ostream& stream, const LabelledMesh& mesh) {
+void write_materials(std::ostream& stream, const ColoredMesh& mesh) {
   ByteWriter out(stream);
   for (const Region& region : collect_regions(mesh)) {
-    const Rgb color = label_color(region.label);
-    out.print("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\n", region_name(region.label), color.red / 255.0, color.green / 255.0,
-              color.blue / 255.0);
+    const std::array<double, 3> color = to_linear(mesh.color(region.label));
+    out.print("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\n", region_name(region.label), color[0], color[1], color[2]);
   }
   out.finish();
 }
@@ -145,24 +143,24 @@ GeneratorId vertex_label(const LabelledMesh& labelled, VertexId v) {
   return (*labelled.face_label)[Mesh::face(labelled.mesh.halfedge(v))];
 }
 
-void print_off_vertices(ByteWriter& out, const LabelledMesh& labelled) {
+void print_off_vertices(ByteWriter& out, const ColoredMesh& labelled) {
   for (const VertexId v : labelled.mesh.vertices()) {
     const Vec3& p = labelled.mesh.position(v);
     out.print("{} {} {}", p.x(), p.y(), p.z());
     if (labelled.face_label != nullptr) {
-      const Rgb color = label_color(vertex_label(labelled, v));
+      const Rgb color = labelled.color(vertex_label(labelled, v));
       out.print(" {:.4f} {:.4f} {:.4f} 1.0", color.red / 255.0, color.green / 255.0, color.blue / 255.0);
     }
     out.text("\n");
   }
 }
 
-void print_off_faces(ByteWriter& out, const LabelledMesh& labelled) {
+void print_off_faces(ByteWriter& out, const ColoredMesh& labelled) {
   for (const FaceId f : labelled.mesh.faces()) {
     const auto& [a, b, c] = labelled.mesh.vertices(f);
     out.print("3 {} {} {}", a.value(), b.value(), c.value());
     if (labelled.face_label != nullptr) {
-      const Rgb color = label_color((*labelled.face_label)[f]);
+      const Rgb color = labelled.color((*labelled.face_label)[f]);
       out.print(" {} {} {}", color.red, color.green, color.blue);
     }
     out.text("\n");
@@ -170,7 +168,7 @@ void print_off_faces(ByteWriter& out, const LabelledMesh& labelled) {
 }
 
 /// OFF, or COFF with colours of vertices and faces where there are labels.
-void write_off(std::ostream& stream, const LabelledMesh& labelled) {
+void write_off(std::ostream& stream, const ColoredMesh& labelled) {
   ByteWriter out(stream);
   const Mesh& mesh = labelled.mesh;
   out.print("{}OFF\n{} {} {}\n", labelled.face_label != nullptr ? "C" : "", mesh.vertex_count(), mesh.face_count(),
@@ -190,7 +188,7 @@ std::uint16_t attribute(const Rgb& color) {
 }
 
 /// Binary STL, with the colours of labelled faces in their attributes.
-void write_stl(std::ostream& stream, const LabelledMesh& labelled) {
+void write_stl(std::ostream& stream, const ColoredMesh& labelled) {
   const Mesh& mesh = labelled.mesh;
   ByteWriter out(stream);
   std::string header(kHeader);
@@ -205,7 +203,8 @@ void write_stl(std::ostream& stream, const LabelledMesh& labelled) {
     const Vec3 v = (mesh.position(c) - origin).stableNormalized();
     out.floats(u.cross(v).normalized());
     for (const VertexId corner : {a, b, c}) out.floats(mesh.position(corner));
-    out.binary(labelled.face_label != nullptr ? attribute(label_color((*labelled.face_label)[f])) : std::uint16_t{0});
+    out.binary(labelled.face_label != nullptr ? attribute(labelled.color((*labelled.face_label)[f]))
+                                              : std::uint16_t{0});
   }
   out.finish();
 }
@@ -263,6 +262,14 @@ void print_mesh_members(ByteWriter& out, const Mesh& mesh) {
   });
 }
 
+std::array<double, 3> to_linear(const Rgb& color) {
+  const auto linear = [](std::uint8_t channel) {
+    const double c = channel / 255.0;
+    return std::round(1e4 * (c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4))) / 1e4;
+  };
+  return {linear(color.red), linear(color.green), linear(color.blue)};
+}
+
 std::string bare_extension(std::string_view extension) {
   return to_lower(extension.substr(extension.starts_with('.') ? 1 : 0));
 }
@@ -313,14 +320,14 @@ void check_lengths(const LabelledMesh& mesh) {
   }
 }
 
-void write_json(std::ostream& out, const LabelledMesh& mesh) {
+void write_json(std::ostream& out, const io::ColoredMesh& mesh) {
   if (mesh.diagram == nullptr) {
     throw Error(ErrorCode::invalid_option, "JSON holds a diagram, and there is none; choose another format");
   }
   write_diagram_json(out, mesh.diagram_mesh != nullptr ? *mesh.diagram_mesh : mesh.mesh, *mesh.diagram);
 }
 
-void write_bare_obj(std::ostream& out, const LabelledMesh& mesh) { io::write_obj(out, mesh, ""); }
+void write_bare_obj(std::ostream& out, const io::ColoredMesh& mesh) { io::write_obj(out, mesh, ""); }
 
 /// In the order of OutputFormat.
 constexpr std::array kMeshWriters{io::write_ply, write_bare_obj, io::write_off, io::write_stl,
@@ -348,7 +355,7 @@ void check_format(const Mesh& mesh, OutputFormat format) {
 void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format) {
   check_lengths(mesh);
   check_format(mesh.mesh, format);
-  kMeshWriters[static_cast<std::size_t>(format)](out, mesh);
+  kMeshWriters[static_cast<std::size_t>(format)](out, io::ColoredMesh(mesh));
 }
 
 void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, const Progress& progress) {
@@ -362,7 +369,7 @@ void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, con
     check_lengths(mesh);
     io::write_obj(out, mesh, materials.filename().string());
     write_file(
-        materials, [&](std::ostream& other) { io::write_materials(other, mesh); }, progress);
+        materials, [&](std::ostream& other) { io::write_materials(other, io::ColoredMesh(mesh)); }, progress);
   };
   write_file(path, write_both, progress);
 }

@@ -2,10 +2,12 @@
 //
 // The JSON chunk describes views of the numbers, and comes before them in the file. So the surface and the lines
 // are described first, which adds up the bytes, and then written in the same order.
-// Each region is a primitive with a material, and with vertices of its own: a vertex on a border or a crease comes once
-// for each region and normal. Positions are 32-bit floats, which `check_single_precision` has allowed.
-// Invariant: every view begins where the one before it ends, so that the description and the numbers agree.
-#include <cmath>
+// The surface is one primitive, which a renderer draws at once however many regions it has. Each region has vertices of
+// its own, with its colour in COLOR_0 and its label in _LABEL: a vertex on a border or a crease comes once for each
+// region and normal. glTF has no unsigned integers for such attributes and takes colours for linear, so both are
+// floats. Positions are 32-bit floats, too, which `check_single_precision` has allowed. Invariant: every view begins
+// where the one before it ends, so that the description and the numbers agree.
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -14,7 +16,6 @@
 #include <utility>
 
 #include "gvd/error.hpp"
-#include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"
 
@@ -31,30 +32,19 @@ constexpr const char *kScalar = "SCALAR", *kVector = "VEC3";  // accessor.type
 /// Bytes of the file header and the headers of both chunks.
 constexpr std::uint64_t kHeadBytes = 12 + 8 + 8;
 
-/// A colour channel of sRGB (IEC 61966-2-1) as a linear factor of glTF. Rounded to four digits, which 8 bits need, so
-/// that the last bit of pow does not matter.
-double to_linear(std::uint8_t channel) {
-  const double c = channel / 255.0;
-  const double linear = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  return std::round(1e4 * linear) / 1e4;
-}
-
-Json make_material(const std::string& name, const Rgb& color) {
+Json make_material(const std::string& name, const std::array<double, 3>& color) {
   return {{"name", name},
           {"pbrMetallicRoughness",
-           {{"baseColorFactor", {to_linear(color.red), to_linear(color.green), to_linear(color.blue), 1}},
-            {"metallicFactor", 0},
-            {"roughnessFactor", 0.9}}},
+           {{"baseColorFactor", {color[0], color[1], color[2], 1}}, {"metallicFactor", 0}, {"roughnessFactor", 0.9}}},
           {"doubleSided", true}};
 }
 
 class GlbWriter {
  public:
-  explicit GlbWriter(const LabelledMesh& labelled)
-      : mesh_(labelled.mesh),
-        has_labels_(labelled.face_label != nullptr),
-        regions_(collect_regions(labelled)),
-        surface_(split_shading_vertices(labelled.mesh, labelled.face_label, regions_)),
+  explicit GlbWriter(const ColoredMesh& labelled)
+      : labelled_(labelled),
+        mesh_(labelled.mesh),
+        surface_(split_shading_vertices(labelled.mesh, labelled.face_label)),
         lines_(collect_lines(labelled)) {
     describe_surface();
     describe_lines();
@@ -79,20 +69,20 @@ class GlbWriter {
   }
 
  private:
-  /// Appends a buffer view of `bytes` bytes at the end of the buffer; returns its index. Vertices are three floats.
+  /// Appends a buffer view of `bytes` bytes at the end of the buffer; returns its index.
   std::size_t add_view(std::uint64_t bytes, int target) {
     Json& views = gltf_["bufferViews"];
     views.push_back({{"buffer", 0}, {"byteOffset", binary_bytes_}, {"byteLength", bytes}, {"target", target}});
-    if (target == kVertexBuffer) views.back()["byteStride"] = 12;
     binary_bytes_ += bytes;
     return views.size() - 1;
   }
 
-  /// Appends an accessor of `count` elements, `offset` bytes into a view; returns its index.
-  std::size_t add_accessor(std::size_t view, std::uint64_t offset, std::size_t count, const char* type) {
+  /// Appends an accessor of the `count` elements of a view: floats for vertices, integers for indices. Returns its
+  /// index.
+  std::size_t add_accessor(std::size_t view, std::size_t count, const char* type) {
+    const bool of_vertices = gltf_["bufferViews"][view]["target"] == kVertexBuffer;
     gltf_["accessors"].push_back({{"bufferView", view},
-                                  {"byteOffset", offset},
-                                  {"componentType", std::string_view(type) == kScalar ? kUnsignedInt : kFloat},
+                                  {"componentType", of_vertices ? kFloat : kUnsignedInt},
                                   {"count", count},
                                   {"type", type}});
     return gltf_["accessors"].size() - 1;
@@ -122,44 +112,32 @@ class GlbWriter {
     gltf_["scenes"][0]["nodes"].push_back(index);
   }
 
-  /// Positions, normals and indices have one view each. Every region has its own part of them: programs that copy what
-  /// an accessor holds would otherwise copy the whole mesh for each region.
+  /// Positions, normals, colours, labels and indices have one view each.
   void describe_surface() {
     gltf_["asset"] = {{"version", "2.0"}, {"generator", "libgvd"}};
     gltf_["scene"] = 0;
-    const std::uint64_t vertex_bytes = 12 * std::uint64_t{surface_.vertices.size()};
-    const std::size_t positions = add_view(vertex_bytes, kVertexBuffer),
-                      normals = add_view(vertex_bytes, kVertexBuffer);
-    const std::size_t corners = add_view(12 * std::uint64_t(mesh_.face_count()), kIndexBuffer);
-    Json primitives = Json::array();
-    std::uint64_t index_offset = 0;
-    for (std::size_t r = 0; r < regions_.size(); ++r) {
-      const Region& region = regions_[r];
-      gltf_["materials"].push_back(
-          make_material(has_labels_ ? region_name(region.label) : "surface", label_color(region.label)));
-      Json attributes = add_region_vertices(r, positions, normals);
-      const std::size_t indices = add_accessor(corners, index_offset, 3 * region.faces.size(), kScalar);
-      primitives.push_back(make_primitive(std::move(attributes), indices, kTriangles));
-      if (has_labels_) primitives.back()["extras"] = {{"label", region.label.value()}};
-      index_offset += 12 * region.faces.size();
-    }
-    add_node("surface", std::move(primitives));
-  }
-
-  /// Appends the accessors of region r's positions and normals in these views; returns the attributes of its primitive.
-  Json add_region_vertices(std::size_t r, std::size_t position_view, std::size_t normal_view) {
-    const std::uint64_t offset = 12 * std::uint64_t{surface_.first[r]};
-    const std::size_t count = surface_.first[r + 1] - surface_.first[r];
-    const std::size_t positions = add_accessor(position_view, offset, count, kVector);
-    set_bounds(positions, [&](auto visit) {
-      for (std::size_t i = surface_.first[r]; i < surface_.first[r + 1]; ++i) visit(position_of(i));
+    const std::size_t count = surface_.vertices.size();
+    const auto add_attribute = [&](const char* type) {
+      return add_accessor(add_view((type == kVector ? 12 : 4) * std::uint64_t{count}, kVertexBuffer), count, type);
+    };
+    Json attributes = {{"POSITION", add_attribute(kVector)}};
+    set_bounds(attributes["POSITION"], [this](auto visit) {
+      for (const ShadingVertex& vertex : surface_.vertices) visit(mesh_.position(vertex.vertex));
     });
-    return {{"POSITION", positions}, {"NORMAL", add_accessor(normal_view, offset, count, kVector)}};
+    attributes["NORMAL"] = add_attribute(kVector);
+    if (has_labels()) {
+      attributes["COLOR_0"] = add_attribute(kVector);
+      attributes["_LABEL"] = add_attribute(kScalar);
+    }
+    const auto corners = std::size_t(mesh_.halfedge_count());
+    const std::size_t indices = add_accessor(add_view(4 * std::uint64_t{corners}, kIndexBuffer), corners, kScalar);
+    // Colours of vertices are factors of that of the material.
+    gltf_["materials"].push_back(has_labels() ? make_material("regions", {1, 1, 1})
+                                              : make_material("surface", to_linear(kUnlabelledColor)));
+    add_node("surface", Json::array({make_primitive(std::move(attributes), indices, kTriangles)}));
   }
 
-  const Vec3& position_of(std::size_t shading_vertex) const {
-    return mesh_.position(surface_.vertices[shading_vertex].vertex);
-  }
+  bool has_labels() const { return labelled_.face_label != nullptr; }
 
   /// All bisectors and curves are one primitive of line segments.
   void describe_lines() {
@@ -167,27 +145,30 @@ class GlbWriter {
     for (const OutputLine& line : lines_) points += line.points.size();
     if (points == 0) return;
     const std::size_t segments = points - lines_.size();
-    const std::size_t positions = add_accessor(add_view(12 * points, kVertexBuffer), 0, points, kVector);
+    const std::size_t positions = add_accessor(add_view(12 * points, kVertexBuffer), points, kVector);
     set_bounds(positions, [this](auto visit) {
       for (const OutputLine& line : lines_) {
         for (const Vec3& p : line.points) visit(p);
       }
     });
     const std::size_t view = add_view(8 * segments, kIndexBuffer);
-    gltf_["materials"].push_back(make_material("bisectors", Rgb{0, 0, 0}));
+    gltf_["materials"].push_back(make_material("bisectors", {0, 0, 0}));
     add_node(
         "bisectors",
-        Json::array({make_primitive({{"POSITION", positions}}, add_accessor(view, 0, 2 * segments, kScalar), kLines)}));
+        Json::array({make_primitive({{"POSITION", positions}}, add_accessor(view, 2 * segments, kScalar), kLines)}));
   }
 
   void write_surface(ByteWriter& out) const {
-    for (std::size_t i = 0; i < surface_.vertices.size(); ++i) out.floats(position_of(i));
-    for (const ShadingVertex& vertex : surface_.vertices) out.floats(vertex.normal);
-    for (std::size_t r = 0; r < regions_.size(); ++r) {
-      for (const FaceId f : regions_[r].faces) {
-        for (int i = 0; i < 3; ++i) out.binary(surface_.of_corner[Mesh::halfedge(f, i)] - surface_.first[r]);
-      }
+    const std::vector<ShadingVertex>& vertices = surface_.vertices;
+    for (const ShadingVertex& vertex : vertices) out.floats(mesh_.position(vertex.vertex));
+    for (const ShadingVertex& vertex : vertices) out.floats(vertex.normal);
+    if (has_labels()) {
+      std::vector<std::array<double, 3>> linear{to_linear(kUnlabelledColor)};  // before that of label 0
+      for (const Rgb& color : labelled_.colors) linear.push_back(to_linear(color));
+      for (const ShadingVertex& vertex : vertices) out.floats(linear[std::size_t(vertex.label.value() + 1)]);
+      for (const ShadingVertex& vertex : vertices) out.binary(static_cast<float>(vertex.label.value()));
     }
+    for (const std::uint32_t index : surface_.of_corner) out.binary(index);
   }
 
   void write_lines(ByteWriter& out) const {
@@ -204,9 +185,8 @@ class GlbWriter {
     }
   }
 
+  const ColoredMesh& labelled_;
   const Mesh& mesh_;
-  bool has_labels_;
-  std::vector<Region> regions_;
   ShadingVertices surface_;
   std::vector<OutputLine> lines_;
   Json gltf_;
@@ -215,6 +195,6 @@ class GlbWriter {
 
 }  // namespace
 
-void write_glb(std::ostream& stream, const LabelledMesh& mesh) { GlbWriter(mesh).write(stream); }
+void write_glb(std::ostream& stream, const ColoredMesh& mesh) { GlbWriter(mesh).write(stream); }
 
 }  // namespace gvd::io

@@ -14,7 +14,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "gvd/io/label_color.hpp"
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"
 
@@ -85,7 +84,7 @@ T nearest(double value) {
 /// Numbers of one element after the other, as bytes or as a line of text.
 class Rows {
  public:
-  Rows(ByteWriter& out, bool text) : out_(out), text_(text) {}
+  Rows(ByteWriter& out, const ColoredMesh& mesh) : out_(out), mesh_(mesh), text_(mesh.ascii_ply) {}
 
   template <class T>
   void put(T value) {
@@ -95,11 +94,11 @@ class Rows {
   }
 
   void put_label(GeneratorId label) {
-    if (label != colored_) color_ = label_color(colored_ = label);  // neighbours often have the same label
+    const Rgb color = mesh_.color(label);
     put(label.value());
-    put(color_.red);
-    put(color_.green);
-    put(color_.blue);
+    put(color.red);
+    put(color.green);
+    put(color.blue);
   }
 
   void put_number(NumberType type, double value) {
@@ -141,10 +140,9 @@ class Rows {
   }
 
   ByteWriter& out_;
+  const ColoredMesh& mesh_;
   bool text_;
   bool empty_ = true;
-  GeneratorId colored_;
-  Rgb color_ = label_color(colored_);
 };
 
 void write_vertices(Rows& rows, const LabelledMesh& mesh, bool doubles) {
@@ -178,14 +176,14 @@ void write_faces(Rows& rows, const LabelledMesh& mesh) {
 
 }  // namespace
 
-void write_ply(std::ostream& stream, const LabelledMesh& mesh) {
+void write_ply(std::ostream& stream, const ColoredMesh& mesh) {
   ByteWriter out(stream);
   const bool doubles = needs_doubles(mesh);
   out.print("ply\nformat {} 1.0\n", mesh.ascii_ply ? "ascii" : "binary_little_endian");
   print_vertex_properties(out, mesh, doubles);
   print_face_properties(out, mesh);
   out.text("end_header\n");
-  Rows rows(out, mesh.ascii_ply);
+  Rows rows(out, mesh);
   write_vertices(rows, mesh, doubles);
   write_faces(rows, mesh);
   out.finish();

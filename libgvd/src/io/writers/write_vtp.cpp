@@ -93,7 +93,7 @@ class VtpWriter {
     if (labelled_.face_parent != nullptr) {
       write_cell_array("Parent", none, [&](FaceId f) { return (*labelled_.face_parent)[f].value(); });
     }
-    if (labelled_.diagram != nullptr) {
+    if (labelled_.diagram != nullptr && !labelled_.no_bisectors) {
       write_cell_array(
           "Left", [](const OutputLine& line) { return line.left.value(); }, none);
       write_cell_array(
@@ -159,6 +159,6 @@ class VtpWriter {
 
 }  // namespace
 
-void write_vtp(std::ostream& stream, const LabelledMesh& mesh) { VtpWriter(stream, mesh).write(); }
+void write_vtp(std::ostream& stream, const ColoredMesh& mesh) { VtpWriter(stream, mesh).write(); }
 
 }  // namespace gvd::io

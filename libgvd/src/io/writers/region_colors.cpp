@@ -3,45 +3,31 @@
 // The labels are coloured greedily in smallest-last order (Matula and Beck 1983), which needs few colours on surfaces
 // of low genus. Over the scenes of a slider, each scene starts from the colours of the later one, and labels with the
 // colour of a neighbour take another in turn until none is left.
+// A file and the page of a result have the same colours, since these come from the labels of faces and the bisectors
+// together: labels that meet along edges or along a bisector differ.
 // Invariant: the choice depends on the labels and their neighbours alone, and ties go to the smaller label or colour.
+#include "io/writers/region_colors.hpp"
+
 #include <algorithm>
 #include <deque>
-#include <functional>
 #include <set>
 #include <tuple>
 
-#include "io/view/view_steps.hpp"
+#include "gvd/io/mesh_writer.hpp"
 
 namespace gvd::io {
 namespace {
 
-using Pair = std::pair<GeneratorId, GeneratorId>;
-
 constexpr std::size_t kColors = kRegionPalette.size();
 constexpr std::size_t kUncoloured = kColors;
 
-void add_pair(std::vector<Pair>& pairs, GeneratorId a, GeneratorId b) {
+void add_pair(std::vector<RegionPair>& pairs, GeneratorId a, GeneratorId b) {
   if (a.valid() && b.valid() && a != b) pairs.emplace_back(std::min(a, b), std::max(a, b));
-}
-
-void add_face_neighbours(const ViewScene& scene, std::vector<Pair>& pairs) {
-  const Mesh& mesh = *scene.mesh;
-  for (const EdgeId e : mesh.edges()) {
-    const HalfedgeId h = mesh.halfedge(e);
-    if (!mesh.twin(h).valid()) continue;
-    add_pair(pairs, scene.face_label[Mesh::face(h)], scene.face_label[Mesh::face(mesh.twin(h))]);
-  }
-}
-
-void add_cell_neighbours(const ViewScene& scene, std::vector<Pair>& pairs) {
-  for (const GeneratorId cell : scene.cells.ids()) {
-    for (const GeneratorId other : scene.cells[cell].neighbours) add_pair(pairs, cell, other);
-  }
 }
 
 using Neighbours = std::vector<std::vector<std::size_t>>;
 
-Neighbours list_neighbours(std::size_t count, const std::vector<Pair>& adjacent) {
+Neighbours list_neighbours(std::size_t count, const std::vector<RegionPair>& adjacent) {
   Neighbours neighbours(count);
   for (const auto& [a, b] : adjacent) {
     neighbours[a.index()].push_back(b.index());
@@ -156,37 +142,43 @@ class Adaptation {
   Uses uses_{};
 };
 
-/// One more than the largest label.
-std::size_t count_labels(const ViewScene& scene) {
-  std::int64_t labels = std::ssize(scene.cells);
-  for (const GeneratorId label : scene.face_label) labels = std::max<std::int64_t>(labels, label.value() + 1);
-  for (const FacePiece& piece : scene.pieces) labels = std::max<std::int64_t>(labels, piece.generator.value() + 1);
-  return static_cast<std::size_t>(labels);
-}
-
-/// Indices of the scenes of a slider, from the last iteration back.
-std::vector<std::size_t> list_iterations(const std::vector<ViewScene>& scenes) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    if (scenes[i].iteration) order.push_back(i);
+/// The pairs of a mesh's labels: of faces or, without these, of vertices.
+std::vector<RegionPair> list_pairs(const LabelledMesh& labelled) {
+  std::vector<RegionPair> pairs;
+  const Mesh& mesh = labelled.mesh;
+  if (labelled.face_label != nullptr) {
+    add_face_neighbours(mesh, *labelled.face_label, pairs);
+  } else if (labelled.vertex_label != nullptr) {
+    for (const EdgeId e : mesh.edges()) {
+      const HalfedgeId h = mesh.halfedge(e);
+      add_pair(pairs, (*labelled.vertex_label)[mesh.from(h)], (*labelled.vertex_label)[mesh.to(h)]);
+    }
   }
-  std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return *scenes[i].iteration; });
-  return order;
+  sort_pairs(pairs);
+  return pairs;
 }
 
 }  // namespace
 
-std::vector<Pair> find_adjacent_regions(const ViewScene& scene) {
-  std::vector<Pair> pairs;
-  if (!scene.face_label.empty()) add_face_neighbours(scene, pairs);
-  // Bisectors drawn over whole faces are no borders. The graph with both pairs need not fit the surface.
-  if (!scene.pieces.empty()) add_cell_neighbours(scene, pairs);
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
+void add_face_neighbours(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::vector<RegionPair>& pairs) {
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    if (mesh.twin(h).valid()) add_pair(pairs, label[Mesh::face(h)], label[Mesh::face(mesh.twin(h))]);
+  }
 }
 
-std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<Pair>& adjacent) {
+void add_cell_neighbours(const IdVector<GeneratorId, Cell>& cells, std::vector<RegionPair>& pairs) {
+  for (const GeneratorId cell : cells.ids()) {
+    for (const GeneratorId other : cells[cell].neighbours) add_pair(pairs, cell, other);
+  }
+}
+
+void sort_pairs(std::vector<RegionPair>& pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<RegionPair>& adjacent) {
   const Neighbours neighbours = list_neighbours(count, adjacent);
   std::vector<std::size_t> choice(count, kUncoloured);
   Uses uses{};
@@ -200,26 +192,35 @@ std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<Pair>
 }
 
 std::vector<Rgb> adapt_region_colors(const std::vector<Rgb>& before, std::size_t count,
-                                     const std::vector<Pair>& adjacent) {
+                                     const std::vector<RegionPair>& adjacent) {
   const Neighbours neighbours = list_neighbours(count, adjacent);
   Adaptation adaptation(neighbours, before);
   return adaptation.run() ? to_colors(adaptation.choice()) : choose_region_colors(count, adjacent);
 }
 
-std::vector<std::vector<Rgb>> choose_scene_colors(const std::vector<ViewScene>& scenes) {
-  std::vector<std::vector<Rgb>> colors(scenes.size());
-  const std::vector<Rgb>* later = nullptr;
-  for (const std::size_t i : list_iterations(scenes)) {
-    const std::size_t count = count_labels(scenes[i]);
-    const auto adjacent = find_adjacent_regions(scenes[i]);
-    colors[i] = later ? adapt_region_colors(*later, count, adjacent) : choose_region_colors(count, adjacent);
-    later = &colors[i];
-  }
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    if (scenes[i].iteration) continue;
-    colors[i] = choose_region_colors(count_labels(scenes[i]), find_adjacent_regions(scenes[i]));
-  }
+}  // namespace gvd::io
+
+namespace gvd {
+
+std::vector<Rgb> region_colors(const LabelledMesh& labelled) {
+  std::int64_t count = labelled.diagram != nullptr ? std::ssize(labelled.diagram->cells) : 0;
+  const auto count_labels = [&count](const auto* labels) {
+    if (labels == nullptr) return;
+    for (const GeneratorId label : *labels) count = std::max<std::int64_t>(count, label.value() + 1);
+  };
+  count_labels(labelled.face_label);
+  count_labels(labelled.vertex_label);
+  const std::vector<io::RegionPair> borders = io::list_pairs(labelled);
+  std::vector<io::RegionPair> all = borders;
+  if (labelled.diagram != nullptr) io::add_cell_neighbours(labelled.diagram->cells, all);
+  io::sort_pairs(all);
+  std::vector<Rgb> colors = io::choose_region_colors(static_cast<std::size_t>(count), all);
+  // The graph with both kinds of pairs need not fit the surface.
+  const auto is_same = [&](const io::RegionPair& pair) {
+    return colors[pair.first.index()] == colors[pair.second.index()];
+  };
+  if (std::any_of(borders.begin(), borders.end(), is_same)) colors = io::choose_region_colors(colors.size(), borders);
   return colors;
 }
 
-}  // namespace gvd::io
+}  // namespace gvd
