@@ -19,7 +19,7 @@ import subprocess
 import sys
 import tempfile
 
-MESH_FORMATS = ["ply", "obj", "off", "stl", "vtp", "glb", "json"]
+MESH_FORMATS = ["ply", "obj", "off", "stl", "vtp", "vtu", "glb", "json"]
 COMMANDS = {
     "segment": (["gvd-segment"], MESH_FORMATS),
     "cut": (["gvd-segment", "--cut"], MESH_FORMATS),

@@ -62,15 +62,18 @@ void check(const Options& options, const OwnOptions& own) {
     refuse("--paths does nothing here: add --to, where the paths begin, or leave --paths out");
   if (own.each && own.isolines) refuse("--each and --isolines exclude each other: isolines are of the nearest source");
   if (own.each && has_view) refuse("--each and --view exclude each other: the page shows the nearest source");
-  if (own.each && !own.paths && writes(options, {"ply", "vtp", "obj"})) {
+  if (own.each && !own.paths && writes(options, {"ply", "vtp", "vtu", "obj"})) {
     refuse(
-        "--each: .ply, .vtp and .obj hold one distance for each vertex; write .npy, .csv or .json, or add --to and "
+        "--each: .ply, .vtp, .vtu and .obj hold one distance for each vertex; write .npy, .csv or .json, or add --to "
+        "and "
         "--paths");
   }
-  const bool holds_curves = has_view || !options.output.report.empty() || writes(options, {"obj", "vtp", "json"});
+  const bool holds_curves =
+      has_view || !options.output.report.empty() || writes(options, {"obj", "vtp", "vtu", "json"});
   if (own.isolines && !holds_curves) {
     refuse(
-        "--isolines: only .obj, .vtp, .json, --view and --report hold curves; write one of them or leave --isolines "
+        "--isolines: only .obj, .vtp, .vtu, .json, --view and --report hold curves; write one of them or leave "
+        "--isolines "
         "out");
   }
 }
@@ -354,7 +357,7 @@ int main(int argc, char** argv) {
   Command command({"gvd-distance",
                    "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
                    kExamples,
-                   {{"npy", "csv", "ply", "vtp", "obj", "json"}, false},
+                   {{"npy", "csv", "ply", "vtp", "vtu", "obj", "json"}, false},
                    register_distance_options});
   command.line().option_defaults()->group("Distances");
   add_flag(command.line(), "--each", own.each, "Measure from each source alone, instead of from the nearest one");

@@ -180,7 +180,7 @@ int main(int argc, char** argv) {
   Command command({"gvd-segment",
                    "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
                    kExamples,
-                   {{"ply", "obj", "off", "stl", "vtp", "glb", "json"}}});
+                   {{"ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb", "json"}}});
   command.line().option_defaults()->group("Regions");
   add_flag(command.line(), "--cut", own.cut, "Split faces along the bisectors instead of labelling whole faces");
   add_choice(command.line(), "--labels", own.labels, kFaceLabelNames,

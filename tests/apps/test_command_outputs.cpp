@@ -157,7 +157,7 @@ TEST_CASE("commands: the same call gives the same bytes") {
   for (const std::string& name : built_commands()) {
     std::string arguments = data_file("torus.ply") + " -q -n 40 --seed 3";
     std::string again = arguments + " --threads 1";
-    const std::vector<std::string> files{"a.ply", "a.obj", "a.off", "a.stl", "a.vtp", "a.glb", "a.json"};
+    const std::vector<std::string> files{"a.ply", "a.obj", "a.off", "a.stl", "a.vtp", "a.vtu", "a.glb", "a.json"};
     std::filesystem::create_directory(scratch / "first" + name);
     std::filesystem::create_directory(scratch / "again" + name);
     for (const std::string& file : files) {

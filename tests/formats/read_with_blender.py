@@ -36,12 +36,13 @@ def check_ply():
 
 
 def check_obj():
-    """Materials have the colours of the regions."""
+    """The bisectors are an object of their own, and materials have the colours of the regions."""
     meshes = load("whole.obj", ("wm", "obj_import"), ("import_scene", "obj"))
-    (surface,) = meshes.values()
+    assert sorted(meshes) == ["bisectors", "whole"], sorted(meshes)
+    surface, lines = meshes["whole"], meshes["bisectors"]
     assert len(surface.polygons) == len(faces)
-    of_faces = len({tuple(sorted(k)) for p in surface.polygons for k in p.edge_keys})
-    assert len(surface.edges) == of_faces + files.segments(diagram)
+    assert len(surface.edges) == len({tuple(sorted(k)) for p in surface.polygons for k in p.edge_keys}), "loose edges"
+    assert (len(lines.polygons), len(lines.edges)) == (0, files.segments(diagram))
     for material in surface.materials:
         (shader,) = [n for n in material.node_tree.nodes if n.type == "BSDF_PRINCIPLED"]
         color = tuple(files.srgb(c) for c in list(shader.inputs["Base Color"].default_value)[:3])

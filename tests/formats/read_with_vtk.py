@@ -7,7 +7,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 work = pathlib.Path(sys.argv[2])
 diagram, points, faces = files.write_files(sys.argv[1], work)
@@ -61,6 +61,36 @@ def check_vtp():
     assert plain.GetCellData().GetArray("Left") is None
 
 
+def check_vtu():
+    mesh = read(vtkXMLUnstructuredGridReader(), "whole.vtu")
+    lines = files.segments(diagram)
+    assert mesh.GetNumberOfCells() == len(faces) + lines
+    types = [mesh.GetCellType(i) for i in range(mesh.GetNumberOfCells())]
+    assert types == [5] * len(faces) + [3] * lines
+    cells = mesh.GetCellData()
+    assert (array(cells, "Label") == numpy.concatenate([labels, numpy.full(lines, -1)])).all()
+    pieces = [b for b in diagram["bisectors"] for _ in range(len(b["points"]) - (0 if b["closed"] else 1))]
+    assert list(array(cells, "Left")[len(faces) :]) == [b["left"] for b in pieces]
+    assert list(array(cells, "Right")[len(faces) :]) == [b["right"] for b in pieces]
+    assert (vtk_to_numpy(mesh.GetPoints().GetData())[: len(points)] == numpy.array(points)).all()
+    assert (array(mesh.GetPointData(), "Distance")[: len(points)] == distances).all()
+    length = sum(
+        numpy.linalg.norm(numpy.array(mesh.GetPoint(ids.GetId(0))) - numpy.array(mesh.GetPoint(ids.GetId(1))))
+        for ids in (mesh.GetCell(i).GetPointIds() for i in range(len(faces), mesh.GetNumberOfCells())))
+    assert abs(length - polyline_length()) < 1e-9 * length
+    plain = read(vtkXMLUnstructuredGridReader(), "plain.vtu")
+    assert (plain.GetNumberOfCells(), plain.GetNumberOfPoints()) == (len(faces), len(points))
+
+
+def polyline_length():
+    total = 0
+    for bisector in diagram["bisectors"]:
+        p = numpy.array([point["position"] for point in bisector["points"]])
+        p = numpy.vstack([p, p[:1]]) if bisector["closed"] else p
+        total += numpy.linalg.norm(numpy.diff(p, axis=0), axis=1).sum()
+    return total
+
+
 def check_obj():
     mesh = read(vtkOBJReader(), "whole.obj")
     assert (mesh.GetNumberOfLines(), mesh.GetNumberOfPolys()) == (files.segments(diagram), len(faces))
@@ -110,6 +140,7 @@ def check_cut():
 check_ply("whole.ply")
 check_ply("text.ply")
 check_vtp()
+check_vtu()
 check_obj()
 assert read(vtkSTLReader(), "whole.stl").GetNumberOfCells() == len(faces)
 check_glb()

@@ -34,7 +34,7 @@ class SameBytes(unittest.TestCase):
                 self.assertEqual(ours.read_bytes().replace(b"ours.mtl", f"{stem}.mtl".encode()), theirs)
 
     def test_segment(self):
-        extensions = ["ply", "obj", "off", "stl", "vtp", "glb", "json"]
+        extensions = ["ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb", "json"]
         outputs = [part for e in extensions for part in ("-o", f"a.{e}")]
         for mesh_file, n in ((meshes.FIGURE, 30), (meshes.TORUS, 7), (meshes.HALF_SPHERE, 12), (meshes.PLATE, 5)):
             self.run_command("gvd-segment", mesh_file, "-n", n, *outputs, "--diagram", "diagram.json")
@@ -86,7 +86,7 @@ class SameBytes(unittest.TestCase):
         self.assert_same_files(gvd.read(meshes.TORUS).lloyd(20, density=weights, fixed=[7, 100]), "n", ["json"])
 
     def test_remesh(self):
-        extensions = ["ply", "obj", "off", "stl", "vtp", "glb", "json"]
+        extensions = ["ply", "obj", "off", "stl", "vtp", "vtu", "glb", "json"]
         outputs = [part for e in extensions for part in ("-o", f"r.{e}")]
         for mesh_file, n in ((meshes.FIGURE, 300), (meshes.PLATE, 120)):
             self.run_command("gvd-remesh", mesh_file, "-n", n, *outputs, "--map", "map.json", "--view", "r.html")

@@ -190,7 +190,7 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
         return contains(formats, format) ? "" : describe_unknown(format, formats);
       });
   add_flag(app, "--ascii-ply", output.ascii_ply,
-           "Write .ply as text instead of binary; meshio reads face labels only from text");
+           "Write .ply as text instead of binary; meshio reads the labels of faces from text, and from .vtu");
   add_side_output(app, "--report", output.report, "Write a report of the run (JSON)")->excludes("--output-dir");
   register_view(app, output);
   add_side_output(app, "--summary", output.summary, "Write a table with a row for each INPUT (CSV)")
@@ -198,7 +198,7 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
 }
 
 void register_diagram_output(CLI::App& app, OutputOptions& output) {
-  add_flag(app, "--no-curves", output.no_curves, "Leave the bisectors out of .obj, .vtp and .glb");
+  add_flag(app, "--no-curves", output.no_curves, "Leave the bisectors out of .obj, .vtp, .vtu and .glb");
   add_side_output(app, "--diagram", output.diagram, "Write the diagram (JSON)")->excludes("--output-dir");
 }
 
@@ -233,8 +233,8 @@ std::vector<CLI::Option*> find_targets(CLI::App& app) {
 
 ValueRule curves_rule(CLI::App& app, OutputOptions& output) {
   const auto no_curves = [&output] {
-    return why_unused(output, {"obj", "vtp", "glb"},
-                      "--no-curves: only .obj, .vtp and .glb hold curves; write one of them with {} or leave "
+    return why_unused(output, {"obj", "vtp", "vtu", "glb"},
+                      "--no-curves: only .obj, .vtp, .vtu and .glb hold curves; write one of them with {} or leave "
                       "--no-curves out");
   };
   return {app.get_option("--no-curves"), find_targets(app), no_curves, [&output] { output.no_curves = false; }};

@@ -290,7 +290,7 @@ TEST_CASE("gvd-distance: isolines and paths are lines of OBJ and VTP, and levels
 
 TEST_CASE("gvd-distance: the same bytes on any number of threads") {
   const ScratchFolder scratch;
-  const std::vector<std::string> formats{"npy", "csv", "json", "ply", "vtp", "obj"};
+  const std::vector<std::string> formats{"npy", "csv", "json", "ply", "vtp", "vtu", "obj"};
   std::vector<std::string> texts;
   for (const char* threads : {"1", "2", "5"}) {
     std::string line = data_file("figure.obj") + " -q --from 17,900 --to 3,5 --isolines 0.2 --threads " + threads;

@@ -13,8 +13,9 @@ namespace gvd::test_mesh_writer {
 
 using namespace test;
 
-constexpr std::array kAllFormats{OutputFormat::ply, OutputFormat::obj, OutputFormat::off, OutputFormat::stl,
-                                 OutputFormat::vtp, OutputFormat::glb, OutputFormat::json};
+constexpr std::array kAllFormats{OutputFormat::ply,  OutputFormat::obj, OutputFormat::off,
+                                 OutputFormat::coff, OutputFormat::stl, OutputFormat::vtp,
+                                 OutputFormat::vtu,  OutputFormat::glb, OutputFormat::json};
 
 ErrorCode code_of(const std::function<void()>& action) {
   try {
@@ -57,7 +58,7 @@ TEST_CASE("two writes give the same bytes, to a stream and to a file") {
   for (const OutputFormat format : kAllFormats) {
     CHECK(to_bytes(labelled.view(), format) == to_bytes(Labelled().view(), format));
   }
-  for (const char* name : {"a.ply", "a.off", "a.stl", "a.vtp", "a.glb", "a.json"}) {
+  for (const char* name : {"a.ply", "a.off", "a.coff", "a.stl", "a.vtp", "a.vtu", "a.glb", "a.json"}) {
     write_mesh(folder / name, labelled.view());
     CHECK(read_bytes(folder / name) == to_bytes(labelled.view(), output_format(name)));
   }
@@ -93,7 +94,8 @@ TEST_CASE("a plain mesh has no labels, colours or materials in any format") {
   const std::string obj = read_bytes(folder / "a.obj");
   CHECK(obj.find("g ") == std::string::npos);
   CHECK(obj.find("mtl") == std::string::npos);
-  for (const OutputFormat format : {OutputFormat::ply, OutputFormat::off, OutputFormat::vtp, OutputFormat::glb}) {
+  for (const OutputFormat format :
+       {OutputFormat::ply, OutputFormat::coff, OutputFormat::vtp, OutputFormat::vtu, OutputFormat::glb}) {
     const std::string bytes = to_bytes(LabelledMesh{mesh}, format);
     for (const char* word : {"abel\"", " label", "istance", "uchar red", "region", "bisectors", "COFF"}) {
       CHECK(bytes.find(word) == std::string::npos);

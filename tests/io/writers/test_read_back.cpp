@@ -170,13 +170,14 @@ TEST_CASE("GLB reads back with the same faces, in their order") {
   }
 }
 
-TEST_CASE("OpenMesh finds the regions' colours in OFF and in an OBJ's materials") {
+TEST_CASE("OpenMesh finds the regions' colours in COFF and in an OBJ's materials") {
   const Labelled labelled;
   const TemporaryFolder folder;
   for (const char* file : {"a.off", "a.obj"}) {
     INFO(file);
     const bool is_off = std::string_view(file) == "a.off";
     write_mesh(folder / file, labelled.view());
+    if (is_off) write_bytes(folder / file, to_bytes(labelled.view(), OutputFormat::coff));
     std::array<int, 4> seen{};
     const Peer peer = read_peer(folder / file, true);
     for (const auto f : peer.faces()) {

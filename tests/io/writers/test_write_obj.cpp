@@ -58,9 +58,10 @@ TEST_CASE("a cut mesh draws the bisectors on the mesh that they belong to") {
   view.diagram_mesh = &labelled.mesh;
   const auto words = read_words(to_bytes(view, OutputFormat::obj));
   const auto first = position(labelled.mesh, labelled.diagram.bisectors[BisectorId(0)].points[0]);
-  CHECK(words.at(4) == std::vector<std::string>{"g", "bisectors"});
-  CHECK(words.at(5) == std::vector<std::string>{"#", "left", "0", "right", "1"});
-  CHECK(number(words.at(6).at(1)) == first.x());
+  CHECK(words.at(4) == std::vector<std::string>{"o", "bisectors"});
+  CHECK(words.at(5) == std::vector<std::string>{"g", "bisectors"});
+  CHECK(words.at(6) == std::vector<std::string>{"#", "left", "0", "right", "1"});
+  CHECK(number(words.at(7).at(1)) == first.x());
 }
 
 }  // namespace gvd::test_write_obj

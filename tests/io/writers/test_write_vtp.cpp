@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -141,6 +142,34 @@ TEST_CASE("a plain VTP has neither data nor lines") {
   CHECK_FALSE(vtp.has("CellData/Left"));
   CHECK_FALSE(vtp.has("PointData/Distance"));
   CHECK(vtp.get<std::int64_t>("Polys/connectivity", "Int64").size() == 60);
+}
+
+TEST_CASE("a VTU has the faces first, then each segment of the bisectors as a cell") {
+  const Labelled labelled;
+  const Vtp vtu(to_bytes(labelled.view(), OutputFormat::vtu));
+  CHECK(vtu.attribute("VTKFile", "type") == "UnstructuredGrid");
+  CHECK(vtu.attribute("Piece", "NumberOfPoints") == "29");
+  CHECK(vtu.attribute("Piece", "NumberOfCells") == "30");
+  const auto types = vtu.get<std::uint8_t>("Cells/types", "UInt8");
+  REQUIRE(types.size() == 30);
+  CHECK(std::count(types.begin(), types.begin() + 24, 5) == 24);
+  CHECK(std::count(types.begin() + 24, types.end(), 3) == 6);
+  const auto corners = vtu.get<std::int64_t>("Cells/connectivity", "Int64");
+  for (const HalfedgeId h : labelled.mesh.halfedges()) CHECK(corners.at(h.index()) == labelled.mesh.from(h).value());
+  CHECK(std::vector(corners.begin() + 72, corners.end()) ==
+        std::vector<std::int64_t>{20, 21, 21, 22, 23, 24, 25, 26, 26, 27, 27, 28});
+  const auto ends = vtu.get<std::int64_t>("Cells/offsets", "Int64");
+  CHECK(ends.at(23) == 72);
+  CHECK(ends.at(29) == 84);
+  const auto label = vtu.get<std::int32_t>("CellData/Label", "Int32");
+  for (const FaceId f : labelled.mesh.faces()) CHECK(label.at(f.index()) == labelled.face_label[f].value());
+  const auto left = vtu.get<std::int32_t>("CellData/Left", "Int32");
+  CHECK(std::vector(left.begin() + 22, left.end()) == std::vector<std::int32_t>{-1, -1, 0, 0, 1, 2, 2, 2});
+  CHECK(std::vector(label.begin() + 24, label.end()) == std::vector<std::int32_t>(6, -1));
+  // Points and what they carry are those of a VTP.
+  const Vtp vtp(to_bytes(labelled.view(), OutputFormat::vtp));
+  CHECK(vtu.get<double>("Points/Points", "Float64") == vtp.get<double>("Points/Points", "Float64"));
+  CHECK(vtu.get<std::int32_t>("PointData/Label", "Int32") == vtp.get<std::int32_t>("PointData/Label", "Int32"));
 }
 
 }  // namespace gvd::test_write_vtp

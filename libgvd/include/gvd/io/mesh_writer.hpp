@@ -19,10 +19,11 @@
 namespace gvd {
 
 /// The file formats of a mesh or diagram that is written. docs/guide/formats.md says what each one carries.
-enum class OutputFormat { ply, obj, off, stl, vtp, glb, json };
+enum class OutputFormat { ply, obj, off, coff, stl, vtp, vtu, glb, json };
 inline const Choices<OutputFormat> kOutputFormatNames{
-    {"ply", OutputFormat::ply}, {"obj", OutputFormat::obj}, {"off", OutputFormat::off},  {"stl", OutputFormat::stl},
-    {"vtp", OutputFormat::vtp}, {"glb", OutputFormat::glb}, {"json", OutputFormat::json}};
+    {"ply", OutputFormat::ply},   {"obj", OutputFormat::obj}, {"off", OutputFormat::off},
+    {"coff", OutputFormat::coff}, {"stl", OutputFormat::stl}, {"vtp", OutputFormat::vtp},
+    {"vtu", OutputFormat::vtu},   {"glb", OutputFormat::glb}, {"json", OutputFormat::json}};
 
 /// The format of an extension, with or without its dot, in upper or lower case.
 std::optional<OutputFormat> parse_output_format(std::string_view extension);
@@ -52,14 +53,14 @@ struct LabelledMesh {
   const Diagram* diagram = nullptr;  ///< its bisectors become polylines, and cells that meet have different colours
   /// The mesh of the diagram's surface points. Null: `mesh` itself. Set where `mesh` was cut along the bisectors.
   const Mesh* diagram_mesh = nullptr;
-  const std::vector<MeshCurve>* curves = nullptr;  ///< for OBJ, VTP and GLB, behind the bisectors
+  const std::vector<MeshCurve>* curves = nullptr;  ///< for OBJ, VTP, VTU and GLB, behind the bisectors
   /// Further properties of vertices and faces, for PLY only; a value for each element. Null: none.
   const std::vector<MeshProperty>* properties = nullptr;
   /// Texture coordinates of the corners of the faces, three for each face, for PLY (a list `texcoord`) and OBJ (`vt`).
   /// A face with a number that is not finite has none. Null: none.
   const std::vector<std::array<double, 2>>* corner_texture = nullptr;
   bool ascii_ply = false;     ///< PLY as text instead of binary
-  bool no_bisectors = false;  ///< leave those of the diagram out of OBJ, VTP and GLB
+  bool no_bisectors = false;  ///< leave those of the diagram out of OBJ, VTP, VTU and GLB
 };
 
 /// A mesh with the labels and distances of its diagram, and with these labels of its faces.

@@ -32,6 +32,9 @@ void write_ply(std::ostream& stream, const ColoredMesh& mesh);
 /// VTK PolyData in XML, arrays in Base64: faces with labels, bisectors and curves as lines.
 void write_vtp(std::ostream& stream, const ColoredMesh& mesh);
 
+/// VTK UnstructuredGrid in XML: the same arrays, with faces first, and each segment of a line as a cell.
+void write_vtu(std::ostream& stream, const ColoredMesh& mesh);
+
 /// Binary glTF 2.0: the surface as one primitive, with normals, colours and labels of vertices, and the bisectors as
 /// line segments. The file can't exceed 4 GiB.
 void write_glb(std::ostream& stream, const ColoredMesh& mesh);

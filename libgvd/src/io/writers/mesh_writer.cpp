@@ -6,9 +6,9 @@
 // from 1, and shares texture coordinates between faces by number. With labels it is two files. The materials are
 // written while the geometry is complete but has no name yet, so both files are complete before either gets its name.
 //
-// OFF: a coloured one has the header COFF. Four numbers from 0 to 1 follow each vertex, as Geomview specifies, and
-// three from 0 to 255 each face. Plain OFF with colours of faces only is valid too, but OpenMesh reads the colours as
-// the next face. So a file has colours of all vertices and faces, or of none.
+// OFF has no colours: meshio reads exactly three numbers of a vertex and four of a face. COFF has four numbers from 0
+// to 1 behind each vertex, as Geomview specifies, and three from 0 to 255 behind each face. OFF with colours of faces
+// only is valid too, but OpenMesh reads these as the next face.
 //
 // STL, binary: 80 bytes of header, the number of triangles, and for each its normal, its corners and an attribute: 50
 // bytes, so that readers tell it from text by its length. STL has neither shared vertices nor labels. The colour of a
@@ -102,11 +102,14 @@ std::size_t print_line(ByteWriter& out, const OutputLine& line, std::size_t firs
   return last + 1;
 }
 
-/// The vertices of the lines follow those of the mesh, whose numbers do not change.
+/// The vertices of the lines follow those of the mesh, whose numbers do not change. Bisectors and curves are objects
+/// of their own: Blender would add them to the mesh as loose edges.
 void print_lines(ByteWriter& out, const LabelledMesh& mesh) {
   std::size_t index = mesh.mesh.positions().size() + 1;
-  std::string group;
+  std::string object, group;
   for (const OutputLine& line : collect_lines(mesh)) {
+    const char* const kind = line.left.valid() ? "bisectors" : "curves";
+    if (kind != object) out.print("o {}\n", object = kind);
     if (line.group != group) out.print("g {}\n", group = line.group);
     index = print_line(out, line, index);
   }
@@ -167,8 +170,8 @@ void print_off_faces(ByteWriter& out, const ColoredMesh& labelled) {
   }
 }
 
-/// OFF, or COFF with colours of vertices and faces where there are labels.
-void write_off(std::ostream& stream, const ColoredMesh& labelled) {
+/// OFF with colours of vertices and faces where there are labels.
+void write_coff(std::ostream& stream, const ColoredMesh& labelled) {
   ByteWriter out(stream);
   const Mesh& mesh = labelled.mesh;
   out.print("{}OFF\n{} {} {}\n", labelled.face_label != nullptr ? "C" : "", mesh.vertex_count(), mesh.face_count(),
@@ -176,6 +179,12 @@ void write_off(std::ostream& stream, const ColoredMesh& labelled) {
   print_off_vertices(out, labelled);
   print_off_faces(out, labelled);
   out.finish();
+}
+
+void write_off(std::ostream& stream, const ColoredMesh& labelled) {
+  ColoredMesh plain = labelled;
+  plain.face_label = nullptr;
+  write_coff(stream, plain);
 }
 
 /// The header of an STL must not begin with "solid": readers would take the file for text.
@@ -330,8 +339,8 @@ void write_json(std::ostream& out, const io::ColoredMesh& mesh) {
 void write_bare_obj(std::ostream& out, const io::ColoredMesh& mesh) { io::write_obj(out, mesh, ""); }
 
 /// In the order of OutputFormat.
-constexpr std::array kMeshWriters{io::write_ply, write_bare_obj, io::write_off, io::write_stl,
-                                  io::write_vtp, io::write_glb,  write_json};
+constexpr std::array kMeshWriters{io::write_ply, write_bare_obj, io::write_off, io::write_coff, io::write_stl,
+                                  io::write_vtp, io::write_vtu,  io::write_glb, write_json};
 static_assert(static_cast<std::size_t>(OutputFormat::json) + 1 == kMeshWriters.size());
 
 }  // namespace

@@ -1,14 +1,18 @@
-// VTK PolyData in XML, with arrays in Base64 (VTK File Formats, version 4.2).
+// VTK's PolyData and UnstructuredGrid in XML, with arrays in Base64 (VTK File Formats, version 4.2).
 //
-// Points are the vertices of the mesh, then those of the bisectors and curves. Cells are these as lines, then the
-// faces: VTK numbers lines before polygons. Each array is encoded number by number, so none is held in memory a second
-// time. Its length comes first, in bytes. Invariant: an array has one value for each point or cell in that order, and
-// -1 where an element has none.
+// Points are the vertices of the mesh, then those of the bisectors and curves. The cells of PolyData are these as
+// lines, then the faces: VTK numbers lines before polygons. meshio reads no PolyData, and of an UnstructuredGrid no
+// line of more than two points. There the faces come first, then the segments of the lines. Each array is encoded
+// number by number, so none is held in memory a second time. Its length comes first, in bytes. Invariant: an array has
+// one value for each point or cell in that order, and -1 where an element has none.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"
@@ -19,8 +23,10 @@ namespace {
 /// One DataArray: the number of its bytes as UInt64, then the numbers that `fill` passes to its argument.
 template <class T, class Fill>
 void write_array(ByteWriter& out, std::string_view name, std::size_t size, int components, Fill fill) {
-  out.print("<DataArray type=\"{}{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
-            std::is_floating_point_v<T> ? "Float" : "Int", 8 * sizeof(T), name, components);
+  const char* const kind = std::is_floating_point_v<T> ? "Float" : std::is_unsigned_v<T> ? "UInt" : "Int";
+  // Told only where there are several: meshio makes a matrix of an array that tells one.
+  const std::string several = components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "";
+  out.print("<DataArray type=\"{}{}\" Name=\"{}\"{} format=\"binary\">\n", kind, 8 * sizeof(T), name, several);
   Base64Writer base64(out);
   base64.binary(static_cast<std::uint64_t>(size * sizeof(T)));
   fill([&base64](T value) { base64.binary(value); });
@@ -28,31 +34,74 @@ void write_array(ByteWriter& out, std::string_view name, std::size_t size, int c
   out.text("\n</DataArray>\n");
 }
 
-class VtpWriter {
+/// A line, or one of its segments.
+struct LineCell {
+  const OutputLine* line;
+  std::int64_t first;  ///< point
+  std::int64_t size;   ///< points, which follow each other
+};
+
+constexpr std::uint8_t kLineType = 3, kTriangleType = 5;  // VTKCellType
+
+class VtkWriter {
  public:
-  VtpWriter(std::ostream& out, const LabelledMesh& labelled)
+  VtkWriter(std::ostream& out, const LabelledMesh& labelled)
       : out_(out), labelled_(labelled), mesh_(labelled.mesh), lines_(collect_lines(labelled)) {
     for (const OutputLine& line : lines_) line_points_ += line.points.size();
   }
 
-  void write() {
-    out_.text(
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n");
+  void write_poly_data() {
+    std::int64_t first = std::ssize(mesh_.positions());
+    for (const OutputLine& line : lines_) {
+      line_cells_.push_back({&line, first, std::ssize(line.points)});
+      first += std::ssize(line.points);
+    }
+    print_head("PolyData");
     out_.print(
         "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
         "NumberOfPolys=\"{}\">\n",
-        vertices() + line_points_, lines_.size(), faces());
-    write_point_data();
-    write_cell_data();
-    write_points();
-    write_lines();
-    write_polygons();
-    out_.text("</Piece>\n</PolyData>\n</VTKFile>\n");
-    out_.finish();
+        vertices() + line_points_, line_cells_.size(), faces());
+    write_data(Part::lines, Part::faces);
+    write_cells("Lines", Part::lines, Part::none);
+    write_cells("Polys", Part::faces, Part::none);
+    print_tail("PolyData");
+  }
+
+  void write_unstructured_grid() {
+    std::int64_t first = std::ssize(mesh_.positions());
+    for (const OutputLine& line : lines_) {
+      for (std::size_t i = 1; i < line.points.size(); ++i) line_cells_.push_back({&line, first++, 2});
+      ++first;
+    }
+    print_head("UnstructuredGrid");
+    out_.print("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", vertices() + line_points_,
+               line_cells_.size() + faces());
+    write_data(Part::faces, Part::lines);
+    write_cells("Cells", Part::faces, Part::lines);
+    print_tail("UnstructuredGrid");
   }
 
  private:
+  enum class Part { none, lines, faces };
+
+  void print_head(std::string_view type) {
+    out_.print(
+        "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"{0}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<{0}>\n",
+        type);
+  }
+  void print_tail(std::string_view type) {
+    out_.print("</Piece>\n</{}>\n</VTKFile>\n", type);
+    out_.finish();
+  }
+
+  void write_data(Part first, Part second) {
+    order_ = {first, second};
+    write_point_data();
+    write_cell_data();
+    write_points();
+  }
+
   std::size_t vertices() const { return mesh_.positions().size(); }
   std::size_t faces() const { return static_cast<std::size_t>(mesh_.face_count()); }
 
@@ -75,12 +124,21 @@ class VtpWriter {
     out_.text("</PointData>\n");
   }
 
-  /// One value per cell, in the order of VTK: lines, then polygons. `of_line` and `of_face` give the values.
+  /// Calls `of_line` or `of_face` for each cell of these parts in turn.
+  template <class OfLine, class OfFace>
+  void visit_cells(const std::array<Part, 2>& parts, OfLine of_line, OfFace of_face) const {
+    for (const Part part : parts) {
+      if (part == Part::lines) std::for_each(line_cells_.begin(), line_cells_.end(), of_line);
+      if (part == Part::faces) std::ranges::for_each(mesh_.faces(), of_face);
+    }
+  }
+
+  /// One value for each cell: `of_line` and `of_face` give them.
   template <class OfLine, class OfFace>
   void write_cell_array(std::string_view name, OfLine of_line, OfFace of_face) {
-    write_array<std::int32_t>(out_, name, lines_.size() + faces(), 1, [&](auto put) {
-      for (const OutputLine& line : lines_) put(of_line(line));
-      for (const FaceId f : mesh_.faces()) put(of_face(f));
+    write_array<std::int32_t>(out_, name, line_cells_.size() + faces(), 1, [&](auto put) {
+      visit_cells(
+          order_, [&](const LineCell& cell) { put(of_line(*cell.line)); }, [&](FaceId f) { put(of_face(f)); });
     });
   }
 
@@ -125,40 +183,51 @@ class VtpWriter {
     out_.text("</Points>\n");
   }
 
-  void write_lines() {
-    out_.text("<Lines>\n");
-    write_array<std::int64_t>(out_, "connectivity", line_points_, 1, [&](auto put) {
-      for (std::size_t i = 0; i < line_points_; ++i) put(std::ssize(mesh_.positions()) + std::int64_t(i));
+  /// The points of the cells of these parts, where each one ends and, of a grid, what it is.
+  void write_cells(std::string_view name, Part first, Part second) {
+    const std::array<Part, 2> parts{first, second};
+    std::size_t count = 0, corners = 0;
+    visit_cells(
+        parts, [&](const LineCell& cell) { ++count, corners += std::size_t(cell.size); },
+        [&](FaceId) { ++count, corners += 3; });
+    out_.print("<{}>\n", name);
+    write_array<std::int64_t>(out_, "connectivity", corners, 1, [&](auto put) {
+      visit_cells(
+          parts,
+          [&](const LineCell& cell) {
+            for (std::int64_t i = 0; i < cell.size; ++i) put(cell.first + i);
+          },
+          [&](FaceId f) {
+            for (const VertexId v : mesh_.vertices(f)) put(v.value());
+          });
     });
-    write_array<std::int64_t>(out_, "offsets", lines_.size(), 1, [&](auto put) {
+    write_array<std::int64_t>(out_, "offsets", count, 1, [&](auto put) {
       std::int64_t end = 0;
-      for (const OutputLine& line : lines_) put(end += std::ssize(line.points));
+      visit_cells(
+          parts, [&](const LineCell& cell) { put(end += cell.size); }, [&](FaceId) { put(end += 3); });
     });
-    out_.text("</Lines>\n");
-  }
-
-  void write_polygons() {
-    out_.text("<Polys>\n");
-    write_array<std::int64_t>(out_, "connectivity", 3 * faces(), 1, [&](auto put) {
-      for (const FaceId f : mesh_.faces()) {
-        for (const VertexId v : mesh_.vertices(f)) put(v.value());
-      }
-    });
-    write_array<std::int64_t>(out_, "offsets", faces(), 1, [&](auto put) {
-      for (std::int64_t f = 1; f <= mesh_.face_count(); ++f) put(3 * f);
-    });
-    out_.text("</Polys>\n");
+    if (name == "Cells") {
+      write_array<std::uint8_t>(out_, "types", count, 1, [&](auto put) {
+        visit_cells(
+            parts, [&](const LineCell&) { put(kLineType); }, [&](FaceId) { put(kTriangleType); });
+      });
+    }
+    out_.print("</{}>\n", name);
   }
 
   ByteWriter out_;
   const LabelledMesh& labelled_;
   const Mesh& mesh_;
   std::vector<OutputLine> lines_;
+  std::vector<LineCell> line_cells_;
   std::size_t line_points_ = 0;
+  std::array<Part, 2> order_{};
 };
 
 }  // namespace
 
-void write_vtp(std::ostream& stream, const ColoredMesh& mesh) { VtpWriter(stream, mesh).write(); }
+void write_vtp(std::ostream& stream, const ColoredMesh& mesh) { VtkWriter(stream, mesh).write_poly_data(); }
+
+void write_vtu(std::ostream& stream, const ColoredMesh& mesh) { VtkWriter(stream, mesh).write_unstructured_grid(); }
 
 }  // namespace gvd::io

@@ -100,7 +100,7 @@ TEST_CASE("every target has a known extension, a folder, and a name of its own")
 }
 
 TEST_CASE("an option of a format that is not written is refused") {
-  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.ply", "--no-curves"}), Contains("only .obj, .vtp and .glb"));
+  CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.ply", "--no-curves"}), Contains("only .obj, .vtp, .vtu and .glb"));
   CHECK_THAT(refusal({"a.obj", "-n", "3", "-o", "b.obj", "--ascii-ply"}), Contains("no .ply is written"));
   CHECK_NOTHROW(check_options(
       parse_options({"a.obj", "-n", "3", "-o", "b.obj", "-o", "-", "--no-curves", "--ascii-ply"}), kOutputFormats));
