@@ -52,6 +52,7 @@ void report_options(Run& run, const OwnOptions& own, const SegmentOptions& optio
   const auto file = [&](const char* option) { return or_null(run.options().output.own.at(option)); };
   reported["cut"] = own.cut;
   reported["stats"] = file("--stats");
+  reported["adjacency"] = file("--adjacency");
   reported["face_labels"] = file("--face-labels");
   reported["vertex_distances"] = file("--vertex-distances");
   reported["labels"] = own.cut ? nullptr : Json(name_in(kFaceLabelNames, options.labels));
@@ -167,6 +168,9 @@ void segment(Run& run, const OwnOptions& own) {
   write_diagram_file(run, mesh, diagram);
   write_own_file(run, "--stats",
                  [&](std::ostream& out) { write_statistics_csv(out, compute_region_statistics(mesh, diagram)); });
+  write_own_file(run, "--adjacency", [&](std::ostream& out) {
+    write_adjacency_graphml(out, mesh, diagram.generators, compute_region_statistics(mesh, diagram));
+  });
   finish_run(run, mesh, diagram);
 }
 
@@ -192,5 +196,7 @@ int main(int argc, char** argv) {
                      "Write the distance of each vertex from its generator, in the order of the vertices in .ply; .csv "
                      "has the generators, too");
   command.add_target("--stats", "Write the area, perimeter, radius and neighbours of each region (CSV)");
+  command.add_target("--adjacency",
+                     "Write the graph of the regions: their areas, and the length of each border (GraphML)");
   return command.run(argc, argv, [&](Run& run) { segment(run, own); });
 }

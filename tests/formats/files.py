@@ -62,7 +62,8 @@ def write_files(bin_folder, work):
     write_off(work / "sheet.off", points, faces)
     write_off(work / "ball.off", *make_ball())
     sheet = ["gvd-segment", "sheet.off", "--vertices", ",".join(map(str, GENERATORS))]
-    run(bin_folder, work, *sheet, *outputs("whole", "ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb", "json"))
+    run(bin_folder, work, *sheet, *outputs("whole", "ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb", "json"),
+        "--adjacency", "whole.graphml")
     run(bin_folder, work, *sheet, *outputs("text", "ply"), "--ascii-ply")
     run(bin_folder, work, *sheet, *outputs("plain", "obj", "vtp", "vtu", "glb"), "--no-curves")
     run(bin_folder, work, *sheet, "--cut", *outputs("cut", "vtp", "vtu", "glb", "json"))

@@ -155,4 +155,30 @@ TEST_CASE("labels that do not fit the mesh or the number of regions are refused"
   CHECK_NOTHROW(measure_regions(mesh, labels, 4));
 }
 
+TEST_CASE("region statistics: the graph has a node for each region, and an edge for each two that meet") {
+  const Mesh mesh = test::make_grid(4, 2);
+  const std::vector<SurfacePoint> generators{vertex_point(mesh, VertexId(0)), vertex_point(mesh, VertexId(2)),
+                                             vertex_point(mesh, VertexId(4))};
+  const Diagram diagram = compute_diagram(mesh, generators);
+  std::ostringstream out;
+  write_adjacency_graphml(out, mesh, generators, compute_region_statistics(mesh, diagram));
+  const std::string text = out.str();
+  CHECK(text.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<graphml "));
+  CHECK(text.ends_with("</graph>\n</graphml>\n"));
+  const auto has = [&](const std::string& part) { return text.find(part) != std::string::npos; };
+  for (const GeneratorId g : {GeneratorId(0), GeneratorId(1), GeneratorId(2)}) {
+    const std::string id = std::to_string(g.value());
+    const std::string node = "<node id=\"" + id + "\"><data key=\"label\">" + id + "</data><data key=\"area\">";
+    REQUIRE(has(node));
+    const std::string rest = text.substr(text.find(node) + node.size());
+    CHECK(std::stod(rest) == Approx(g.value() == 1 ? 4 : 2));
+    CHECK(
+        rest.substr(rest.find('<')).starts_with("</data><data key=\"x\">" + std::to_string(2 * g.value()) + "</data>"));
+  }
+  CHECK(has("<edge source=\"0\" target=\"1\"><data key=\"length\">2</data></edge>"));
+  CHECK(has("<edge source=\"1\" target=\"2\"><data key=\"length\">2</data></edge>"));
+  CHECK(text.find("<edge source", text.find("<edge source=\"1\"") + 1) == std::string::npos);
+  CHECK_THROWS_AS(write_adjacency_graphml(out, mesh, {}, compute_region_statistics(mesh, diagram)), Error);
+}
+
 }  // namespace gvd::test_region_statistics

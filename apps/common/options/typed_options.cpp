@@ -72,7 +72,8 @@ CLI::Validator not_empty(const std::string& kind) {
 }
 
 const std::vector<std::string>& side_extensions(const std::string& option) {
-  static const std::map<std::string, std::vector<std::string>> kExtensions{{"--diagram", {"json"}},
+  static const std::map<std::string, std::vector<std::string>> kExtensions{{"--adjacency", {"graphml"}},
+                                                                           {"--diagram", {"json"}},
                                                                            {"--face-labels", {"npy", "csv"}},
                                                                            {"--map", {"json"}},
                                                                            {"--points", {"ply", "xyz", "npy"}},

@@ -150,6 +150,22 @@ std::string list_neighbours(const std::vector<RegionNeighbour>& neighbours) {
   return text;
 }
 
+// Readers take the type of each value from these keys.
+constexpr const char* kGraphHead =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n"
+    "<key id=\"label\" for=\"node\" attr.name=\"label\" attr.type=\"int\"/>\n"
+    "<key id=\"area\" for=\"node\" attr.name=\"area\" attr.type=\"double\"/>\n"
+    "<key id=\"x\" for=\"node\" attr.name=\"x\" attr.type=\"double\"/>\n"
+    "<key id=\"y\" for=\"node\" attr.name=\"y\" attr.type=\"double\"/>\n"
+    "<key id=\"z\" for=\"node\" attr.name=\"z\" attr.type=\"double\"/>\n"
+    "<key id=\"length\" for=\"edge\" attr.name=\"length\" attr.type=\"double\"/>\n"
+    "<graph edgedefault=\"undirected\">\n";
+
+std::string graph_value(const char* key, double value) {
+  return std::string("<data key=\"") + key + "\">" + shortest(value) + "</data>";
+}
+
 void check_label_count(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label) {
   if (face_label.count() == mesh.face_count()) return;
   throw Error(ErrorCode::precondition, "the labels were made for another mesh: the number of faces differs");
@@ -171,6 +187,28 @@ void write_statistics_csv(std::ostream& out, const IdVector<GeneratorId, RegionS
     line += ',' + std::to_string(r.euler_characteristic) + ',' + list_neighbours(r.neighbours) + "\r\n";
     out << line;
   }
+}
+
+void write_adjacency_graphml(std::ostream& out, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                             const IdVector<GeneratorId, RegionStatistics>& regions) {
+  if (generators.size() != regions.size()) {
+    throw Error(ErrorCode::precondition, "the graph of regions needs one generator for each region");
+  }
+  out << kGraphHead;
+  for (const GeneratorId g : regions.ids()) {
+    const Vec3 p = position(mesh, generators[g.index()]);
+    out << "<node id=\"" + std::to_string(g.value()) + "\">" + graph_value("label", g.value()) +
+               graph_value("area", regions[g].area) + graph_value("x", p.x()) + graph_value("y", p.y()) +
+               graph_value("z", p.z()) + "</node>\n";
+  }
+  for (const GeneratorId g : regions.ids()) {
+    for (const auto& [other, length] : regions[g].neighbours) {
+      if (other < g) continue;  // an edge once
+      out << "<edge source=\"" + std::to_string(g.value()) + "\" target=\"" + std::to_string(other.value()) + "\">" +
+                 graph_value("length", length) + "</edge>\n";
+    }
+  }
+  out << "</graph>\n</graphml>\n";
 }
 
 double compute_border_length(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label) {

@@ -132,6 +132,29 @@ TEST_CASE("gvd-segment: --stats writes a row for each region, whatever the label
   CHECK(texts[2] == texts[0]);
 }
 
+TEST_CASE("gvd-segment: --adjacency writes the graph of the regions, whatever the labels") {
+  const ScratchFolder scratch;
+  std::vector<std::string> texts;
+  for (const std::string options : {"", " --cut"}) {
+    const CommandResult result =
+        run_command("gvd-segment", data_file("figure.obj") + " -q -n 20 --adjacency " + scratch / "a.graphml" +
+                                       " --report " + scratch / "r.json" + options);
+    CAPTURE(options, result.err);
+    REQUIRE(result.exit_code == 0);
+    const auto report = nlohmann::json::parse(read_text(scratch / "r.json"));
+    CHECK(report["options"]["adjacency"] == scratch / "a.graphml");
+    texts.push_back(read_text(scratch / "a.graphml"));
+  }
+  const auto count = [&](const std::string& word) {
+    std::size_t found = 0;
+    for (std::size_t at = texts[0].find(word); at != std::string::npos; at = texts[0].find(word, at + 1)) ++found;
+    return found;
+  };
+  CHECK(count("<node ") == 20);
+  CHECK(count("<edge ") >= 19);
+  CHECK(texts[1] == texts[0]);
+}
+
 TEST_CASE("gvd-segment: the target of --stats is checked before the work") {
   const ScratchFolder scratch;
   const std::string mesh = data_file("figure.obj"), same = scratch / "a.json", link = scratch / "a.csv";

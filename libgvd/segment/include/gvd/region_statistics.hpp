@@ -7,6 +7,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 
@@ -39,5 +40,12 @@ IdVector<GeneratorId, RegionStatistics> compute_region_statistics(const Mesh& me
 /// Writes CSV after RFC 4180: a header, then a line for each region, ended by CR LF. Numbers have the fewest digits
 /// that read back as the same double, in any locale. What is not finite is an empty field.
 void write_statistics_csv(std::ostream& out, const IdVector<GeneratorId, RegionStatistics>& regions);
+
+/// Writes the adjacency of the regions as GraphML: an undirected graph with a node for each region and an edge for each
+/// two that share bisectors. A node has the label as its id, and `label`, `area`, `x`, `y` and `z`, the position of the
+/// generator; an edge has `length`, that of the bisectors. Numbers as above.
+/// Throws Error{precondition} where there is not a region for each of the generators.
+void write_adjacency_graphml(std::ostream& out, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                             const IdVector<GeneratorId, RegionStatistics>& regions);
 
 }  // namespace gvd
