@@ -22,6 +22,7 @@ FOREIGN = {
     "snake_case": "a way of writing names",
     "build/site": "a folder that `make site` makes",
     "Kd": "a keyword of OBJ's material files",
+    "MaterialIds": "an array of VTK",
     "data/meshes": "a folder of Debian's libcgal-demo",
     "test_diagram": "a target that add_gvd_tests of tests/CMakeLists.txt puts together",
     "test_geodesic": "likewise",
