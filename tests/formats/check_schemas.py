@@ -55,12 +55,6 @@ def check(name):
     return document
 
 
-def has_viewer():
-    """Whether the commands were built with the page of --view."""
-    line = [str(bin_folder / "gvd-segment"), "ball.off", "-n", "2", "--view", "page.html"]
-    return "not part of this build" not in subprocess.run(line, cwd=work, capture_output=True, text=True).stderr
-
-
 def save_manifest(name, *arguments):
     """The manifest of a page, as a file of its own."""
     files.run(bin_folder, work, *arguments, "--view", "page.html")
@@ -98,7 +92,7 @@ assert None in distances["distances"][0] and distances["paths"][0]["points"] and
 assert check("each.json")["nearest"] is None
 for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scglrde"]:
     check(name)
-if has_viewer():
+if files.has_viewer(bin_folder, work):
     save_manifest("v1.json", "gvd-segment", "sheet.off", "--vertices", "0,77")
     save_manifest("v2.json", "gvd-remesh", "ball.off", "-n", "2")
     save_manifest("v3.json", "gvd-segment", "ball.off", "-n", "9", "--method", "gbgvd")

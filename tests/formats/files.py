@@ -51,6 +51,12 @@ def run(bin_folder, work, *arguments):
     subprocess.run([str(pathlib.Path(bin_folder) / arguments[0]), *map(str, arguments[1:]), "-q"], cwd=work, check=True)
 
 
+def has_viewer(bin_folder, work):
+    """Whether the commands were built with the page of --view."""
+    line = [str(pathlib.Path(bin_folder) / "gvd-segment"), "ball.off", "-n", "2", "--view", "page.html"]
+    return "not part of this build" not in subprocess.run(line, cwd=work, capture_output=True, text=True).stderr
+
+
 def outputs(name, *suffixes):
     return [word for suffix in suffixes for word in ("-o", f"{name}.{suffix}")]
 
