@@ -22,7 +22,7 @@ Moments integrate(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
   options.threads = threads;
   Moments moments;
   Diagram traced = compute_diagram_and_read(
-      mesh, generators, options, [&](const auto& working, const auto& field, const auto& diagram) {
+      mesh, generators, options, KeepWindows::all, [&](const auto& working, const auto& field, const auto& diagram) {
         moments =
             integrate_over_windows(working, field, diagram, {{density, {}}, divisions}, ParallelChunks(threads, silent))
                 .moments;
@@ -146,7 +146,7 @@ TEST_CASE("window integrals: reading the windows changes a diagram within the ch
     const auto generators = test::random_generators(mesh, 8, 3);
     int reads = 0;
     const auto count = [&](const auto&, const auto&, const auto&) { ++reads; };
-    const Diagram read = compute_diagram_and_read(mesh, generators, {}, count),
+    const Diagram read = compute_diagram_and_read(mesh, generators, {}, KeepWindows::all, count),
                   plain = compute_diagram(mesh, generators);
     CHECK(reads == 1);
     // Windows come in another order, which decides ties of sources where arcs are split.

@@ -53,6 +53,9 @@ struct DiagramOptions {
   /// Largest distance of a bisector's segments from the curve, in mean edge lengths, >= kLeastChordTolerance. Only the
   /// envelope tracer uses it. The number of points grows with the square root of its inverse.
   double chord_tolerance = 1e-4;
+  /// Additive weight of each generator, mesh units, of any sign: its distances count as longer by it, so that its cell
+  /// is smaller. Only differences matter. Empty: 0 for all. Only Method::exact takes them.
+  std::vector<double> weights = {};
   /// Number of threads, >= 1; 0 for one a core. The result does not depend on it, to the last bit.
   int threads = 0;
   Progress progress;  ///< may be empty
@@ -66,7 +69,7 @@ struct BranchPoint {
   SurfacePoint point;
   Vec3 position;                        ///< mesh units
   std::vector<GeneratorId> generators;  ///< 3 or more, counter-clockwise around the point
-  double distance = 0;                  ///< mean distance to the generators, mesh units
+  double distance = 0;                  ///< mean distance to the generators, their weights included; mesh units
 };
 
 /// A bisector: the polyline between two cells, from end to end.
@@ -126,6 +129,7 @@ struct DiagramReport {
 /// A geodesic Voronoi diagram. It owns its data and refers to the mesh by ids only.
 struct Diagram {
   std::vector<SurfacePoint> generators;          ///< indexed by GeneratorId
+  std::vector<double> weights;                   ///< of the generators, mesh units (DiagramOptions); empty without
   IdVector<VertexId, GeneratorId> vertex_label;  ///< nearest generator; invalid if none reaches the vertex
   /// To the nearest generator, of relabelled vertices too; mesh units, infinity if none reaches the vertex.
   IdVector<VertexId, double> vertex_distance;
@@ -137,14 +141,19 @@ struct Diagram {
   std::vector<FacePiece> pieces;  ///< of the faces that are cut, ascending by face
   double length = 0;              ///< of all bisectors, mesh units
   DiagramReport report;
+
+  /// The weight of generator g; 0 without weights or without a generator.
+  double weight(GeneratorId g) const { return weights.empty() || !g.valid() ? 0 : weights[g.index()]; }
 };
 
 /// Builds the geodesic Voronoi diagram of `generators` on `mesh`.
 ///
 /// Throws Error{precondition} if there is no generator, a generator lies in no face of the mesh, or two generators
-/// coincide (the message names both). Also if exact distances need more than 2^31 windows (100 GB).
-/// Throws Error{invalid_option} if the chord tolerance is not a finite number of at least kLeastChordTolerance, or the
-/// number of threads is negative; Error{interrupted} if the progress callback cancels. `gvd/diagram_steps.hpp` lists
+/// coincide (the message names both), or a generator's own place belongs to another one by their weights (`index` of
+/// the error is that of the generator). Also if exact distances need more than 2^31 windows (100 GB).
+/// Throws Error{invalid_option} if the chord tolerance is not a finite number of at least kLeastChordTolerance, the
+/// weights are not one finite number for each generator, another method has weights, or the number of threads is
+/// negative; Error{interrupted} if the progress callback cancels. `gvd/diagram_steps.hpp` lists
 /// the steps of progress. May be called from several threads at once.
 /// Cost: O(n log n) time, O(n) memory for n faces.
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +10,7 @@
 
 #include "base/barycentric.hpp"
 #include "base/parallel_chunks.hpp"
+#include "base/plane.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "geodesic/windows/window_field.hpp"
 #include "geodesic/windows/window_queries.hpp"
@@ -131,6 +133,27 @@ auto read_windows(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
   propagation.departures = true;
   propagation.threads = threads;
   return read(working, propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, progress));
+}
+
+// balance_rates.cpp
+
+/// The rate at which each bisector passes mass from the cell on its left to that on its right while the weight on the
+/// left grows: the integral of density / |difference of the two distances' gradients| along it, square mesh units per
+/// mesh unit where the density is 1. By bisector. `field`: the windows of which the diagram was traced.
+/// Does not depend on the number of threads. Cost: O(windows near bisectors + points of bisectors).
+std::vector<double> integrate_balance_rates(const WorkingMesh& working, const WindowField& field,
+                                            const Diagram& diagram, const Density& density,
+                                            const ParallelChunks& parallel);
+
+/// Places a point by its least barycentric coordinate. In a thin part that can be wrong by much, which no integral
+/// notices.
+inline PlacedInTriangle place_in_triangle(const std::array<Bary, 3>& corners, const Bary& point) {
+  const Vec2 a = affine_point(corners[0]), b = affine_point(corners[1]), c = affine_point(corners[2]),
+             p = affine_point(point);
+  const double area = twice_signed_area(a, b, c);
+  const double v = twice_signed_area(a, p, c) / area, w = twice_signed_area(a, b, p) / area;
+  const Bary local{1 - v - w, v, w};
+  return {local, -std::min({local[0], local[1], local[2]})};
 }
 
 // measured_cells.cpp

@@ -106,7 +106,7 @@ CellIntegrals integrate_diagram(const Mesh& mesh, const Precision& precision, co
     state.geometry = find_geometry(working, field, diagram.generators, integrand.density, parallel);
   };
   if (options.method == Method::exact) {
-    state.diagram = compute_diagram_and_read(mesh, state.generators, options, read);
+    state.diagram = compute_diagram_and_read(mesh, state.generators, options, KeepWindows::all, read);
   } else {
     state.diagram = compute_diagram(mesh, state.generators, options);
     read_windows(mesh, state.generators, options.threads, options.progress,

@@ -59,17 +59,6 @@ std::vector<Bary> quadrature_points(int divisions) {
   return points;
 }
 
-/// Places a point by its least barycentric coordinate. In a thin part that can be wrong by much, which no integral
-/// notices.
-PlacedInTriangle place_in_triangle(const Triangle& corners, const Bary& point) {
-  const Vec2 a = affine_point(corners[0]), b = affine_point(corners[1]), c = affine_point(corners[2]),
-             p = affine_point(point);
-  const double area = twice_signed_area(a, b, c);
-  const double v = twice_signed_area(a, p, c) / area, w = twice_signed_area(a, b, p) / area;
-  const Bary local{1 - v - w, v, w};
-  return {local, -std::min({local[0], local[1], local[2]})};
-}
-
 /// The input of all threads.
 struct Paths {
   const WorkingMesh& working;

@@ -364,10 +364,13 @@ CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, cons
       if (v.value() >= given) result.label[v] = smaller_label(result.label[v], cut.label[f]);
     }
   }
+  // With weights, only their sums with the distances are continuous across bisectors.
+  IdVector<VertexId, double> sums = diagram.vertex_distance;
+  for (const VertexId v : sums.ids()) sums[v] += diagram.weight(diagram.vertex_label[v]);
   for (VertexId v(given); v.value() < cut.mesh.vertex_count(); v = VertexId(v.value() + 1)) {
     const FaceId parent = cut.parent[Mesh::face(cut.mesh.halfedge(v))];
     const SurfacePoint point = closest_point_on_face(mesh, parent, cut.mesh.position(v)).point;
-    result.distance[v] = interpolate_at(mesh, diagram.vertex_distance, point);
+    result.distance[v] = interpolate_at(mesh, sums, point) - diagram.weight(result.label[v]);
   }
   return result;
 }

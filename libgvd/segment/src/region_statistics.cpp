@@ -106,7 +106,7 @@ class RegionMeter {
   void measure_radii() {
     for (const VertexId v : mesh_.vertices()) extend(diagram_.vertex_label[v], diagram_.vertex_distance[v]);
     for (const BranchPoint& point : diagram_.branch_points) {
-      for (const GeneratorId g : point.generators) extend(g, point.distance);
+      for (const GeneratorId g : point.generators) extend(g, point.distance - diagram_.weight(g));
     }
     std::vector<std::pair<FaceId, GeneratorId>> own;
     for (const GeneratorId g : regions_.ids()) {

@@ -37,16 +37,35 @@
 namespace gvd {
 namespace {
 
-/// Labels and distances of the input's own vertices, without the symbolic offsets. A vertex that was relabelled keeps
+/// How much longer the distances of each generator are made before they are compared: by their weights, which must not
+/// be negative for that, and by the symbolic offsets of marching.
+struct AddedLengths {
+  std::vector<double> weights = {};  ///< >= 0, the least is 0; empty without
+  SymbolicOffset symbolic = {};
+
+  double of(GeneratorId g) const { return symbolic.of(g) + (weights.empty() || !g.valid() ? 0 : weights[g.index()]); }
+};
+
+double least_weight(const std::vector<double>& weights) {
+  return weights.empty() ? 0 : *std::ranges::min_element(weights);
+}
+
+std::vector<double> from_zero(std::vector<double> weights) {
+  const double least = least_weight(weights);
+  for (double& weight : weights) weight -= least;
+  return weights;
+}
+
+/// Labels and distances of the input's own vertices, without what was added to them. A vertex that was relabelled keeps
 /// the distance from its nearest generator.
-void take_vertex_labels(const WorkingMesh& working, const TracedDiagram& traced, const SymbolicOffset& offset,
+void take_vertex_labels(const WorkingMesh& working, const TracedDiagram& traced, const AddedLengths& added,
                         Diagram& diagram) {
   const NearestLabels& nearest = traced.before_relabelling ? *traced.before_relabelling : traced.labels;
   diagram.vertex_label.resize(working.input().vertex_count());
   diagram.vertex_distance.resize(working.input().vertex_count());
   for (const VertexId v : working.input().vertices()) {
     diagram.vertex_label[v] = traced.labels.label[v];
-    diagram.vertex_distance[v] = std::max(0.0, nearest.distance[v] - offset.of(nearest.label[v]));
+    diagram.vertex_distance[v] = std::max(0.0, nearest.distance[v] - added.of(nearest.label[v]));
   }
 }
 
@@ -68,7 +87,7 @@ TracedDiagram trace_tables(const WorkingMesh& working, const GeneratorTable& tab
 /// What solver and tracer leave to the steps that all methods share.
 struct Traced {
   TracedDiagram diagram;
-  SymbolicOffset offset;  ///< contained in the distances of the labels
+  AddedLengths added;  ///< contained in the distances of the labels
 };
 
 Traced trace_marched(const WorkingMesh& working, const FastMarchingResult& marched, const DiagramOptions& options,
@@ -76,20 +95,38 @@ Traced trace_marched(const WorkingMesh& working, const FastMarchingResult& march
   report.propagation_events = marched.events;
   report.table_entries = static_cast<std::int64_t>(marched.table.entry_count());
   if (options.method.tracer != Tracer::envelope) {
-    return {trace_tables(working, marched.table, options), marched.offset};
+    return {trace_tables(working, marched.table, options), {.symbolic = marched.offset}};
   }
   const MarchedDistances distances(working.mesh(), marched.table);
   EnvelopeTracer tracer(working, distances, tolerance(working.mesh(), options), parallel);
   NearestLabels labels = compute_nearest_labels(working, marched.table);
-  return {trace_connected(working, std::move(labels), tracer, options.progress), marched.offset};
+  return {trace_connected(working, std::move(labels), tracer, options.progress), {.symbolic = marched.offset}};
 }
 
-WindowField propagate(const WorkingMesh& working, const DiagramOptions& options, bool departures) {
+/// Throws Error{precondition} if another generator is nearer to a generator's own vertex by their weights.
+void check_cells_exist(const WorkingMesh& working, const WindowField& field) {
+  for (const GeneratorId g : working.generator_vertices().ids()) {
+    const GeneratorId owner = field.label[working.vertex(g)];
+    if (owner == g) continue;
+    throw Error(
+        ErrorCode::precondition,
+        fmt::format("generator {} has no cell: by their weights, generator {} is nearer even there; weights of two "
+                    "generators must differ by less than their distance",
+                    g.value(), owner.value()),
+        g.value());
+  }
+}
+
+WindowField propagate(const WorkingMesh& working, const DiagramOptions& options, KeepWindows keep) {
   PropagationOptions propagation;
-  propagation.keep = departures ? KeepWindows::all : KeepWindows::near_bisectors;
-  propagation.departures = departures;
+  propagation.keep = keep;
+  propagation.departures = keep == KeepWindows::all;
+  propagation.offsets = from_zero(options.weights);
   propagation.threads = options.threads;
-  return propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, options.progress);
+  WindowField field =
+      propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, options.progress);
+  if (!options.weights.empty()) check_cells_exist(working, field);
+  return field;
 }
 
 Traced trace_windows(const WorkingMesh& working, const WindowField& field, const DiagramOptions& options,
@@ -104,7 +141,7 @@ Traced trace_windows(const WorkingMesh& working, const WindowField& field, const
   const WindowDistances distances(mesh, field);
   EnvelopeTracer tracer(working, distances, tolerance(mesh, options), parallel);
   NearestLabels labels = take_labels(working, field.distance, field.label, parallel);
-  return {trace_connected(working, std::move(labels), tracer, options.progress), {}};
+  return {trace_connected(working, std::move(labels), tracer, options.progress), {from_zero(options.weights)}};
 }
 
 /// How many faces have each class: n1, n2 and n3 of section 4.4 of the paper.
@@ -133,9 +170,10 @@ void finish(const WorkingMesh& working, const Traced& traced, const DiagramOptio
             const ParallelChunks& parallel, Diagram& diagram) {
   take_counts(traced.diagram.counts, diagram.report);
   report_progress(options.progress, steps::kCells, 0);
-  take_vertex_labels(working, traced.diagram, traced.offset, diagram);
+  take_vertex_labels(working, traced.diagram, traced.added, diagram);
   diagram.report.face_classes = count_face_classes(working.input(), diagram.vertex_label);
   trace_bisectors(working, traced.diagram, parallel, diagram);
+  for (BranchPoint& branch : diagram.branch_points) branch.distance += least_weight(diagram.weights);
   collect_cells(working, traced.diagram, parallel, diagram);
 }
 
@@ -160,10 +198,26 @@ void check_diagram_options(const DiagramOptions& options) {
     throw Error(ErrorCode::invalid_option, "the chord tolerance must be finite and at least 1e-10 mean edge lengths");
   }
   if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
+  if (!options.weights.empty() && options.method != Method::exact) {
+    throw Error(ErrorCode::invalid_option, "only the exact method takes weights");
+  }
+}
+
+void check_weights(const std::vector<double>& weights, std::size_t generators) {
+  if (weights.empty()) return;
+  if (weights.size() != generators) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("the weights are {} and the generators {}; give one for each", weights.size(), generators));
+  }
+  const auto bad = std::ranges::find_if(weights, [](double w) { return !std::isfinite(w); });
+  if (bad == weights.end()) return;
+  throw Error(ErrorCode::invalid_option, fmt::format("weight {} is {}", bad - weights.begin(), *bad),
+              bad - weights.begin());
 }
 
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
-  if (options.method.solver == Solver::windows) return compute_diagram_and_read(mesh, generators, options, nullptr);
+  if (options.method.solver == Solver::windows)
+    return compute_diagram_and_read(mesh, generators, options, KeepWindows::near_bisectors, nullptr);
   return compute_by_tables(mesh, generators, options, [&](const WorkingMesh& working) {
     const auto march_by_method = options.method == Method::paper ? march_in_order : march;
     return march_by_method(working, options.chosen_front(), options.progress);
@@ -193,13 +247,15 @@ Diagram trace_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generat
 }
 
 Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                                 const DiagramOptions& options, const WindowReader& read) {
+                                 const DiagramOptions& options, KeepWindows keep, const WindowReader& read) {
   check_diagram_options(options);
+  check_weights(options.weights, generators.size());
   const WorkingMesh working(mesh, generators, options.progress);
   const ParallelChunks parallel(options.threads, options.progress);
-  const WindowField field = propagate(working, options, static_cast<bool>(read));
+  const WindowField field = propagate(working, options, keep);
   Diagram diagram;
   diagram.generators = generators;
+  diagram.weights = options.weights;
   finish(working, trace_windows(working, field, options, parallel, diagram.report), options, parallel, diagram);
   if (read) read(working, field, diagram);
   return diagram;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "geodesic/windows/window_field.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
@@ -10,16 +11,16 @@
 
 namespace gvd {
 
-/// Reads the windows from which a diagram was traced: all of them, with departures. They live during the call only.
+/// Reads the windows from which a diagram was traced. They live during the call only.
 using WindowReader = std::function<void(const WorkingMesh&, const WindowField&, const Diagram&)>;
 
 /// Throws Error{invalid_option} where `compute_diagram` does.
 void check_diagram_options(const DiagramOptions& options);
 
-/// `compute_diagram` with the windows as the solver. `read` is called once, at the end; it may be empty, and then
-/// windows far from bisectors are not kept. Rounding differs between the two cases, because windows come in another
-/// order, and so may the points within the chord tolerance.
+/// `compute_diagram` with the windows as the solver. `read` may be empty; else it is called once, at the end, with the
+/// windows that `keep` names, and with departures where that is all of them. Rounding differs between the two, because
+/// windows come in another order, and so may the points within the chord tolerance.
 Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                                 const DiagramOptions& options, const WindowReader& read);
+                                 const DiagramOptions& options, KeepWindows keep, const WindowReader& read);
 
 }  // namespace gvd

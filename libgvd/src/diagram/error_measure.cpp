@@ -137,7 +137,7 @@ class BisectorSampling {
   int panels_;
 };
 
-/// Queries and stores the distances of all samples, in one query for each generator.
+/// Queries and stores the distances of all samples with their weights, in one query for each generator.
 void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sample>& samples) {
   struct Wanted {
     std::vector<SurfacePoint> points;
@@ -161,7 +161,7 @@ void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sa
     if (answers.size() != queries.size() || answers[q].size() != wanted.slots.size()) {
       throw Error(ErrorCode::precondition, "the exact distances do not match the points that were asked for");
     }
-    for (std::size_t i = 0; i < wanted.slots.size(); ++i) *wanted.slots[i] = answers[q][i];
+    for (std::size_t i = 0; i < wanted.slots.size(); ++i) *wanted.slots[i] = answers[q][i] + diagram.weight(g);
     ++q;
   }
 }

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "gvd/density.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+struct BalanceOptions {
+  Density density = {};             ///< what the cells share; the area where it is uniform
+  std::vector<double> shares = {};  ///< of each generator, > 0; only their ratios matter. Empty: equal ones
+  /// The search ends when the root mean square of mass / target - 1 is at most this, > 0.
+  double tolerance = 1e-7;
+  int max_diagrams = 60;        ///< the search ends after so many, >= 1
+  DiagramOptions diagram = {};  ///< its `weights` are those that the search starts from; empty: 0 for all
+};
+
+/// A diagram with weights by which each cell has its share.
+struct BalancedDiagram {
+  Diagram diagram;              ///< with the weights, whose mean is 0 where none were given
+  std::vector<double> masses;   ///< of the cells: the integral of the density, square mesh units for the area
+  std::vector<double> targets;  ///< of the cells; those of one component of the mesh add up to its mass
+  double variation = 0;         ///< root mean square of mass / target - 1
+  int diagrams = 0;             ///< that were computed
+  /// Sets of cells that have their targets together, but not each for itself (see `balance_cells`). Ascending.
+  std::vector<std::vector<GeneratorId>> tied;
+  bool converged = false;  ///< every cell, or set of tied cells, has its target to `tolerance`
+};
+
+/// Integrals of the density over the cells of a diagram, exactly for what is linear in each face. Cost: O(n).
+std::vector<double> compute_cell_masses(const Mesh& mesh, const Diagram& diagram, const Density& density);
+
+/// Finds additive weights of the generators by which each cell has its share of the mass.
+///
+/// The weights maximise a concave function whose gradient is the excess of the masses over the targets, and whose
+/// Hessian has the rates of the bisectors: a damped Newton method with sparse Cholesky factors. Where no weights give
+/// the shares, this is for one of two reasons. Behind a saddle or a reflex vertex, two generators whose paths both bend
+/// there can tie in a whole part of the surface, which then belongs to either. Or the weight of a generator is at its
+/// bound: two weights differ by less than the distance of their generators. The cells concerned are then tied: they
+/// have their targets together, and the search goes on for all others.
+/// Properties: (1) the diagram is exact, and passes check_diagram; (2) no bit depends on the number of threads;
+/// (3) every generator owns its place.
+/// Throws Error{invalid_option} where an option is out of its range, or the method is not exact; what compute_diagram
+/// throws; Error{precondition} where the density is not of this mesh or a component with generators has no mass.
+/// Cost: 5 to 11 diagrams with farthest generators, up to some 40 with random ones.
+/// Source: J. Kitagawa, Q. Merigot and B. Thibert, Convergence of a Newton algorithm for semi-discrete optimal
+/// transport, 2019, with geodesic distances as the cost.
+BalancedDiagram balance_cells(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                              const BalanceOptions& options = {});
+
+}  // namespace gvd
