@@ -28,16 +28,6 @@ std::vector<SurfacePoint> read_fixed(Run& run, const CheckedMesh& input, const s
   return std::move(fixed.points);
 }
 
-Density find_density(Run& run, const CheckedMesh& input, const std::string& name) {
-  if (name.empty()) return {};
-  const std::string& path = run.options().input.path;
-  const bool piped = path == "-";
-  if (auto density = read_density(input, name, piped ? "" : path)) return std::move(*density);
-  throw Error(ErrorCode::unreadable_input,
-              fmt::format("--density {}: there is no such file, and {} has no such property", name,
-                          piped ? "standard input" : path));
-}
-
 /// Notes which curves the generators do not keep to although that is preferred, and how many generators would do.
 void note_unfollowed_curves(Run& run, const ConstrainedStart& start) {
   if (start.unfollowed_loops > 0) {
@@ -67,6 +57,15 @@ void note_unused_copy(Run& run, const Mesh& mesh, std::int64_t faces, std::size_
 
 }  // namespace
 
+Density find_density(Run& run, const CheckedMesh& input, const std::string& option, const std::string& name) {
+  if (name.empty()) return {};
+  const std::string& path = run.options().input.path;
+  const bool piped = path == "-";
+  if (auto density = read_density(input, name, piped ? "" : path)) return std::move(*density);
+  throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: there is no such file, and {} has no such property",
+                                                       option, name, piped ? "standard input" : path));
+}
+
 RelaxationStartOptions make_start_options(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints) {
   RelaxationStartOptions options;
   if (run.options().generators.are_listed()) options.listed = make_generators(run, input);
@@ -76,7 +75,7 @@ RelaxationStartOptions make_start_options(Run& run, const CheckedMesh& input, co
   options.constraints.crease_angle = constraints.auto_features ? kUsualCreaseAngle : constraints.features;
   options.constraints.keep_boundary = constraints.keep_boundary;
   options.weighs_curvature = constraints.density == "curvature";
-  if (!options.weighs_curvature) options.density = find_density(run, input, constraints.density);
+  if (!options.weighs_curvature) options.density = find_density(run, input, "--density", constraints.density);
   options.gradation = constraints.gradation;
   options.copy.faces = constraints.coarse;
   options.threads = run.options().compute.threads;

@@ -17,6 +17,10 @@ namespace gvd::app {
 /// a file nor a property.
 RelaxationStartOptions make_start_options(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints);
 
+/// The density that `option` names: none for an empty name. Throws what read_density throws, and
+/// Error{unreadable_input} where it names neither a file nor a property.
+Density find_density(Run& run, const CheckedMesh& input, const std::string& option, const std::string& name);
+
 /// Notes how many of a start's generators are fixed, on creases and free, what they do not follow, and why a
 /// copy that was asked for is not used.
 void report_start(Run& run, const Mesh& mesh, const RelaxationStart& start, const ConstraintOptions& constraints);

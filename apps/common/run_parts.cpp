@@ -87,8 +87,10 @@ ResolvedGenerators sample(Run& run, const Mesh& mesh) {
 }
 
 /// Computes the diagram, and reports the time of each of its steps as "diagram: step".
-Diagram compute_timed(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
+Diagram compute_timed(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                      const std::vector<double>& weights) {
   DiagramOptions options = make_diagram_options(run.options().compute);
+  options.weights = weights;
   StepTimes times(run);
   std::string current;
   options.progress = [&, show = run.progress()](std::string_view step, double fraction) {
@@ -255,8 +257,9 @@ std::vector<SurfacePoint> load_targets(Run& run, const CheckedMesh& input) {
   });
 }
 
-Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  Diagram diagram = run.timed("diagram", [&] { return compute_timed(run, mesh, generators); });
+Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                      const std::vector<double>& weights) {
+  Diagram diagram = run.timed("diagram", [&] { return compute_timed(run, mesh, generators, weights); });
   report_diagram(run, diagram);
   return diagram;
 }

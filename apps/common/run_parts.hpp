@@ -44,7 +44,8 @@ SamplingOptions make_sampling_options(Run& run);
 std::vector<SurfacePoint> load_targets(Run& run, const CheckedMesh& input);
 
 /// Computes the diagram by the method of the options, and reports it. Throws what compute_diagram throws.
-Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators);
+Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                      const std::vector<double>& weights = {});
 
 /// Notes and reports the figures of a diagram.
 void report_diagram(Run& run, const Diagram& diagram);

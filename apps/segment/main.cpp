@@ -21,6 +21,7 @@
 #include "gvd/region_statistics.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/text.hpp"
+#include "weights.hpp"
 
 namespace gvd::app {
 namespace {
@@ -32,6 +33,7 @@ constexpr const char* kExamples =
     "  gvd-segment bunny.obj --generators samples.json -o regions.obj --view a.html\n"
     "  gvd-segment scan.stl --radius 2.5 --cut -o pieces.ply --report report.json\n"
     "  gvd-segment - --input-format ply --vertices 3,17,99 -o - < a.ply > b.ply\n"
+    "  gvd-segment bunny.obj -n 350 --balance area --cut -o equal.ply\n"
     "  gvd-segment scans/*.stl -n 30 --output-dir regions --output-format ply,json\n";
 
 /// A note names this many generators.
@@ -45,6 +47,7 @@ constexpr double kUsualBorderRatio = 1.14;
 struct OwnOptions {
   bool cut = false;
   std::optional<FaceLabels> labels;  ///< of whole faces
+  WeightOptions weights;
 };
 
 void report_options(Run& run, const OwnOptions& own, const SegmentOptions& options) {
@@ -56,6 +59,7 @@ void report_options(Run& run, const OwnOptions& own, const SegmentOptions& optio
   reported["face_labels"] = file("--face-labels");
   reported["vertex_distances"] = file("--vertex-distances");
   reported["labels"] = own.cut ? nullptr : Json(name_in(kFaceLabelNames, options.labels));
+  report_weight_options(run, own.weights);
 }
 
 /// The note on generators that own no face. It names a few of them; the report lists all.
@@ -159,7 +163,7 @@ void segment(Run& run, const OwnOptions& own) {
   report_options(run, own, options);
   const CheckedMesh input = load_input(run);
   const Mesh& mesh = input.mesh;
-  const Diagram diagram = build_diagram(run, mesh, make_generators(run, input));
+  const Diagram diagram = build_weighted_diagram(run, input, make_generators(run, input), own.weights);
   if (own.cut) {
     write_cut_faces(run, mesh, diagram);
   } else {
@@ -191,6 +195,7 @@ int main(int argc, char** argv) {
              "How to label whole faces on a bisector: for borders as short as its faces allow, or by the largest share "
              "(default: smooth)")
       ->excludes("--cut");
+  add_weight_options(command.line(), own.weights);
   command.add_target("--face-labels", "Write the label of each face, in the order of the faces in .ply (-1 for none)");
   command.add_target("--vertex-distances",
                      "Write the distance of each vertex from its generator, in the order of the vertices in .ply; .csv "

@@ -1,0 +1,136 @@
+// Weights of the generators of gvd-segment, from files or by balancing the cells (gvd/balance.hpp).
+//
+// Files of weights and shares have a number for each generator, in their order; the report lists the weights that were
+// found, so that --weights gives the same diagram at once.
+#include "weights.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "common/options/typed_options.hpp"
+#include "common/relaxation.hpp"
+#include "common/run_parts.hpp"
+#include "gvd/balance.hpp"
+#include "gvd/error.hpp"
+#include "gvd/text.hpp"
+
+namespace gvd::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A note names this many cells.
+constexpr std::size_t kNamed = 8;
+
+/// A number for each generator, from a file; none without one.
+std::vector<double> read_for_generators(const char* option, const std::string& file, std::size_t generators) {
+  if (file.empty()) return {};
+  std::vector<double> values = read_numbers(file);
+  if (values.size() == generators) return values;
+  throw Error(
+      ErrorCode::unreadable_input,
+      fmt::format("{}: {} for {}; {} takes one for each", file, counted(std::ssize(values), "number", "numbers"),
+                  counted(std::ptrdiff_t(generators), "generator", "generators"), option));
+}
+
+double largest_error(const BalancedDiagram& balanced) {
+  double largest = 0;
+  for (std::size_t i = 0; i < balanced.masses.size(); ++i) {
+    largest = std::max(largest, std::abs(balanced.masses[i] / balanced.targets[i] - 1));
+  }
+  return largest;
+}
+
+/// Notes what keeps cells from their shares.
+void note_misses(Run& run, const BalancedDiagram& balanced) {
+  std::vector<std::int32_t> cells;
+  for (const auto& set : balanced.tied) {
+    for (const GeneratorId g : set) cells.push_back(g.value());
+  }
+  if (!cells.empty()) {
+    const auto named = cells.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, cells.size()));
+    run.console().note(fmt::format(
+        "{} no share of its own: no weights divide what is beyond a vertex where the paths of both cells bend, or a "
+        "weight is at its bound: {}{}; other generators may help",
+        counted(std::ssize(cells), "cell has", "cells have"), fmt::join(cells.begin(), named, ", "),
+        named == cells.end() ? "" : ", ..."));
+  }
+  if (!balanced.converged) {
+    run.console().note(
+        fmt::format("balancing ended after {} diagrams, before all cells had their shares", balanced.diagrams));
+  }
+}
+
+void report_balance(Run& run, const BalancedDiagram& balanced) {
+  run.console().note(
+      fmt::format("cells differ from their shares by at most {:.2g}, with a coefficient of variation of {:.2g}",
+                  largest_error(balanced), balanced.variation));
+  note_misses(run, balanced);
+  Json& result = run.report().results()["balance"];
+  result["converged"] = balanced.converged;
+  result["variation"] = balanced.variation;
+  result["largest_error"] = largest_error(balanced);
+  result["diagrams"] = balanced.diagrams;
+  result["tied"] = Json::array();
+  for (const auto& set : balanced.tied) {
+    Json& cells = result["tied"].emplace_back(Json::array());
+    for (const GeneratorId g : set) cells.push_back(g.value());
+  }
+  result["masses"] = balanced.masses;
+  result["targets"] = balanced.targets;
+}
+
+Diagram balance(Run& run, const CheckedMesh& input, const std::vector<SurfacePoint>& generators,
+                const WeightOptions& options, BalanceOptions balancing) {
+  if (options.balance != "area") balancing.density = find_density(run, input, "--balance", options.balance);
+  balancing.shares = read_for_generators("--shares", options.shares, generators.size());
+  balancing.diagram.progress = run.progress();
+  BalancedDiagram balanced = run.timed("balance", [&] { return balance_cells(input.mesh, generators, balancing); });
+  report_diagram(run, balanced.diagram);
+  report_balance(run, balanced);
+  return std::move(balanced.diagram);
+}
+
+}  // namespace
+
+void add_weight_options(CLI::App& app, WeightOptions& target) {
+  CLI::Option* balance =
+      add_file(app, "--balance", target.balance,
+               "Make all cells equal by weights of their generators: in area, or in the integral of a number for each "
+               "vertex or face, out of a file or a property of INPUT",
+               "area|FILE|PROPERTY");
+  add_file(app, "--shares", target.shares, "With --balance, the share of each generator (any unit; default: equal)")
+      ->needs(balance);
+  add_file(app, "--weights", target.weights,
+           "Make the distances of each generator longer by its number in FILE (mesh units)");
+}
+
+void report_weight_options(Run& run, const WeightOptions& options) {
+  Json& reported = run.report().options();
+  reported["balance"] = or_null(options.balance);
+  reported["shares"] = or_null(options.shares);
+  reported["weights"] = or_null(options.weights);
+}
+
+Diagram build_weighted_diagram(Run& run, const CheckedMesh& input, const std::vector<SurfacePoint>& generators,
+                               const WeightOptions& options) {
+  if (options.balance.empty() && options.weights.empty()) return build_diagram(run, input.mesh, generators);
+  BalanceOptions balancing;
+  balancing.diagram = make_diagram_options(run.options().compute);
+  if (balancing.diagram.method != Method::exact) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("{} needs --method exact", options.balance.empty() ? "--weights" : "--balance"));
+  }
+  balancing.diagram.weights = read_for_generators("--weights", options.weights, generators.size());
+  Diagram diagram = options.balance.empty() ? build_diagram(run, input.mesh, generators, balancing.diagram.weights)
+                                            : balance(run, input, generators, options, balancing);
+  run.report().results()["weights"] = diagram.weights;
+  return diagram;
+}
+
+}  // namespace gvd::app

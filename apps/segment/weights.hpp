@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "common/run.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/soup.hpp"
+#include "gvd/surface_point.hpp"
+
+// Weights of the generators: given ones, and those by which the cells have their shares.
+namespace gvd::app {
+
+struct WeightOptions {
+  std::string balance;  ///< "area", a file, or a property of the input; empty: cells as they come
+  std::string shares;   ///< file of the shares; empty: equal ones
+  std::string weights;  ///< file of the weights, for --balance to start from; empty: none
+};
+
+void add_weight_options(CLI::App& app, WeightOptions& target);
+
+/// Adds them to the member `options` of the report.
+void report_weight_options(Run& run, const WeightOptions& options);
+
+/// Computes the diagram by the options, balanced where they say so, and reports it. Throws what `build_diagram`,
+/// read_numbers, read_density and balance_cells throw; Error{invalid_option} where the method takes no weights.
+Diagram build_weighted_diagram(Run& run, const CheckedMesh& input, const std::vector<SurfacePoint>& generators,
+                               const WeightOptions& options);
+
+}  // namespace gvd::app

@@ -1,0 +1,306 @@
+// Weighted diagrams, and weights by which cells have their shares.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "cell_integrals.hpp"
+#include "diagram/diagram_windows.hpp"
+#include "gvd/balance.hpp"
+#include "gvd/check.hpp"
+#include "gvd/exact_field.hpp"
+#include "gvd/segment.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/many_threads.hpp"
+#include "support/meshes.hpp"
+#include "support/random.hpp"
+#include "support/refusal.hpp"
+#include "support/same_diagram.hpp"
+#include "support/samples.hpp"
+#include "support/sound_diagram.hpp"
+
+namespace gvd::test_balance {
+
+using test::kInfinity;
+using test::refusal;
+
+/// Distances from one generator at a time, which no other generator's windows can hide, with its weight.
+class WeightedDistances {
+ public:
+  WeightedDistances(const Mesh& mesh, const Diagram& diagram) : diagram_(diagram) {
+    for (const SurfacePoint& generator : diagram.generators) fields_.emplace_back(mesh, std::vector{generator});
+  }
+  double at(GeneratorId g, const SurfacePoint& p) const {
+    return fields_[g.index()].nearest(p).distance + diagram_.weight(g);
+  }
+  double least(const SurfacePoint& p) const {
+    double least = kInfinity;
+    for (std::size_t g = 0; g < fields_.size(); ++g) least = std::min(least, at(GeneratorId(g), p));
+    return least;
+  }
+
+ private:
+  const Diagram& diagram_;
+  std::vector<ExactField> fields_;
+};
+
+/// Weights of which no two differ by more than `part` of the least distance of two generators.
+std::vector<double> random_weights(const Mesh& mesh, const std::vector<SurfacePoint>& generators, double part,
+                                   unsigned seed) {
+  test::Random random(seed);
+  const double bound = part * test::least_spacing(mesh, generators);
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < generators.size(); ++i) weights.push_back(random.real(-bound / 2, bound / 2));
+  return weights;
+}
+
+double coefficient_of_variation(const std::vector<double>& values) {
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+  double sum = 0;
+  for (const double value : values) sum += (value / mean - 1) * (value / mean - 1);
+  return std::sqrt(sum / double(values.size()));
+}
+
+TEST_CASE("weights: distances with them tie on bisectors, and no generator is nearer than a cell's own") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    CAPTURE(name);
+    const std::vector<SurfacePoint> generators = test::sample(mesh, Sampling::farthest, 9);
+    DiagramOptions options;
+    options.weights = random_weights(mesh, generators, 0.8, 3);
+    const Diagram diagram = test::compute_sound(mesh, generators, options);
+    CHECK(diagram.weights == options.weights);
+    const WeightedDistances distances(mesh, diagram);
+    const double rounding = 1e-11 * mesh.bbox_diagonal();
+    for (const VertexId v : mesh.vertices()) {
+      const GeneratorId g = diagram.vertex_label[v];
+      if (!g.valid()) continue;
+      const SurfacePoint p = vertex_point(mesh, v);
+      CHECK(std::abs(distances.at(g, p) - distances.least(p)) <= rounding);
+      CHECK(std::abs(diagram.vertex_distance[v] + diagram.weight(g) - distances.least(p)) <= rounding);
+    }
+    for (const BranchPoint& branch : diagram.branch_points) {
+      for (const GeneratorId g : branch.generators) {
+        CHECK(std::abs(distances.at(g, branch.point) - branch.distance) <= rounding);
+      }
+      CHECK(std::abs(distances.least(branch.point) - branch.distance) <= rounding);
+    }
+    for (const Bisector& bisector : diagram.bisectors) {
+      for (const SurfacePoint& p : bisector.points) {
+        if (diagram.report.straightened_faces > 0) break;
+        CHECK(std::abs(distances.at(bisector.left, p) - distances.at(bisector.right, p)) <=
+              1e-8 * mesh.bbox_diagonal());
+      }
+    }
+  }
+}
+
+TEST_CASE("weights: only their differences matter, and equal ones change nothing but rounding") {
+  const Mesh mesh = test::make_bumpy_sphere(3, 1);
+  const std::vector<SurfacePoint> generators = test::random_generators(mesh, 7, 1);
+  const Diagram plain = compute_diagram(mesh, generators);
+  DiagramOptions options;
+  options.weights.assign(7, -3.5);
+  CHECK(test::same_diagram(compute_diagram(mesh, generators, options), plain) ==
+        false);  // branch points have the weight
+  options.weights.assign(7, 0);
+  CHECK(test::same_diagram(compute_diagram(mesh, generators, options), plain));
+}
+
+TEST_CASE("weights: what is no weight is refused in one line") {
+  const Mesh mesh = test::make_sphere(2);
+  const std::vector<SurfacePoint> generators = test::sample(mesh, Sampling::farthest, 3);
+  DiagramOptions options;
+  const auto message = [&](ErrorCode code = ErrorCode::invalid_option) {
+    return refusal([&] { compute_diagram(mesh, generators, options); }, code);
+  };
+  options.weights = {1, 2};
+  CHECK(message() == "the weights are 2 and the generators 3; give one for each");
+  options.weights = {0, std::nan(""), 0};
+  CHECK(message() == "weight 1 is nan");
+  options.weights = {0, 0, 4};
+  CHECK(message(ErrorCode::precondition) ==
+        "generator 2 has no cell: by their weights, generator 0 is nearer even there; weights of two generators must "
+        "differ by less than their distance");
+  options.weights = {0, 0, 0};
+  options.method = Method::gbgvd;
+  CHECK(message() == "only the exact method takes weights");
+}
+
+TEST_CASE("balance: all cells have the same area, in the cut mesh too") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    CAPTURE(name);
+    const BalancedDiagram balanced = balance_cells(mesh, test::sample(mesh, Sampling::farthest, 10));
+    CHECK(check_diagram(mesh, balanced.diagram).ok());
+    CHECK(balanced.converged);
+    if (name == "two components") continue;  // shares are those of a component
+    if (!balanced.tied.empty()) continue;    // coarse meshes have vertices with much surface behind them
+    CHECK(coefficient_of_variation(balanced.masses) <= 1e-6);
+    const CutMesh cut = cut_faces(mesh, balanced.diagram);
+    std::vector<double> areas(10, 0.0);
+    for (const FaceId f : cut.mesh.faces()) areas[cut.label[f].index()] += cut.mesh.area(f);
+    CHECK(coefficient_of_variation(areas) <= 1e-6);
+  }
+}
+
+TEST_CASE("balance: on a sphere, a share at a pole ends at its circle of latitude") {
+  const Mesh mesh = test::make_sphere(5);
+  const auto pole = [&](double z) {
+    const auto nearest = std::ranges::max_element(mesh.positions(), {}, [z](const Vec3& p) { return z * p.z(); });
+    return vertex_point(mesh, VertexId(nearest - mesh.positions().begin()));
+  };
+  for (const double share : {0.1, 0.25, 0.5, 0.8}) {
+    BalanceOptions options;
+    options.shares = {share, 1 - share};
+    const BalancedDiagram balanced = balance_cells(mesh, {pole(1), pole(-1)}, options);
+    REQUIRE(balanced.converged);
+    CHECK(balanced.masses[0] / (balanced.masses[0] + balanced.masses[1]) == Approx(share).epsilon(1e-6));
+    const double latitude = std::acos(1 - 2 * share);
+    CHECK(balanced.diagram.weights[0] - balanced.diagram.weights[1] ==
+          Approx(std::numbers::pi - 2 * latitude).margin(5e-3));
+  }
+}
+
+TEST_CASE("balance: on a torus, evenly spread generators get equal weights from any start") {
+  const Mesh mesh = test::make_torus(24, 12);
+  std::vector<SurfacePoint> generators;
+  for (const VertexId v : mesh.vertices()) {
+    const Vec3& p = mesh.position(v);
+    if (p.head<2>().norm() > 1.35 - 1e-9 && v.value() % 4 == 0) generators.push_back(vertex_point(mesh, v));
+  }
+  REQUIRE(generators.size() >= 3);
+  BalanceOptions options;
+  options.diagram.weights = random_weights(mesh, generators, 0.5, 7);
+  options.tolerance = 1e-10;
+  const BalancedDiagram balanced = balance_cells(mesh, generators, options);
+  REQUIRE(balanced.converged);
+  const auto [least, most] = std::ranges::minmax_element(balanced.diagram.weights);
+  CHECK(*most - *least <= 1e-7);
+}
+
+TEST_CASE("balance: rates are the derivatives of the masses") {
+  for (const unsigned seed : {1u, 2u}) {
+    const Mesh mesh = test::make_bumpy_sphere(4, seed);
+    const std::vector<SurfacePoint> generators = test::sample(mesh, Sampling::farthest, 8);
+    const Density density = make_vertex_density(mesh, [&] {
+      std::vector<double> values;
+      for (const Vec3& p : mesh.positions()) values.push_back(2 + p.x());
+      return values;
+    }());
+    DiagramOptions options;
+    options.chord_tolerance = 1e-8;
+    options.weights = random_weights(mesh, generators, 0.3, seed);
+    std::vector<double> rates;
+    const auto masses = [&](double step) {
+      DiagramOptions moved = options;
+      moved.weights[2] += step;
+      const Diagram diagram = compute_diagram(mesh, generators, moved);
+      return compute_cell_masses(mesh, diagram, density);
+    };
+    const Diagram diagram = compute_diagram_and_read(
+        mesh, generators, options, KeepWindows::near_bisectors,
+        [&](const WorkingMesh& working, const WindowField& field, const Diagram& found) {
+          rates = integrate_balance_rates(working, field, found, density, {1, options.progress});
+        });
+    const double step = 1e-6;
+    const std::vector<double> more = masses(step), less = masses(-step);
+    std::vector<double> expected(generators.size(), 0.0);
+    for (const BisectorId id : diagram.bisectors.ids()) {
+      const std::size_t left = diagram.bisectors[id].left.index(), right = diagram.bisectors[id].right.index();
+      for (const auto& [cell, other] : {std::pair(left, right), std::pair(right, left)}) {
+        if (cell != 2) continue;
+        expected[cell] -= rates[id.index()];
+        expected[other] += rates[id.index()];
+      }
+    }
+    for (std::size_t i = 0; i < generators.size(); ++i) {
+      CHECK((more[i] - less[i]) / (2 * step) == Approx(expected[i]).margin(2e-3 * std::abs(expected[2])));
+    }
+  }
+}
+
+TEST_CASE("balance: shares, and what is shared, may differ; components keep their mass") {
+  const Mesh mesh = test::make_two_components();
+  std::vector<double> values;
+  for (const Vec3& p : mesh.positions()) values.push_back(1.5 + 0.3 * p.y());
+  BalanceOptions options;
+  options.density = make_vertex_density(mesh, values);
+  const std::vector<SurfacePoint> generators = test::sample(mesh, Sampling::farthest, 12);
+  for (std::size_t i = 0; i < generators.size(); ++i) options.shares.push_back(1 + 0.1 * double(i));
+  const BalancedDiagram balanced = balance_cells(mesh, generators, options);
+  REQUIRE(balanced.converged);
+  const auto component = compute_face_components(mesh);
+  for (std::size_t i = 1; i < generators.size(); ++i) {
+    if (component[generators[i].face] != component[generators[0].face] || !balanced.tied.empty()) continue;
+    CHECK(balanced.masses[i] / balanced.masses[0] == Approx(options.shares[i] / options.shares[0]).epsilon(1e-6));
+  }
+  const double total = std::accumulate(balanced.targets.begin(), balanced.targets.end(), 0.0);
+  CHECK(std::accumulate(balanced.masses.begin(), balanced.masses.end(), 0.0) == Approx(total));
+}
+
+/// Flat triangles round a vertex with twice the usual angle: half of the surface lies behind it for any path through
+/// it.
+Mesh make_saddle(int sectors, int rings) {
+  std::vector<Vec3> positions{Vec3::Zero()};
+  std::vector<std::array<std::int32_t, 3>> faces;
+  const double lift =
+      std::sqrt(1 - 0.25);  // every second spoke goes up, the others down: all triangles are equilateral
+  for (int r = 1; r <= rings; ++r) {
+    for (int s = 0; s < sectors; ++s) {
+      const double angle = 2 * std::numbers::pi * s / sectors, height = (s % 2 == 0 ? 1 : -1) * 0.5 * lift;
+      const double flat = std::sqrt(1 - height * height);
+      positions.emplace_back(r * flat * std::cos(angle), r * flat * std::sin(angle), r * height);
+    }
+  }
+  const auto at = [&](int r, int s) { return std::int32_t(r == 0 ? 0 : 1 + (r - 1) * sectors + s % sectors); };
+  for (int s = 0; s < sectors; ++s) {
+    faces.push_back({at(0, 0), at(1, s), at(1, s + 1)});
+    for (int r = 1; r < rings; ++r) {
+      faces.push_back({at(r, s), at(r + 1, s), at(r + 1, s + 1)});
+      faces.push_back({at(r, s), at(r + 1, s + 1), at(r, s + 1)});
+    }
+  }
+  return Mesh(positions, faces);
+}
+
+TEST_CASE("balance: cells that can't be told apart behind a saddle are tied, and the others have their shares") {
+  const Mesh mesh = make_saddle(12, 6);
+  const auto ring = [&](int r, int s) { return vertex_point(mesh, VertexId(1 + (r - 1) * 12 + s)); };
+  // Two generators on neighbouring spokes, far from most of the surface, which paths reach through the centre.
+  BalanceOptions options;
+  const BalancedDiagram balanced = balance_cells(mesh, {ring(3, 0), ring(3, 2)}, options);
+  CHECK(check_diagram(mesh, balanced.diagram).ok());
+  REQUIRE(balanced.tied.size() == 1);
+  CHECK(balanced.tied[0] == std::vector{GeneratorId(0), GeneratorId(1)});
+  CHECK(balanced.converged);
+  CHECK(balanced.variation > 0.1);
+  CHECK(balanced.masses[0] + balanced.masses[1] == Approx(balanced.targets[0] + balanced.targets[1]));
+}
+
+TEST_CASE("balance: no bit depends on the number of threads") {
+  const Mesh mesh = test::make_bumpy_sphere(4, 5);
+  const std::vector<SurfacePoint> generators = test::random_generators(mesh, 20, 5);
+  BalanceOptions options;
+  options.diagram.threads = 1;
+  const BalancedDiagram one = balance_cells(mesh, generators, options);
+  options.diagram.threads = 3;
+  const BalancedDiagram three = balance_cells(mesh, generators, options);
+  CHECK(one.masses == three.masses);
+  CHECK(one.diagram.weights == three.diagram.weights);
+  CHECK(test::same_diagram(one.diagram, three.diagram));
+}
+
+TEST_CASE("balance: options out of their range are refused in one line") {
+  const Mesh mesh = test::make_sphere(2);
+  const std::vector<SurfacePoint> generators = test::sample(mesh, Sampling::farthest, 3);
+  const auto message = [&](const BalanceOptions& options) {
+    return refusal([&] { balance_cells(mesh, generators, options); });
+  };
+  CHECK(message({.shares = {1, 2}}) == "the shares are 2 and the generators 3; give one for each");
+  CHECK(message({.shares = {1, 0, 2}}) == "share 1 is 0; give finite numbers above 0");
+  CHECK(message({.tolerance = std::nan("")}) == "the tolerance of balancing must be above 0");
+  CHECK(message({.max_diagrams = 0}) == "balancing needs at least one diagram");
+  CHECK(message({.diagram = {.method = Method::gbgvd}}) == "only the exact method takes weights");
+}
+
+}  // namespace gvd::test_balance
