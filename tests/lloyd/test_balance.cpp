@@ -89,7 +89,7 @@ TEST_CASE("weights: distances with them tie on bisectors, and no generator is ne
       for (const SurfacePoint& p : bisector.points) {
         if (diagram.report.straightened_faces > 0) break;
         CHECK(std::abs(distances.at(bisector.left, p) - distances.at(bisector.right, p)) <=
-              1e-8 * mesh.bbox_diagonal());
+              1e-7 * mesh.bbox_diagonal());
       }
     }
   }
@@ -242,7 +242,7 @@ TEST_CASE("balance: shares, and what is shared, may differ; components keep thei
 /// it.
 Mesh make_saddle(int sectors, int rings) {
   std::vector<Vec3> positions{Vec3::Zero()};
-  std::vector<std::array<std::int32_t, 3>> faces;
+  std::vector<std::array<VertexId, 3>> faces;
   const double lift =
       std::sqrt(1 - 0.25);  // every second spoke goes up, the others down: all triangles are equilateral
   for (int r = 1; r <= rings; ++r) {
@@ -252,7 +252,7 @@ Mesh make_saddle(int sectors, int rings) {
       positions.emplace_back(r * flat * std::cos(angle), r * flat * std::sin(angle), r * height);
     }
   }
-  const auto at = [&](int r, int s) { return std::int32_t(r == 0 ? 0 : 1 + (r - 1) * sectors + s % sectors); };
+  const auto at = [&](int r, int s) { return VertexId(r == 0 ? 0 : 1 + (r - 1) * sectors + s % sectors); };
   for (int s = 0; s < sectors; ++s) {
     faces.push_back({at(0, 0), at(1, s), at(1, s + 1)});
     for (int r = 1; r < rings; ++r) {
@@ -300,7 +300,9 @@ TEST_CASE("balance: options out of their range are refused in one line") {
   CHECK(message({.shares = {1, 0, 2}}) == "share 1 is 0; give finite numbers above 0");
   CHECK(message({.tolerance = std::nan("")}) == "the tolerance of balancing must be above 0");
   CHECK(message({.max_diagrams = 0}) == "balancing needs at least one diagram");
-  CHECK(message({.diagram = {.method = Method::gbgvd}}) == "only the exact method takes weights");
+  BalanceOptions other;
+  other.diagram.method = Method::gbgvd;
+  CHECK(message(other) == "only the exact method takes weights");
 }
 
 }  // namespace gvd::test_balance

@@ -249,6 +249,10 @@ void print_open_diagram(ByteWriter& out, const Mesh& mesh, const Diagram& diagra
   out.text("{\"schema\":\"gvd-diagram/1\",\n");
   out.text("\"generators\":");
   print_lines(out, diagram.generators, [&](const SurfacePoint& point) { print_point(out, mesh, point); });
+  if (!diagram.weights.empty()) {
+    out.text(",\n\"weights\":");
+    print_array(out, diagram.weights, [&](double weight) { out.text(json_number(weight)); });
+  }
   out.text(",\n\"branch_points\":");
   print_lines(out, diagram.branch_points, [&](const BranchPoint& branch) { print_branch_point(out, branch); });
   out.text(",\n\"bisectors\":");
