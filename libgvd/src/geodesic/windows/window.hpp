@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include "gvd/ids.hpp"
 
@@ -88,6 +89,13 @@ struct Window {
   double distance(double t) const { return offset + image_distance(t); }
 };
 static_assert(sizeof(Window) == 48);
+
+/// The distance at which each generator starts, mesh units.
+struct StartDistances {
+  std::vector<double> of_generator = {};  ///< >= 0; empty: 0 for all
+
+  double operator[](GeneratorId g) const { return of_generator.empty() ? 0 : of_generator[g.index()]; }
+};
 
 /// The way that a window's paths have come, as far as the propagation has to know it.
 ///

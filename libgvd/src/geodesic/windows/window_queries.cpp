@@ -333,6 +333,7 @@ NearestPath NearestPaths::at(const Vec2& p, GeneratorId only) {
   const std::size_t best = search(p, only, nearest.distance);
   if (best == kNoImage) return find_round_ends(p, only);
   nearest.generator = images_[best].generator;
+  nearest.distance -= field_.starts[nearest.generator];
   nearest.log = log(images_[best], p - images_[best].at, nearest.distance);
   return nearest;
 }
@@ -341,7 +342,7 @@ NearestPath NearestPaths::from(std::size_t image, const Vec2& p) {
   Image& source = images_[image];
   const Vec2 ray = p - source.at;
   if (!passes(source, ray)) return at(p, source.generator);
-  const double distance = source.offset + ray.norm();
+  const double distance = source.offset - field_.starts[source.generator] + ray.norm();
   return {source.generator, distance, log(source, ray, distance)};
 }
 
@@ -352,10 +353,11 @@ NearestPath NearestPaths::find_round_ends(const Vec2& p, GeneratorId only) const
   for (const Image& image : images_) {
     if (image.generator != only) continue;
     for (const Vec2& end : {image.begin, image.end}) {
-      const double distance = image.offset + end.norm() + (p - image.at - end).norm();
+      const double to_end = image.offset - field_.starts[only] + end.norm();
+      const double distance = to_end + (p - image.at - end).norm();
       if (!(distance < nearest.distance)) continue;
       Image along = image;
-      nearest = {only, distance, log(along, end, image.offset + end.norm())};
+      nearest = {only, distance, log(along, end, to_end)};
       nearest.log *= distance / nearest.log.norm();
     }
   }
@@ -363,15 +365,14 @@ NearestPath NearestPaths::find_round_ends(const Vec2& p, GeneratorId only) const
 }
 
 Vec2 NearestPaths::log(Image& image, const Vec2& ray, double distance) const {
-  const bool is_direct = image.offset == 0;
-  if (is_direct && !departures_.is_flat(image.generator)) {
+  if (is_direct(image) && !departures_.is_flat(image.generator)) {
     return distance * departures_.direction(image.generator, from_side(image, ray));
   }
   if (!image.has_direction) {
     image.direction = direction(image);
     image.has_direction = true;
   }
-  if (!is_direct) return distance * image.direction;
+  if (!is_direct(image)) return distance * image.direction;
   // The ray is turned from the face into the tangent plane, as the side is.
   const Vec2& side = side_[image.side];
   return side.dot(ray) * image.direction + cross(side, ray) * turned_left(image.direction);
@@ -381,7 +382,7 @@ Vec2 NearestPaths::direction(const Image& image) const {
   Departure departure;
   if (image.window != kCorner) {
     departure = field_.windows.departure(image.window);
-  } else if (image.offset > 0) {
+  } else if (!is_direct(image)) {
     departure = field_.departure[mesh_.vertices(face_)[image.side]];
   } else {
     departure = from_side(image, side_[image.side]);

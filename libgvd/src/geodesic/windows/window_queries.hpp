@@ -106,7 +106,7 @@ class Departures {
 /// A shortest path from the nearest generator to a point.
 struct NearestPath {
   GeneratorId generator;  ///< invalid where none reaches
-  double distance;        ///< mesh units
+  double distance;        ///< without the distance at which the generator starts, mesh units
   /// The logarithm of the point: the tangent vector at the generator (see geodesic_tracing.hpp) in whose direction the
   /// path departs, with its length.
   Vec2 log;
@@ -149,7 +149,7 @@ class NearestPaths {
   /// Images have the numbers below this.
   std::size_t image_count() const { return images_.size(); }
   /// Whether an image is one of a generator, not of a pseudo-source.
-  bool is_direct(std::size_t image) const { return images_[image].offset == 0; }
+  bool is_direct(std::size_t image) const { return is_direct(images_[image]); }
   GeneratorId generator(std::size_t image) const { return images_[image].generator; }
 
  private:
@@ -165,7 +165,8 @@ class NearestPaths {
   };
   static constexpr std::size_t kCorner = static_cast<std::size_t>(-1);
 
-  /// The image with the shortest way to p among those of `only`, or of all. Lowers `distance` to that, or leaves it.
+  /// The image with the shortest way to p among those of `only`, or of all. Lowers `distance` to that, with the one at
+  /// which its generator starts, or leaves it.
   std::size_t search(const Vec2& p, GeneratorId only, double& distance) const;
   NearestPath find_round_ends(const Vec2& p, GeneratorId only) const;
   void add_window(std::size_t number);
@@ -173,6 +174,8 @@ class NearestPaths {
   static bool passes(const Image& image, const Vec2& ray) {
     return image.window == kCorner || (cross(ray, image.begin) >= 0 && cross(ray, image.end) <= 0);
   }
+  bool is_direct(const Image& image) const { return image.offset == field_.starts[image.generator]; }
+  /// `distance`: without the one at which the generator starts.
   Vec2 log(Image& image, const Vec2& ray, double distance) const;
   Vec2 direction(const Image& image) const;
   Departure from_side(const Image& image, const Vec2& ray) const;

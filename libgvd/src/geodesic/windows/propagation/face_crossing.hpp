@@ -89,12 +89,13 @@ struct FaceEntry {
 class FaceCrossing {
  public:
   /// `apex_path`: of each halfedge, the best straight path across it to the apex; read only if there are needles.
-  /// `angles`: empty unless departures are recorded.
+  /// `angles`: empty unless departures are recorded; only then `starts` are read.
   /// All have to outlive this.
   FaceCrossing(const FaceFrames& frames, const DistanceLabels& labels, IdVector<HalfedgeId, ApexPath>& apex_path,
-               const CornerAngles& angles)
+               const CornerAngles& angles, const StartDistances& starts)
       : labels_(labels),
         angles_(angles),
+        starts_(starts),
         has_departures_(!angles.empty()),
         apex_path_(apex_path),
         has_needles_(frames.has_needles),
@@ -133,7 +134,7 @@ class FaceCrossing {
     if (has_thin_faces_ && is_cycle_check_step(++history.crossed_faces)) {
       history.cycle_check_face = Mesh::face(entry.halfedge);
     }
-    const bool turns = has_departures_ && entering.window.offset == 0;
+    const bool turns = has_departures_ && is_direct(entering.window);
     if (exits.left) {
       if (turns) history.departure = entering.history.departure + angles_.corner(entry.leaving(entry.start));
       const std::uint32_t at_end = apex.all_left() ? joinable : split;
@@ -168,7 +169,7 @@ class FaceCrossing {
     const double cosine = f.cosine[entry.start], sine = f.sine[entry.start];
     const Rotation angle{-cosine * back_x - sine * back_y, -cosine * back_y + sine * back_x};
     Departure departure = entering.history.departure;
-    if (has_departures_ && w.offset == 0) {
+    if (has_departures_ && is_direct(w)) {
       departure = departure + Departure::of_angle(std::atan2(apex.y + w.depth, apex.x - w.x));
     }
     target.reach_vertex(f.vertex[entry.top], {d, w.generator, {entry.leaving(entry.top), angle}, departure});
@@ -184,9 +185,9 @@ class FaceCrossing {
     const HalfedgeId at_start = entry.leaving(entry.start), at_end = entry.leaving(entry.end);
     Departure from_start, from_end;
     if (has_departures_) {
-      const bool leads_left = labels_.distance[start] == 0;  // the side after the corner at the start
+      const bool leads_left = is_generator(start);  // the side after the corner at the start
       from_start = leads_left ? angles_.side(at_start) + angles_.corner(at_start) : labels_.departure[start];
-      from_end = labels_.distance[end] == 0 ? angles_.side(at_end) : labels_.departure[end];
+      from_end = is_generator(end) ? angles_.side(at_end) : labels_.departure[end];
     }
     target.reach_vertex(
         top, {labels_.distance[start] + f.length[entry.top], labels_.label[start], {outgoing, {}}, from_start});
@@ -196,7 +197,12 @@ class FaceCrossing {
   }
 
   const DistanceLabels& labels_;
+  /// Whether the paths of a window come straight from its generator.
+  bool is_direct(const Window& w) const { return w.offset == starts_[w.generator]; }
+  bool is_generator(VertexCopyId v) const { return labels_.distance[v] == starts_[labels_.label[v]]; }
+
   const CornerAngles& angles_;
+  const StartDistances& starts_;
   bool has_departures_;
   IdVector<HalfedgeId, ApexPath>& apex_path_;
   bool has_needles_;     // other meshes keep no ApexPath

@@ -78,7 +78,7 @@ class PartitionPropagator {
         has_thin_faces_(frames_.has_thin_faces),
         exchange_(state.partitions, state.mailboxes, state.last_sent, own),
         sources_(state.mesh, frames_, state.partitions, state.angles, own),
-        crossing_(frames_, labels_, state.apex_path, state.angles),
+        crossing_(frames_, labels_, state.apex_path, state.angles, state.starts),
         queue_(state.bucket_width, state.bucket_count),
         waiting_(state.first_waiting, state.bucket_width),
         pruning_(state, exchange_) {}

@@ -116,6 +116,7 @@ class Propagation {
     field.departure.resize(field.distance.size());
     field.frame = IdVector<FaceId, FaceFrame>(std::move(state_.frames.frame.raw()));
     field.angles = std::move(state_.angles);
+    field.starts = std::move(state_.starts);
   }
 
   static constexpr std::int64_t kProgressStride = 1 << 14;
@@ -135,6 +136,7 @@ PropagationState::PropagationState(const Mesh& of_mesh, const PropagationOptions
                                    const ParallelChunks& parallel)
     : mesh(of_mesh),
       keep(options.keep),
+      starts{options.offsets},
       frames(mesh, parallel),
       angles(options.departures ? CornerAngles(mesh, frames, parallel) : CornerAngles()),
       partitions(mesh, options.partition_faces, frames),

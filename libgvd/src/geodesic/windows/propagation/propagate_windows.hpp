@@ -25,7 +25,7 @@ struct PropagationOptions {
   /// Smaller partitions exchange more windows; with larger ones, threads wait longer at the end of a round. Distances
   /// are exact with any; the number of windows on edges between partitions may differ.
   std::int32_t partition_faces = 8192;
-  /// Records where all paths leave their generators; for KeepWindows::all without offsets.
+  /// Records where all paths leave their generators; for KeepWindows::all.
   bool departures = false;
   /// What is farther than this from all generators is not reached; mesh units, >= 0. Distances up to it are exact, and
   /// every window that holds one of them is kept. What lies a few edges beyond it is visited too.

@@ -28,6 +28,7 @@ struct PropagationState {
 
   const Mesh& mesh;
   KeepWindows keep;
+  StartDistances starts;
   FaceFrames frames;
   CornerAngles angles;  // empty unless departures are recorded
   MeshPartitions partitions;
