@@ -19,12 +19,14 @@
 #include <utility>
 #include <vector>
 
+#include "common/balance.hpp"
 #include "common/command.hpp"
 #include "common/options/options.hpp"
 #include "common/options/register_options.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
+#include "gvd/balance.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
@@ -40,6 +42,7 @@ struct OwnOptions {
   LloydOptions relaxation;
   ConstraintOptions constraints;
   std::optional<double> time_limit;  ///< of the relaxation, seconds, >= 0
+  std::string balance;               ///< what cells share in the end: "area", a file or a property; empty: as they come
 };
 
 constexpr const char* kExamples =
@@ -83,6 +86,11 @@ void register_relaxation(CLI::App& line, OwnOptions& own) {
           "Length of the steps of Lloyd's method, as a fraction of the way to the centroid, below 2 (default: {})",
           options.step));
   register_coarse(line, own.constraints);
+  add_file(
+      line, "--balance", own.balance,
+      "In the end, make all cells equal and keep the generators at their centroids: in area, or in the integral of "
+      "a number for each vertex or face, out of a file or a property of INPUT",
+      "area|FILE|PROPERTY");
   add_number(line, "--time-limit", own.time_limit, kNotNegative,
              "Stop after the iteration that exceeds this many seconds in all; the result then varies from run to run "
              "(default: no limit)");
@@ -143,6 +151,7 @@ void report_own_options(Json& reported, const OwnOptions& own) {
   reported["move_tolerance"] = options.move_tolerance;
   reported["step"] = options.step;
   report_constraints(reported, own.constraints);
+  reported["balance"] = or_null(own.balance);
   reported["time_limit"] = or_null(own.time_limit);
 }
 
@@ -232,7 +241,7 @@ Progress limit_progress(const Progress& progress, const RelaxationTrace& trace, 
   };
 }
 
-void report_result(Run& run, const Mesh& mesh, const LloydResult& result) {
+void report_result(Run& run, const LloydResult& result) {
   const double variation = area_variation(result.diagram.cells);
   Json& results = run.report().results();
   results["iterations"] = result.iterations.size();
@@ -248,9 +257,6 @@ void report_result(Run& run, const Mesh& mesh, const LloydResult& result) {
                                  counted(std::ssize(result.iterations), "iteration", "iterations"),
                                  result.initial_energy, result.final_energy, describe(result.stop)));
   run.console().note(fmt::format("areas of the cells: coefficient of variation {:.3g}", variation));
-  run.report().generators().clear();
-  run.report().set_generators(mesh, result.generators);
-  report_diagram(run, result.diagram);
 }
 
 RelaxationStart make_start(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints) {
@@ -282,8 +288,37 @@ LloydResult relax(Run& run, const Mesh& mesh, const RelaxationStart& start, cons
   LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start, options); });
   run.console().set_status("");
   note_copy(run, result.copy, start, options.ends_on_copy);
-  report_result(run, mesh, result);
+  report_result(run, result);
   return result;
+}
+
+/// Makes the cells of a relaxation equal, and takes what that changes into its result.
+void balance(Run& run, const CheckedMesh& input, const RelaxationStart& start, const OwnOptions& own,
+             LloydResult& relaxed) {
+  BalancedRelaxationOptions options;
+  if (own.balance != "area") options.balance.density = find_density(run, input, "--balance", own.balance);
+  options.balance.diagram = make_diagram_options(run.options().compute);
+  options.balance.diagram.progress = run.progress();
+  options.density = start.density;
+  options.freedom = start.freedom;
+  options.creases = start.creases;
+  BalancedRelaxation found =
+      run.timed("balance", [&] { return relax_balanced(input.mesh, relaxed.generators, options); });
+  relaxed.generators = found.balanced.diagram.generators;
+  relaxed.moments = std::move(found.moments);
+  relaxed.final_energy = 0;
+  for (const CellMoments& cell : relaxed.moments) relaxed.final_energy += cell.energy;
+  run.console().note(fmt::format("{} of balancing, generators at most {:.2g} mean cell radii from their centroids",
+                                 counted(found.rounds, "round", "rounds"), found.residual / found.mean_cell_radius));
+  report_balance(run, found.balanced);
+  relaxed.diagram = std::move(found.balanced.diagram);
+  Json& results = run.report().results();
+  results["balance"]["rounds"] = found.rounds;
+  results["weights"] = relaxed.diagram.weights;
+  results["residual"] = found.residual;
+  results["mean_cell_radius"] = found.mean_cell_radius;
+  results["area_variation"] = area_variation(relaxed.diagram.cells);
+  run.figures().energy = relaxed.final_energy;
 }
 
 void write_outputs(Run& run, const Mesh& mesh, const Diagram& diagram) {
@@ -315,7 +350,11 @@ void lloyd(Run& run, const OwnOptions& own) {
   constraints.coarse = copy_options(own.relaxation, copy).faces;
   const RelaxationStart start = make_start(run, input, constraints);
   RelaxationTrace trace;
-  const LloydResult relaxed = relax(run, mesh, start, own, trace);
+  LloydResult relaxed = relax(run, mesh, start, own, trace);
+  if (!own.balance.empty()) balance(run, input, start, own, relaxed);
+  run.report().generators().clear();
+  run.report().set_generators(mesh, relaxed.generators);
+  report_diagram(run, relaxed.diagram);
   write_outputs(run, mesh, relaxed.diagram);
   write_diagram_file(run, mesh, relaxed.diagram);
   write_points_file(run, mesh, relaxed);

@@ -6,12 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 
+#include "common/balance.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
@@ -24,9 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A note names this many cells.
-constexpr std::size_t kNamed = 8;
-
 /// A number for each generator, from a file; none without one.
 std::vector<double> read_for_generators(const char* option, const std::string& file, std::size_t generators) {
   if (file.empty()) return {};
@@ -36,53 +31,6 @@ std::vector<double> read_for_generators(const char* option, const std::string& f
       ErrorCode::unreadable_input,
       fmt::format("{}: {} for {}; {} takes one for each", file, counted(std::ssize(values), "number", "numbers"),
                   counted(std::ptrdiff_t(generators), "generator", "generators"), option));
-}
-
-double largest_error(const BalancedDiagram& balanced) {
-  double largest = 0;
-  for (std::size_t i = 0; i < balanced.masses.size(); ++i) {
-    largest = std::max(largest, std::abs(balanced.masses[i] / balanced.targets[i] - 1));
-  }
-  return largest;
-}
-
-/// Notes what keeps cells from their shares.
-void note_misses(Run& run, const BalancedDiagram& balanced) {
-  std::vector<std::int32_t> cells;
-  for (const auto& set : balanced.tied) {
-    for (const GeneratorId g : set) cells.push_back(g.value());
-  }
-  if (!cells.empty()) {
-    const auto named = cells.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, cells.size()));
-    run.console().note(fmt::format(
-        "{} no share of its own: no weights divide what is beyond a vertex where the paths of both cells bend, or a "
-        "weight is at its bound: {}{}; other generators may help",
-        counted(std::ssize(cells), "cell has", "cells have"), fmt::join(cells.begin(), named, ", "),
-        named == cells.end() ? "" : ", ..."));
-  }
-  if (!balanced.converged) {
-    run.console().note(
-        fmt::format("balancing ended after {} diagrams, before all cells had their shares", balanced.diagrams));
-  }
-}
-
-void report_balance(Run& run, const BalancedDiagram& balanced) {
-  run.console().note(
-      fmt::format("cells differ from their shares by at most {:.2g}, with a coefficient of variation of {:.2g}",
-                  largest_error(balanced), balanced.variation));
-  note_misses(run, balanced);
-  Json& result = run.report().results()["balance"];
-  result["converged"] = balanced.converged;
-  result["variation"] = balanced.variation;
-  result["largest_error"] = largest_error(balanced);
-  result["diagrams"] = balanced.diagrams;
-  result["tied"] = Json::array();
-  for (const auto& set : balanced.tied) {
-    Json& cells = result["tied"].emplace_back(Json::array());
-    for (const GeneratorId g : set) cells.push_back(g.value());
-  }
-  result["masses"] = balanced.masses;
-  result["targets"] = balanced.targets;
 }
 
 Diagram balance(Run& run, const CheckedMesh& input, const std::vector<SurfacePoint>& generators,

@@ -277,6 +277,58 @@ TEST_CASE("balance: cells that can't be told apart behind a saddle are tied, and
   CHECK(balanced.masses[0] + balanced.masses[1] == Approx(balanced.targets[0] + balanced.targets[1]));
 }
 
+TEST_CASE("weights: centroids and energies are those of the weighted cells, at distances without weights") {
+  const Mesh mesh = test::make_grid(8, 6);
+  const std::vector<SurfacePoint> generators = test::random_generators(mesh, 7, 4);
+  DiagramOptions options;
+  options.weights = random_weights(mesh, generators, 0.9, 4);
+  const Diagram diagram = test::compute_sound(mesh, generators, options);
+  const auto moments = compute_cell_moments(mesh, diagram);
+  // On a flat mesh the logarithm is the vector from the generator, but for a rotation.
+  IdVector<GeneratorId, Vec3> sum(generators.size(), Vec3::Zero());
+  IdVector<GeneratorId, double> energy(generators.size(), 0.0);
+  const auto add = [&](FaceId f, GeneratorId g, const std::array<Bary, 3>& corners) {
+    std::array<Vec3, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = position(mesh, {f, corners[i]}) - position(mesh, generators[g.index()]);
+    const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).z();
+    sum[g] += area * (p[0] + p[1] + p[2]) / 3;
+    energy[g] += area * ((p[0] + p[1]).squaredNorm() + (p[1] + p[2]).squaredNorm() + (p[2] + p[0]).squaredNorm()) / 12;
+  };
+  for (const FaceId f : mesh.faces()) {
+    if (diagram.face_label[f].valid()) add(f, diagram.face_label[f], kWholeTriangle);
+  }
+  for (const FacePiece& piece : diagram.pieces) {
+    for (std::size_t k = 1; k + 1 < piece.corners.size(); ++k) {
+      add(piece.face, piece.generator, {piece.corners[0], piece.corners[k], piece.corners[k + 1]});
+    }
+  }
+  for (const GeneratorId g : moments.ids()) {
+    CHECK(moments[g].area == Approx(diagram.cells[g].area));
+    CHECK(moments[g].centroid.norm() == Approx(sum[g].norm() / moments[g].area).epsilon(1e-8));
+    CHECK(moments[g].energy == Approx(energy[g]).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("balance: in turns with moves, generators come to the centroids of equal cells") {
+  const Mesh mesh = test::make_sphere(4);
+  const std::vector<SurfacePoint> generators = test::sample(mesh, Sampling::farthest, 12);
+  BalancedRelaxationOptions options;
+  options.max_rounds = 0;
+  const BalancedRelaxation before = relax_balanced(mesh, generators, options);
+  CHECK(before.balanced.diagram.generators == generators);
+  options.max_rounds = 10;
+  options.freedom.assign(generators.size(), Freedom::free);
+  options.freedom[3] = Freedom::fixed;
+  const BalancedRelaxation after = relax_balanced(mesh, generators, options);
+  CHECK(after.rounds > 0);
+  CHECK(after.residual < 0.1 * before.residual);
+  CHECK(after.balanced.converged);
+  CHECK(coefficient_of_variation(after.balanced.masses) <= 1e-6);
+  CHECK(after.balanced.diagram.generators[3] == generators[3]);
+  options.max_rounds = -1;
+  CHECK(refusal([&] { relax_balanced(mesh, generators, options); }) == "the number of rounds must not be negative");
+}
+
 TEST_CASE("balance: no bit depends on the number of threads") {
   const Mesh mesh = test::make_bumpy_sphere(4, 5);
   const std::vector<SurfacePoint> generators = test::random_generators(mesh, 20, 5);

@@ -17,6 +17,7 @@
 #include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
 #include "cell_integrals.hpp"
+#include "diagram/diagram_windows.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
@@ -201,10 +202,10 @@ CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowFie
 
 CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads,
                               const Progress& progress) {
-  return read_windows(
-      mesh, diagram.generators, threads, progress, [&](const WorkingMesh& working, const WindowField& field) {
-        return integrate_over_windows(working, field, diagram, quadrature, ParallelChunks(threads, progress));
-      });
+  const auto read = [&](const WorkingMesh& working, const WindowField& field) {
+    return integrate_over_windows(working, field, diagram, quadrature, ParallelChunks(threads, progress));
+  };
+  return read_windows(mesh, diagram.generators, threads, progress, read, from_zero(diagram.weights));
 }
 
 IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads,

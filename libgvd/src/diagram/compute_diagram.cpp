@@ -37,6 +37,10 @@
 namespace gvd {
 namespace {
 
+double least_weight(const std::vector<double>& weights) {
+  return weights.empty() ? 0 : *std::ranges::min_element(weights);
+}
+
 /// How much longer the distances of each generator are made before they are compared: by their weights, which must not
 /// be negative for that, and by the symbolic offsets of marching.
 struct AddedLengths {
@@ -45,16 +49,6 @@ struct AddedLengths {
 
   double of(GeneratorId g) const { return symbolic.of(g) + (weights.empty() || !g.valid() ? 0 : weights[g.index()]); }
 };
-
-double least_weight(const std::vector<double>& weights) {
-  return weights.empty() ? 0 : *std::ranges::min_element(weights);
-}
-
-std::vector<double> from_zero(std::vector<double> weights) {
-  const double least = least_weight(weights);
-  for (double& weight : weights) weight -= least;
-  return weights;
-}
 
 /// Labels and distances of the input's own vertices, without what was added to them. A vertex that was relabelled keeps
 /// the distance from its nearest generator.
@@ -192,6 +186,12 @@ Diagram compute_by_tables(const Mesh& mesh, const std::vector<SurfacePoint>& gen
 }
 
 }  // namespace
+
+std::vector<double> from_zero(std::vector<double> weights) {
+  const double least = least_weight(weights);
+  for (double& weight : weights) weight -= least;
+  return weights;
+}
 
 void check_diagram_options(const DiagramOptions& options) {
   if (!(options.chord_tolerance >= kLeastChordTolerance) || !std::isfinite(options.chord_tolerance)) {

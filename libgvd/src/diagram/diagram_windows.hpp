@@ -14,6 +14,9 @@ namespace gvd {
 /// Reads the windows from which a diagram was traced. They live during the call only.
 using WindowReader = std::function<void(const WorkingMesh&, const WindowField&, const Diagram&)>;
 
+/// The distances at which generators with these weights start: the weights less the least one. Empty for none.
+std::vector<double> from_zero(std::vector<double> weights);
+
 /// Throws Error{invalid_option} where `compute_diagram` does.
 void check_diagram_options(const DiagramOptions& options);
 

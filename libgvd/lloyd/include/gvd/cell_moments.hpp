@@ -18,7 +18,7 @@ struct CellMoments {
 };
 
 /// Integrals over every cell of a diagram, with the exact distances and log maps of the polyhedron, however the diagram
-/// was made.
+/// was made. With weights, distances are those from the generators, without the weights.
 ///
 /// Quadrature: three points in each face, and in each triangle of each piece of a face. The rule is exact for
 /// quadratic functions, so where all paths to a triangle come straight from one image. A triangle crossed by a ridge,

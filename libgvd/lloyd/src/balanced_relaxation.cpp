@@ -1,0 +1,70 @@
+// Equal cells with their generators at the centroids, in turns.
+//
+// A move of the generators changes the masses of their cells a little, so each round starts from the weights of the
+// last one, and one or two of Newton's steps are enough. Where these weights hide a generator at its new place, the
+// round starts from none. Invariant: the result is balanced; no generator moves after that.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "constraints.hpp"
+#include "generator_moves.hpp"
+#include "gvd/balance.hpp"
+#include "gvd/error.hpp"
+
+namespace gvd {
+namespace {
+
+/// Balances the cells, from these weights where every generator has a cell with them.
+BalancedDiagram balance_from(const Mesh& mesh, const std::vector<SurfacePoint>& generators, BalanceOptions options,
+                             const std::vector<double>& weights) {
+  if (weights.empty()) return balance_cells(mesh, generators, options);
+  const std::vector<double> given = std::exchange(options.diagram.weights, weights);
+  try {
+    return balance_cells(mesh, generators, options);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::precondition || error.element() < 0) throw;
+  }
+  options.diagram.weights = given;
+  return balance_cells(mesh, generators, options);
+}
+
+double mean_cell_radius(const Diagram& diagram) {
+  double area = 0;
+  for (const Cell& cell : diagram.cells) area += cell.area;
+  return std::sqrt(area / (std::numbers::pi * double(diagram.cells.size())));
+}
+
+}  // namespace
+
+BalancedRelaxation relax_balanced(const Mesh& mesh, std::vector<SurfacePoint> generators,
+                                  const BalancedRelaxationOptions& options) {
+  if (options.max_rounds < 0) throw Error(ErrorCode::invalid_option, "the number of rounds must not be negative");
+  if (!(options.move_tolerance >= 0)) throw Error(ErrorCode::invalid_option, "the move tolerance must be 0 or more");
+  const GeneratorConstraints constraints(mesh, options.freedom, options.creases);
+  constraints.check(generators);
+  BalancedRelaxation result;
+  while (true) {
+    result.balanced = balance_from(mesh, generators, options.balance, result.balanced.diagram.weights);
+    result.diagrams += result.balanced.diagrams;
+    result.moments =
+        compute_cell_moments(mesh, result.balanced.diagram, options.balance.diagram.threads, options.density);
+    result.mean_cell_radius = mean_cell_radius(result.balanced.diagram);
+    RelaxationState state;
+    state.generators = generators;
+    state.mean_cell_radius = result.mean_cell_radius;
+    TangentField steps;
+    result.residual = 0;
+    for (const GeneratorId g : result.moments.ids()) {
+      steps.push_back(constraints.project(mesh, g.index(), generators[g.index()], result.moments[g].centroid));
+      result.residual = std::max(result.residual, steps.back().norm());
+    }
+    if (result.rounds == options.max_rounds) return result;
+    if (result.residual <= options.move_tolerance * result.mean_cell_radius) return result;
+    generators = move_generators(mesh, state, steps, constraints).to;
+    ++result.rounds;
+  }
+}
+
+}  // namespace gvd
