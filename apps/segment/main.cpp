@@ -103,7 +103,7 @@ void write_arrays(Run& run, const LabelledMesh& output) {
 void write_files(Run& run, const LabelledMesh& output, const OutputWriter& write_json) {
   write_arrays(run, output);
   write_output_files(run, output, {{"json", write_json}});
-  write_view_file(run, "gvd-segment", [&] { return std::vector{make_view_scene("Regions", output)}; });
+  write_view_file(run, "gvd-segment", [&] { return make_region_scenes(output); });
 }
 
 /// Lengths are in mesh units. Returns the length of the borders by that of the bisectors, where these have a length.

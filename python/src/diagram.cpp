@@ -166,14 +166,14 @@ DiagramOptions ComputeOptions::make() const {
 
 namespace {
 
-ViewScene make_scene(const LabelledMesh& mesh) {
+std::vector<ViewScene> make_scenes(const LabelledMesh& mesh) {
   if (mesh.diagram != nullptr) {
     const bool is_diagram = mesh.face_label == &mesh.diagram->face_label;  // its cut faces have pieces, not labels
-    return is_diagram ? make_view_scene("Regions", mesh.mesh, *mesh.diagram) : make_view_scene("Regions", mesh);
+    return is_diagram ? std::vector{make_view_scene("Regions", mesh.mesh, *mesh.diagram)} : make_region_scenes(mesh);
   }
   ViewScene scene;
   scene.mesh = &mesh.mesh;
-  return scene;
+  return {scene};
 }
 
 }  // namespace
@@ -181,7 +181,7 @@ ViewScene make_scene(const LabelledMesh& mesh) {
 std::string make_page(const LabelledMesh& mesh, const std::string& title) {
   ViewOptions options;
   options.title = title;
-  return make_view_page(make_scene(mesh), options);
+  return make_view_page(make_scenes(mesh), options);
 }
 
 void write_result(const std::filesystem::path& path, LabelledMesh mesh, const OwnFormats& own,

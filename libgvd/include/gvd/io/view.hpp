@@ -95,6 +95,10 @@ ViewScene make_view_scene(std::string name, const Mesh& mesh, const Diagram& dia
 /// Throws Error{precondition} where it has no diagram, labels of faces or distances. Cost: O(n) time and memory.
 ViewScene make_view_scene(std::string name, const LabelledMesh& shown);
 
+/// The scenes of labelled regions: where whole faces have labels, the cells of the diagram come first, in the same
+/// colours, since whole faces lie on both sides of bisectors. Throws and costs as make_view_scene.
+std::vector<ViewScene> make_region_scenes(const LabelledMesh& shown);
+
 /// The points of all paths that `make_distance_scene` takes for clicks: 5 MB of the page.
 inline constexpr std::size_t kMostPathPoints = 300'000;
 

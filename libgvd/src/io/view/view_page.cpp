@@ -329,6 +329,15 @@ ViewScene make_view_scene(std::string name, const LabelledMesh& shown) {
   return scene;
 }
 
+std::vector<ViewScene> make_region_scenes(const LabelledMesh& shown) {
+  const bool is_cut = shown.diagram_mesh != nullptr;
+  std::vector<ViewScene> scenes{make_view_scene(is_cut ? "Regions" : "Whole faces, as in the file", shown)};
+  if (is_cut) return scenes;
+  scenes.insert(scenes.begin(), make_view_scene("Cells", shown.mesh, *shown.diagram));
+  scenes[0].region_color = scenes[1].region_color;
+  return scenes;
+}
+
 bool has_viewer() { return !io::view_template().empty(); }
 
 std::string make_view_page(const std::vector<ViewScene>& scenes, const ViewOptions& options) {
