@@ -124,17 +124,13 @@ CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowFie
 CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads,
                               const Progress& progress = {});
 
-/// Calls read(working, field) with the windows of these generators, and their departures. `starts`: the distance at
-/// which each generator starts, >= 0; empty: 0.
+/// Calls read(working, field) with all windows of these generators, and their departures.
 template <class Read>
-auto read_windows(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int threads, const Progress& progress,
-                  const Read& read, std::vector<double> starts = {}) {
+auto read_windows(const Mesh& mesh, const std::vector<SurfacePoint>& generators, PropagationOptions options,
+                  const Progress& progress, const Read& read) {
   const WorkingMesh working(mesh, generators, progress);
-  PropagationOptions propagation;
-  propagation.departures = true;
-  propagation.offsets = std::move(starts);
-  propagation.threads = threads;
-  return read(working, propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, progress));
+  options.departures = true;
+  return read(working, propagate_windows(working.mesh(), working.generator_vertices().raw(), options, progress));
 }
 
 // balance_rates.cpp

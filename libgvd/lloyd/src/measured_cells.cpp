@@ -399,7 +399,9 @@ MeasuredCells measure_cells(const Mesh& mesh, const std::vector<SurfacePoint>& g
     cut_to_input(working, cells.geometry);
     return cells;
   };
-  return read_windows(mesh, generators, threads, progress, read);
+  PropagationOptions options;
+  options.threads = threads;
+  return read_windows(mesh, generators, options, progress, read);
 }
 
 }  // namespace gvd

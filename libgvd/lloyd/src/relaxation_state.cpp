@@ -109,7 +109,9 @@ CellIntegrals integrate_diagram(const Mesh& mesh, const Precision& precision, co
     state.diagram = compute_diagram_and_read(mesh, state.generators, options, KeepWindows::all, read);
   } else {
     state.diagram = compute_diagram(mesh, state.generators, options);
-    read_windows(mesh, state.generators, options.threads, options.progress,
+    PropagationOptions propagation;
+    propagation.threads = options.threads;
+    read_windows(mesh, state.generators, propagation, options.progress,
                  [&](const WorkingMesh& working, const WindowField& field) { read(working, field, state.diagram); });
   }
   return integrals;

@@ -205,7 +205,10 @@ CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Qu
   const auto read = [&](const WorkingMesh& working, const WindowField& field) {
     return integrate_over_windows(working, field, diagram, quadrature, ParallelChunks(threads, progress));
   };
-  return read_windows(mesh, diagram.generators, threads, progress, read, from_zero(diagram.weights));
+  PropagationOptions options;
+  options.offsets = from_zero(diagram.weights);
+  options.threads = threads;
+  return read_windows(mesh, diagram.generators, options, progress, read);
 }
 
 IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads,

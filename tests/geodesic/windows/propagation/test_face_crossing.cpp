@@ -17,7 +17,7 @@ struct Setup {
         frames(mesh, ParallelChunks(1, {})),
         labels(3),
         apex_path(3),
-        crossing(frames, labels, apex_path, angles) {
+        crossing(frames, labels, apex_path, angles, starts) {
     for (int v = 0; v < 3; ++v) {
       labels.distance[VertexCopyId(v)] = 100;
       labels.label[VertexCopyId(v)] = GeneratorId(9);
@@ -36,6 +36,7 @@ struct Setup {
   DistanceLabels labels;
   IdVector<HalfedgeId, ApexPath> apex_path;
   CornerAngles angles;  // no departures
+  StartDistances starts;
   FaceCrossing crossing;
 };
 
