@@ -77,6 +77,7 @@ class Diagram(Writable):
                         "The distance of each vertex to its generator (n), infinite where none reaches; a view.")
     face_labels = forward(_gvd.Diagram.face_labels,
                           "The generator of each face that lies in one cell (m), -1 for faces that bisectors cut; a view.")
+    weights = forward(_gvd.Diagram.weights, "The weights of the generators, mesh units; empty without.")
     length = forward(_gvd.Diagram.length, "Length of all bisectors, mesh units.")
 
     @property
@@ -128,6 +129,17 @@ class Diagram(Writable):
         sides = {"Left": numpy.array([b.left for b in self.bisectors], numpy.int32),
                  "Right": numpy.array([b.right for b in self.bisectors], numpy.int32)}
         return _vtk.lines(curves, cells=sides)
+
+
+class Balanced(NamedTuple):
+    """A diagram whose weights give each cell its share: `masses` and `targets` of the cells, and `tied` sets of cells
+    that have their targets together, but not each for itself. `converged`: all others have theirs."""
+
+    diagram: Diagram
+    masses: Floats
+    targets: Floats
+    tied: list[tuple[int, ...]]
+    converged: bool
 
 
 class Segmentation(Writable):

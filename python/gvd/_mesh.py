@@ -10,7 +10,7 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from . import _gvd, _vtk
-from ._diagram import Diagram, Segmentation
+from ._diagram import Balanced, Diagram, Segmentation
 from ._error import refuse
 from ._files import PathLike, Writable, forward
 from ._options import checked
@@ -234,9 +234,9 @@ class Mesh(Writable):
     @checked
     def voronoi(self, points: Any, *, method: Literal["exact", "gbgvd", "paper"] = "exact",
                 front: Optional[Literal["planar", "circle"]] = None, chord_tolerance: Optional[float] = None,
-                max_snap: Optional[float] = None, merge_coincident: bool = False, threads: int = 0,
-                progress: Progress = None) -> Diagram:
-        """The geodesic Voronoi diagram of points.
+                max_snap: Optional[float] = None, merge_coincident: bool = False, weights: Optional[ArrayLike] = None,
+                threads: int = 0, progress: Progress = None) -> Diagram:
+        """The geodesic Voronoi diagram of points. `weights` (m): distances count as longer by them, mesh units.
 
         >>> import gvd
         >>> diagram = gvd.read("data/figure.obj").voronoi([0, 1000, 2000])
@@ -246,11 +246,36 @@ class Mesh(Writable):
         generators = self._resolve("points", points, max_snap=max_snap,
                                    coincident="merge" if merge_coincident else "refuse")
         compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
-        return self._diagram(generators, compute, progress)
+        return self._diagram(generators, compute, progress, weights)
 
-    def _diagram(self, generators: _gvd.PointList, compute: _gvd.ComputeOptions, progress: Progress) -> Diagram:
+    def _diagram(self, generators: _gvd.PointList, compute: _gvd.ComputeOptions, progress: Progress,
+                 weights: Optional[ArrayLike] = None) -> Diagram:
         with reporting(progress) as callback:
-            return Diagram(self, _gvd.diagram(self._native, generators, compute, callback))
+            return Diagram(self, _gvd.diagram(self._native, generators, _numbers("weights", weights), compute, callback))
+
+    @checked
+    def balance(self, points: Any, *, density: Optional[ArrayLike] = None, shares: Optional[ArrayLike] = None,
+                weights: Optional[ArrayLike] = None, threads: int = 0, progress: Progress = None) -> Balanced:
+        """The diagram of points with weights by which all cells have the same area.
+
+        `density`: a number above 0 for each vertex or face, of which cells have equal integrals instead. `shares` (m):
+        their ratios are those of the cells. `weights` (m): those that the search starts from.
+
+        >>> import gvd
+        >>> mesh = gvd.read("data/figure.obj")
+        >>> areas = mesh.balance(mesh.farthest(24)).masses
+        >>> bool(areas.std() < 1e-6 * areas.mean())
+        True
+        """
+        options = {name: _numbers(name, values) for name, values in (("shares", shares), ("weights", weights))
+                   if values is not None}
+        if density is not None:
+            options["density"] = self._density(density)
+        generators = self._resolve("points", points, coincident="refuse")
+        with reporting(progress) as callback:
+            native, *rest = _gvd.balance(self._native, generators, options,
+                                         _gvd.ComputeOptions("exact", None, None, threads), callback)
+            return Balanced(Diagram(self, native), *rest)
 
     @checked
     def segment(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
@@ -355,12 +380,26 @@ class Mesh(Writable):
             if density != "curvature":
                 refuse(f"density: 'curvature' or an array is needed, not {density!r}")
         elif density is not None:
-            values = as_array("density", density)
-            if values.shape not in ((len(self.vertices),), (len(self.faces),)):
-                refuse(f"density: a number for each of {len(self.vertices)} vertices or {len(self.faces)} faces is needed, "
-                       f"not {values.shape}")
-            options["density"] = values
+            options["density"] = self._density(density)
         return options
+
+    def _density(self, density: ArrayLike) -> NDArray[Any]:
+        """A number for each vertex or face."""
+        values = as_array("density", density)
+        if values.shape not in ((len(self.vertices),), (len(self.faces),)):
+            refuse(f"density: a number for each of {len(self.vertices)} vertices or {len(self.faces)} faces is needed, "
+                   f"not {values.shape}")
+        return values
+
+
+def _numbers(name: str, given: Optional[ArrayLike]) -> Optional[list[float]]:
+    """A list of numbers, or None."""
+    if given is None:
+        return None
+    values = as_array(name, given)
+    if values.ndim != 1:
+        refuse(f"{name}: a list of numbers is needed, not {values.shape}")
+    return [float(value) for value in values]
 
 
 def _sampler(n: Optional[int], sampling: str, seed: int, radius: Optional[float],

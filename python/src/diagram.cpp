@@ -36,9 +36,11 @@ LabelledMesh labelled(const Cut& c) {
           &c.vertices.distance, &c.of->diagram(), &c.of->mesh()};
 }
 
-SharedDiagram make_diagram(const SharedMesh& input, const PointList& generators, const ComputeOptions& compute,
+SharedDiagram make_diagram(const SharedMesh& input, const PointList& generators,
+                           std::optional<std::vector<double>> weights, const ComputeOptions& compute,
                            const py::object& progress) {
   DiagramOptions options = compute.make();
+  options.weights = std::move(weights).value_or(std::vector<double>());
   return run_unlocked(progress, [&](const Progress& reported) {
     options.progress = reported;
     return std::make_shared<MeshDiagram>(
@@ -216,6 +218,7 @@ void bind_diagram(py::module_& module) {
            member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().vertex_distance; }))
       .def("face_labels",
            member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().face_label; }))
+      .def("weights", [](const MeshDiagram& d) { return take(d.diagram().weights); })
       .def("generators",
            [](const py::object& self) {
              return view_points(self.cast<const MeshDiagram&>().diagram().generators, self);

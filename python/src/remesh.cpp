@@ -10,6 +10,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
+#include "gvd/balance.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/relaxation_start.hpp"
@@ -106,6 +107,30 @@ Relaxed relax(const SharedMesh& input, const py::dict& options, const ComputeOpt
     const RelaxationStart made = start_relaxation(input->mesh, start);
     return Relaxed{input, std::make_shared<const LloydResult>(relax_generators(input->mesh, made, relaxation))};
   });
+}
+
+/// A balanced diagram, its masses and targets, the sets of tied cells, and whether the search converged.
+py::tuple balance(const SharedMesh& input, const PointList& generators, const py::dict& options,
+                  const ComputeOptions& compute, const py::object& progress) {
+  const Given given(options);
+  BalanceOptions balancing;
+  balancing.diagram = compute.make();
+  given.read("shares", balancing.shares);
+  given.read("weights", balancing.diagram.weights);
+  if (given.has("density")) balancing.density = make_density(input->mesh, given["density"].cast<Array<double>>());
+  BalancedDiagram found = run_unlocked(progress, [&](const Progress& reported) {
+    balancing.diagram.progress = reported;
+    return balance_cells(input->mesh, generators.points, balancing);
+  });
+  py::list tied;
+  for (const auto& set : found.tied) {
+    py::list cells;
+    for (const GeneratorId g : set) cells.append(g.value());
+    tied.append(py::tuple(cells));
+  }
+  auto diagram = std::make_shared<const Diagram>(std::move(found.diagram));
+  return py::make_tuple(std::make_shared<MeshDiagram>(MeshDiagram{input, std::move(diagram)}),
+                        take(std::move(found.masses)), take(std::move(found.targets)), tied, found.converged);
 }
 
 std::vector<double> energies(const Relaxed& relaxed) {
@@ -212,6 +237,7 @@ void bind_relaxation(py::module_& module) {
       .def("write_samples", [](const Relaxed& r, const std::filesystem::path& path) {
         run_unlocked(py::none(), [&](const Progress&) { write_samples(r, path); });
       });
+  module.def("balance", &balance);
   module.def("relax", &relax);
 }
 
