@@ -3,21 +3,17 @@
 // Appended data need not be XML. So the document is cut at their beginning and closed again before it is parsed, and
 // arrays find their bytes by their offset. The numbers of every array become doubles; a piece's points and polygons
 // are the only arrays that are read.
-// Base64 comes in runs that end in padding: a compressed array has one for its header and one for its blocks. So the
-// decoder goes on behind a padding.
 // Source: VTK File Formats, version 4.2; vtkXMLDataParser for the layout of compressed arrays.
 // Invariant: no count of the file takes memory that its bytes could not fill; deflate's limit goes for blocks.
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <pugixml.hpp>
 #include <utility>
 
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
+#include "mesh/reading/array_bytes.hpp"
 #include "mesh/reading/readers.hpp"
 #include "mesh/reading/unpack.hpp"
 #include "mesh/reading/vtk_soup.hpp"
@@ -25,69 +21,10 @@
 namespace gvd {
 namespace {
 
-/// A byte of deflate's output needs at least 1 / 1032 of its input (zlib, Technical Details).
-constexpr std::uint64_t kMostDeflated = 1032;
-
-/// The value of a Base64 digit, or -1.
-int base64_value(char digit) {
-  if (digit >= 'A' && digit <= 'Z') return digit - 'A';
-  if (digit >= 'a' && digit <= 'z') return digit - 'a' + 26;
-  if (digit >= '0' && digit <= '9') return digit - '0' + 52;
-  if (digit == '+') return 62;
-  return digit == '/' ? 63 : -1;
-}
-
-/// The bytes of an array, as they are or in Base64.
-class ArrayBytes {
- public:
-  ArrayBytes(std::string_view data, bool is_base64) : data_(data), is_base64_(is_base64) {}
-
-  /// Upper bound on the bytes that are left.
-  std::uint64_t most() const { return pending_.size() + data_.size(); }
-
-  /// The next bytes; fewer where the data end or hold anything but Base64.
-  std::string take(std::uint64_t count) {
-    if (!is_base64_) {
-      const std::string taken(data_.substr(0, count));
-      data_.remove_prefix(taken.size());
-      return taken;
-    }
-    std::string taken = std::move(pending_);
-    taken.reserve(std::min(count, most()) + 2);
-    while (taken.size() < count && decode_four(taken)) continue;
-    pending_ = taken.size() > count ? taken.substr(count) : "";
-    taken.resize(std::min<std::uint64_t>(count, taken.size()));
-    return taken;
-  }
-
- private:
-  /// Appends what the next four digits stand for: three bytes, or fewer where padding follows.
-  bool decode_four(std::string& bytes) {
-    std::uint32_t bits = 0;
-    int digits = 0, padding = 0;
-    while (digits + padding < 4 && !data_.empty()) {
-      const char c = data_.front();
-      data_.remove_prefix(1);
-      if (c == ' ' || (c >= '\t' && c <= '\r')) continue;
-      const int value = c == '=' ? 0 : base64_value(c);
-      if (value < 0 || (c != '=' && padding > 0)) return false;
-      (c == '=' ? padding : digits)++;
-      bits = bits << 6 | std::uint32_t(value);
-    }
-    if (digits + padding < 4 || padding > 2) return false;
-    for (int i = 0; i < 3 - padding; ++i) bytes += static_cast<char>(bits >> (16 - 8 * i));
-    return true;
-  }
-
-  std::string_view data_;  // what is left
-  bool is_base64_;
-  std::string pending_;  // decoded and not taken
-};
-
 class VtpParser {
  public:
   VtpParser(std::string_view bytes, std::string_view name)
-      : soup_(name), limit_(bytes.size(), name), bytes_(bytes), text_(bytes) {}
+      : name_(name), soup_(name), limit_(bytes.size(), name), bytes_(bytes), text_(bytes) {}
 
   PolygonSoup parse() {
     load_document();
@@ -157,7 +94,7 @@ class VtpParser {
 
   std::vector<double> read_array(pugi::xml_node array, std::string_view what) {
     const std::string_view format = array.attribute("format").value();
-    if (format.empty() || format == "ascii") return parse_text(array.child_value(), what);
+    if (format.empty() || format == "ascii") return parse_array_text(array.child_value(), what, name_);
     auto type = find_vtk_type(array.attribute("type").value());
     if (!type || (format != "binary" && format != "appended")) {
       soup_.refuse(fmt::format("an array of {} has the format {} and the type {}", what, quoted(format),
@@ -176,19 +113,6 @@ class VtpParser {
   std::vector<double> to_numbers(const StoredNumber& type, const std::string& bytes) {
     limit_.spend(bytes.size() / type.size * sizeof(double));
     return type.read_all(bytes);
-  }
-
-  std::vector<double> parse_text(std::string_view text, std::string_view what) {
-    constexpr std::string_view kBlank = " \t\r\n\v\f";
-    std::vector<double> numbers;
-    for (std::size_t at = text.find_first_not_of(kBlank); at < text.size(); at = text.find_first_not_of(kBlank, at)) {
-      const std::string_view token = text.substr(at, text.find_first_of(kBlank, at) - at);
-      const auto number = parse_double(token);
-      if (!number) soup_.refuse(fmt::format("{} is no number in an array of {}", quoted(token), what));
-      numbers.push_back(*number);
-      at += token.size();
-    }
-    return numbers;
   }
 
   /// The bytes of an array behind its header, unpacked.
@@ -217,30 +141,19 @@ class VtpParser {
     for (std::uint64_t& bytes : packed) bytes = read_word(data, what);
     std::string content;
     for (std::uint64_t b = 0; b < blocks; ++b) {
-      append_block(content, data.take(packed[b]), b + 1 == blocks && last != 0 ? last : size, what);
+      const std::uint64_t made = b + 1 == blocks && last != 0 ? last : size;
+      if (!append_inflated(content, data.take(packed[b]), made, limit_)) {
+        soup_.refuse(fmt::format("a compressed array of {} is damaged", what));
+      }
     }
     return content;
-  }
-
-  void append_block(std::string& content, const std::string& packed, std::uint64_t size, std::string_view what) {
-    const std::size_t begin = content.size();
-    uLongf made = 0;
-    int status = Z_DATA_ERROR;
-    if (size <= kMostDeflated * packed.size()) {
-      limit_.spend(size + packed.size());
-      content.resize(begin + size);
-      made = size;
-      status = uncompress(reinterpret_cast<Bytef*>(content.data() + begin), &made,
-                          reinterpret_cast<const Bytef*>(packed.data()), packed.size());
-    }
-    if (status == Z_MEM_ERROR) throw std::bad_alloc();
-    if (status != Z_OK || made != size) soup_.refuse(fmt::format("a compressed array of {} is damaged", what));
   }
 
   [[noreturn]] void refuse_short(std::string_view what) const {
     soup_.refuse(fmt::format("an array of {} ends before its last byte, or is no Base64", what));
   }
 
+  std::string name_;
   VtkSoup soup_;
   ExpansionLimit limit_;
   std::string_view bytes_;
