@@ -14,18 +14,19 @@
 
 namespace gvd {
 
-enum class MeshFormat { obj, ply, off, stl, vtp, vtk, glb };
+enum class MeshFormat { obj, ply, off, stl, vtp, vtk, glb, gii, fs };
 inline const Choices<MeshFormat> kMeshFormatNames{
-    {"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off}, {"stl", MeshFormat::stl},
-    {"vtp", MeshFormat::vtp}, {"vtk", MeshFormat::vtk}, {"glb", MeshFormat::glb}};
+    {"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off},
+    {"stl", MeshFormat::stl}, {"vtp", MeshFormat::vtp}, {"vtk", MeshFormat::vtk},
+    {"glb", MeshFormat::glb}, {"gii", MeshFormat::gii}, {"fs", MeshFormat::fs}};
 
 /// The format that a file name's extension, or a bare name such as "ply", stands for, in upper or lower case; nothing
 /// for any other name. An extension .gz behind it is ignored.
 std::optional<MeshFormat> format_from_extension(std::string_view name);
 
-/// The format of a file. The content decides first. GLB, VTP and VTK begin with a mark, PLY and OFF with a first line.
-/// STL is known by its length or first word, OBJ by its first statement. Otherwise the extension of `name` decides.
-/// Nothing where neither is known. The content of a gzip file says nothing.
+/// The format of a file. The content decides first. GLB, VTP, VTK, GIFTI and FreeSurfer's surfaces begin with a mark,
+/// PLY and OFF with a first line. STL is known by its length or first word, OBJ by its first statement. Otherwise the
+/// extension of `name` decides. Nothing where neither is known. The content of a gzip file says nothing.
 /// Cost: O(1), and O(length) of leading comments.
 std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name);
 
@@ -50,8 +51,9 @@ struct PolygonSoup {
 /// Throws Error{precondition} for a corner that is no vertex. Cost: O(n).
 PolygonSoup make_soup(std::span<const double> coordinates, std::span<const std::int64_t> corners, std::size_t size = 3);
 
-/// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF), STL (ascii and binary), VTP, VTK or GLB.
-/// VTK is the legacy format, with PolyData or the surface cells of an unstructured grid. Each may be packed by gzip.
+/// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF), STL (ascii and binary), VTP, VTK, GLB,
+/// GIFTI or FreeSurfer's triangles. VTK is the legacy format, with PolyData or the surface cells of an unstructured
+/// grid. Each may be packed by gzip.
 ///
 /// `format` overrides the detection. Numbers do not depend on the locale. Vertices and polygons keep their order.
 /// Properties: (1) every index is in range; (2) every coordinate is finite; (3) there is at least one polygon;

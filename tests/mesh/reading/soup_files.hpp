@@ -44,6 +44,16 @@ inline const std::string kVtp =
     "<DataArray Name=\"offsets\" type=\"Int32\" format=\"ascii\">3 6 9 12</DataArray></Polys>\n"
     "</Piece></PolyData></VTKFile>\n";
 
+inline const std::string kGifti =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE GIFTI SYSTEM \"gifti.dtd\">\n"
+    "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"2\"><MetaData/>\n"
+    "<DataArray Intent=\"NIFTI_INTENT_POINTSET\" DataType=\"NIFTI_TYPE_FLOAT32\" ArrayIndexingOrder=\"RowMajorOrder\" "
+    "Dimensionality=\"2\" Dim0=\"4\" Dim1=\"3\" Encoding=\"ASCII\" Endian=\"LittleEndian\">"
+    "<Data>0 0 0 1 1 0\n1 0 1 0 1 1</Data></DataArray>\n"
+    "<DataArray Intent=\"NIFTI_INTENT_TRIANGLE\" DataType=\"NIFTI_TYPE_INT32\" ArrayIndexingOrder=\"RowMajorOrder\" "
+    "Dimensionality=\"2\" Dim0=\"4\" Dim1=\"3\" Encoding=\"ASCII\" Endian=\"LittleEndian\">"
+    "<Data>0 1 2 0 3 1 0 2 3 1 3 2</Data></DataArray>\n</GIFTI>\n";
+
 /// `text` with the first `from`, which must be there, as `to`.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -76,6 +86,19 @@ inline std::string binary_ply(bool big_endian) {
     bytes += '\3';
     for (const std::int32_t v : soup.polygon(f)) bytes += bytes_of(v, big_endian);
   }
+  return bytes;
+}
+
+inline std::string freesurfer_surface() {
+  std::string bytes =
+      "\xff\xff\xfe"
+      "created by hand\n\n" +
+      bytes_of(std::int32_t{4}, true) + bytes_of(std::int32_t{4}, true);
+  const PolygonSoup soup = parse_soup(kOff, MeshFormat::off, "off");
+  for (const Vec3& p : soup.positions) {
+    for (const double x : p) bytes += bytes_of(static_cast<float>(x), true);
+  }
+  for (const std::int32_t v : soup.corners) bytes += bytes_of(v, true);
   return bytes;
 }
 

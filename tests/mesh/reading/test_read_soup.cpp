@@ -31,7 +31,9 @@ std::vector<Sample> samples() {
           {MeshFormat::stl, binary_stl()},
           {MeshFormat::vtp, kVtp},
           {MeshFormat::vtk, kVtk},
-          {MeshFormat::glb, glb_of(glb_description(2), glb_numbers())}};
+          {MeshFormat::glb, glb_of(glb_description(2), glb_numbers())},
+          {MeshFormat::gii, kGifti},
+          {MeshFormat::fs, freesurfer_surface()}};
 }
 
 // A file in a folder of its own; the folder is removed with it.
@@ -97,8 +99,9 @@ TEST_CASE("files are read whatever their extension, and refused with the reason"
   const TemporaryFile file("a.off", kPly);
   CHECK_THROWS_WITH(read_soup(file.path(), MeshFormat::off), Catch::Matchers::Contains("should be OFF, and is 'ply'"));
   require_file_refused(TemporaryFile("a.off", "").path(), "the file is empty");
-  require_file_refused(TemporaryFile("a.txt", "hello\n").path(),
-                       "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTK or GLB file");
+  require_file_refused(
+      TemporaryFile("a.txt", "hello\n").path(),
+      "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTK, GLB, GIFTI or FreeSurfer file");
   for (const char* name : {"a.obj", "a.obj.gz", "gz"}) {
     require_file_refused(TemporaryFile(name, "\x1f\x8b\x08").path(), "gzip's data end after 0 unpacked bytes");
     require_file_refused(TemporaryFile(name, "PK\x03\x04").path(), "the file is compressed by zip; unpack it first");

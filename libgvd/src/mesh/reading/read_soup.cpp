@@ -37,14 +37,6 @@ bool is_ply(std::string_view bytes) {
   return bytes.size() > 3 && bytes.starts_with("ply") && std::string_view(" \t\v\f\r\n").find(bytes[3]) != bytes.npos;
 }
 
-/// Whether the first element of an XML document is VTK's, within the first kilobytes.
-bool is_vtp(std::string_view bytes) {
-  constexpr std::size_t kSearched = 4096;
-  bytes = bytes.substr(0, kSearched);
-  const std::size_t first = bytes.find_first_not_of("\xEF\xBB\xBF \t\r\n");
-  return first != bytes.npos && bytes[first] == '<' && bytes.find("<VTKFile") != bytes.npos;
-}
-
 bool is_obj_statement(std::string_view word) {
   constexpr std::array<std::string_view, 11> kStatements = {"v", "vn",     "vt",     "vp", "f", "o",
                                                             "g", "mtllib", "usemtl", "s",  "l"};
@@ -69,7 +61,8 @@ void unpack(std::string& bytes, std::string_view name) {
 PolygonSoup parse_unpacked(std::string_view bytes, MeshFormat format, std::string_view name) {
   if (bytes.empty()) refuse(name, "the file is empty");
   refuse_foreign(bytes, name);
-  constexpr std::array kReaders = {parse_obj, parse_ply, parse_off, parse_stl, parse_vtp, parse_vtk, parse_glb};
+  constexpr std::array kReaders = {parse_obj, parse_ply, parse_off,   parse_stl,       parse_vtp,
+                                   parse_vtk, parse_glb, parse_gifti, parse_freesurfer};
   PolygonSoup soup = kReaders[static_cast<int>(format)](bytes, name);
   if (soup.polygon_count() == 0) {
     refuse(name, fmt::format("the file has {} and no face; a surface is needed",
@@ -79,7 +72,22 @@ PolygonSoup parse_unpacked(std::string_view bytes, MeshFormat format, std::strin
   return soup;
 }
 
-std::string read_bytes(const std::filesystem::path& path) {
+}  // namespace
+
+std::optional<MeshFormat> format_from_extension(std::string_view name) {
+  if (to_lower(name).ends_with(kGzipExtension)) name.remove_suffix(kGzipExtension.size());
+  const std::size_t dot = name.rfind('.');
+  return value_in(kMeshFormatNames, to_lower(dot == name.npos ? name : name.substr(dot + 1)));
+}
+
+bool is_xml_of(std::string_view bytes, std::string_view element) {
+  constexpr std::size_t kSearched = 4096;
+  bytes = bytes.substr(0, kSearched);
+  const std::size_t first = bytes.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  return first != bytes.npos && bytes[first] == '<' && bytes.find(element) != bytes.npos;
+}
+
+std::string read_file_bytes(const std::filesystem::path& path) {
   const std::string name = path.string();
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -94,19 +102,13 @@ std::string read_bytes(const std::filesystem::path& path) {
   return bytes;
 }
 
-}  // namespace
-
-std::optional<MeshFormat> format_from_extension(std::string_view name) {
-  if (to_lower(name).ends_with(kGzipExtension)) name.remove_suffix(kGzipExtension.size());
-  const std::size_t dot = name.rfind('.');
-  return value_in(kMeshFormatNames, to_lower(dot == name.npos ? name : name.substr(dot + 1)));
-}
-
 std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name) {
   if (is_ply(bytes)) return MeshFormat::ply;
   if (bytes.starts_with("glTF")) return MeshFormat::glb;
   if (bytes.starts_with("# vtk DataFile")) return MeshFormat::vtk;
-  if (is_vtp(bytes)) return MeshFormat::vtp;
+  if (bytes.starts_with(kFreeSurferSurface)) return MeshFormat::fs;
+  if (is_xml_of(bytes, "<VTKFile")) return MeshFormat::vtp;
+  if (is_xml_of(bytes, "<GIFTI")) return MeshFormat::gii;
   if (is_binary_stl(bytes)) return MeshFormat::stl;
   const std::string word = first_word(bytes);
   if (is_off_keyword(word)) return MeshFormat::off;
@@ -147,20 +149,21 @@ PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_vi
 
 PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format) {
   const std::string name = path.string();
-  const std::string bytes = read_bytes(path);
+  const std::string bytes = read_file_bytes(path);
   if (bytes.empty()) refuse(name, "the file is empty");
   if (!format) format = detect_format(bytes, name);
   if (!format) {
     refuse_foreign(bytes, name);
     refuse(name,
-           "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTK or GLB file; name the format");
+           "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTK, GLB, GIFTI or FreeSurfer "
+           "file; name the format");
   }
   return parse_unpacked(bytes, *format, name);
 }
 
 std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property) {
   const std::string name = path.string();
-  const std::string bytes = read_bytes(path);
+  const std::string bytes = read_file_bytes(path);
   if (bytes.empty() || detect_format(bytes, name) != MeshFormat::ply) return std::nullopt;
   return parse_ply_property(bytes, property, name);
 }
@@ -174,7 +177,7 @@ MeshAttributes parse_mesh_attributes(std::string_view bytes, MeshFormat format, 
 
 MeshAttributes read_mesh_attributes(const std::filesystem::path& path, std::optional<MeshFormat> format) {
   const std::string name = path.string();
-  const std::string bytes = read_bytes(path);
+  const std::string bytes = read_file_bytes(path);
   if (!format) format = detect_format(bytes, name);
   return format ? parse_mesh_attributes(bytes, *format, name) : MeshAttributes();
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gvd/mesh_property.hpp"
 #include "gvd/read_soup.hpp"
@@ -110,6 +112,30 @@ PolygonSoup parse_vtk(std::string_view bytes, std::string_view name);
 
 /// Binary glTF 2.0 (.glb): the triangles of its scene, where the nodes' transforms put them. Vertices are unwelded.
 PolygonSoup parse_glb(std::string_view bytes, std::string_view name);
+
+/// GIFTI: the points and triangles of a surface. Values, and transforms of coordinates, are left out and noted.
+PolygonSoup parse_gifti(std::string_view bytes, std::string_view name);
+
+/// FreeSurfer's surfaces of triangles; what follows the triangles is skipped.
+PolygonSoup parse_freesurfer(std::string_view bytes, std::string_view name);
+
+/// The first bytes of FreeSurfer's surfaces of triangles, and of its values of vertices.
+inline constexpr std::string_view kFreeSurferSurface = "\xff\xff\xfe", kFreeSurferValues = "\xff\xff\xff";
+
+/// The numbers of a GIFTI file that has one array of them, besides those of a surface.
+std::vector<double> parse_gifti_values(std::string_view bytes, std::string_view name);
+
+/// The values of vertices that FreeSurfer keeps in files such as lh.curv and lh.thickness.
+std::vector<double> parse_morphometry(std::string_view bytes, std::string_view name);
+
+/// The number of each vertex's region in the table of a FreeSurfer annotation; -1 where the table lacks its colour.
+std::vector<double> parse_annotation(std::string_view bytes, std::string_view name);
+
+/// Whether an XML document's first element is this one, given as "<NAME". It is looked for in the first kilobytes.
+bool is_xml_of(std::string_view bytes, std::string_view element);
+
+/// All bytes of a file, unpacked if gzip packed them. Throws Error{unreadable_input} where that is not possible.
+std::string read_file_bytes(const std::filesystem::path& path);
 
 /// Whether the file has exactly the length that the triangle count in its header asks for.
 bool is_binary_stl(std::string_view bytes);

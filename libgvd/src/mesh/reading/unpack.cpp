@@ -92,7 +92,7 @@ struct Mark {
   std::string_view meaning;
 };
 
-constexpr std::array<Mark, 15> kMarks{{
+constexpr std::array<Mark, 14> kMarks{{
     {"version https://git-lfs", "a Git LFS pointer; fetch the file that it stands for with 'git lfs pull'"},
     {"\x89PNG", "a PNG image; give the mesh"},
     {"\xff\xd8\xff", "a JPEG image; give the mesh"},
@@ -101,7 +101,6 @@ constexpr std::array<Mark, 15> kMarks{{
     {"\x7f"
      "ELF",
      "a program; give the mesh"},
-    {"\xff\xff\xfe", "a FreeSurfer surface; convert it to PLY or OBJ"},
     {"Kaydara FBX", "an FBX scene; export the mesh as GLB, PLY or OBJ"},
     {"BLENDER", "a Blender file; export the mesh as GLB, PLY or OBJ"},
     {"ISO-10303-21", "a STEP file; export a triangle mesh from the CAD program"},
@@ -150,9 +149,8 @@ std::string describe_content(std::string_view bytes) {
   }
   if (!begin.starts_with("<")) return "";
   const std::string_view root = root_element(bytes.substr(0, kSearchedBytes));
-  if (root == "VTKFile") return "";
-  if (root == "GIFTI") return "a GIFTI surface; convert it to PLY or OBJ";
-  return fmt::format("XML of the kind {}; of XML, only VTK's PolyData (.vtp) is read", quoted(root));
+  if (root == "VTKFile" || root == "GIFTI") return "";
+  return fmt::format("XML of the kind {}; of XML, only VTK's PolyData (.vtp) and GIFTI (.gii) are read", quoted(root));
 }
 
 }  // namespace gvd

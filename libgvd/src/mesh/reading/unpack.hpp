@@ -16,8 +16,9 @@ inline constexpr std::uint64_t kMostExpansion = 200, kFreeExpansion = 1 << 20;
 /// Counts what a file unfolds to, so that memory is bounded by the file's size.
 class ExpansionLimit {
  public:
-  ExpansionLimit(std::size_t file_bytes, std::string_view name)
-      : left_(kMostExpansion * file_bytes + kFreeExpansion), name_(name) {}
+  /// `free`: bytes that even the smallest file may unfold to.
+  ExpansionLimit(std::size_t file_bytes, std::string_view name, std::uint64_t free = kFreeExpansion)
+      : left_(kMostExpansion * file_bytes + free), name_(name) {}
 
   /// Throws Error{unreadable_input} where these bytes are too many.
   void spend(std::uint64_t bytes);

@@ -1,0 +1,188 @@
+// GIFTI (.gii): surfaces, and values of their vertices, in the XML that programs for brain images exchange.
+//
+// A document is a row of arrays, and the intent of each says what it holds. Points and triangles make a surface; all
+// others are values. Numbers are text, Base64, or zlib's data in Base64, which the format calls GZip.
+// The transform beside points leads to another space. It is left out and told, since the triangles' shapes are those
+// of the points as they are.
+// Source: GIFTI Surface Data Format, version 1.0 (January 2011).
+// Invariant: an array has as many numbers as its dimensions say, before anything is made of them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <pugixml.hpp>
+#include <utility>
+
+#include "gvd/error.hpp"
+#include "gvd/text.hpp"
+#include "mesh/reading/array_bytes.hpp"
+#include "mesh/reading/readers.hpp"
+#include "mesh/reading/vtk_soup.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr std::string_view kPoints = "NIFTI_INTENT_POINTSET", kTriangles = "NIFTI_INTENT_TRIANGLE";
+
+/// Bytes that a small file may unfold to. A map of one region packs much further than a mesh: 164,000 equal labels, of
+/// a hemisphere, take 880 digits of Base64, and 2 MB as bytes and numbers. Eight such hemispheres fit.
+constexpr std::uint64_t kFree = 1 << 24;
+
+std::string_view intent_of(pugi::xml_node array) { return array.attribute("Intent").value(); }
+
+class GiftiParser {
+ public:
+  GiftiParser(std::string_view bytes, std::string_view name)
+      : name_(name),
+        limit_(bytes.size(), name, kFree),
+        text_(bytes),
+        most_numbers_(kMostExpansion * bytes.size() + kFree) {
+    const pugi::xml_parse_result result = document_.load_buffer_inplace(text_.data(), text_.size());
+    if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
+    if (!result) refuse(fmt::format("byte {}: the XML is damaged: {}", result.offset, result.description()));
+    root_ = document_.child("GIFTI");
+    if (!root_) refuse("the XML has no element GIFTI");
+  }
+
+  PolygonSoup parse_surface() {
+    const pugi::xml_node points = find_array(kPoints), triangles = find_array(kTriangles);
+    VtkSoup soup(name_);
+    soup.add_points(read_rows_of_three(points));
+    VtkCells cells{{}, read_rows_of_three(triangles)};
+    for (std::size_t end = 3; end <= cells.corners.size(); end += 3) cells.ends.push_back(double(end));
+    soup.add_polygons(cells);
+    PolygonSoup made = soup.take();
+    note_transforms(points, made.notes);
+    const auto arrays = std::distance(root_.children("DataArray").begin(), root_.children("DataArray").end());
+    if (arrays > 2) made.notes.push_back(counted(arrays - 2, "array is left out", "arrays are left out"));
+    return made;
+  }
+
+  std::vector<double> parse_values() {
+    std::vector<pugi::xml_node> found;
+    for (const pugi::xml_node array : root_.children("DataArray")) {
+      if (intent_of(array) != kPoints && intent_of(array) != kTriangles) found.push_back(array);
+    }
+    if (found.size() != 1) {
+      refuse(fmt::format("the GIFTI file has {} of values; give one with a single array",
+                         counted(std::ssize(found), "array", "arrays")));
+    }
+    if (intent_of(found[0]) == "NIFTI_INTENT_NODE_INDEX") refuse("the GIFTI file has indices of vertices, no values");
+    const Shape shape = read_shape(found[0]);
+    if (shape.rows != shape.numbers) {
+      refuse(fmt::format("the GIFTI file has {} numbers for {}; give one for each", shape.numbers,
+                         counted(std::int64_t(shape.rows), "vertex", "vertices")));
+    }
+    return read_array(found[0], shape);
+  }
+
+ private:
+  struct Shape {
+    std::uint64_t rows = 0, numbers = 1;
+  };
+
+  pugi::xml_node find_array(std::string_view intent) const {
+    for (const pugi::xml_node array : root_.children("DataArray")) {
+      if (intent_of(array) == intent) return array;
+    }
+    refuse(fmt::format("the GIFTI file has no array {}; give a surface (.surf.gii)", intent));
+  }
+
+  /// The dimensions of an array, whose product is limited by the size of the file.
+  Shape read_shape(pugi::xml_node array) const {
+    Shape shape;
+    const std::uint64_t dimensions = std::min<std::uint64_t>(array.attribute("Dimensionality").as_ullong(), 6);
+    for (std::uint64_t i = 0; i < dimensions; ++i) {
+      const std::uint64_t size = array.attribute(fmt::format("Dim{}", i).c_str()).as_ullong();
+      if (i == 0) shape.rows = size;
+      if (size > most_numbers_ / std::max<std::uint64_t>(shape.numbers, 1)) refuse_count(array, size);
+      shape.numbers *= size;
+    }
+    if (dimensions == 0) refuse(fmt::format("an array {} has no dimensions", quoted(intent_of(array))));
+    return shape;
+  }
+
+  std::vector<double> read_rows_of_three(pugi::xml_node array) {
+    const Shape shape = read_shape(array);
+    if (shape.numbers != 3 * shape.rows) {
+      refuse(fmt::format("an array {} has {} numbers in {}; three in a row are needed", intent_of(array), shape.numbers,
+                         counted(std::int64_t(shape.rows), "row", "rows")));
+    }
+    std::vector<double> numbers = read_array(array, shape);
+    if (std::string_view(array.attribute("ArrayIndexingOrder").value()) != "ColumnMajorOrder") return numbers;
+    std::vector<double> by_row(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) by_row[i] = numbers[i % 3 * shape.rows + i / 3];
+    return by_row;
+  }
+
+  std::vector<double> read_array(pugi::xml_node array, const Shape& shape) {
+    const std::string_view encoding = array.attribute("Encoding").value();
+    const char* const text = array.child("Data").child_value();
+    if (encoding == "ExternalFileBinary") {
+      refuse(fmt::format("the numbers are in another file, {}; write all into one, with another encoding",
+                         quoted(array.attribute("ExternalFileName").value())));
+    }
+    std::vector<double> numbers = encoding == "ASCII" ? parse_array_text(text, intent_of(array), name_)
+                                                      : decode(array, encoding, ArrayBytes(text, true), shape.numbers);
+    if (numbers.size() != shape.numbers) refuse_count(array, numbers.size());
+    return numbers;
+  }
+
+  /// At most `count` numbers of a binary array; fewer where the data end or are damaged.
+  std::vector<double> decode(pugi::xml_node array, std::string_view encoding, ArrayBytes data, std::uint64_t count) {
+    constexpr std::string_view kPrefix = "NIFTI_TYPE_";
+    const std::string_view type_name = array.attribute("DataType").value();
+    auto type = type_name.starts_with(kPrefix) ? find_vtk_type(type_name.substr(kPrefix.size())) : std::nullopt;
+    if (!type || (encoding != "Base64Binary" && encoding != "GZipBase64Binary")) {
+      refuse(fmt::format("an array {} has the encoding {} and the type {}", quoted(intent_of(array)), quoted(encoding),
+                         quoted(type_name)));
+    }
+    type->big_endian = std::string_view(array.attribute("Endian").value()) == "BigEndian";
+    limit_.spend(count * sizeof(double));
+    if (encoding == "Base64Binary") return type->read_all(data.take(count * type->size));
+    std::string bytes;
+    if (!append_inflated(bytes, data.take(data.most()), count * type->size, limit_)) bytes.clear();
+    return type->read_all(bytes);
+  }
+
+  /// Tells of transforms that are not the identity.
+  void note_transforms(pugi::xml_node points, std::vector<std::string>& notes) const {
+    constexpr const char* kTransform = "CoordinateSystemTransformMatrix";
+    for (const pugi::xml_node transform : points.children(kTransform)) {
+      const std::vector<double> matrix = parse_array_text(transform.child_value("MatrixData"), kTransform, name_);
+      bool is_identity = matrix.size() == 16;
+      for (std::size_t i = 0; i < matrix.size() && is_identity; ++i) is_identity = matrix[i] == (i % 5 == 0 ? 1 : 0);
+      if (is_identity) continue;
+      notes.push_back(fmt::format("the transform of coordinates from {} to {} is left out",
+                                  quoted(transform.child_value("DataSpace")),
+                                  quoted(transform.child_value("TransformedSpace"))));
+    }
+  }
+
+  [[noreturn]] void refuse_count(pugi::xml_node array, std::uint64_t found) const {
+    refuse(fmt::format("an array {} with Dim0 {} and Dim1 {} has {} numbers, or is damaged", quoted(intent_of(array)),
+                       quoted(array.attribute("Dim0").value()), quoted(array.attribute("Dim1").value()), found));
+  }
+
+  [[noreturn]] void refuse(std::string_view message) const {
+    throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name_, message));
+  }
+
+  std::string name_;
+  ExpansionLimit limit_;
+  std::string text_;  // which the document refers to
+  std::uint64_t most_numbers_;
+  pugi::xml_document document_;
+  pugi::xml_node root_;
+};
+
+}  // namespace
+
+PolygonSoup parse_gifti(std::string_view bytes, std::string_view name) {
+  return GiftiParser(bytes, name).parse_surface();
+}
+
+std::vector<double> parse_gifti_values(std::string_view bytes, std::string_view name) {
+  return GiftiParser(bytes, name).parse_values();
+}
+
+}  // namespace gvd
