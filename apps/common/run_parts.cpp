@@ -43,9 +43,10 @@ PolygonSoup read(const InputOptions& input, std::string* standard_input) {
 
 /// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
 void check_formats(const OutputOptions& output, const Mesh& mesh) {
-  for (const std::string& file : output.files) {
-    const auto format = parse_output_format(format_of(output, file));
-    if (format) check_format(mesh, *format);
+  std::vector<std::string> formats = written_formats(output);
+  for (const auto& [option, file] : output.own) formats.push_back(file_extension(file));
+  for (const std::string& name : formats) {
+    if (const auto format = parse_output_format(name)) check_format(mesh, *format);
   }
 }
 
@@ -140,8 +141,9 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
   const auto known = parse_output_format(format);
   if (!known) throw Error(ErrorCode::invalid_option, "-o " + path + ": this command does not write ." + format);
   const LabelledMesh chosen = choose_content(run.options().output, mesh);
-  if (standard) return write_standard_output([&](std::ostream& out) { write_mesh(out, chosen, *known); });
-  write_mesh(path, chosen, run.progress());
+  const OutputWriter write = [&](std::ostream& out) { write_mesh(out, chosen, *known); };
+  if (standard) return write_standard_output(write);
+  *known == OutputFormat::obj ? write_mesh(path, chosen, run.progress()) : write_file(path, write, run.progress());
 }
 
 /// Writes the file of an option, which is empty where the option is not given.

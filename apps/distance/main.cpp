@@ -68,6 +68,12 @@ void check(const Options& options, const OwnOptions& own) {
         "and "
         "--paths");
   }
+  if (has_targets && writes(options, {"shape.gii", "curv"})) {
+    refuse("--to: .shape.gii and .curv hold a distance for each vertex; write .npy, .csv or .json, or leave --to out");
+  }
+  if (own.each && writes(options, {"curv"})) {
+    refuse("--each: .curv holds one distance for each vertex; write .shape.gii, .npy, .csv or .json");
+  }
   const bool holds_curves =
       has_view || !options.output.report.empty() || writes(options, {"obj", "vtp", "vtu", "json"});
   if (own.isolines && !holds_curves) {
@@ -292,7 +298,9 @@ void write_files(Run& run, const Mesh& mesh, const DistanceTable& table, Labelle
       run, output,
       {{"npy", [&](std::ostream& out) { write_distances_npy(out, table); }},
        {"csv", [&](std::ostream& out) { has_paths ? write_paths_csv(out, table) : write_distances_csv(out, table); }},
-       {"json", [&](std::ostream& out) { write_distances_json(out, mesh, table); }}});
+       {"json", [&](std::ostream& out) { write_distances_json(out, mesh, table); }},
+       {"shape.gii", [&](std::ostream& out) { write_distances_gifti(out, table); }},
+       {"curv", [&](std::ostream& out) { write_distances_freesurfer(out, table, mesh.face_count()); }}});
 }
 
 /// One field for the nearest source.
@@ -357,7 +365,7 @@ int main(int argc, char** argv) {
   Command command({"gvd-distance",
                    "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
                    kExamples,
-                   {{"npy", "csv", "ply", "vtp", "vtu", "obj", "json"}, false},
+                   {{"npy", "csv", "ply", "vtp", "vtu", "obj", "json", "shape.gii", "curv"}, false},
                    register_distance_options});
   command.line().option_defaults()->group("Distances");
   add_flag(command.line(), "--each", own.each, "Measure from each source alone, instead of from the nearest one");

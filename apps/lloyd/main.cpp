@@ -377,7 +377,8 @@ int main(int argc, char** argv) {
   Command command({"gvd-lloyd",
                    "Moves generators to the geodesic centroids of their cells until they stop moving.",
                    kExamples,
-                   {{"txt", "csv", "json", "ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb"}}});
+                   {{"txt", "csv", "json", "ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb", "surf.gii",
+                     "label.gii", "shape.gii", "fs", "annot", "curv"}}});
   register_relaxation(command.line(), own);
   register_constraints(command.line(), own.constraints);
   command.add_target("--points", "Write the generators with normals, barycentric coordinates, areas and energies");

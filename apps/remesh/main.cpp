@@ -234,11 +234,11 @@ int main(int argc, char** argv) {
   using namespace gvd;
   using namespace gvd::app;
   Settings settings;
-  Command command(
-      {"gvd-remesh",
-       "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
-       kExamples,
-       {{"ply", "obj", "off", "stl", "vtp", "vtu", "glb", "json"}, false}});  // the coarse mesh has no labels
+  Command command({"gvd-remesh",
+                   "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
+                   kExamples,
+                   // the coarse mesh has no labels
+                   {{"ply", "obj", "off", "stl", "vtp", "vtu", "glb", "json", "surf.gii", "fs"}, false}});
   register_settings(command, settings);
   command.add_target(
       kMap, "Write the point of INPUT for each output vertex, and the point of the output for each input vertex");

@@ -57,6 +57,7 @@ void report_options(Run& run, const OwnOptions& own, const SegmentOptions& optio
   reported["stats"] = file("--stats");
   reported["adjacency"] = file("--adjacency");
   reported["face_labels"] = file("--face-labels");
+  reported["vertex_labels"] = file("--vertex-labels");
   reported["vertex_distances"] = file("--vertex-distances");
   reported["labels"] = own.cut ? nullptr : Json(name_in(kFaceLabelNames, options.labels));
   report_weight_options(run, own.weights);
@@ -87,17 +88,28 @@ void report_regions(Run& run, const Mesh& mesh, const IdVector<FaceId, Generator
   }
 }
 
-/// The labels of the faces and the distances of the vertices, each as an array or as a table.
+/// The labels of the faces and vertices, and the distances of the vertices: each as an array, as a table, or in a
+/// format of meshes that holds nothing else.
 void write_arrays(Run& run, const LabelledMesh& output) {
-  const auto is_csv = [&](const char* option) { return file_extension(run.options().output.own.at(option)) == "csv"; };
-  write_own_file(run, "--face-labels", [&](std::ostream& out) {
-    is_csv("--face-labels") ? write_labels_csv(out, *output.face_label) : write_labels_npy(out, *output.face_label);
-  });
-  write_own_file(run, "--vertex-distances", [&](std::ostream& out) {
-    const IdVector<VertexId, double>& distance = *output.vertex_distance;
-    const DistanceTable table{.rows = {distance.raw()}, .nearest = output.vertex_label->raw()};
-    is_csv("--vertex-distances") ? write_distances_csv(out, table) : write_distances_npy(out, table);
-  });
+  const DistanceTable distances{.rows = {output.vertex_distance->raw()}, .nearest = output.vertex_label->raw()};
+  const auto write = [&](const char* option, const OutputWriter& write_npy, const OutputWriter& write_csv) {
+    write_own_file(run, option, [&](std::ostream& out) {
+      const std::string extension = file_extension(run.options().output.own.at(option));
+      if (extension == "csv") return write_csv(out);
+      if (!contains({"label.gii", "annot", "shape.gii", "curv"}, extension)) return write_npy(out);
+      write_mesh(out, output, *parse_output_format(extension));
+    });
+  };
+  const auto write_labels = [&](const char* option, const std::vector<GeneratorId>& labels, const char* element) {
+    write(
+        option, [&](std::ostream& out) { write_labels_npy(out, labels); },
+        [&](std::ostream& out) { write_labels_csv(out, labels, element); });
+  };
+  write_labels("--face-labels", output.face_label->raw(), "face");
+  write_labels("--vertex-labels", output.vertex_label->raw(), "vertex");
+  write(
+      "--vertex-distances", [&](std::ostream& out) { write_distances_npy(out, distances); },
+      [&](std::ostream& out) { write_distances_csv(out, distances); });
 }
 
 void write_files(Run& run, const LabelledMesh& output, const OutputWriter& write_json) {
@@ -188,7 +200,8 @@ int main(int argc, char** argv) {
   Command command({"gvd-segment",
                    "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
                    kExamples,
-                   {{"ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb", "json"}}});
+                   {{"ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb", "json", "surf.gii", "label.gii",
+                     "shape.gii", "fs", "annot", "curv"}}});
   command.line().option_defaults()->group("Regions");
   add_flag(command.line(), "--cut", own.cut, "Split faces along the bisectors instead of labelling whole faces");
   add_choice(command.line(), "--labels", own.labels, kFaceLabelNames,
@@ -197,6 +210,8 @@ int main(int argc, char** argv) {
       ->excludes("--cut");
   add_weight_options(command.line(), own.weights);
   command.add_target("--face-labels", "Write the label of each face, in the order of the faces in .ply (-1 for none)");
+  command.add_target("--vertex-labels",
+                     "Write the nearest generator of each vertex, in the order of the vertices in .ply (-1 for none)");
   command.add_target("--vertex-distances",
                      "Write the distance of each vertex from its generator, in the order of the vertices in .ply; .csv "
                      "has the generators, too");

@@ -85,7 +85,9 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
   const bool into_folder = !options.output.folder.empty();
   check_commands(options.input.path);
   if (options.input.path == "-" && !options.input.format) {
-    refuse("standard input has no extension: name its format with --input-format obj, ply, off, stl, vtp, vtk or glb");
+    refuse(
+        "standard input has no extension: name its format with --input-format obj, ply, off, stl, vtp, vtk, glb, "
+        "gii or fs");
   }
   if (piped.size() > 1) {
     refuse(fmt::format("{} and {} are both standard input, which holds one of them: name a file for the other",
@@ -157,7 +159,7 @@ void check_standard_output(const OutputOptions& output) {
   }
   const std::string format = format_of(output, "-");
   const bool is_binary =
-      (format == "ply" && !output.ascii_ply) || format == "stl" || format == "glb" || format == "npy";
+      (format == "ply" && !output.ascii_ply) || contains({"stl", "glb", "npy", "fs", "annot", "curv"}, format);
   if (is_binary && ::isatty(STDOUT_FILENO) == 1) {
     refuse(
         fmt::format("-o -: .{0} is binary, and standard output is a terminal; redirect it, as in > a.{0}, or choose "
@@ -207,9 +209,9 @@ class Targets {
   std::set<std::string> names_;
 };
 
-void check_extension(const std::string& file, const std::vector<std::string>& extensions) {
+void check_extension(const OutputOptions& output, const std::string& file, const std::vector<std::string>& extensions) {
   if (file.empty()) refuse("-o: the file name is empty; name a file");
-  if (file == "-" || contains(extensions, file_extension(file))) return;
+  if (file == "-" || contains(extensions, format_of(output, file))) return;
   refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(extensions, ", .")));
 }
 
@@ -282,7 +284,7 @@ void check_outputs(const Options& options, const OutputFormats& formats) {
   if (!output.folder.empty()) return check_folder(options, formats);
   Targets targets(options);
   for (const std::string& file : output.files) {
-    check_extension(file, formats.extensions);
+    check_extension(output, file, formats.extensions);
     targets.claim_with_materials("-o", file, formats);
   }
   targets.claim("--report", output.report);
@@ -308,7 +310,9 @@ std::vector<Options> plan_runs(const Options& options) {
     run.input.path = path;
     if (options.output.folder.empty()) continue;
     const fs::path name = fs::path(path).filename(), unpacked = file_extension(path) == "gz" ? name.stem() : name;
-    const std::string stem = (fs::path(options.output.folder) / unpacked.stem()).string();
+    const bool is_surface = unpacked.extension() == ".gii" && unpacked.stem().extension() == ".surf";
+    const fs::path bare = is_surface ? unpacked.stem().stem() : unpacked.stem();
+    const std::string stem = (fs::path(options.output.folder) / bare).string();
     for (const std::string& format : options.output.formats) run.output.files.push_back(stem + '.' + format);
     if (options.output.views) run.output.view = stem + ".html";
   }

@@ -115,6 +115,17 @@ void apply_rules(const std::vector<ValueRule>& rules, const ConfigFile& file) {
   }
 }
 
+/// Breaks names and a list of choices behind bars, where they are longer than a line.
+std::string break_at_bars(std::string title) {
+  for (std::size_t begin = 0; title.size() - begin > kHelpWidth;) {
+    const std::size_t bar = title.rfind('|', begin + kHelpWidth - 1);
+    if (bar == title.npos || bar <= begin) break;
+    title.insert(bar + 1, fmt::format("\n{:{}}", "", kDescriptionColumn));
+    begin = bar + 2;
+  }
+  return title;
+}
+
 }  // namespace
 
 std::optional<std::string> suggest_name(const std::string& wrong, const std::vector<std::string>& names) {
@@ -193,7 +204,7 @@ std::string HelpFormatter::make_line(const CLI::Option* option, const std::strin
   const std::string title = fmt::format("  {:{}}", names + type, kDescriptionColumn - 4);
   const std::string gap =
       title.size() + 2 <= kDescriptionColumn ? "  " : fmt::format("\n{:{}}", "", kDescriptionColumn);
-  return title + gap + wrap(description, kHelpWidth - kDescriptionColumn, kDescriptionColumn) + "\n";
+  return break_at_bars(title) + gap + wrap(description, kHelpWidth - kDescriptionColumn, kDescriptionColumn) + "\n";
 }
 
 std::optional<std::string> parse_command_line(CLI::App& app, const std::vector<ValueRule>& rules, int argc,

@@ -4,10 +4,9 @@
 #include "common/options/options.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "gvd/text.hpp"
+#include "gvd/io/mesh_writer.hpp"
 
 namespace gvd::app {
 namespace {
@@ -58,8 +57,11 @@ void add_output(Json& json, const Options& options) {
 }  // namespace
 
 std::string format_of(const OutputOptions& output, const std::string& file) {
-  if (file != "-") return file_extension(file);
-  return output.formats.empty() ? "" : output.formats.front();
+  const std::string asked = output.formats.empty() ? "" : output.formats.front();
+  if (file == "-") return asked;
+  const std::string extension = file_extension(file);
+  const bool is_known = parse_output_format(extension) || contains({"npy", "csv", "txt"}, extension);
+  return asked == kFreeSurfer && !is_known ? asked : extension;
 }
 
 std::vector<std::string> written_formats(const OutputOptions& output) {
@@ -98,10 +100,7 @@ Json to_json(const Options& options) {
   return json;
 }
 
-std::string file_extension(const std::string& path) {
-  const std::string dotted = std::filesystem::path(path).extension().string();
-  return dotted.empty() ? "" : to_lower(dotted.substr(1));
-}
+std::string file_extension(const std::string& path) { return format_extension(path); }
 
 bool contains(const std::vector<std::string>& texts, const std::string& text) {
   return std::find(texts.begin(), texts.end(), text) != texts.end();

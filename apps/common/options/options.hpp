@@ -104,7 +104,11 @@ struct ConstraintOptions {
   std::optional<std::int64_t> coarse;  ///< faces of a copy to relax on first; 0: none; nothing: by the mesh
 };
 
-/// The format of a file of `-o`: its extension, or for "-" that of standard output.
+/// FreeSurfer names its surfaces lh.white or rh.pial: for --output-format, this format takes any name.
+inline constexpr const char* kFreeSurfer = "fs";
+
+/// The format of a file of `-o`: its extension, or for "-" that of standard output. A name without a known extension is
+/// FreeSurfer's, where --output-format says so.
 std::string format_of(const OutputOptions& output, const std::string& file);
 
 /// The formats that a run writes to files of `-o`, to standard output, or into the folder.
@@ -123,7 +127,7 @@ nlohmann::ordered_json or_null(const std::string& text);
 /// The options as they were understood, defaults included; null for what was not given. For the report.
 nlohmann::ordered_json to_json(const Options& options);
 
-/// The extension of `path` in lower case, without its dot; empty where it has none.
+/// The extension of `path` in lower case, without its dot; empty where it has none. GIFTI's have two parts.
 std::string file_extension(const std::string& path);
 
 bool contains(const std::vector<std::string>& texts, const std::string& text);

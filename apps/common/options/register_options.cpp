@@ -31,8 +31,8 @@ void register_input(CLI::App& app, InputOptions& input) {
   };
   app.add_option_function<std::vector<std::string>>(
          "INPUT", store,
-         "The mesh (.obj, .ply, .off, .stl, .vtp, .vtk or .glb, each also with .gz), or - for standard input; several "
-         "inputs need --output-dir")
+         "The mesh (.obj, .ply, .off, .stl, .vtp, .vtk, .glb, .gii or FreeSurfer's, each also with .gz), or - for "
+         "standard input; several inputs need --output-dir")
       ->required()
       ->type_name("")
       ->check(not_empty("file"));
@@ -181,7 +181,8 @@ void register_output(CLI::App& app, OutputOptions& output, const Formats& format
   output.formats = {formats.front()};
   app.add_option(
          "--output-format", output.formats,
-         fmt::format("Format of -o - or --output-dir (default: {}); --output-dir takes several, separated by commas",
+         fmt::format("Format of -o - or --output-dir (default: {}); --output-dir takes several, separated by commas. "
+                     "With fs, -o takes any name, such as lh.white",
                      formats.front()))
       ->allow_extra_args(false)
       ->delimiter(',')
@@ -243,7 +244,10 @@ ValueRule curves_rule(CLI::App& app, OutputOptions& output) {
 std::vector<ValueRule> output_rules(CLI::App& app, OutputOptions& output) {
   const auto at = [&app](const char* name) { return app.get_option(name); };
   const auto no_format = [&output]() -> std::string {
-    if (!output.folder.empty() || contains(output.files, "-")) return "";
+    const auto is_chosen = [&](const std::string& file) {
+      return file == "-" || format_of(output, file) == kFreeSurfer;
+    };
+    if (!output.folder.empty() || std::any_of(output.files.begin(), output.files.end(), is_chosen)) return "";
     return "--output-format does nothing here: add -o - or --output-dir, or leave --output-format out";
   };
   const auto no_ply = [&output] {
@@ -312,7 +316,8 @@ void register_constraints(CLI::App& app, ConstraintOptions& constraints) {
            "Put generators on the boundary first and keep them there");
   app.add_option("--density", constraints.density,
                  "Weight of the surface, above 0, which makes cells smaller where it is larger: 'curvature', a file "
-                 "with a number for each vertex or each face, or the name of a property of a PLY input")
+                 "with a number for each vertex or each face (text, .npy, .shape.gii or FreeSurfer's), or the name of "
+                 "a property of a PLY input")
       ->type_name("curvature|FILE|PROPERTY");
   add_number(
       app, "--gradation", constraints.gradation, kGradation,

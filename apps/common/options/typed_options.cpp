@@ -72,17 +72,19 @@ CLI::Validator not_empty(const std::string& kind) {
 }
 
 const std::vector<std::string>& side_extensions(const std::string& option) {
-  static const std::map<std::string, std::vector<std::string>> kExtensions{{"--adjacency", {"graphml"}},
-                                                                           {"--diagram", {"json"}},
-                                                                           {"--face-labels", {"npy", "csv"}},
-                                                                           {"--map", {"json"}},
-                                                                           {"--points", {"ply", "xyz", "npy"}},
-                                                                           {"--report", {"json"}},
-                                                                           {"--stats", {"csv"}},
-                                                                           {"--summary", {"csv"}},
-                                                                           {"--trace", {"csv"}},
-                                                                           {"--vertex-distances", {"npy", "csv"}},
-                                                                           {"--view", {"html", "htm"}}};
+  static const std::map<std::string, std::vector<std::string>> kExtensions{
+      {"--adjacency", {"graphml"}},
+      {"--diagram", {"json"}},
+      {"--face-labels", {"npy", "csv"}},
+      {"--map", {"json"}},
+      {"--points", {"ply", "xyz", "npy"}},
+      {"--report", {"json"}},
+      {"--stats", {"csv"}},
+      {"--summary", {"csv"}},
+      {"--trace", {"csv"}},
+      {"--vertex-distances", {"npy", "csv", "shape.gii", "curv"}},
+      {"--vertex-labels", {"npy", "csv", "label.gii", "annot"}},
+      {"--view", {"html", "htm"}}};
   return kExtensions.at(option);
 }
 

@@ -268,4 +268,63 @@ TEST_CASE("gvd-segment: NumPy's arrays have one value for each element, and othe
                 "the extension must be one of .npy, .csv");
 }
 
+TEST_CASE("gvd-segment: labels and distances of vertices go to arrays, tables, GIFTI and FreeSurfer's files") {
+  const ScratchFolder scratch;
+  const auto file = [&](const char* name) { return scratch / name; };
+  const std::string line = data_file("figure.obj") + " -q -n 20 ";
+  REQUIRE(run_command("gvd-segment", line + "-o " + file("a.json") + " -o " + file("a.label.gii") + " -o " +
+                                         file("a.shape.gii") + " -o " + file("lh.annot") + " -o " + file("lh.curv") +
+                                         " --vertex-labels " + file("v.csv"))
+              .exit_code == 0);
+  std::string vertices = "vertex,label\n";
+  const auto output = nlohmann::json::parse(read_text(file("a.json")));
+  const std::size_t count = output["vertex_labels"].size();
+  for (std::size_t v = 0; v < count; ++v) {
+    vertices += fmt::format("{},{}\n", v, output["vertex_labels"][v].get<int>());
+  }
+  CHECK(read_text(file("v.csv")) == vertices);
+  for (const auto& [labels, distances, as_labels, as_distances] :
+       {std::array{"b.label.gii", "b.shape.gii", "a.label.gii", "a.shape.gii"},
+        std::array{"b.annot", "b.curv", "lh.annot", "lh.curv"}}) {
+    REQUIRE(
+        run_command("gvd-segment", line + "--vertex-labels " + file(labels) + " --vertex-distances " + file(distances))
+            .exit_code == 0);
+    CHECK(read_text(file(labels)) == read_text(file(as_labels)));
+    CHECK(read_text(file(distances)) == read_text(file(as_distances)));
+  }
+  REQUIRE(run_command("gvd-segment", line + "--vertex-labels " + file("v.npy")).exit_code == 0);
+  CHECK(read_text(file("v.npy")).size() == 128 + 4 * count);
+  require_error("gvd-segment", line + "--vertex-labels " + file("v.gii"), 2,
+                "the extension must be one of .npy, .csv, .label.gii, .annot");
+  require_error("gvd-segment", line + "-o " + file("v.txt"), 2, ".surf.gii, .label.gii, .shape.gii, .fs");
+}
+
+TEST_CASE("gvd-segment: FreeSurfer's surfaces have any name, and all surfaces give the same regions") {
+  const ScratchFolder scratch;
+  const auto file = [&](const char* name) { return scratch / name; };
+  REQUIRE(run_command("gvd-segment", data_file("figure.obj") + " -q -n 20 -o " + file("lh.white") + " -o " +
+                                         file("a.surf.gii") + " -o " + file("a.ply") + " --output-format fs")
+              .exit_code == 0);
+  REQUIRE(run_command("gvd-segment", data_file("figure.obj") + " -q -n 20 -o - --output-format fs > " + file("b"))
+              .exit_code == 0);
+  CHECK(read_text(file("b")) == read_text(file("lh.white")));
+  for (const char* input : {"lh.white", "a.surf.gii"}) {
+    REQUIRE(run_command("gvd-segment",
+                        file(input) + " -q -n 20 -o " + file("again.surf.gii") + " -o " + file(input) + ".label.gii")
+                .exit_code == 0);
+    CHECK(read_text(file("again.surf.gii")) == read_text(file("a.surf.gii")));
+  }
+  CHECK(read_text(file("lh.white.label.gii")) == read_text(file("a.surf.gii.label.gii")));
+  REQUIRE(run_command("gvd-segment", file("lh.white") + " " + file("a.surf.gii") + " -q -n 5 --output-format " +
+                                         "surf.gii,annot --output-dir " + file("out"))
+              .exit_code == 0);
+  for (const char* made : {"out/lh.surf.gii", "out/lh.annot", "out/a.surf.gii", "out/a.annot"}) {
+    CHECK(std::filesystem::exists(file(made)));
+  }
+  require_error("gvd-segment", data_file("figure.obj") + " -n 5 -o " + file("lh.white"), 2,
+                "the extension must be one of");
+  require_error("gvd-segment", data_file("figure.obj") + " -n 5 -o " + file("c.ply") + " --output-format fs", 2,
+                "--output-format does nothing here");
+}
+
 }  // namespace gvd::test_segment_command

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <ostream>
+#include <string_view>
 #include <vector>
 
 #include "gvd/exact_field.hpp"
@@ -13,10 +14,10 @@
 
 namespace gvd {
 
-/// Writes the labels of faces: as an array of 32-bit integers, or as a table with the columns face and label. -1 where
-/// there is none.
-void write_labels_npy(std::ostream& out, const IdVector<FaceId, GeneratorId>& labels);
-void write_labels_csv(std::ostream& out, const IdVector<FaceId, GeneratorId>& labels);
+/// Writes labels: as an array of 32-bit integers, or as a table with the columns `element`, which is face or vertex,
+/// and label. -1 where there is none.
+void write_labels_npy(std::ostream& out, const std::vector<GeneratorId>& labels);
+void write_labels_csv(std::ostream& out, const std::vector<GeneratorId>& labels, std::string_view element);
 
 /// A shortest path from a point that distances were asked for.
 struct TargetPath {
@@ -49,6 +50,11 @@ void write_distances_npy(std::ostream& out, const DistanceTable& table);
 /// Writes a line for each distance, with the columns source, vertex or target, and distance; -1 and inf where no source
 /// reaches.
 void write_distances_csv(std::ostream& out, const DistanceTable& table);
+
+/// Writes the distances of the vertices as 32-bit floats: GIFTI, with an array for each row, or FreeSurfer's values, of
+/// the first row. `faces`: of the mesh.
+void write_distances_gifti(std::ostream& out, const DistanceTable& table);
+void write_distances_freesurfer(std::ostream& out, const DistanceTable& table, std::int32_t faces);
 
 /// Writes a line for each point of each path, with the columns path, source, target, length, face, b0, b1, b2, x, y, z.
 void write_paths_csv(std::ostream& out, const DistanceTable& table);

@@ -19,13 +19,45 @@
 namespace gvd {
 
 /// The file formats of a mesh or diagram that is written. docs/guide/formats.md says what each one carries.
-enum class OutputFormat { ply, obj, off, coff, stl, vtp, vtu, glb, json };
-inline const Choices<OutputFormat> kOutputFormatNames{
-    {"ply", OutputFormat::ply},   {"obj", OutputFormat::obj}, {"off", OutputFormat::off},
-    {"coff", OutputFormat::coff}, {"stl", OutputFormat::stl}, {"vtp", OutputFormat::vtp},
-    {"vtu", OutputFormat::vtu},   {"glb", OutputFormat::glb}, {"json", OutputFormat::json}};
+enum class OutputFormat {
+  ply,
+  obj,
+  off,
+  coff,
+  stl,
+  vtp,
+  vtu,
+  glb,
+  json,
+  gifti_surface,
+  gifti_labels,  ///< labels of vertices alone
+  gifti_values,  ///< distances of vertices alone
+  freesurfer_surface,
+  freesurfer_labels,  ///< as an annotation
+  freesurfer_values,
+};
+inline const Choices<OutputFormat> kOutputFormatNames{{"ply", OutputFormat::ply},
+                                                      {"obj", OutputFormat::obj},
+                                                      {"off", OutputFormat::off},
+                                                      {"coff", OutputFormat::coff},
+                                                      {"stl", OutputFormat::stl},
+                                                      {"vtp", OutputFormat::vtp},
+                                                      {"vtu", OutputFormat::vtu},
+                                                      {"glb", OutputFormat::glb},
+                                                      {"json", OutputFormat::json},
+                                                      {"surf.gii", OutputFormat::gifti_surface},
+                                                      {"label.gii", OutputFormat::gifti_labels},
+                                                      {"shape.gii", OutputFormat::gifti_values},
+                                                      {"fs", OutputFormat::freesurfer_surface},
+                                                      {"annot", OutputFormat::freesurfer_labels},
+                                                      {"curv", OutputFormat::freesurfer_values}};
 
-/// The format of an extension, with or without its dot, in upper or lower case.
+/// The extension that chooses the format of a file, in lower case and without its dot. GIFTI has three: label.gii,
+/// shape.gii, also for .func.gii, and surf.gii for any other name that ends in .gii.
+std::string format_extension(const std::filesystem::path& path);
+
+/// The format of an extension, with or without its dot, in upper or lower case: surf.gii, label.gii and shape.gii are
+/// GIFTI's; fs, annot and curv are FreeSurfer's.
 std::optional<OutputFormat> parse_output_format(std::string_view extension);
 
 /// The format that a file's name asks for. Throws Error{invalid_option} that lists the known extensions.
@@ -73,9 +105,9 @@ inline LabelledMesh label_mesh(const Mesh& mesh, const Diagram& diagram, const I
 /// In OBJ the stream holds the geometry and the groups, without materials.
 /// Distances in PLY are floats, or doubles where a float can't hold one of them.
 /// Throws Error{precondition} where the length of an array is not the number of elements.
-/// Throws Error{invalid_option} for JSON without a diagram.
-/// Throws Error{unwritable_output} where the stream fails or the format can't hold the mesh: STL and GLB have 32-bit
-/// floats, GLB at most 4 GiB.
+/// Throws Error{invalid_option} for JSON without a diagram, and for formats of labels or distances without them.
+/// Throws Error{unwritable_output} where the stream fails or the format can't hold the mesh: STL, GLB, GIFTI and
+/// FreeSurfer's have 32-bit floats, GLB at most 4 GiB.
 /// Cost: O(n) time; memory O(n) for the order of the faces by label, O(1) without labels.
 void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format);
 

@@ -55,6 +55,13 @@ class ByteWriter {
     append(bytes.data(), bytes.size());
   }
 
+  template <class T>
+  void big_endian(T value) {
+    auto bytes = little_endian(value);
+    std::reverse(bytes.begin(), bytes.end());
+    append(bytes.data(), bytes.size());
+  }
+
   /// Three numbers as 32-bit floats.
   template <class Vector>
   void floats(const Vector& v) {

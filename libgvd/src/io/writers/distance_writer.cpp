@@ -76,17 +76,17 @@ MeshCurve make_path_curve(const TargetPath& path, std::size_t index) {
 
 }  // namespace
 
-void write_labels_npy(std::ostream& stream, const IdVector<FaceId, GeneratorId>& labels) {
+void write_labels_npy(std::ostream& stream, const std::vector<GeneratorId>& labels) {
   ByteWriter out(stream);
   out.text(io::npy_header("<i4", {labels.size()}));
   for (const GeneratorId label : labels) out.binary(label.value());
   out.finish();
 }
 
-void write_labels_csv(std::ostream& stream, const IdVector<FaceId, GeneratorId>& labels) {
+void write_labels_csv(std::ostream& stream, const std::vector<GeneratorId>& labels, std::string_view element) {
   ByteWriter out(stream);
-  out.text("face,label\n");
-  for (const FaceId f : labels.ids()) out.print("{},{}\n", f.value(), labels[f].value());
+  out.print("{},label\n", element);
+  for (std::size_t i = 0; i < labels.size(); ++i) out.print("{},{}\n", i, labels[i].value());
   out.finish();
 }
 

@@ -39,6 +39,29 @@ void write_vtu(std::ostream& stream, const ColoredMesh& mesh);
 /// line segments. The file can't exceed 4 GiB.
 void write_glb(std::ostream& stream, const ColoredMesh& mesh);
 
+/// GIFTI, arrays in Base64: positions as 32-bit floats and triangles; or the labels of vertices, with a table of their
+/// names and colours.
+void write_gifti_surface(std::ostream& stream, const ColoredMesh& mesh);
+void write_gifti_labels(std::ostream& stream, const ColoredMesh& mesh);
+
+/// FreeSurfer's surfaces of triangles, with 32-bit floats; and its annotations, version 2: a colour for each vertex,
+/// and a table of the regions.
+void write_freesurfer_surface(std::ostream& stream, const ColoredMesh& mesh);
+void write_annotation(std::ostream& stream, const ColoredMesh& mesh);
+
+/// A label of vertices as GIFTI and FreeSurfer have it: its number, from 1; 0 stands for no label.
+struct NumberedLabel {
+  std::int32_t number;
+  std::string name;
+  Rgb color;
+};
+
+inline std::int32_t label_number(GeneratorId label) { return label.valid() ? label.value() + 1 : 0; }
+
+/// The table of a mesh's labels of vertices: no label, which both formats call ???, and then all that the diagram or
+/// the vertices have. Throws Error{invalid_option} where the vertices have no labels; `format` is for the message.
+std::vector<NumberedLabel> number_labels(const ColoredMesh& mesh, std::string_view format);
+
 /// Throws Error{unwritable_output} where 32-bit floats can't hold the mesh: a coordinate is too large for one, or the
 /// whole mesh lies between two of them. `format` is the name of the file format, for the message. Cost: O(n).
 void check_single_precision(const Mesh& mesh, std::string_view format);

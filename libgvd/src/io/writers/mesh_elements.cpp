@@ -151,6 +151,18 @@ std::vector<OutputLine> collect_lines(const LabelledMesh& mesh) {
   return lines;
 }
 
+std::vector<NumberedLabel> number_labels(const ColoredMesh& mesh, std::string_view format) {
+  if (mesh.vertex_label == nullptr) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("{} holds labels of vertices, and there are none; choose another format", format));
+  }
+  std::vector<NumberedLabel> table{{0, "???", kUnlabelledColor}};
+  for (std::size_t i = 0; i < mesh.colors.size(); ++i) {
+    table.push_back({label_number(GeneratorId(i)), region_name(GeneratorId(i)), mesh.colors[i]});
+  }
+  return table;
+}
+
 ShadingVertices split_shading_vertices(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label) {
   return Splitter(mesh, label).run();
 }

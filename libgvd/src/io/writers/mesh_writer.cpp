@@ -39,6 +39,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/io/diagram_json.hpp"
+#include "gvd/io/distance_writer.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/text.hpp"
 #include "io/writers/byte_writer.hpp"
@@ -340,29 +341,73 @@ void write_json(std::ostream& out, const io::ColoredMesh& mesh) {
   write_diagram_json(out, mesh.diagram_mesh != nullptr ? *mesh.diagram_mesh : mesh.mesh, *mesh.diagram);
 }
 
+/// The distances of the vertices, for formats that hold nothing else.
+DistanceTable require_distances(const LabelledMesh& mesh, std::string_view format) {
+  if (mesh.vertex_distance != nullptr) return {.rows = {mesh.vertex_distance->raw()}};
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("{} holds distances of vertices, and there are none; choose another format", format));
+}
+
+void write_shape(std::ostream& out, const io::ColoredMesh& mesh) {
+  write_distances_gifti(out, require_distances(mesh, ".shape.gii"));
+}
+
+void write_curv(std::ostream& out, const io::ColoredMesh& mesh) {
+  write_distances_freesurfer(out, require_distances(mesh, ".curv"), mesh.mesh.face_count());
+}
+
 void write_bare_obj(std::ostream& out, const io::ColoredMesh& mesh) { io::write_obj(out, mesh, ""); }
 
 /// In the order of OutputFormat.
-constexpr std::array kMeshWriters{io::write_ply, write_bare_obj, io::write_off, io::write_coff, io::write_stl,
-                                  io::write_vtp, io::write_vtu,  io::write_glb, write_json};
-static_assert(static_cast<std::size_t>(OutputFormat::json) + 1 == kMeshWriters.size());
+constexpr std::array kMeshWriters{io::write_ply,
+                                  write_bare_obj,
+                                  io::write_off,
+                                  io::write_coff,
+                                  io::write_stl,
+                                  io::write_vtp,
+                                  io::write_vtu,
+                                  io::write_glb,
+                                  write_json,
+                                  io::write_gifti_surface,
+                                  io::write_gifti_labels,
+                                  write_shape,
+                                  io::write_freesurfer_surface,
+                                  io::write_annotation,
+                                  write_curv};
+static_assert(static_cast<std::size_t>(OutputFormat::freesurfer_values) + 1 == kMeshWriters.size());
 
 }  // namespace
 
+std::string format_extension(const std::filesystem::path& path) {
+  const std::string last = io::bare_extension(path.extension().string());
+  if (last != "gii") return last;
+  const std::string before = io::bare_extension(path.stem().extension().string());
+  return before == "label" ? "label.gii" : before == "shape" || before == "func" ? "shape.gii" : "surf.gii";
+}
+
 std::optional<OutputFormat> parse_output_format(std::string_view extension) {
-  return value_in(kOutputFormatNames, io::bare_extension(extension));
+  const std::string wanted = io::bare_extension(extension);
+  return value_in(kOutputFormatNames, wanted == "gii" ? "surf.gii" : wanted);
 }
 
 OutputFormat output_format(const std::filesystem::path& path) {
-  if (const auto format = parse_output_format(path.extension().string())) return *format;
+  if (const auto format = parse_output_format(format_extension(path))) return *format;
   throw Error(ErrorCode::invalid_option,
               fmt::format("'{}': no output format has this extension; use one of .{}", path.string(),
                           fmt::join(std::views::keys(kOutputFormatNames), ", .")));
 }
 
 void check_format(const Mesh& mesh, OutputFormat format) {
-  if (format == OutputFormat::stl) io::check_single_precision(mesh, "STL");
-  if (format == OutputFormat::glb) io::check_single_precision(mesh, "GLB");
+  constexpr std::array<std::pair<OutputFormat, std::string_view>, 6> kSingle{
+      {{OutputFormat::stl, "STL"},
+       {OutputFormat::glb, "GLB"},
+       {OutputFormat::gifti_surface, "GIFTI"},
+       {OutputFormat::gifti_values, "GIFTI"},
+       {OutputFormat::freesurfer_surface, "FreeSurfer's surface"},
+       {OutputFormat::freesurfer_values, "FreeSurfer's .curv"}}};
+  for (const auto& [single, name] : kSingle) {
+    if (format == single) io::check_single_precision(mesh, name);
+  }
 }
 
 void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format) {
