@@ -11,10 +11,10 @@ calls let other threads run, take progress=True or a function, and end at Ctrl-C
 from ._diagram import Balanced, Bisector, BranchPoints, Cell, Cut, Diagram, Segmentation
 from ._error import Error
 from ._gvd import version as __version__
-from ._mesh import Mesh, read
+from ._mesh import Mesh, read, read_values
 from ._path import Path
 from ._points import Points
 from ._remesh import Relaxation, Remesh, RemeshMap
 
 __all__ = ["Balanced", "Bisector", "BranchPoints", "Cell", "Cut", "Diagram", "Error", "Mesh", "Path", "Points",
-           "Relaxation", "Remesh", "RemeshMap", "Segmentation", "__version__", "read"]
+           "Relaxation", "Remesh", "RemeshMap", "Segmentation", "__version__", "read", "read_values"]

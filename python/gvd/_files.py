@@ -33,7 +33,8 @@ class Writable:
     def to_file(self, path: PathLike, *, title: str = "gvd", no_curves: bool = False, ascii_ply: bool = False) -> None:
         """Writes a complete file or none, in the format of its extension, as the commands do.
 
-        .ply, .obj, .off, .coff, .stl, .vtp, .vtu and .glb hold meshes, .html is the page. `title`: of the page.
+        .ply, .obj, .off, .coff, .stl, .vtp, .vtu, .glb, .surf.gii and .fs (FreeSurfer) hold meshes, .label.gii and
+        .annot labels of vertices, .shape.gii and .curv their distances, .html is the page. `title`: of the page.
         `no_curves`: leaves the bisectors out of .obj, .vtp, .vtu and .glb. `ascii_ply`: PLY as text.
         """
         self._native.write(os.fspath(path), _gvd.WriteOptions(title, no_curves, ascii_ply))

@@ -15,6 +15,7 @@
 #include "gvd/generator_list.hpp"
 #include "gvd/names.hpp"
 #include "gvd/read_soup.hpp"
+#include "gvd/read_values.hpp"
 #include "gvd/sampling.hpp"
 
 namespace gvd::python {
@@ -164,6 +165,11 @@ void bind_mesh(py::module_& module) {
       .def("page", [](const CheckedMesh& checked, const std::string& title) {
         return run_unlocked(py::none(), [&](const Progress&) { return make_page(LabelledMesh{checked.mesh}, title); });
       });
+
+  module.def("read_values", [](const std::filesystem::path& path) {
+    const std::vector<double> values = run_unlocked(py::none(), [&](const Progress&) { return read_values(path); });
+    return py::array_t<double>(py::ssize_t(values.size()), values.data());
+  });
 }
 
 }  // namespace gvd::python

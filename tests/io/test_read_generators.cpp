@@ -153,14 +153,15 @@ TEST_CASE("what is no number in full is refused with its line") {
   CHECK(refused("1e999") == "list:1: '1e999' is no number");
 }
 
-TEST_CASE("a file of numbers that is not there is refused with its name") {
-  const std::string message = refusal([] { read_numbers("missing/numbers.txt"); }, ErrorCode::unreadable_input);
-  CHECK(message == "missing/numbers.txt: No such file or directory; name a list of numbers");
+TEST_CASE("a list that is not there, or is packed, is refused with its name") {
+  CHECK(refusal([] { read_generators("missing/list.txt"); }, ErrorCode::unreadable_input) ==
+        "missing/list.txt: No such file or directory; name a list of generators");
+  CHECK(refusal([] { read_generators("/"); }, ErrorCode::unreadable_input) ==
+        "/: is a directory; name a list of generators");
   const TemporaryFolder folder;
   std::ofstream(folder / "list.txt.gz") << "\x1f\x8b\x08";
   CHECK_THAT(refusal([&] { read_generators(folder / "list.txt.gz"); }, ErrorCode::unreadable_input),
              Catch::Matchers::EndsWith("list.txt.gz: the file is compressed by gzip; unpack it first"));
-  CHECK(refusal([] { read_numbers("/"); }, ErrorCode::unreadable_input) == "/: is a directory; name a list of numbers");
 }
 
 }  // namespace gvd::test_read_generators

@@ -44,6 +44,21 @@ class SameBytes(unittest.TestCase):
             self.run_command("gvd-segment", mesh_file, "-n", n, "--cut", *outputs)
             self.assert_same_files(regions.diagram.cut(), "a", extensions)
 
+    def test_formats_of_brains(self):
+        extensions = ["surf.gii", "label.gii", "shape.gii", "fs", "annot", "curv"]
+        outputs = [part for e in extensions for part in ("-o", f"a.{e}")]
+        self.run_command("gvd-segment", meshes.FIGURE, "-n", 30, *outputs)
+        regions = gvd.read(meshes.FIGURE).segment(30)
+        self.assert_same_files(regions, "a", extensions)
+        for name in ("a.label.gii", "a.annot"):
+            numpy.testing.assert_array_equal(gvd.read_values(self.folder / name), regions.diagram.labels + 1)
+        for name in ("a.shape.gii", "a.curv"):
+            numpy.testing.assert_array_equal(gvd.read_values(self.folder / name), numpy.float32(regions.diagram.distances))
+        for name, input_format in (("a.surf.gii", "gii"), ("a.fs", "fs")):
+            numpy.testing.assert_array_equal(gvd.read(self.folder / name, input_format=input_format).faces, regions.diagram.mesh.faces)
+        with self.assertRaisesRegex(gvd.Error, ".label.gii holds labels of vertices, and there are none"):
+            regions.diagram.mesh.to_file(self.folder / "b.label.gii")
+
     def test_options(self):
         self.run_command("gvd-segment", meshes.FIGURE, "-n", 9, "--sampling", "poisson", "--seed", 5, "--method", "gbgvd",
                          "--front", "planar", "--labels", "nearest", "--ascii-ply", "--no-curves", "-o", "b.ply", "-o", "b.vtp")

@@ -27,6 +27,7 @@
 #include "gvd/progress.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/read_soup.hpp"
+#include "gvd/read_values.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"

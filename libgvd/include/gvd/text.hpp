@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <istream>
 #include <optional>
 #include <string>
@@ -76,9 +75,6 @@ inline std::string_view find_compression(std::string_view bytes) {
 /// The numbers of a list, between blanks, commas and line ends; # begins a comment. `name` is the file's, for messages.
 /// Throws Error{unreadable_input} with name and line. Cost: O(length).
 std::vector<double> parse_numbers(std::string_view content, const std::string& name);
-
-/// The numbers of a list in a file. Throws Error{unreadable_input} where it can't be read, or holds anything else.
-std::vector<double> read_numbers(const std::filesystem::path& path);
 
 /// All bytes of a stream from here to its end. Where reading fails, `in.bad()` holds afterwards.
 ///

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "gvd/error.hpp"
+#include "gvd/read_values.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
@@ -85,7 +86,7 @@ std::optional<Density> read_density(const CheckedMesh& input, const std::string&
                                     const std::filesystem::path& mesh_file) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(name, ignored)) {
-    return make_density(input, assign(input, read_numbers(name), name), name);
+    return make_density(input, assign(input, read_values(name), name), name);
   }
   if (mesh_file.empty()) return std::nullopt;
   const std::optional<SoupProperty> property = read_soup_property(mesh_file, name);

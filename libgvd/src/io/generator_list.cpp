@@ -45,16 +45,16 @@ void refuse_compressed(std::string_view content, const std::string& name) {
               fmt::format("{}: the file is compressed by {}; unpack it first", name, program));
 }
 
-/// The content of a file that holds a list. `what` names its elements for messages: "generators".
-std::string read_list_file(const std::filesystem::path& path, std::string_view what) {
+/// The content of a file that holds a list.
+std::string read_list_file(const std::filesystem::path& path) {
   const auto refuse = [&](std::string_view message) {
     throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", path.string(), message));
   };
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) refuse(fmt::format("is a directory; name a list of {}", what));
+  if (std::filesystem::is_directory(path, ignored)) refuse("is a directory; name a list of generators");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) refuse(fmt::format("{}; name a list of {}", std::strerror(errno), what));
+  if (!file) refuse(fmt::format("{}; name a list of generators", std::strerror(errno)));
   std::string content = read_to_end(file);
   if (file.bad()) refuse("could not be read to its end");
   return content;
@@ -317,7 +317,7 @@ GeneratorList parse_generators(std::string_view content, GeneratorFormat format,
 }
 
 GeneratorList read_generators(const std::filesystem::path& path, std::optional<GeneratorFormat> format) {
-  const std::string content = read_list_file(path, "generators");
+  const std::string content = read_list_file(path);
   if (!format) format = format_of_extension(path);
   return parse_generators(content, format ? *format : detect_generator_format(content), path.string());
 }
@@ -338,10 +338,6 @@ std::vector<double> parse_numbers(std::string_view content, const std::string& n
     }
   }
   return numbers;
-}
-
-std::vector<double> read_numbers(const std::filesystem::path& path) {
-  return parse_numbers(read_list_file(path, "numbers"), path.string());
 }
 
 std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<SurfacePoint>& points) {

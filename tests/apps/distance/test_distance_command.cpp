@@ -10,6 +10,7 @@
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
+#include "gvd/read_values.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 #include "support/catch.hpp"
@@ -95,6 +96,22 @@ double length_of(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
   for (std::size_t i = 1; i < points.size(); ++i)
     length += (position(mesh, points[i]) - position(mesh, points[i - 1])).norm();
   return length;
+}
+
+TEST_CASE("gvd-distance: GIFTI and FreeSurfer's files hold the distances of the vertices as floats") {
+  const ScratchFolder scratch;
+  const std::string line = write_plane(scratch, 6) + " -q --from 3,40 ";
+  REQUIRE(run_command("gvd-distance", line + "-o " + scratch / "a.npy" + " -o " + scratch / "a.shape.gii" + " -o " +
+                                          scratch / "lh.curv")
+              .exit_code == 0);
+  std::vector<double> wanted = read_values(scratch / "a.npy");
+  for (double& d : wanted) d = static_cast<float>(d);
+  CHECK(read_values(scratch / "a.shape.gii") == wanted);
+  CHECK(read_values(scratch / "lh.curv") == wanted);
+  REQUIRE(run_command("gvd-distance", line + "--each -o " + scratch / "each.shape.gii").exit_code == 0);
+  CHECK_THAT(read_text(scratch / "each.shape.gii"), Contains("NumberOfDataArrays=\"2\""));
+  require_error("gvd-distance", line + "--each -o " + scratch / "b.curv", 2, ".curv holds one distance for each");
+  require_error("gvd-distance", line + "--to 5 -o " + scratch / "b.shape.gii", 2, "--to: .shape.gii and .curv hold a");
 }
 
 TEST_CASE("gvd-distance: on a plane, distances from the nearest of two sources are straight, in every format") {

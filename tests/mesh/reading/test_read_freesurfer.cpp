@@ -72,6 +72,7 @@ TEST_CASE("freesurfer: what is wrong with an annotation is refused in one line")
   CHECK_THAT(refused(kColors), Contains("ends before the table of regions"));
   CHECK_THAT(refused(kColors + big(0)), Contains("has no table of regions"));
   CHECK_THAT(refused(kColors + big(1) + big(-3)), Contains("has the version 3, and only 2 is read"));
+  CHECK_THAT(refused(kColors + big(1) + "\x80" + std::string(3, '\0')), Contains("has the version 2147483648"));
   CHECK_THAT(refused(std::string(bytes).replace(4, 4, big(3))), Contains("a colour for vertex 3, and there are 3"));
   CHECK_THAT(refused(std::string(bytes).replace(bytes.size() - 16, 4, big(256))),
              Contains("a colour of region 11 is 256"));

@@ -130,6 +130,8 @@ TEST_CASE("gifti: values are those of the one array that is no surface") {
   CHECK_THAT(refused_values(replaced(labels, "</GIFTI>", array + "</GIFTI>")), Catch::Matchers::Contains("2 arrays"));
   CHECK(refused_values(values_of("VECTOR", "Dimensionality=\"2\" Dim0=\"1\" Dim1=\"3\"", "1 2 3")) ==
         "file: the GIFTI file has 3 numbers for 1 vertex; give one for each");
+  CHECK(refused_values(values_of("\x7f.", "Dimensionality=\"1\" Dim0=\"1\"", "one")) ==
+        "file: 'one' is no number in an array of 'NIFTI_INTENT_?.'");
   CHECK_THAT(refused_values(values_of("NODE_INDEX", "Dimensionality=\"1\" Dim0=\"1\"", "1")),
              Catch::Matchers::Contains("indices of vertices"));
 }

@@ -65,7 +65,8 @@ std::map<std::int32_t, std::int32_t> read_color_table(FreeSurferReader& in) {
   std::int32_t entries = in.integer("the table of regions");
   const bool is_numbered = entries < 0;
   if (is_numbered) {
-    if (entries != -2) in.refuse(fmt::format("the table of regions has the version {}, and only 2 is read", -entries));
+    if (entries != -2)
+      in.refuse(fmt::format("the table of regions has the version {}, and only 2 is read", -std::int64_t(entries)));
     in.integer("the largest number of a region");
   }
   in.skip_text("the length of a file's name");

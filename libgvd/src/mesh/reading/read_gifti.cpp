@@ -121,7 +121,7 @@ class GiftiParser {
       refuse(fmt::format("the numbers are in another file, {}; write all into one, with another encoding",
                          quoted(array.attribute("ExternalFileName").value())));
     }
-    std::vector<double> numbers = encoding == "ASCII" ? parse_array_text(text, intent_of(array), name_)
+    std::vector<double> numbers = encoding == "ASCII" ? parse_array_text(text, quoted(intent_of(array)), name_)
                                                       : decode(array, encoding, ArrayBytes(text, true), shape.numbers);
     if (numbers.size() != shape.numbers) refuse_count(array, numbers.size());
     return numbers;
