@@ -220,6 +220,66 @@ def glb_seeds():
         yield glb(*TETRAHEDRON, "H").replace(b'"mode":4', f'"mode":{mode}'.encode())
 
 
+def gifti_array(intent, kind, rows, encoding, endian):
+    """An array of rows of numbers, or of numbers; `kind` as in struct."""
+    values = [x for row in rows for x in (row if isinstance(row, tuple) else (row,))]
+    data = struct.pack(f"{'>' if endian == 'Big' else '<'}{len(values)}{kind}", *values)
+    text = (numbers(values) if encoding == "ASCII"
+            else base64.b64encode(zlib.compress(data) if encoding[0] == "G" else data).decode())
+    columns = f'Dimensionality="2" Dim0="{len(rows)}" Dim1="3"' if isinstance(rows[0], tuple) else \
+        f'Dimensionality="1" Dim0="{len(rows)}"'
+    return (f'<DataArray Intent="NIFTI_INTENT_{intent}" DataType="NIFTI_TYPE_{"INT32" if kind == "i" else "FLOAT32"}" '
+            f'ArrayIndexingOrder="RowMajorOrder" {columns} Encoding="{encoding}" Endian="{endian}Endian"><Data>{text}</Data>'
+            "</DataArray>")
+
+
+GIFTI_FORMS = [("ASCII", "Little"), ("Base64Binary", "Little"), ("Base64Binary", "Big"), ("GZipBase64Binary", "Little")]
+
+
+def gifti(*arrays):
+    return '<?xml version="1.0"?><GIFTI Version="1.0">' + "".join(arrays) + "</GIFTI>"
+
+
+def triangles_of(faces):
+    return [(f[0], f[k], f[k + 1]) for f in faces for k in range(1, len(f) - 1)]
+
+
+def gii_seeds():
+    for points, faces in SHAPES:
+        for form in GIFTI_FORMS:
+            yield gifti(gifti_array("POINTSET", "f", points, *form), gifti_array("TRIANGLE", "i", triangles_of(faces), *form))
+    transform = ("<CoordinateSystemTransformMatrix><DataSpace>a</DataSpace><TransformedSpace>b</TransformedSpace><MatrixData>"
+                 "1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1</MatrixData></CoordinateSystemTransformMatrix><Data>")
+    yield gifti(*(gifti_array(*array, "ASCII", "Little") for array in
+                  (("POINTSET", "f", TETRAHEDRON[0]), ("TRIANGLE", "i", TETRAHEDRON[1]), ("SHAPE", "f", [1, 2])))
+                ).replace("<Data>", transform).replace("RowMajor", "ColumnMajor")
+
+
+def fs_seeds():
+    for points, faces in SHAPES:
+        triangles = [v for f in triangles_of(faces) for v in f]
+        yield (b"\xff\xff\xfecreated\n\n" + struct.pack(">2i", len(points), len(triangles) // 3)
+               + struct.pack(f">{3 * len(points)}f", *[x for p in points for x in p])
+               + struct.pack(f">{len(triangles)}i", *triangles))
+
+
+def value_seeds():
+    for form in GIFTI_FORMS:
+        yield gifti(gifti_array("SHAPE", "f", [0.5, 2, -3], *form))
+        yield gifti(gifti_array("LABEL", "i", [0, 3, 7], *form))
+    yield b"\xff\xff\xff" + struct.pack(">3i2f", 2, 1, 1, 0.5, -2)
+    text = lambda s: struct.pack(">i", len(s)) + s
+    colors, entry = struct.pack(">7i", 3, 0, 1, 1, 256, 2, 7), lambda s, r, g: text(s) + struct.pack(">4i", r, g, 0, 0)
+    yield (colors + struct.pack(">3i", 1, -2, 2) + text(b"a.txt") + struct.pack(">2i", 2, 0) + entry(b"???", 1, 0)
+           + struct.pack(">i", 5) + entry(b"b", 0, 1))
+    yield colors + struct.pack(">2i", 1, 2) + text(b"a.txt") + entry(b"???", 1, 0) + entry(b"b", 0, 1)
+    for kind, shape, data in (("<f8", "(2,)", struct.pack("<2d", 1.5, -2)), (">i4", "(2, 1)", struct.pack(">2i", 1, -2)),
+                              ("|u1", "(1, 3)", b"abc")):
+        header = f"{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}\n".encode()
+        yield b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header + data
+    yield "1 2.5,-3e2 # four\n1e-310 inf nan\n"
+
+
 def generator_seeds():
     lists = ["0\n3\n8 # vertex\n", "p 0.5 0.5 2\np 1e300 0 0\n1 0.2 0.3 0.5\n4 1 0 0\n", "0 0 0\n1 1 1\n"]
     tables = ["vertex\n1\n2\n", "face,b0,b1,b2,x,y,z\n1,0.25,0.25,0.5,0,0,0\n", "x,y,z\n0,0,1\n\"1\",\"0\",\"0\"\n",
@@ -242,7 +302,7 @@ def config_seeds():
 
 
 SEEDS = {"off": off_seeds, "obj": obj_seeds, "ply": ply_seeds, "stl": stl_seeds, "vtp": vtp_seeds, "vtk": vtk_seeds,
-         "glb": glb_seeds, "generators": generator_seeds,
+         "glb": glb_seeds, "gii": gii_seeds, "fs": fs_seeds, "values": value_seeds, "generators": generator_seeds,
          "config": config_seeds}
 
 
@@ -253,7 +313,7 @@ def main():
         for number, content in enumerate(seeds()):
             content = content if isinstance(content, bytes) else content.encode()
             (folder / f"seed-{number:02}").write_bytes(content)
-            if number == 0 and target not in ("generators", "config"):
+            if number == 0 and target not in ("generators", "values", "config"):
                 (folder / "seed-packed").write_bytes(gzip.compress(content, mtime=0))
 
 

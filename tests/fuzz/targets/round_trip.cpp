@@ -124,7 +124,7 @@ void check_written(const Mesh& mesh, MeshFormat format, bool ascii) {
   });
 }
 
-/// Writes the triangles as STL or GLB, which have 32-bit floats, and compares the corners.
+/// Writes the triangles in a format with 32-bit floats, and compares the corners.
 void check_written_floats(const Mesh& mesh, MeshFormat format) {
   std::string bytes;
   const OutputFormat output = *parse_output_format(name_in(kMeshFormatNames, format));
@@ -148,7 +148,8 @@ void check_policy(const PolygonSoup& soup, DefectPolicy policy, MeshFormat forma
   check_maps(checked, soup);
   if (policy != DefectPolicy::repair) return;
   if (format == MeshFormat::vtk) return;  // is not written
-  if (format == MeshFormat::stl || format == MeshFormat::glb) return check_written_floats(checked.mesh, format);
+  const auto has_floats = {MeshFormat::stl, MeshFormat::glb, MeshFormat::gii, MeshFormat::fs};
+  if (std::ranges::find(has_floats, format) != has_floats.end()) return check_written_floats(checked.mesh, format);
   check_written(checked.mesh, format, false);
   if (format == MeshFormat::ply) check_written(checked.mesh, format, true);
 }
