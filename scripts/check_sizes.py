@@ -30,8 +30,8 @@ MOST_FOLDERS = 45
 MOST_READMES = 26
 # Lines of C++ below these folders: what stands today. A feature may raise them, by what its commit says. The aims for the last
 # two are 4300 and 2800.
-MOST_LINES = {("libgvd", "apps", "bench"): 56516, ("apps",): 5794, ("apps/common",): 4028,
-              ("python",): 1099}
+MOST_LINES = {("libgvd", "apps", "bench"): 57432, ("apps",): 5845, ("apps/common",): 4055,
+              ("python",): 1134}
 SHARE_OF_COMMENTS = 0.15
 CASTS_PER_THOUSAND_LINES = 6
 

@@ -28,8 +28,9 @@ run gvd-lloyd   data/figure.obj -n 300 -o "$work/samples.json" --view "$work/sam
 run gvd-remesh  data/figure.obj --generators "$work/samples.json" --view "$work/coarse.html"
 
 # The pages of the tasks.
-run gvd-lloyd    data/figure.obj -n 100 -o "$work/parcels.csv"
-run gvd-segment  data/figure.obj --generators "$work/parcels.csv" --view "$work/task_parcels.html"
+python3 data/make_cortex.py "$work"
+run gvd-lloyd    "$work/cortex.surf.gii" -n 200 -o "$work/parcels.csv"
+run gvd-segment  "$work/cortex.surf.gii" --generators "$work/parcels.csv" --up z --view "$work/task_parcels.html"
 run gvd-lloyd    data/half_sphere.off -n 200 --view "$work/task_samples.html"
 run gvd-remesh   data/figure.obj --target-edge 0.2 --view "$work/task_simulation.html"
 run gvd-distance data/figure.obj --from 1867 --to 1874 --paths --isolines 0.25 --view "$work/task_measure.html"

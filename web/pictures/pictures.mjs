@@ -28,7 +28,7 @@ export const kPictures = [
   { name: 'segments', page: 'segments', size: kSmall },
   { name: 'samples', page: 'samples', size: kLarge, show: kNoBranchPoints },
   { name: 'coarse', page: 'coarse', size: kLarge, ...kPlain },
-  { name: 'task_parcels', page: 'task_parcels', size: kSmall, show: kNoBranchPoints },
+  { name: 'task_parcels', page: 'task_parcels', size: kSmall, turn: { left: 12 }, show: kNoBranchPoints },
   { name: 'task_samples', page: 'task_samples', size: kSmall, zoom: -1, turn: { right: 10 }, show: kNoBranchPoints },
   { name: 'task_simulation', page: 'task_simulation', size: kSmall, ...kPlain },
   { name: 'task_measure', page: 'task_measure', size: kSmall, turn: { right: 12 } },
