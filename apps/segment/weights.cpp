@@ -15,6 +15,7 @@
 #include "common/run_parts.hpp"
 #include "gvd/balance.hpp"
 #include "gvd/error.hpp"
+#include "gvd/read_values.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd::app {
@@ -25,7 +26,7 @@ using Json = nlohmann::ordered_json;
 /// A number for each generator, from a file; none without one.
 std::vector<double> read_for_generators(const char* option, const std::string& file, std::size_t generators) {
   if (file.empty()) return {};
-  std::vector<double> values = read_numbers(file);
+  std::vector<double> values = read_values(file);
   if (values.size() == generators) return values;
   throw Error(
       ErrorCode::unreadable_input,

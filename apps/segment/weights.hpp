@@ -24,7 +24,7 @@ void add_weight_options(CLI::App& app, WeightOptions& target);
 void report_weight_options(Run& run, const WeightOptions& options);
 
 /// Computes the diagram by the options, balanced where they say so, and reports it. Throws what `build_diagram`,
-/// read_numbers, read_density and balance_cells throw; Error{invalid_option} where the method takes no weights.
+/// read_values, read_density and balance_cells throw; Error{invalid_option} where the method takes no weights.
 Diagram build_weighted_diagram(Run& run, const CheckedMesh& input, const std::vector<SurfacePoint>& generators,
                                const WeightOptions& options);
 
