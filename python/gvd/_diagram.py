@@ -77,7 +77,7 @@ class Diagram(Writable):
                         "The distance of each vertex to its generator (n), infinite where none reaches; a view.")
     face_labels = forward(_gvd.Diagram.face_labels,
                           "The generator of each face that lies in one cell (m), -1 for faces that bisectors cut; a view.")
-    weights = forward(_gvd.Diagram.weights, "The weights of the generators, mesh units; empty without.")
+    weights = forward(_gvd.Diagram.weights, "The weights of the generators, mesh units; empty without; a view.")
     length = forward(_gvd.Diagram.length, "Length of all bisectors, mesh units.")
 
     @property

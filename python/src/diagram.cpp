@@ -218,7 +218,7 @@ void bind_diagram(py::module_& module) {
            member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().vertex_distance; }))
       .def("face_labels",
            member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().face_label; }))
-      .def("weights", [](const MeshDiagram& d) { return take(d.diagram().weights); })
+      .def("weights", member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().weights; }))
       .def("generators",
            [](const py::object& self) {
              return view_points(self.cast<const MeshDiagram&>().diagram().generators, self);
