@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,7 +57,7 @@ template <class T>
 T choose(std::string_view option, const std::string& name, const Choices<T>& choices) {
   if (const std::optional<T> value = value_in(choices, name)) return *value;
   throw Error(ErrorCode::invalid_option,
-              fmt::format("{}: '{}' is none of {}", option, name, fmt::join(std::views::keys(choices), ", ")));
+              fmt::format("{}: '{}' is none of {}", option, name, fmt::join(names_in(choices), ", ")));
 }
 
 }  // namespace gvd::python

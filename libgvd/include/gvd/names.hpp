@@ -11,6 +11,14 @@ namespace gvd {
 template <class T>
 using Choices = std::vector<std::pair<std::string_view, T>>;
 
+/// All names, in their order.
+template <class T>
+std::vector<std::string_view> names_in(const Choices<T>& choices) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, value] : choices) names.push_back(name);
+  return names;
+}
+
 /// The value of a name; nothing for any other text.
 template <class T>
 std::optional<T> value_in(const Choices<T>& choices, std::string_view text) {

@@ -31,7 +31,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -392,9 +391,8 @@ std::optional<OutputFormat> parse_output_format(std::string_view extension) {
 
 OutputFormat output_format(const std::filesystem::path& path) {
   if (const auto format = parse_output_format(format_extension(path))) return *format;
-  throw Error(ErrorCode::invalid_option,
-              fmt::format("'{}': no output format has this extension; use one of .{}", path.string(),
-                          fmt::join(std::views::keys(kOutputFormatNames), ", .")));
+  throw Error(ErrorCode::invalid_option, fmt::format("'{}': no output format has this extension; use one of .{}",
+                                                     path.string(), fmt::join(names_in(kOutputFormatNames), ", .")));
 }
 
 void check_format(const Mesh& mesh, OutputFormat format) {
