@@ -167,9 +167,8 @@ void register_view(CLI::App& app, OutputOptions& output) {
 }
 
 void register_output(CLI::App& app, OutputOptions& output, const Formats& formats) {
-  app.add_option(
-         "-o,--output", output.files,
-         fmt::format("File to write (.{}), or - for standard output; may be repeated", fmt::join(formats, ", .")))
+  app.add_option("-o,--output", output.files,
+                 "File to write, with an extension of --output-format; or - for standard output. May be repeated")
       ->allow_extra_args(false)
       ->type_name("FILE")
       ->check(check_equals_sign);
