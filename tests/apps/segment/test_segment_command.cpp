@@ -202,7 +202,7 @@ std::string element_text(const std::string& page, const std::string& id) {
 
 /// The labels of the faces on the page; -1 where a face has none.
 std::vector<int> labels_on_page(const std::string& page) {
-  const auto scene = nlohmann::json::parse(element_text(page, "manifest"))["scenes"][0];
+  const auto scene = nlohmann::json::parse(element_text(page, "manifest"))["scenes"].back();
   CHECK_FALSE(scene.contains("pieces"));
   CHECK(scene["codes"]["type"] == "u8");
   std::vector<int> codes = decode_bytes(element_text(page, "blob-" + scene["codes"]["blob"].dump()));
@@ -210,7 +210,7 @@ std::vector<int> labels_on_page(const std::string& page) {
   return codes;
 }
 
-TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or cut") {
+TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or cut, and first the cells") {
   for (const char* options : {"", "--labels nearest", "--cut"}) {
     const ScratchFolder scratch;
     const CommandResult result =
@@ -228,7 +228,10 @@ TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or 
     CHECK(labels_on_page(page) == labels.get<std::vector<int>>());
     const auto manifest = nlohmann::json::parse(element_text(page, "manifest"));
     CHECK(manifest["up"] == "z");
-    CHECK(manifest["scenes"][0]["figures"][0] == nlohmann::json({"Faces", std::to_string(labels.size())}));
+    CHECK(manifest["scenes"].back()["figures"][0] == nlohmann::json({"Faces", std::to_string(labels.size())}));
+    const bool is_cut = options == std::string("--cut");
+    CHECK(manifest["scenes"].size() == (is_cut ? 1 : 2));
+    CHECK(manifest["scenes"][0].contains("pieces") == !is_cut);
   }
 }
 
