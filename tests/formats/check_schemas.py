@@ -75,6 +75,8 @@ def write_documents():
     run("gvd-distance", "sheet.off", "--from", "0,80", "--to", "3,77,155", "--paths", "--isolines", ".5", "--max-distance", "2",
         "-o", "distance.json", "--report", "d-report.json")
     run("gvd-distance", "ball.off", "--from", "0,9", "--each", "-o", "each.json", "--report", "e-report.json")
+    run("gvd-segment", "ball.off", "-n", "4", "--balance", "area", "-o", "b.json", "--report", "b-report.json")
+    run("gvd-lloyd", "ball.off", "-n", "4", "--balance", "area", "--report", "w-report.json")
     (work / "list.txt").write_text("p 0 0 1.5\n3\n")
     run("gvd-remesh", "ball.off", "--generators", "list.txt", "--report", "p-report.json")
     subprocess.run([str(bin_folder / "test_io"), "[.list]"], check=True, stdout=subprocess.DEVNULL,
@@ -90,7 +92,8 @@ assert "snap_distance" in check("p-report.json")["generators"][0]
 distances = check("distance.json")
 assert None in distances["distances"][0] and distances["paths"][0]["points"] and distances["isolines"]
 assert check("each.json")["nearest"] is None
-for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scglrde"]:
+assert len(check("b.json")["weights"]) == 4
+for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scglrdebw"]:
     check(name)
 if files.has_viewer(bin_folder, work):
     save_manifest("v1.json", "gvd-segment", "sheet.off", "--vertices", "0,77")
