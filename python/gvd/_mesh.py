@@ -267,15 +267,15 @@ class Mesh(Writable):
         >>> bool(areas.std() < 1e-6 * areas.mean())
         True
         """
-        options = {name: _numbers(name, values) for name, values in (("shares", shares), ("weights", weights))
-                   if values is not None}
+        options: dict[str, Any] = {name: _numbers(name, values) for name, values in (("shares", shares), ("weights", weights))
+                                   if values is not None}
         if density is not None:
             options["density"] = self._density(density)
         generators = self._resolve("points", points, coincident="refuse")
         with reporting(progress) as callback:
-            native, *rest = _gvd.balance(self._native, generators, options,
-                                         _gvd.ComputeOptions("exact", None, None, threads), callback)
-            return Balanced(Diagram(self, native), *rest)
+            native, masses, targets, tied, converged = _gvd.balance(
+                self._native, generators, options, _gvd.ComputeOptions("exact", None, None, threads), callback)
+            return Balanced(Diagram(self, native), masses, targets, tied, converged)
 
     @checked
     def segment(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
