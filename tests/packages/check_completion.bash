@@ -44,7 +44,9 @@ for command in "$@"; do
   complete_line "$command" mesh.ply - | expect "$command -" "${options[@]}"
   complete_line "$command" --input-f | expect "$command --input-f" --input-format
 
-  # Every list of words that --help shows is offered, as a word of its own and behind "=".
+  # Every list of words that --help shows is offered, as a word of its own and behind "=". A long list goes on in the next
+  # line.
+  joined=$(sed -e ':more' -e '/|$/{N;s/|\n */|/;b more' -e '}' <<< "$help")
   lists=0
   while read -r option words; do
     mapfile -t words < <(tr '|' '\n' <<< "$words" | grep '[a-z]')
@@ -52,7 +54,7 @@ for command in "$@"; do
     complete_line "$command" "$option" = "${words[0]}" | grep -q -x -e "${words[0]}" || fail "$option=${words[0]} is not offered"
     complete_line "$command" "$option" = | expect "$command $option=" "${words[@]}"
     lists=$((lists + 1))
-  done < <(sed -n 's/^  .*\(--[a-z-]*\) \([A-Za-z-]*[a-z|][^ ]*|[^ ]*\).*/\1 \2/p' <<< "$help" | grep -v FILE)
+  done < <(sed -n 's/^  .*\(--[a-z-]*\) \([A-Za-z-]*[a-z|][^ ]*|[^ ]*\).*/\1 \2/p' <<< "$joined" | grep -v FILE)
   [ $lists -ge 4 ] || fail "only $lists lists of words in --help of $command"
 
   complete_line "$command" "" | expect "$command" report.json mesh.ply options.toml folder "two words.json"
