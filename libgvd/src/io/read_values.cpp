@@ -36,15 +36,15 @@ std::string_view find_in_header(std::string_view header, std::string_view key, s
 
 /// "<f8": the order of bytes, the kind and the size.
 std::optional<StoredNumber> parse_numpy_type(std::string_view type) {
-  using Kind = StoredNumber::Kind;
+  using NumberKind = StoredNumber::Kind;
   if (type.size() != 3 || std::string_view("<>|=").find(type[0]) == type.npos) return std::nullopt;
   const auto size = std::size_t(type[2] - '0');
   const bool is_real = type[1] == 'f';
   if (std::string_view("fiub").find(type[1]) == type.npos) return std::nullopt;
   if (size != 8 && size != 4 && (is_real || (size != 2 && size != 1))) return std::nullopt;
-  return StoredNumber{is_real          ? Kind::real
-                      : type[1] == 'i' ? Kind::signed_integer
-                                       : Kind::unsigned_integer,
+  return StoredNumber{is_real          ? NumberKind::real
+                      : type[1] == 'i' ? NumberKind::signed_integer
+                                       : NumberKind::unsigned_integer,
                       size, type[0] == '>'};
 }
 

@@ -110,10 +110,11 @@ TEST_CASE("a GLB of 2,000 regions has two primitives") {
   const Mesh mesh = make_grid(50, 40);
   IdVector<FaceId, GeneratorId> label;
   for (const FaceId f : mesh.faces()) label.push_back(GeneratorId(f.value() / 2));
-  Diagram diagram = Labelled().diagram;
+  const Labelled small;  // its bisectors are those of another mesh
   LabelledMesh view{mesh};
   view.face_label = &label;
-  view.diagram = &diagram;
+  view.diagram = &small.diagram;
+  view.diagram_mesh = &small.mesh;
   const Glb glb(to_bytes(view, OutputFormat::glb));
   std::size_t primitives = 0;
   for (const Json& item : glb.json["meshes"]) primitives += item["primitives"].size();
