@@ -88,7 +88,7 @@ void register_relaxation(CLI::App& line, OwnOptions& own) {
   register_coarse(line, own.constraints);
   add_file(
       line, "--balance", own.balance,
-      "In the end, make all cells equal and keep the generators at their centroids: in area, or in the integral of "
+      "In the end, make all cells equal and keep the generators near their centroids: in area, or in the integral of "
       "a number for each vertex or face, out of a file or a property of INPUT",
       "area|FILE|PROPERTY");
   add_number(line, "--time-limit", own.time_limit, kNotNegative,

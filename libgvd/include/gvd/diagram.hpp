@@ -149,12 +149,12 @@ struct Diagram {
 /// Builds the geodesic Voronoi diagram of `generators` on `mesh`.
 ///
 /// Throws Error{precondition} if there is no generator, a generator lies in no face of the mesh, or two generators
-/// coincide (the message names both), or a generator's own place belongs to another one by their weights (`index` of
-/// the error is that of the generator). Also if exact distances need more than 2^31 windows (100 GB).
-/// Throws Error{invalid_option} if the chord tolerance is not a finite number of at least kLeastChordTolerance, the
-/// weights are not one finite number for each generator, another method has weights, or the number of threads is
-/// negative; Error{interrupted} if the progress callback cancels. `gvd/diagram_steps.hpp` lists
-/// the steps of progress. May be called from several threads at once.
+/// coincide (the message names both), or a generator's own place belongs to another one by their weights (`element`
+/// of the error is the generator). Also if exact distances need more than 2^31 windows (100 GB).
+/// Throws Error{invalid_option} if the chord tolerance is not a finite number of at least kLeastChordTolerance, or the
+/// number of threads is negative. Also if the weights are not one finite number for each generator, or another method
+/// has weights. Throws Error{interrupted} if the progress callback cancels. `gvd/diagram_steps.hpp` lists the steps of
+/// progress. May be called from several threads at once.
 /// Cost: O(n log n) time, O(n) memory for n faces.
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                         const DiagramOptions& options = {});

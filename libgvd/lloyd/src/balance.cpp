@@ -3,11 +3,14 @@
 // Where the weight of a generator grows by a small step, the bisectors of its cell move inwards. The cell loses the
 // step times the integral of density / |difference of the two gradients| along each bisector. So the derivatives of the
 // masses are a weighted graph of the neighbours, whose Laplacian gives Newton's step. A step is halved until the error
-// falls, no cell vanishes, and none becomes much smaller than at the start or its target. Masses jump where a bisector
-// passes a vertex at which paths bend, with a part of the surface behind it that is equally far from both generators. A
-// step that ever so short does not do what its derivative says has met such a jump: the two cells that differ most are
-// tied, share one target, and keep the difference of their weights.
-// Source: Kitagawa, Merigot and Thibert (2019); tied cells are not in it, since costs there have no ties of positive area.
+// falls, no cell vanishes, and none becomes much smaller than at the start or its target.
+//
+// Masses jump where a bisector passes a vertex at which paths bend: what lies behind it is equally far from both
+// generators. The derivatives say nothing of such a jump, so that even a short step does not lower the error. The two
+// cells that differ most from what was promised are then tied. They share one target, and keep the difference of their
+// weights.
+//
+// Source: Kitagawa, Merigot and Thibert (2019). Tied cells are not in it: costs there have no ties of positive area.
 // Invariant: the state is always that of a computed diagram. No bit depends on the number of threads.
 #include "gvd/balance.hpp"
 

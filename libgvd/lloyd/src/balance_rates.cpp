@@ -2,8 +2,9 @@
 //
 // A bisector is where the difference of two distances equals that of two weights. Where this grows by a small step, the
 // bisector moves by the step / |difference of the gradients|. Gradients are unit vectors along the shortest paths,
-// which the windows of the diagram know. Invariant: rates are summed in the order of a bisector's points, so no bit
-// depends on the number of threads.
+// which the windows of the diagram know.
+//
+// Invariant: rates are summed in the order of a bisector's points, so no bit depends on the number of threads.
 #include <algorithm>
 #include <array>
 #include <numbers>

@@ -1,8 +1,9 @@
 // Equal cells with their generators at the centroids, in turns.
 //
-// A move of the generators changes the masses of their cells a little, so each round starts from the weights of the
-// last one, and one or two of Newton's steps are enough. Where these weights hide a generator at its new place, the
-// round starts from none. Invariant: the result is balanced; no generator moves after that.
+// A move of the generators changes the masses of their cells a little. So each round starts from the weights of the
+// last one, and needs three to five diagrams. Where these weights hide a generator at its new place, the round starts
+// from none.
+// Invariant: the result is balanced; no generator moves after that.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -22,7 +22,7 @@ struct BalanceOptions {
 
 /// A diagram with weights by which each cell has its share.
 struct BalancedDiagram {
-  Diagram diagram;              ///< with the weights, whose mean is 0 where none were given
+  Diagram diagram;              ///< with the weights
   std::vector<double> masses;   ///< of the cells: the integral of the density, square mesh units for the area
   std::vector<double> targets;  ///< of the cells; those of one component of the mesh add up to its mass
   double variation = 0;         ///< root mean square of mass / target - 1
@@ -47,7 +47,7 @@ std::vector<double> compute_cell_masses(const Mesh& mesh, const Diagram& diagram
 /// (3) every generator owns its place.
 /// Throws Error{invalid_option} where an option is out of its range, or the method is not exact; what compute_diagram
 /// throws; Error{precondition} where the density is not of this mesh or a component with generators has no mass.
-/// Cost: 5 to 11 diagrams with farthest generators, up to some 40 with random ones.
+/// Cost: 5 to 11 diagrams with farthest generators, as measured; up to `max_diagrams` with random ones.
 /// Source: J. Kitagawa, Q. Merigot and B. Thibert, Convergence of a Newton algorithm for semi-discrete optimal
 /// transport, 2019, with geodesic distances as the cost.
 BalancedDiagram balance_cells(const Mesh& mesh, const std::vector<SurfacePoint>& generators,

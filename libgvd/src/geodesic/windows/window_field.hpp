@@ -98,7 +98,7 @@ struct WindowField {
   IdVector<FaceId, FaceFrame> frame;        ///< of all faces, if departures are recorded
   CornerAngles angles;                      ///< of the working mesh, if departures are recorded
   EdgeWindows windows;
-  StartDistances starts;
+  StartDistances starts;     ///< if departures are recorded
   std::int64_t carried = 0;  ///< number of windows that were carried across a face; the time is proportional to it
   std::int64_t events = 0;   ///< number of generators and pseudo-sources that sent windows
 };

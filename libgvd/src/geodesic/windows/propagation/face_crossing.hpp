@@ -196,11 +196,11 @@ class FaceCrossing {
         top, {labels_.distance[end] + f.length[entry.end], labels_.label[end], {outgoing, corner}, from_end});
   }
 
-  const DistanceLabels& labels_;
-  /// Whether the paths of a window come straight from its generator.
+  /// Whether the paths of a window come straight from its generator. Exact: offsets are copied, never computed anew.
   bool is_direct(const Window& w) const { return w.offset == starts_[w.generator]; }
   bool is_generator(VertexCopyId v) const { return labels_.distance[v] == starts_[labels_.label[v]]; }
 
+  const DistanceLabels& labels_;
   const CornerAngles& angles_;
   const StartDistances& starts_;
   bool has_departures_;
