@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "common/run_parts.hpp"
-#include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/text.hpp"
 
@@ -58,12 +57,7 @@ void note_unused_copy(Run& run, const Mesh& mesh, std::int64_t faces, std::size_
 }  // namespace
 
 Density find_density(Run& run, const CheckedMesh& input, const std::string& option, const std::string& name) {
-  if (name.empty()) return {};
-  const std::string& path = run.options().input.path;
-  const bool piped = path == "-";
-  if (auto density = read_density(input, name, piped ? "" : path)) return std::move(*density);
-  throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: there is no such file, and {} has no such property",
-                                                       option, name, piped ? "standard input" : path));
+  return name.empty() ? Density() : find_numbers(run, input, option, name, read_density);
 }
 
 RelaxationStartOptions make_start_options(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints) {

@@ -230,6 +230,17 @@ SamplingOptions make_sampling_options(Run& run) {
   return options;
 }
 
+std::string property_file(Run& run) {
+  const std::string& path = run.options().input.path;
+  return path == "-" ? "" : path;
+}
+
+void refuse_name(Run& run, const std::string& option, const std::string& name) {
+  const std::string file = property_file(run);
+  throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: there is no such file, and {} has no such property",
+                                                       option, name, file.empty() ? "standard input" : file));
+}
+
 std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input) {
   const GeneratorOptions& asked = run.options().generators;
   ResolvedGenerators found = run.timed("generators", [&] {

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/run.hpp"
@@ -32,6 +33,22 @@ void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagona
 /// an output format can't hold the coordinates of the mesh. `standard_input`, if not null, receives what standard input
 /// held where INPUT is that: it can be read only once.
 CheckedMesh load_input(Run& run, std::string* standard_input = nullptr);
+
+/// The file that properties of INPUT are read from: none for standard input, which can be read only once.
+std::string property_file(Run& run);
+
+/// Refuses the name that `option` has, which is neither that of a file nor of a property of INPUT.
+[[noreturn]] void refuse_name(Run& run, const std::string& option, const std::string& name);
+
+/// What `read` finds under the name that `option` has: a function of the input, the name and the `property_file` that
+/// returns nothing where the name is neither a file nor a property. Throws Error{unreadable_input} then.
+template <class Read>
+auto find_numbers(Run& run, const CheckedMesh& input, const std::string& option, const std::string& name,
+                  const Read& read) {
+  auto found = read(input, name, property_file(run));
+  if (!found) refuse_name(run, option, name);
+  return *std::move(found);
+}
 
 /// Chooses the generators by the options, exactly as many as they say, and reports them: those of a list, or sampled
 /// ones. Throws what read_generators, resolve_generators and sample_generators throw.

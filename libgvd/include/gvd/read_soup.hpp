@@ -70,9 +70,13 @@ struct SoupProperty {
   std::vector<double> values;
 };
 
-/// The property of this name of a PLY file's vertices, or else of its faces. None where the file has no such property,
-/// or is no PLY file. Throws Error{unreadable_input} where it can't be read. Cost: O(bytes).
-std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property);
+enum class SoupElement { vertex, polygon };
+
+/// The property of this name of a PLY file's vertices or faces, of those that are preferred where both have one. None
+/// where the file has no such property, or is no PLY file. Throws Error{unreadable_input} where it can't be read.
+/// Cost: O(bytes).
+std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property,
+                                               SoupElement preferred = SoupElement::vertex);
 
 /// `read_soup` from bytes in memory; `name` stands for the file in messages.
 PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name);

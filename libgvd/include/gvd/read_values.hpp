@@ -1,8 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
+
+#include "gvd/read_soup.hpp"
+#include "gvd/soup.hpp"
 
 namespace gvd {
 
@@ -22,5 +27,19 @@ std::vector<double> read_values(const std::filesystem::path& path);
 
 /// `read_values` from bytes in memory; `name` stands for the file in messages.
 std::vector<double> parse_values(std::string_view bytes, std::string_view name);
+
+/// A number for each vertex, or for each polygon, of the file that a mesh was made from.
+struct ElementValues {
+  std::string title;  ///< where they come from, for messages
+  SoupProperty soup;  ///< of vertices: as many as `mesh_vertex`; of polygons: one for each of `input_polygon`, or more
+};
+
+/// The numbers that `name` stands for: a file of values with one for each vertex, or for each polygon, of the input;
+/// else the property of that name of `mesh_file`, a PLY file from which `input` was made (empty: none), of the
+/// preferred elements where both have it. Nothing where there is neither.
+/// Throws Error{unreadable_input} where a file can't be read or has too few or too many numbers. Cost: O(bytes).
+std::optional<ElementValues> read_element_values(const CheckedMesh& input, const std::string& name,
+                                                 const std::filesystem::path& mesh_file,
+                                                 SoupElement preferred = SoupElement::vertex);
 
 }  // namespace gvd

@@ -2,6 +2,9 @@
 //
 // A text begins with a character, a FreeSurfer annotation with a zero: the highest byte of a count below 16 million.
 // The header of an NPY is a dictionary of Python. Three of its keys are looked for by name, and values follow.
+// Files number the vertices and polygons that they hold; a checked mesh has lost some, has triangles for polygons, and
+// may have new vertices where edges were split. So values fit by their number: one for each vertex of the mesh's file,
+// or one for each polygon. How many polygons it had is known only up to those that the repair removed.
 // Source: NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays", versions 1 to 3.
 #include "gvd/read_values.hpp"
 
@@ -10,6 +13,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
@@ -90,6 +94,35 @@ std::vector<double> parse_npy(std::string_view bytes, std::string_view name) {
   return type->read_all(bytes);
 }
 
+/// How many polygons the file of the mesh had at least: one more than the last one that became a face.
+std::int64_t least_polygons(const CheckedMesh& input) {
+  return 1 + *std::max_element(input.input_polygon.begin(), input.input_polygon.end());
+}
+
+/// Whether the repair removed polygons, so that the file may have had more.
+bool lost_polygons(const CheckedMesh& input) {
+  return input.defects.count(DefectKind::degenerate_faces) + input.defects.count(DefectKind::duplicate_faces) +
+             input.defects.count(DefectKind::dropped_components) >
+         0;
+}
+
+/// Refuses a property that some polygons lack: strips of triangles have none.
+void check_count(const CheckedMesh& input, const SoupProperty& property, const std::string& name) {
+  if (property.of_vertices || std::ssize(property.values) >= least_polygons(input)) return;
+  refuse_values(name, fmt::format("{} for {}", counted(std::ssize(property.values), "number", "numbers"),
+                                  counted(least_polygons(input), "polygon", "polygons")));
+}
+
+/// Whether a list has a number for each vertex of the input or for each of its polygons.
+SoupProperty assign(const CheckedMesh& input, std::vector<double> values, const std::string& name) {
+  const auto count = std::ssize(values);
+  if (count == std::ssize(input.mesh_vertex)) return {true, std::move(values)};
+  const std::int64_t polygons = least_polygons(input);
+  if (count == polygons || (count > polygons && lost_polygons(input))) return {false, std::move(values)};
+  refuse_values(name, fmt::format("{}; give one for each vertex ({}) or each face ({})",
+                                  counted(count, "number", "numbers"), input.mesh_vertex.size(), polygons));
+}
+
 }  // namespace
 
 std::vector<double> parse_values(std::string_view bytes, std::string_view name) {
@@ -103,6 +136,21 @@ std::vector<double> parse_values(std::string_view bytes, std::string_view name) 
 
 std::vector<double> read_values(const std::filesystem::path& path) {
   return parse_values(read_file_bytes(path), path.string());
+}
+
+std::optional<ElementValues> read_element_values(const CheckedMesh& input, const std::string& name,
+                                                 const std::filesystem::path& mesh_file, SoupElement preferred) {
+  // Of a file and a property of one name, the file counts.
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(name, ignored)) {
+    return ElementValues{name, assign(input, read_values(name), name)};
+  }
+  if (mesh_file.empty()) return std::nullopt;
+  std::optional<SoupProperty> property = read_soup_property(mesh_file, name, preferred);
+  if (!property) return std::nullopt;
+  const std::string title = fmt::format("{}: property {}", mesh_file.string(), name);
+  check_count(input, *property, title);
+  return ElementValues{title, std::move(*property)};
 }
 
 }  // namespace gvd

@@ -336,13 +336,20 @@ auto read_body(std::string_view bytes, std::string_view name, const PlyHeader& h
 
 }  // namespace
 
-std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::string_view property,
-                                               std::string_view name) {
+std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::string_view property, std::string_view name,
+                                               SoupElement preferred) {
   const PlyHeader header = parse_ply_header(bytes, name);
-  for (const PlyElement& element : header.elements) {
-    const int index = is_on_mesh(element) ? element.find(property) : -1;
-    if (index < 0 || element.properties[index].count_type) continue;
-    const auto wanted = [&](const PlyElement& other, int p) { return &other == &element && p == index; };
+  const auto find = [&](bool of_vertices) {
+    return std::ranges::find_if(header.elements, [&](const PlyElement& e) {
+      const int index = is_on_mesh(e) && (e.name == "vertex") == of_vertices ? e.find(property) : -1;
+      return index >= 0 && !e.properties[index].count_type;
+    });
+  };
+  for (const bool of_vertices : {preferred == SoupElement::vertex, preferred != SoupElement::vertex}) {
+    const auto element = find(of_vertices);
+    if (element == header.elements.end()) continue;
+    const int index = element->find(property);
+    const auto wanted = [&](const PlyElement& other, int p) { return &other == &*element && p == index; };
     auto found = read_body(bytes, name, header, [&](auto parser) { return parser.parse_properties(wanted); });
     return SoupProperty{found.front().of_vertices, std::move(found.front().values)};
   }

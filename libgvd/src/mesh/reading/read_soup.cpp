@@ -161,11 +161,12 @@ PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshForma
   return parse_unpacked(bytes, *format, name);
 }
 
-std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property) {
+std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property,
+                                               SoupElement preferred) {
   const std::string name = path.string();
   const std::string bytes = read_file_bytes(path);
   if (bytes.empty() || detect_format(bytes, name) != MeshFormat::ply) return std::nullopt;
-  return parse_ply_property(bytes, property, name);
+  return parse_ply_property(bytes, property, name, preferred);
 }
 
 MeshAttributes parse_mesh_attributes(std::string_view bytes, MeshFormat format, std::string_view name) {

@@ -86,9 +86,10 @@ std::optional<CornerTexture> parse_obj_texture(std::string_view bytes, std::stri
 /// PLY, text and binary: the elements `vertex` and `face`; other elements and properties are skipped.
 PolygonSoup parse_ply(std::string_view bytes, std::string_view name);
 
-/// One property of the element `vertex`, or else of `face`, that is a number: none where there is no such property.
-std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::string_view property,
-                                               std::string_view name);
+/// One property of the element `vertex` or `face` that is a number, first of the preferred one: none where there is no
+/// such property.
+std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::string_view property, std::string_view name,
+                                               SoupElement preferred);
 
 /// The properties and the texture of a PLY, as read_mesh_attributes returns them.
 MeshAttributes parse_ply_attributes(std::string_view bytes, std::string_view name);
