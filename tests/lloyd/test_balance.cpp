@@ -9,6 +9,7 @@
 #include "gvd/balance.hpp"
 #include "gvd/check.hpp"
 #include "gvd/exact_field.hpp"
+#include "gvd/face_regions.hpp"
 #include "gvd/segment.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -355,6 +356,32 @@ TEST_CASE("balance: options out of their range are refused in one line") {
   BalanceOptions other;
   other.diagram.method = Method::gbgvd;
   CHECK(message(other) == "only the exact method takes weights");
+}
+
+TEST_CASE("balance: cells inside regions have equal shares of their own region's area") {
+  const Mesh mesh = test::make_grid(10, 4);
+  FaceRegions regions;
+  std::vector<double> area(3, 0.0), count(3, 0.0);
+  for (const FaceId f : mesh.faces()) {
+    const double x = position(mesh, make_surface_point(f, {1 / 3.0, 1 / 3.0, 1 / 3.0})).x();
+    area[std::size_t(regions[regions.push_back(x < 5 ? 0 : x < 8 ? 1 : 2)])] += mesh.area(f);
+  }
+  const SeparatedMesh apart = separate_regions(mesh, regions);
+  RegionSamplingOptions options;
+  options.sampling.count = 20;
+  const std::vector<SurfacePoint> points = sample_regions(apart, regions, options).points;
+  for (const SurfacePoint& p : points) ++count[std::size_t(regions[p.face])];
+  const BalancedDiagram balanced = balance_cells(apart.mesh, points);
+  REQUIRE(balanced.converged);
+  CHECK(check_diagram(apart.mesh, balanced.diagram).violations.empty());
+  const CutMesh cut = cut_faces(mesh, balanced.diagram);
+  std::vector<double> areas(points.size(), 0.0);
+  for (const FaceId f : cut.mesh.faces()) areas[cut.label[f].index()] += cut.mesh.area(f);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto region = std::size_t(regions[points[i].face]);
+    CHECK(balanced.targets[i] == Approx(area[region] / count[region]).epsilon(1e-9));
+    CHECK(areas[i] == Approx(balanced.masses[i]).epsilon(1e-9));
+  }
 }
 
 }  // namespace gvd::test_balance

@@ -24,6 +24,7 @@
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -139,6 +140,7 @@ class Cutter {
   Cutter(const Mesh& mesh, const Diagram& diagram, const Progress& progress)
       : mesh_(mesh), diagram_(diagram), progress_(progress), shares_(diagram), tolerance_(position_tolerance(mesh)) {
     cut_.positions = mesh.positions();
+    result_.input_vertices = mesh.vertex_count();
   }
 
   CutMesh run() {
@@ -315,6 +317,15 @@ class Cutter {
   CutMesh result_;
 };
 
+/// The parent of a face at v, one with the label of v where regions were separated: the vertex may lie on their border.
+FaceId parent_at(const CutMesh& cut, VertexId v, GeneratorId label, bool is_separated) {
+  FaceId face = Mesh::face(cut.mesh.halfedge(v));
+  for_each_outgoing(cut.mesh, v, [&](HalfedgeId h) {
+    if (is_separated && cut.label[face] != label) face = Mesh::face(h);
+  });
+  return cut.parent[face];
+}
+
 /// The smaller one of two labels of faces at a vertex; a label comes before none.
 GeneratorId smaller_label(GeneratorId a, GeneratorId b) { return !a.valid() || (b.valid() && b < a) ? b : a; }
 
@@ -351,12 +362,14 @@ CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& prog
 }
 
 CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut) {
-  const int given = mesh.vertex_count();
-  if (diagram.vertex_label.count() != given || diagram.vertex_distance.count() != given ||
+  const std::int32_t given = cut.input_vertices, known = mesh.vertex_count();
+  if (diagram.vertex_label.count() != known || diagram.vertex_distance.count() != known || known < given ||
       cut.mesh.vertex_count() < given) {
     throw Error(ErrorCode::precondition, "the diagram or the cut mesh was made of another mesh");
   }
   CutVertices result{diagram.vertex_label, diagram.vertex_distance};
+  result.label.resize(given);
+  result.distance.resize(given);
   result.label.resize(cut.mesh.vertex_count());
   result.distance.resize(cut.mesh.vertex_count(), kInfinity);
   for (const FaceId f : cut.mesh.faces()) {
@@ -368,7 +381,8 @@ CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, cons
   IdVector<VertexId, double> sums = diagram.vertex_distance;
   for (const VertexId v : sums.ids()) sums[v] += diagram.weight(diagram.vertex_label[v]);
   for (VertexId v(given); v.value() < cut.mesh.vertex_count(); v = VertexId(v.value() + 1)) {
-    const FaceId parent = cut.parent[Mesh::face(cut.mesh.halfedge(v))];
+    // A new vertex on the border of two regions has faces of both, whose distances differ.
+    const FaceId parent = parent_at(cut, v, result.label[v], known > given);
     const SurfacePoint point = closest_point_on_face(mesh, parent, cut.mesh.position(v)).point;
     result.distance[v] = interpolate_at(mesh, sums, point) - diagram.weight(result.label[v]);
   }

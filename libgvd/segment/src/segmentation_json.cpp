@@ -10,13 +10,28 @@
 #include "io/writers/byte_writer.hpp"
 
 namespace gvd {
+namespace {
+
+/// The member of the numbers, behind another member; nothing without any.
+void print_numbers(io::ByteWriter& out, const std::vector<FaceNumbers>& numbers) {
+  if (numbers.empty()) return;
+  out.text(",\n\"face_numbers\":{");
+  for (const FaceNumbers& each : numbers) {
+    out.print("{}\"{}\":", &each == &numbers.front() ? "" : ",\n", each.name);
+    io::print_array(out, each.values, [&](std::int32_t number) { out.print("{}", number); });
+  }
+  out.text("}");
+}
+
+}  // namespace
 
 void write_segmentation_json(std::ostream& stream, const Mesh& mesh, const Diagram& diagram,
-                             const Segmentation& segmentation) {
+                             const Segmentation& segmentation, const std::vector<FaceNumbers>& numbers) {
   io::ByteWriter out(stream);
   io::print_open_diagram(out, mesh, diagram);
   out.text(",\"face_labels\":");
   io::print_ids(out, segmentation.face_label);
+  print_numbers(out, numbers);
   out.text("}\n");
   out.finish();
 }
@@ -35,6 +50,7 @@ void write_cut_json(std::ostream& stream, const Mesh& mesh, const Diagram& diagr
   io::print_ids(out, vertices.label);
   out.text(",\n\"vertex_distances\":");
   io::print_array(out, vertices.distance, [&](double distance) { out.text(io::json_number(distance)); });
+  print_numbers(out, cut.numbers);
   out.text("}}\n");
   out.finish();
 }

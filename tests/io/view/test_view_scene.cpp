@@ -48,6 +48,15 @@ TEST_CASE("the scene of a labelled mesh shows its labels, and counts the faces t
   shown.vertex_distance = &distance;
   shown.diagram = &diagram;
   shown.diagram_mesh = &mesh;
+  CHECK(figures_of(make_view_scene("Doubled vertices, no cut", shown)).count("Faces before the cut") == 0);
+  const std::vector<ViewScene> scenes = make_region_scenes(shown);
+  REQUIRE(scenes.size() == 2);
+  CHECK(scenes[0].mesh == &mesh);
+  CHECK(scenes[0].vertex_distance == diagram.vertex_distance);
+  CHECK(scenes[1].mesh == &finer);
+  const IdVector<FaceId, FaceId> parent(std::size_t(finer.face_count()), FaceId(0));
+  shown.face_parent = &parent;
+  CHECK(make_region_scenes(shown).size() == 1);
   const ViewScene scene = make_view_scene("A name", shown);
   CHECK(scene.name == "A name");
   CHECK(scene.mesh == &finer);

@@ -19,6 +19,11 @@ namespace gvd {
 void write_labels_npy(std::ostream& out, const std::vector<GeneratorId>& labels);
 void write_labels_csv(std::ostream& out, const std::vector<GeneratorId>& labels, std::string_view element);
 
+/// Writes the labels of nested levels, a column for each: an array of the shape (faces, levels), or a table with the
+/// columns face and the names of the levels.
+void write_levels_npy(std::ostream& out, const std::vector<FaceNumbers>& levels);
+void write_levels_csv(std::ostream& out, const std::vector<FaceNumbers>& levels);
+
 /// A shortest path from a point that distances were asked for.
 struct TargetPath {
   std::int32_t target = 0;           ///< index of that point

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -74,6 +75,12 @@ struct MeshCurve {
   std::vector<double> distance;  ///< at each point, mesh units
 };
 
+/// A further whole number of each face, such as that of a region.
+struct FaceNumbers {
+  std::string name;
+  IdVector<FaceId, std::int32_t> values;
+};
+
 /// A mesh and arrays over its elements; what is null is not written. `LabelledMesh{mesh}` is a plain mesh.
 /// A LabelledMesh owns nothing: everything that it points to must outlive it.
 struct LabelledMesh {
@@ -83,16 +90,20 @@ struct LabelledMesh {
   const IdVector<VertexId, GeneratorId>* vertex_label = nullptr;  ///< invalid ids are written as -1
   const IdVector<VertexId, double>* vertex_distance = nullptr;    ///< mesh units; infinity where no generator reaches
   const Diagram* diagram = nullptr;  ///< its bisectors become polylines, and cells that meet have different colours
-  /// The mesh of the diagram's surface points. Null: `mesh` itself. Set where `mesh` was cut along the bisectors.
+  /// The mesh of the diagram's surface points. Null: `mesh` itself. Set where `mesh` was cut along the bisectors, or
+  /// where its regions were separated for the diagram.
   const Mesh* diagram_mesh = nullptr;
   const std::vector<MeshCurve>* curves = nullptr;  ///< for OBJ, VTP, VTU and GLB, behind the bisectors
   /// Further properties of vertices and faces, for PLY only; a value for each element. Null: none.
   const std::vector<MeshProperty>* properties = nullptr;
+  const std::vector<FaceNumbers>* face_numbers = nullptr;  ///< for PLY, VTP and VTU
   /// Texture coordinates of the corners of the faces, three for each face, for PLY (a list `texcoord`) and OBJ (`vt`).
   /// A face with a number that is not finite has none. Null: none.
   const std::vector<std::array<double, 2>>* corner_texture = nullptr;
   bool ascii_ply = false;     ///< PLY as text instead of binary
   bool no_bisectors = false;  ///< leave those of the diagram out of OBJ, VTP, VTU and GLB
+
+  const Mesh& surface() const { return diagram_mesh != nullptr ? *diagram_mesh : mesh; }
 };
 
 /// A mesh with the labels and distances of its diagram, and with these labels of its faces.

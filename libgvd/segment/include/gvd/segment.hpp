@@ -7,6 +7,7 @@
 
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
+#include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/names.hpp"
 #include "gvd/progress.hpp"
@@ -62,6 +63,8 @@ struct CutMesh {
   Mesh mesh;                            ///< vertices of the input first, in their order
   IdVector<FaceId, FaceId> parent;      ///< the face of the input that holds each face; ascending
   IdVector<FaceId, GeneratorId> label;  ///< invalid where no generator reaches
+  std::vector<FaceNumbers> numbers;     ///< further ones of the faces; none unless the caller adds them
+  std::int32_t input_vertices = 0;      ///< number of the input's vertices
   std::int32_t uncut_faces = 0;         ///< faces left whole because their pieces do not tile them; normally 0
 };
 
@@ -82,7 +85,8 @@ struct CutVertices {
   IdVector<VertexId, double> distance;    ///< mesh units; infinity where no generator reaches
 };
 
-/// Carries the labels and distances of the vertices of `mesh` over to `cut`, which is `mesh` cut along `diagram`.
+/// Carries the labels and distances of the vertices of `mesh` over to `cut`, which is `mesh` cut along `diagram`, or
+/// the mesh that `separate_regions` made `mesh` of.
 ///
 /// The vertices of the input keep theirs. A new one has the smallest label of its faces, as ties are broken, and the
 /// distance that is linear between the corners of the face that it lies in.
@@ -90,13 +94,15 @@ struct CutVertices {
 CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut);
 
 /// Writes the diagram as `gvd-diagram/1` with one more member, `"face_labels"`: the label of each face, -1 for none.
-/// The stream is flushed and checked. Throws Error{unwritable_output}. Cost: O(n).
+/// Where there are `numbers`, `"face_numbers"` is an object with an array of each. The stream is flushed and checked.
+/// Throws Error{unwritable_output}. Cost: O(n).
 void write_segmentation_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram,
-                             const Segmentation& segmentation);
+                             const Segmentation& segmentation, const std::vector<FaceNumbers>& numbers = {});
 
 /// Writes the diagram with the member `"cut_mesh"`: `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"labels":[],"parents":[],
 /// "vertex_labels":[],"vertex_distances":[]}`. Labels and parents are those of the faces; a distance is null for none.
-/// The stream is flushed and checked. Throws Error{unwritable_output}. Cost: O(n).
+/// With `cut.numbers` it has `"face_numbers"`, too. The stream is flushed and checked. Throws Error{unwritable_output}.
+/// Cost: O(n).
 void write_cut_json(std::ostream& out, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
                     const CutVertices& vertices);
 

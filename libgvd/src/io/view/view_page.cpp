@@ -193,7 +193,6 @@ std::vector<ViewFigure> make_figures(const Mesh& mesh, const Diagram& diagram, c
                                   {"Bisectors", fmt::format("{}", diagram.bisectors.size())},
                                   {"Bisector length", fmt::format("{:.6g}", diagram.length)},
                                   {"Disc regions", fmt::format("{} of {}", discs, diagram.cells.size())}};
-  if (&shown != &mesh) figures.insert(figures.begin() + 1, {"Faces before the cut", fmt::format("{}", summary.faces)});
   if (reaches_everything(diagram)) {
     figures.push_back({"Euler count", fmt::format("{} of {}", count_excess(mesh, diagram),
                                                   2 * (characteristics - summary.euler_characteristic))});
@@ -319,21 +318,25 @@ ViewScene make_view_scene(std::string name, const Mesh& mesh, const Diagram& dia
 ViewScene make_view_scene(std::string name, const LabelledMesh& shown) {
   if (shown.diagram == nullptr || shown.face_label == nullptr || shown.vertex_distance == nullptr)
     throw Error(ErrorCode::precondition, "a scene of a labelled mesh needs a diagram, face labels and distances");
-  const Mesh& mesh = shown.diagram_mesh != nullptr ? *shown.diagram_mesh : shown.mesh;
+  const Mesh& mesh = shown.surface();
   ViewScene scene = io::make_diagram_scene(std::move(name), mesh, *shown.diagram);
   scene.mesh = &shown.mesh;
   scene.face_label = *shown.face_label;
   scene.vertex_distance = *shown.vertex_distance;
   scene.region_color = region_colors(shown);
   scene.figures = io::make_figures(mesh, *shown.diagram, shown.mesh);
+  if (shown.face_parent != nullptr) {
+    scene.figures.insert(scene.figures.begin() + 1, {"Faces before the cut", fmt::format("{}", mesh.face_count())});
+  }
   return scene;
 }
 
 std::vector<ViewScene> make_region_scenes(const LabelledMesh& shown) {
-  const bool is_cut = shown.diagram_mesh != nullptr;
+  const bool is_cut = shown.face_parent != nullptr;
   std::vector<ViewScene> scenes{make_view_scene(is_cut ? "Regions" : "Whole faces, as in the file", shown)};
   if (is_cut) return scenes;
-  scenes.insert(scenes.begin(), make_view_scene("Cells", shown.mesh, *shown.diagram));
+  // Cells are shown on the mesh of the diagram: distances differ on the two sides of a border between regions.
+  scenes.insert(scenes.begin(), make_view_scene("Cells", shown.surface(), *shown.diagram));
   scenes[0].region_color = scenes[1].region_color;
   return scenes;
 }

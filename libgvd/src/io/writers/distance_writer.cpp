@@ -90,6 +90,28 @@ void write_labels_csv(std::ostream& stream, const std::vector<GeneratorId>& labe
   out.finish();
 }
 
+void write_levels_npy(std::ostream& stream, const std::vector<FaceNumbers>& levels) {
+  ByteWriter out(stream);
+  const auto faces = levels.front().values.ids();
+  out.text(io::npy_header("<i4", {levels.front().values.size(), levels.size()}));
+  for (const FaceId f : faces) {
+    for (const FaceNumbers& level : levels) out.binary(level.values[f]);
+  }
+  out.finish();
+}
+
+void write_levels_csv(std::ostream& stream, const std::vector<FaceNumbers>& levels) {
+  ByteWriter out(stream);
+  out.text("face");
+  for (const FaceNumbers& level : levels) out.print(",{}", level.name);
+  for (const FaceId f : levels.front().values.ids()) {
+    out.print("\n{}", f.value());
+    for (const FaceNumbers& level : levels) out.print(",{}", level.values[f]);
+  }
+  out.text("\n");
+  out.finish();
+}
+
 void write_distances_npy(std::ostream& stream, const DistanceTable& table) {
   const std::size_t points = table.rows.empty() ? 0 : table.rows.front().size();
   const bool is_single = !table.nearest.empty();

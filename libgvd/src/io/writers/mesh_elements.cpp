@@ -125,7 +125,7 @@ namespace {
 
 void collect_bisectors(const LabelledMesh& mesh, std::vector<OutputLine>& lines) {
   const IdVector<VertexId, double>& distance = mesh.diagram->vertex_distance;
-  const Mesh& surface = mesh.diagram_mesh != nullptr ? *mesh.diagram_mesh : mesh.mesh;
+  const Mesh& surface = mesh.surface();
   for (const Bisector& bisector : mesh.diagram->bisectors) {
     if (bisector.points.size() < 2) continue;
     OutputLine& line = lines.emplace_back();

@@ -326,6 +326,11 @@ void check_lengths(const LabelledMesh& mesh) {
   check_length(mesh.vertex_label, mesh.mesh.vertex_count(), "vertex labels");
   check_length(mesh.vertex_distance, mesh.mesh.vertex_count(), "vertex distances");
   check_length(mesh.corner_texture, mesh.mesh.halfedge_count(), "texture coordinates of corners");
+  if (mesh.face_numbers != nullptr) {
+    for (const FaceNumbers& numbers : *mesh.face_numbers) {
+      check_length(&numbers.values, mesh.mesh.face_count(), numbers.name.c_str());
+    }
+  }
   if (mesh.properties == nullptr) return;
   for (const MeshProperty& property : *mesh.properties) {
     check_count(property.element_count(), property.of_vertices ? mesh.mesh.vertex_count() : mesh.mesh.face_count(),
@@ -337,7 +342,7 @@ void write_json(std::ostream& out, const io::ColoredMesh& mesh) {
   if (mesh.diagram == nullptr) {
     throw Error(ErrorCode::invalid_option, "JSON holds a diagram, and there is none; choose another format");
   }
-  write_diagram_json(out, mesh.diagram_mesh != nullptr ? *mesh.diagram_mesh : mesh.mesh, *mesh.diagram);
+  write_diagram_json(out, mesh.surface(), *mesh.diagram);
 }
 
 /// The distances of the vertices, for formats that hold nothing else.

@@ -70,6 +70,8 @@ void print_face_properties(ByteWriter& out, const LabelledMesh& mesh) {
   if (mesh.face_label != nullptr) out.text("property uchar intensity\n");
   if (mesh.corner_texture != nullptr) out.text("property list uchar float texcoord\n");
   print_further_properties(out, mesh, false);
+  if (mesh.face_numbers == nullptr) return;
+  for (const FaceNumbers& numbers : *mesh.face_numbers) out.print("property int {}\n", numbers.name);
 }
 
 /// The nearest number of the type; for integers 0 for what is no number.
@@ -170,6 +172,9 @@ void write_faces(Rows& rows, const LabelledMesh& mesh) {
     if (mesh.face_label != nullptr) rows.put(std::uint8_t((*mesh.face_label)[f].value()));
     if (mesh.corner_texture != nullptr) rows.put_texture(mesh.corner_texture->data() + 3 * f.index());
     for (const MeshProperty* property : further) rows.put_property(*property, f.index());
+    if (mesh.face_numbers != nullptr) {
+      for (const FaceNumbers& numbers : *mesh.face_numbers) rows.put(numbers.values[f]);
+    }
     rows.end();
   }
 }

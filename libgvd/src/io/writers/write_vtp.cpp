@@ -151,6 +151,11 @@ class VtkWriter {
     if (labelled_.face_parent != nullptr) {
       write_cell_array("Parent", none, [&](FaceId f) { return (*labelled_.face_parent)[f].value(); });
     }
+    if (labelled_.face_numbers != nullptr) {
+      for (const FaceNumbers& numbers : *labelled_.face_numbers) {
+        write_cell_array(numbers.name, none, [&](FaceId f) { return numbers.values[f]; });
+      }
+    }
     if (labelled_.diagram != nullptr && !labelled_.no_bisectors) {
       write_cell_array(
           "Left", [](const OutputLine& line) { return line.left.value(); }, none);

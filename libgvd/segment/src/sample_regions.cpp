@@ -1,0 +1,236 @@
+// Generators inside regions: how many each connected part gets, and where.
+//
+// A part is sampled as a mesh of its own, whose vertices and faces have the order that they have in the input: the
+// points are those that the part would have if it were cut out and stood alone. The counts follow the method of the
+// largest remainder (A. Hamilton, 1792), first over regions, then over the parts of each one. A share below its least
+// is raised to it, and the rest is shared out again among the others.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "gvd/error.hpp"
+#include "gvd/face_regions.hpp"
+#include "gvd/text.hpp"
+
+namespace gvd {
+namespace {
+
+/// A connected part of a region.
+struct Part {
+  double area = 0;
+  std::vector<FaceId> faces;  ///< ascending
+  std::int64_t count = 0;     ///< of generators
+};
+
+/// The parts of each region, in the order of their first faces.
+using RegionParts = std::map<std::int32_t, std::vector<Part>>;
+
+/// The connected parts of all regions. Faces that are left out are in none.
+RegionParts collect_parts(const Mesh& mesh, const FaceRegions& regions) {
+  const IdVector<FaceId, std::int32_t> component = compute_face_components(mesh);
+  const std::int32_t count = 1 + *std::max_element(component.begin(), component.end());
+  std::vector<Part> parts(static_cast<std::size_t>(count));
+  for (const FaceId f : mesh.faces()) {
+    Part& part = parts[std::size_t(component[f])];
+    part.faces.push_back(f);
+    part.area += mesh.area(f);
+  }
+  RegionParts found;
+  for (Part& part : parts) {
+    const std::int32_t region = regions[part.faces.front()];
+    if (region >= 0) found[region].push_back(std::move(part));
+  }
+  return found;
+}
+
+std::vector<double> areas_of(const std::vector<Part>& parts) {
+  std::vector<double> areas;
+  for (const Part& part : parts) areas.push_back(part.area);
+  return areas;
+}
+
+/// Shares `count` generators out to the parts of a region; where they are too few, one to each of the largest parts.
+void share_out_to_parts(std::int64_t count, std::vector<Part>& parts) {
+  if (count >= std::ssize(parts)) {
+    const std::vector<std::int64_t> shares =
+        share_out(count, areas_of(parts), std::vector<std::int64_t>(parts.size(), 1));
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i].count = shares[i];
+    return;
+  }
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return parts[i].area; });
+  for (std::int64_t i = 0; i < count; ++i) parts[order[std::size_t(i)]].count = 1;
+}
+
+/// Shares the generators out to regions first, and then those of each region to its parts: a region gets what its area
+/// is worth, into however many parts it falls.
+void share_out_to_regions(const RegionSamplingOptions& options, RegionParts& regions) {
+  const std::int64_t count = options.sampling.count;
+  if (!options.each_region && count < std::ssize(regions)) {
+    throw Error(ErrorCode::precondition,
+                fmt::format("{} for {}; ask for one or more in each", counted(count, "generator", "generators"),
+                            counted(std::ssize(regions), "region", "regions")));
+  }
+  std::vector<double> areas;
+  std::vector<std::int64_t> least;
+  std::int64_t parts = 0;
+  for (const auto& [number, region] : regions) {
+    const std::vector<double> of_parts = areas_of(region);
+    areas.push_back(std::accumulate(of_parts.begin(), of_parts.end(), 0.0));
+    least.push_back(std::ssize(region));
+    parts += std::ssize(region);
+  }
+  // Too few for all parts: then at least all regions have one.
+  if (count < parts) least.assign(regions.size(), 1);
+  std::vector<std::int64_t> shares(regions.size(), count);
+  if (!options.each_region) shares = share_out(count, areas, least);
+  auto share = shares.begin();
+  for (auto& [number, region] : regions) share_out_to_parts(*share++, region);
+}
+
+/// Takes single parts of a mesh out as meshes of their own.
+class PartCutter {
+ public:
+  explicit PartCutter(const SeparatedMesh& from) : from_(from), number_(from.mesh.positions().size(), -1) {}
+
+  /// The vertices are those of the part in the order of the input's.
+  Mesh cut(const std::vector<FaceId>& faces) {
+    std::vector<VertexId> vertices;
+    for (const FaceId f : faces) {
+      for (const VertexId v : from_.mesh.vertices(f)) {
+        if (number_[v] < 0) vertices.push_back(v);
+        number_[v] = 0;
+      }
+    }
+    std::ranges::sort(vertices, {}, [&](VertexId v) { return std::pair(from_.input_vertex[v], v); });
+    std::vector<Vec3> positions;
+    for (const VertexId v : vertices) {
+      number_[v] = static_cast<std::int32_t>(positions.size());
+      positions.push_back(from_.mesh.position(v));
+    }
+    std::vector<std::array<VertexId, 3>> corners;
+    for (const FaceId f : faces) {
+      const auto& [a, b, c] = from_.mesh.vertices(f);
+      corners.push_back({VertexId(number_[a]), VertexId(number_[b]), VertexId(number_[c])});
+    }
+    return {std::move(positions), std::move(corners)};
+  }
+
+ private:
+  const SeparatedMesh& from_;
+  IdVector<VertexId, std::int32_t> number_;  // in the part; no vertex is in two
+};
+
+/// Samples parts one after the other, and joins their progress.
+class PartSampler {
+ public:
+  PartSampler(const SeparatedMesh& mesh, const SamplingOptions& options)
+      : cutter_(mesh), options_(options), faces_(mesh.mesh.face_count()) {}
+
+  /// Adds the points of a part, with the faces that they have in the whole mesh. Errors name the region.
+  void sample(std::int32_t region, const Part& part, std::vector<SurfacePoint>& points) {
+    SamplingOptions options = options_;
+    options.count = static_cast<std::int32_t>(part.count);
+    if (!(part.area > 0) && options.kind != Sampling::covering_radius) options.kind = Sampling::farthest;
+    // Larger parts take longer; faces measure that well enough for a bar.
+    options.progress = [&](std::string_view step, double fraction) {
+      const double done = (double(done_) + fraction * double(part.faces.size())) / faces_;
+      return !options_.progress || options_.progress(step, done);
+    };
+    try {
+      for (const SurfacePoint& point : sample_generators(cutter_.cut(part.faces), options)) {
+        points.push_back({part.faces[point.face.index()], point.bary});
+      }
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::interrupted) throw;
+      throw Error(error.code(), fmt::format("region {}: {}", region, error.what()), error.element());
+    }
+    done_ += part.faces.size();
+  }
+
+ private:
+  PartCutter cutter_;
+  const SamplingOptions& options_;
+  double faces_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::int64_t> share_out(std::int64_t total, const std::vector<double>& weights,
+                                    const std::vector<std::int64_t>& least) {
+  std::vector<std::int64_t> shares = least;
+  std::vector<std::size_t> open(weights.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  std::vector<double> exact(weights.size());
+  // What a raised share takes from the others may bring one of these below its least: this ends when no share is
+  // raised.
+  for (std::size_t before = 0; before != open.size();) {
+    before = open.size();
+    double weight = 0;
+    for (const std::size_t i : open) weight += weights[i];
+    const auto exact_share = [&](std::size_t i) {
+      return double(total) * (weight > 0 ? weights[i] / weight : 1 / double(before));
+    };
+    // All shares are known before one is raised: the result does not depend on the order.
+    for (const std::size_t i : open) exact[i] = exact_share(i);
+    const auto is_raised = [&](std::size_t i) { return exact[i] < double(least[i]); };
+    for (const std::size_t i : open) total -= is_raised(i) ? least[i] : 0;
+    std::erase_if(open, is_raised);
+  }
+  for (const std::size_t i : open) {
+    shares[i] = std::int64_t(std::floor(exact[i]));
+    total -= shares[i];
+  }
+  std::ranges::stable_sort(open, std::greater<>(), [&](std::size_t i) { return exact[i] - double(shares[i]); });
+  for (std::size_t k = 0; total > 0; ++k, --total) ++shares[open[k % open.size()]];
+  return shares;
+}
+
+RegionSamples sample_regions(const SeparatedMesh& separated, const FaceRegions& regions,
+                             const RegionSamplingOptions& options) {
+  RegionParts found = collect_parts(separated.mesh, regions);
+  if (found.empty()) throw Error(ErrorCode::precondition, "no face is in a region: all have negative numbers");
+  const bool covers = options.sampling.kind == Sampling::covering_radius;
+  if (!covers) share_out_to_regions(options, found);
+  RegionSamples result;
+  PartSampler sampler(separated, options.sampling);
+  for (const auto& [number, parts] : found) {
+    ++result.regions;
+    for (const Part& part : parts) {
+      ++result.parts;
+      if (covers || part.count > 0) sampler.sample(number, part, result.points);
+      if (!covers && part.count == 0) ++result.empty_parts;
+    }
+  }
+  return result;
+}
+
+void move_into_regions(const Mesh& mesh, const FaceRegions& regions, std::vector<SurfacePoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto region_of = [&](const SurfacePoint& view) { return order_of(regions[view.face]); };
+    points[i] = std::ranges::min(find_views(mesh, points[i]), {}, region_of);
+    if (regions[points[i].face] >= 0) continue;
+    throw Error(ErrorCode::precondition, fmt::format("generator {} lies on a face that is left out", i),
+                std::int64_t(i));
+  }
+}
+
+IdVector<FaceId, GeneratorId> label_level(const Mesh& mesh, const FaceRegions& regions, const LevelOptions& options) {
+  if (regions.empty()) {
+    const Diagram diagram =
+        compute_diagram(mesh, sample_generators(mesh, options.generators.sampling), options.diagram);
+    return segment_faces(mesh, diagram, options.labels).face_label;
+  }
+  const SeparatedMesh separated = separate_regions(mesh, regions);
+  const RegionSamples samples = sample_regions(separated, regions, options.generators);
+  const Diagram diagram = compute_diagram(separated.mesh, samples.points, options.diagram);
+  return segment_faces(separated.mesh, diagram, options.labels).face_label;
+}
+
+}  // namespace gvd
