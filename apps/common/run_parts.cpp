@@ -80,9 +80,9 @@ ResolvedGenerators resolve(const CheckedMesh& input, const GeneratorOptions& ask
   return resolve_generators(input.mesh, read_list(asked), options);
 }
 
-ResolvedGenerators sample(Run& run, const Mesh& mesh) {
+ResolvedGenerators sample(Run& run, const Mesh& mesh, const Sampler& sampler) {
   ResolvedGenerators sampled;
-  sampled.points = sample_generators(mesh, make_sampling_options(run));
+  sampled.points = sampler(mesh, make_sampling_options(run));
   sampled.snap_distance.resize(sampled.points.size());
   return sampled;
 }
@@ -241,12 +241,13 @@ void refuse_name(Run& run, const std::string& option, const std::string& name) {
                                                        option, name, file.empty() ? "standard input" : file));
 }
 
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input) {
+std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, const Sampler& sampler) {
   const GeneratorOptions& asked = run.options().generators;
   ResolvedGenerators found = run.timed("generators", [&] {
     const ResolveOptions resolving{
         .max_snap = asked.max_snap, .merge_coincident = asked.merge_coincident, .progress = run.progress()};
-    ResolvedGenerators chosen = asked.are_listed() ? resolve(input, asked, resolving) : sample(run, input.mesh);
+    ResolvedGenerators chosen =
+        asked.are_listed() ? resolve(input, asked, resolving) : sample(run, input.mesh, sampler);
     note_changes(run, asked, chosen, input.mesh.bbox_diagonal());
     return chosen;
   });

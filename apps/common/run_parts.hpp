@@ -50,9 +50,13 @@ auto find_numbers(Run& run, const CheckedMesh& input, const std::string& option,
   return *std::move(found);
 }
 
+/// Samples generators of a mesh.
+using Sampler = std::function<std::vector<SurfacePoint>(const Mesh&, const SamplingOptions&)>;
+
 /// Chooses the generators by the options, exactly as many as they say, and reports them: those of a list, or sampled
 /// ones. Throws what read_generators, resolve_generators and sample_generators throw.
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input);
+std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input,
+                                          const Sampler& sampler = sample_generators);
 
 /// The library's options for sampled generators.
 SamplingOptions make_sampling_options(Run& run);

@@ -21,7 +21,8 @@
 #include "gvd/region_statistics.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/text.hpp"
-#include "weights.hpp"
+#include "segment/parted_surface.hpp"
+#include "segment/weights.hpp"
 
 namespace gvd::app {
 namespace {
@@ -47,6 +48,7 @@ constexpr double kUsualBorderRatio = 1.14;
 struct OwnOptions {
   bool cut = false;
   std::optional<FaceLabels> labels;  ///< of whole faces
+  RegionOptions regions;
   WeightOptions weights;
 };
 
@@ -60,6 +62,7 @@ void report_options(Run& run, const OwnOptions& own, const SegmentOptions& optio
   reported["vertex_labels"] = file("--vertex-labels");
   reported["vertex_distances"] = file("--vertex-distances");
   reported["labels"] = own.cut ? nullptr : Json(name_in(kFaceLabelNames, options.labels));
+  report_region_options(run, own.regions);
   report_weight_options(run, own.weights);
 }
 
@@ -72,24 +75,41 @@ std::string describe_without_face(const std::vector<std::int32_t>& ids) {
       fmt::join(ids.begin(), named, ", "), named == ids.end() ? "" : ", ...");
 }
 
-/// Reports the size of each of `count` regions, and notes the faces that none has.
-void report_regions(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t count) {
-  const auto unreached = std::count_if(label.begin(), label.end(), [](GeneratorId g) { return !g.valid(); });
+/// A segmented mesh, whose faces are those of the input or pieces of them.
+struct Segmented {
+  const PartedSurface& surface;
+  const Diagram& diagram;  ///< of the surface
+  const Mesh& mesh;
+  const IdVector<FaceId, GeneratorId>& label;
+  const IdVector<FaceId, FaceId>* parent = nullptr;  ///< of pieces
+};
+
+/// Reports the size of each region, and notes the faces that no generator reaches.
+void report_regions(Run& run, const Segmented& made) {
+  const auto is_unreached = [&](FaceId f) {
+    return !made.label[f].valid() && !made.surface.is_left_out(made.parent != nullptr ? (*made.parent)[f] : f);
+  };
+  const auto faces = made.mesh.faces();
+  const auto unreached = std::count_if(faces.begin(), faces.end(), is_unreached);
   if (unreached > 0) {
     run.console().note(fmt::format("{} reached by no generator: label -1", counted(unreached, "face is", "faces are")));
   }
   Json& results = run.report().results();
-  results["faces"] = mesh.face_count();
+  results["faces"] = made.mesh.face_count();
   results["unreached_faces"] = unreached;
   Json& regions = results["regions"] = Json::array();
-  const IdVector<GeneratorId, RegionSize> sizes = measure_regions(mesh, label, count);
+  const std::vector<SurfacePoint>& generators = made.diagram.generators;
+  const IdVector<GeneratorId, RegionSize> sizes = measure_regions(made.mesh, made.label, generators.size());
   for (const GeneratorId g : sizes.ids()) {
-    regions.push_back({{"label", g.value()}, {"faces", sizes[g].faces}, {"area", sizes[g].area}});
+    Json& region = regions.emplace_back(Json{{"label", g.value()}});
+    for (const FaceNumbers& n : made.surface.numbers()) region[n.name] = n.values[generators[g.index()].face];
+    region["faces"] = sizes[g].faces;
+    region["area"] = sizes[g].area;
   }
 }
 
 /// The labels of the faces and vertices, and the distances of the vertices: each as an array, as a table, or in a
-/// format of meshes that holds nothing else.
+/// format of meshes that holds nothing else. With levels, each face has the labels of all.
 void write_arrays(Run& run, const LabelledMesh& output) {
   const DistanceTable distances{.rows = {output.vertex_distance->raw()}, .nearest = output.vertex_label->raw()};
   const auto write = [&](const char* option, const OutputWriter& write_npy, const OutputWriter& write_csv) {
@@ -105,7 +125,13 @@ void write_arrays(Run& run, const LabelledMesh& output) {
         option, [&](std::ostream& out) { write_labels_npy(out, labels); },
         [&](std::ostream& out) { write_labels_csv(out, labels, element); });
   };
-  write_labels("--face-labels", output.face_label->raw(), "face");
+  if (const auto levels = levels_of(*output.face_numbers); !levels.empty()) {
+    write(
+        "--face-labels", [&](std::ostream& out) { write_levels_npy(out, levels); },
+        [&](std::ostream& out) { write_levels_csv(out, levels); });
+  } else {
+    write_labels("--face-labels", output.face_label->raw(), "face");
+  }
   write_labels("--vertex-labels", output.vertex_label->raw(), "vertex");
   write(
       "--vertex-distances", [&](std::ostream& out) { write_distances_npy(out, distances); },
@@ -137,7 +163,6 @@ std::optional<double> report_segmentation(Run& run, const Mesh& mesh, const Diag
   results["border_length"] = borders;
   const std::optional<double> ratio = bisectors > 0 ? std::optional(borders / bisectors) : std::nullopt;
   results["border_ratio"] = or_null(ratio);
-  report_regions(run, mesh, segmentation.face_label, diagram.generators.size());
   return ratio;
 }
 
@@ -150,38 +175,60 @@ void note_long_borders(Run& run, std::optional<double> ratio) {
                   *ratio, kUsualBorderRatio));
 }
 
-void write_whole_faces(Run& run, const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
+/// Labels the faces of the diagram's surface, which are those of the input. Files have the input's vertices, on which
+/// borders of regions are not doubled; bisectors are read from the surface.
+void write_whole_faces(Run& run, const PartedSurface& surface, const Mesh& input, const Diagram& diagram,
+                       const SegmentOptions& options) {
+  const Mesh& mesh = surface.mesh();
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
   const std::optional<double> ratio = report_segmentation(run, mesh, diagram, segmentation);
+  report_regions(run, {surface, diagram, input, segmentation.face_label});
   if (options.labels == FaceLabels::smooth) note_long_borders(run, ratio);
-  write_files(run, label_mesh(mesh, diagram, segmentation.face_label),
-              [&](std::ostream& out) { write_segmentation_json(out, mesh, diagram, segmentation); });
+  Diagram restricted;
+  const Diagram& written = surface.restrict(diagram, restricted);
+  std::vector<FaceNumbers> numbers = surface.numbers();
+  surface.add_labels(segmentation.face_label, numbers);
+  LabelledMesh output = label_mesh(input, written, segmentation.face_label);
+  output.diagram = &diagram;
+  output.diagram_mesh = &mesh;
+  output.face_numbers = &numbers;
+  write_files(run, output,
+              [&](std::ostream& out) { write_segmentation_json(out, input, written, segmentation, numbers); });
+  write_diagram_file(run, input, written);
 }
 
-void write_cut_faces(Run& run, const Mesh& mesh, const Diagram& diagram) {
-  const CutMesh cut = run.timed("cut", [&] { return cut_faces(mesh, diagram, run.progress()); });
-  const CutVertices vertices = carry_to_cut_vertices(mesh, diagram, cut);
+/// Cuts the input and not the diagram's surface: both sides of a border keep their vertices in common.
+void write_cut_faces(Run& run, const PartedSurface& surface, const Mesh& input, const Diagram& diagram) {
+  CutMesh cut = run.timed("cut", [&] { return cut_faces(input, diagram, run.progress()); });
+  const CutVertices vertices = carry_to_cut_vertices(surface.mesh(), diagram, cut);
+  cut.numbers = carry_to_cut_faces(surface.numbers(), cut);
+  surface.add_labels(cut.label, cut.numbers);
   if (cut.uncut_faces > 0) {
     run.console().note(fmt::format("{} could not be cut", counted(cut.uncut_faces, "face", "faces")));
   }
   run.report().results()["uncut_faces"] = cut.uncut_faces;
-  report_regions(run, cut.mesh, cut.label, diagram.generators.size());
-  const LabelledMesh output{cut.mesh, &cut.label, &cut.parent, &vertices.label, &vertices.distance, &diagram, &mesh};
-  write_files(run, output, [&](std::ostream& out) { write_cut_json(out, mesh, diagram, cut, vertices); });
+  report_regions(run, {surface, diagram, cut.mesh, cut.label, &cut.parent});
+  LabelledMesh output{cut.mesh,           &cut.label, &cut.parent,    &vertices.label,
+                      &vertices.distance, &diagram,   &surface.mesh()};
+  output.face_numbers = &cut.numbers;
+  Diagram restricted;
+  const Diagram& written = surface.restrict(diagram, restricted);
+  write_files(run, output, [&](std::ostream& out) { write_cut_json(out, input, written, cut, vertices); });
+  write_diagram_file(run, input, written);
 }
 
 void segment(Run& run, const OwnOptions& own) {
   const SegmentOptions options{own.labels.value_or(SegmentOptions().labels), run.progress()};
   report_options(run, own, options);
   const CheckedMesh input = load_input(run);
-  const Mesh& mesh = input.mesh;
-  const Diagram diagram = build_weighted_diagram(run, input, make_generators(run, input), own.weights);
+  const PartedSurface surface(run, input, own.regions, options);
+  const Mesh& mesh = surface.mesh();
+  const Diagram diagram = build_weighted_diagram(run, {input, mesh}, surface.make_generators(run), own.weights);
   if (own.cut) {
-    write_cut_faces(run, mesh, diagram);
+    write_cut_faces(run, surface, input.mesh, diagram);
   } else {
-    write_whole_faces(run, mesh, diagram, options);
+    write_whole_faces(run, surface, input.mesh, diagram, options);
   }
-  write_diagram_file(run, mesh, diagram);
   write_own_file(run, "--stats",
                  [&](std::ostream& out) { write_statistics_csv(out, compute_region_statistics(mesh, diagram)); });
   write_own_file(run, "--adjacency", [&](std::ostream& out) {
@@ -208,6 +255,7 @@ int main(int argc, char** argv) {
              "How to label whole faces on a bisector: for borders as short as its faces allow, or by the largest share "
              "(default: smooth)")
       ->excludes("--cut");
+  add_region_options(command.line(), own.regions, command.options().generators);
   add_weight_options(command.line(), own.weights);
   command.add_target("--face-labels", "Write the label of each face, in the order of the faces in .ply (-1 for none)");
   command.add_target("--vertex-labels",

@@ -2,7 +2,10 @@
 //
 // Files of weights and shares have a number for each generator, in their order; the report lists the weights that were
 // found, so that --weights gives the same diagram at once.
-#include "weights.hpp"
+// Inside regions, the mesh of the diagram has a component for each connected part of one, and the cells of a component
+// share out its own area. A density is read for the input: it has a number for each corner of each face, and the faces
+// of both meshes are the same.
+#include "segment/weights.hpp"
 
 #include <fmt/format.h>
 
@@ -34,12 +37,12 @@ std::vector<double> read_for_generators(const char* option, const std::string& f
                   counted(std::ptrdiff_t(generators), "generator", "generators"), option));
 }
 
-Diagram balance(Run& run, const CheckedMesh& input, const std::vector<SurfacePoint>& generators,
+Diagram balance(Run& run, const DiagramSurface& surface, const std::vector<SurfacePoint>& generators,
                 const WeightOptions& options, BalanceOptions balancing) {
-  if (options.balance != "area") balancing.density = find_density(run, input, "--balance", options.balance);
+  if (options.balance != "area") balancing.density = find_density(run, surface.input, "--balance", options.balance);
   balancing.shares = read_for_generators("--shares", options.shares, generators.size());
   balancing.diagram.progress = run.progress();
-  BalancedDiagram balanced = run.timed("balance", [&] { return balance_cells(input.mesh, generators, balancing); });
+  BalancedDiagram balanced = run.timed("balance", [&] { return balance_cells(surface.mesh, generators, balancing); });
   report_diagram(run, balanced.diagram);
   report_balance(run, balanced);
   return std::move(balanced.diagram);
@@ -66,9 +69,9 @@ void report_weight_options(Run& run, const WeightOptions& options) {
   reported["weights"] = or_null(options.weights);
 }
 
-Diagram build_weighted_diagram(Run& run, const CheckedMesh& input, const std::vector<SurfacePoint>& generators,
+Diagram build_weighted_diagram(Run& run, const DiagramSurface& surface, const std::vector<SurfacePoint>& generators,
                                const WeightOptions& options) {
-  if (options.balance.empty() && options.weights.empty()) return build_diagram(run, input.mesh, generators);
+  if (options.balance.empty() && options.weights.empty()) return build_diagram(run, surface.mesh, generators);
   BalanceOptions balancing;
   balancing.diagram = make_diagram_options(run.options().compute);
   if (balancing.diagram.method != Method::exact) {
@@ -76,8 +79,8 @@ Diagram build_weighted_diagram(Run& run, const CheckedMesh& input, const std::ve
                 fmt::format("{} needs --method exact", options.balance.empty() ? "--weights" : "--balance"));
   }
   balancing.diagram.weights = read_for_generators("--weights", options.weights, generators.size());
-  Diagram diagram = options.balance.empty() ? build_diagram(run, input.mesh, generators, balancing.diagram.weights)
-                                            : balance(run, input, generators, options, balancing);
+  Diagram diagram = options.balance.empty() ? build_diagram(run, surface.mesh, generators, balancing.diagram.weights)
+                                            : balance(run, surface, generators, options, balancing);
   run.report().results()["weights"] = diagram.weights;
   return diagram;
 }

@@ -23,9 +23,15 @@ void add_weight_options(CLI::App& app, WeightOptions& target);
 /// Adds them to the member `options` of the report.
 void report_weight_options(Run& run, const WeightOptions& options);
 
+/// The input of a command, and the mesh of the diagram, which has the same faces.
+struct DiagramSurface {
+  const CheckedMesh& input;
+  const Mesh& mesh;
+};
+
 /// Computes the diagram by the options, balanced where they say so, and reports it. Throws what `build_diagram`,
 /// read_values, read_density and balance_cells throw; Error{invalid_option} where the method takes no weights.
-Diagram build_weighted_diagram(Run& run, const CheckedMesh& input, const std::vector<SurfacePoint>& generators,
+Diagram build_weighted_diagram(Run& run, const DiagramSurface& surface, const std::vector<SurfacePoint>& generators,
                                const WeightOptions& options);
 
 }  // namespace gvd::app

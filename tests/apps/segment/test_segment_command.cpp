@@ -211,11 +211,15 @@ std::vector<int> labels_on_page(const std::string& page) {
 }
 
 TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or cut, and first the cells") {
-  for (const char* options : {"", "--labels nearest", "--cut"}) {
+  for (const std::string options : {"", "--labels nearest", "--cut", "--mask", "--cut --mask"}) {
     const ScratchFolder scratch;
-    const CommandResult result =
-        run_command("gvd-segment", data_file("figure.obj") + " -q -n 20 -o " + scratch / "a.json" + " --view " +
-                                       scratch / "v.html --up z " + options);
+    std::string mask;
+    for (int f = 0; f < 5876; ++f) mask += f < 600 ? "1 " : "0 ";
+    write_text(scratch / "mask.txt", mask);
+    const bool is_masked = options.ends_with("--mask"), is_cut = options.starts_with("--cut");
+    const CommandResult result = run_command(
+        "gvd-segment", data_file("figure.obj") + " -q -n 20 -o " + scratch / "a.json" + " --view " +
+                           scratch / "v.html --up z " + options + (is_masked ? " " + scratch / "mask.txt" : ""));
     if (result.exit_code == 2) {
       WARN("skipped: this build is without the viewer");
       return;
@@ -225,11 +229,11 @@ TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or 
     const auto output = nlohmann::json::parse(read_text(scratch / "a.json"));
     const auto& labels = output.contains("cut_mesh") ? output["cut_mesh"]["labels"] : output["face_labels"];
     const std::string page = read_text(scratch / "v.html");
+    CHECK((std::count(labels.begin(), labels.end(), -1) > 0) == is_masked);
     CHECK(labels_on_page(page) == labels.get<std::vector<int>>());
     const auto manifest = nlohmann::json::parse(element_text(page, "manifest"));
     CHECK(manifest["up"] == "z");
     CHECK(manifest["scenes"].back()["figures"][0] == nlohmann::json({"Faces", std::to_string(labels.size())}));
-    const bool is_cut = options == std::string("--cut");
     CHECK(manifest["scenes"].size() == (is_cut ? 1 : 2));
     CHECK(manifest["scenes"][0].contains("pieces") == !is_cut);
   }
