@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import functools
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Optional
 
 import numpy
 from numpy.typing import NDArray
@@ -157,7 +157,18 @@ class Segmentation(Writable):
     labels = forward(_gvd.Segmentation.labels, "The label of each face (m), -1 where no generator reaches; a view.")
     without_face = forward(_gvd.Segmentation.without_face,
                            "Generators that own no face, because their cells lie inside faces of others; a view.")
-    border_length = forward(_gvd.Segmentation.border_length, "Length of the edges between regions, mesh units.")
+    border_length = forward(_gvd.Segmentation.border_length,
+                            "Length of the edges between labels, mesh units; of those inside regions, where these were given.")
+
+    @property
+    def regions(self) -> Optional[NDArray[numpy.int32]]:
+        """The region of each face as `within` gave it (m), negative where it is left out; a view. None without `within`."""
+        return self._native.numbers().get("region")
+
+    @property
+    def levels(self) -> list[NDArray[numpy.int32]]:
+        """The labels of the faces at each level of `levels`, from the coarsest to `labels`; views."""
+        return [labels for name, labels in self._native.numbers().items() if name.startswith("label_")]
 
     def to_vtk(self) -> Any:
         """The surface as vtkPolyData, with Label of its faces and Distance of its vertices."""

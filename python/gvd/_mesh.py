@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, Literal, Optional, Union, overload
 
 import numpy
@@ -270,7 +270,7 @@ class Mesh(Writable):
         options: dict[str, Any] = {name: _numbers(name, values) for name, values in (("shares", shares), ("weights", weights))
                                    if values is not None}
         if density is not None:
-            options["density"] = self._density(density)
+            options["density"] = self._of_elements("density", density)
         generators = self._resolve("points", points, coincident="refuse")
         with reporting(progress) as callback:
             native, masses, targets, tied, converged = _gvd.balance(
@@ -279,25 +279,55 @@ class Mesh(Writable):
 
     @checked
     def segment(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
-                radius: Optional[float] = None, labels: Literal["smooth", "nearest"] = "smooth",
+                radius: Optional[float] = None, within: Any = None, mask: Any = None, per_region: Optional[int] = None,
+                levels: Optional[Sequence[int]] = None, labels: Literal["smooth", "nearest"] = "smooth",
                 method: Literal["exact", "gbgvd", "paper"] = "exact", front: Optional[Literal["planar", "circle"]] = None,
                 chord_tolerance: Optional[float] = None, threads: int = 0, progress: Progress = None) -> Segmentation:
         """A label for every face: the regions of `n` sampled points, of given `generators`, or of a covering `radius`.
 
         As gvd-segment does it. `labels`: "smooth" for short borders, "nearest" for the largest share of each face.
+        `within`: a whole number for each face or vertex; no region crosses the borders between them, `n` is shared out by
+        area, or each has `per_region`. `mask`: not 0 for each face or vertex to leave out. `levels`: ascending numbers of
+        points, each level inside the one before. Docs: docs/guide/segment.md.
 
         >>> import gvd
-        >>> regions = gvd.read("data/figure.obj").segment(30)
+        >>> mesh = gvd.read("data/figure.obj")
+        >>> regions = mesh.segment(30)
         >>> regions.labels.shape, regions.labels.max()
         ((5876,), 29)
+        >>> mesh.segment(per_region=2, within=regions.labels).labels.max()
+        59
         """
-        one_of("segment", n, generators, radius)
+        if levels is not None:
+            levels = _ascending(levels)
+        one_of("segment", n, generators, radius, per_region=per_region, levels=levels)
         compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
-        if generators is None:
-            points = self._sample(_sampler(n, sampling, seed, radius, compute), progress)
-        else:
-            points = self._resolve("generators", generators, coincident="refuse")
-        return self._diagram(points, compute, progress).segment(labels=labels, progress=progress)
+        if per_region is not None and within is None:
+            refuse("per_region: give the regions, as within=...")
+        count = per_region or (levels[-1] if levels else n)
+        points: Union[_gvd.Sampler, _gvd.PointList] = (
+            _sampler(count, sampling, seed, radius, compute) if generators is None
+            else self._resolve("generators", generators, coincident="refuse"))
+        if within is None and mask is None and not levels:
+            sampled = self._sample(points, progress) if isinstance(points, _gvd.Sampler) else points
+            return self._diagram(sampled, compute, progress).segment(labels=labels, progress=progress)
+        if numpy.asarray(mask).dtype.kind == "b":
+            mask = numpy.asarray(mask, numpy.uint8)
+        regions = _gvd.RegionOptions(self._of_elements("within", within), self._of_elements("mask", mask), list(levels or []),
+                                     per_region is not None, labels)
+        with reporting(progress) as callback:
+            diagram = Diagram(self, _gvd.diagram_inside(self._native, points, compute, regions, callback))
+        return diagram.segment(labels=labels, progress=progress)
+
+    def _of_elements(self, name: str, given: Any) -> Optional[NDArray[Any]]:
+        """A number for each face or vertex."""
+        if given is None:
+            return None
+        values = as_array(name, given)
+        if values.shape not in ((len(self.vertices),), (len(self.faces),)):
+            refuse(f"{name}: a number for each of {len(self.vertices)} vertices or {len(self.faces)} faces is needed, not "
+                   f"{values.shape}")
+        return values
 
     @checked
     def lloyd(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
@@ -380,16 +410,8 @@ class Mesh(Writable):
             if density != "curvature":
                 refuse(f"density: 'curvature' or an array is needed, not {density!r}")
         elif density is not None:
-            options["density"] = self._density(density)
+            options["density"] = self._of_elements("density", density)
         return options
-
-    def _density(self, density: ArrayLike) -> NDArray[Any]:
-        """A number for each vertex or face."""
-        values = as_array("density", density)
-        if values.shape not in ((len(self.vertices),), (len(self.faces),)):
-            refuse(f"density: a number for each of {len(self.vertices)} vertices or {len(self.faces)} faces is needed, "
-                   f"not {values.shape}")
-        return values
 
 
 def _numbers(name: str, given: Optional[ArrayLike]) -> Optional[list[float]]:
@@ -400,6 +422,15 @@ def _numbers(name: str, given: Optional[ArrayLike]) -> Optional[list[float]]:
     if values.ndim != 1:
         refuse(f"{name}: a list of numbers is needed, not {values.shape}")
     return [float(value) for value in values]
+
+
+def _ascending(levels: Sequence[int]) -> list[int]:
+    """Numbers of generators, each above the one before."""
+    values = as_array("levels", levels)
+    is_list = values.ndim == 1 and values.dtype.kind in "iu" and len(values) > 0
+    if not is_list or values[0] < 1 or (numpy.diff(values) <= 0).any():
+        refuse(f"levels: ascending whole numbers from 1 on are needed, not {levels!r}")
+    return [int(value) for value in values]
 
 
 def _sampler(n: Optional[int], sampling: str, seed: int, radius: Optional[float],

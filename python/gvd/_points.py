@@ -121,7 +121,7 @@ def make_entries(name: str, given: Any) -> Entries:
     return _from_array(name, as_array(name, given))
 
 
-def one_of(name: str, n: Optional[Any], generators: Optional[Any], radius: Optional[float]) -> None:
+def one_of(name: str, n: Optional[Any], generators: Optional[Any], radius: Optional[float], **others: Any) -> None:
     """Refuses any but one way to name generators."""
-    if sum(given is not None for given in (n, generators, radius)) != 1:
-        refuse(f"{name}: give one of n, generators and radius")
+    if sum(given is not None for given in (n, generators, radius, *others.values())) != 1:
+        refuse(f"{name}: give one of {', '.join(['n', 'generators', *others])} and radius")

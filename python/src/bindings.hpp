@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "gvd/diagram.hpp"
+#include "gvd/face_regions.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/sampling.hpp"
@@ -53,13 +54,30 @@ struct Sampler {
           const ComputeOptions& compute);
 };
 
+/// What a diagram inside regions was made on.
+struct PartedSurface {
+  SeparatedMesh separated;
+  Diagram diagram;                   ///< of the separated mesh
+  std::vector<FaceNumbers> numbers;  ///< of the input's faces: regions, and labels of the coarser levels
+  std::size_t levels = 0;
+
+  /// With levels, adds the labels of the last one.
+  void add_labels(const IdVector<FaceId, GeneratorId>& labels, std::vector<FaceNumbers>& to) const {
+    if (levels > 0) to.push_back({level_name(levels), to_regions(labels)});
+  }
+};
+
 /// A diagram, alone or as a part of another result, which then stays alive.
 struct MeshDiagram {
   SharedMesh input;
   std::shared_ptr<const Diagram> part;
+  std::shared_ptr<const PartedSurface> parted = {};  ///< null: the diagram is that of the input
 
   const Mesh& mesh() const { return input->mesh; }
   const Diagram& diagram() const { return *part; }
+  /// The mesh and the diagram that has all of its vertices; other ones inside regions.
+  const Mesh& surface() const { return parted ? parted->separated.mesh : input->mesh; }
+  const Diagram& surface_diagram() const { return parted ? parted->diagram : *part; }
 };
 using SharedDiagram = std::shared_ptr<MeshDiagram>;
 
@@ -84,6 +102,7 @@ std::string make_page(const LabelledMesh& mesh, const std::string& title);
 void bind_mesh(py::module_& module);
 void bind_distances(py::module_& module);
 void bind_diagram(py::module_& module);
+void bind_regions(py::module_& module);
 void bind_remesh(py::module_& module);
 
 }  // namespace gvd::python

@@ -19,6 +19,7 @@ namespace {
 struct Segmented {
   SharedDiagram of;
   Segmentation segmentation;
+  std::vector<FaceNumbers> numbers = {};
 };
 
 struct Cut {
@@ -27,13 +28,26 @@ struct Cut {
   CutVertices vertices;
 };
 
-LabelledMesh labelled(const MeshDiagram& of) { return label_mesh(of.mesh(), of.diagram(), of.diagram().face_label); }
+/// The labels and distances of a diagram, and the bisectors on the surface that it was made on.
+LabelledMesh label_surface(const MeshDiagram& of, const IdVector<FaceId, GeneratorId>& faces) {
+  LabelledMesh mesh = label_mesh(of.mesh(), of.diagram(), faces);
+  mesh.diagram = &of.surface_diagram();
+  mesh.diagram_mesh = &of.surface();
+  return mesh;
+}
+
+LabelledMesh labelled(const MeshDiagram& of) { return label_surface(of, of.surface_diagram().face_label); }
 LabelledMesh labelled(const Segmented& made) {
-  return label_mesh(made.of->mesh(), made.of->diagram(), made.segmentation.face_label);
+  LabelledMesh mesh = label_surface(*made.of, made.segmentation.face_label);
+  mesh.face_numbers = &made.numbers;
+  return mesh;
 }
 LabelledMesh labelled(const Cut& c) {
-  return {c.cut.mesh,           &c.cut.label,     &c.cut.parent, &c.vertices.label,
-          &c.vertices.distance, &c.of->diagram(), &c.of->mesh()};
+  LabelledMesh mesh{c.cut.mesh,        &c.cut.label,         &c.cut.parent,
+                    &c.vertices.label, &c.vertices.distance, &c.of->surface_diagram(),
+                    &c.of->surface()};
+  mesh.face_numbers = &c.cut.numbers;
+  return mesh;
 }
 
 SharedDiagram make_diagram(const SharedMesh& input, const PointList& generators,
@@ -48,17 +62,27 @@ SharedDiagram make_diagram(const SharedMesh& input, const PointList& generators,
   });
 }
 
+/// Labels the faces, and adds the numbers that they have inside regions.
 Segmented segment(const SharedDiagram& of, const std::string& labels, const py::object& progress) {
   const FaceLabels chosen = choose("labels", labels, kFaceLabelNames);
   return run_unlocked(progress, [&](const Progress& reported) {
-    return Segmented{of, segment_faces(of->mesh(), of->diagram(), {chosen, reported})};
+    Segmented made{of, segment_faces(of->surface(), of->surface_diagram(), {chosen, reported})};
+    if (of->parted) {
+      made.numbers = of->parted->numbers;
+      of->parted->add_labels(made.segmentation.face_label, made.numbers);
+    }
+    return made;
   });
 }
 
 Cut cut(const SharedDiagram& of, const py::object& progress) {
   return run_unlocked(progress, [&](const Progress& reported) {
-    CutMesh faces = cut_faces(of->mesh(), of->diagram(), reported);
-    CutVertices vertices = carry_to_cut_vertices(of->mesh(), of->diagram(), faces);
+    CutMesh faces = cut_faces(of->mesh(), of->surface_diagram(), reported);
+    CutVertices vertices = carry_to_cut_vertices(of->surface(), of->surface_diagram(), faces);
+    if (of->parted) {
+      faces.numbers = carry_to_cut_faces(of->parted->numbers, faces);
+      of->parted->add_labels(faces.label, faces.numbers);
+    }
     return Cut{of, std::move(faces), std::move(vertices)};
   });
 }
@@ -109,7 +133,7 @@ OwnFormats own_formats(const MeshDiagram& of) {
 
 OwnFormats own_formats(const Segmented& made) {
   return {{"json", [&made](std::ostream& out) {
-             write_segmentation_json(out, made.of->mesh(), made.of->diagram(), made.segmentation);
+             write_segmentation_json(out, made.of->mesh(), made.of->diagram(), made.segmentation, made.numbers);
            }}};
 }
 
@@ -137,13 +161,22 @@ auto member_view(Get get) {
   return [get](const py::object& self) { return view(get(self.cast<const Result&>()), self); };
 }
 
+/// The further numbers of the faces by their names, as views.
+py::dict numbers_of(const py::object& self) {
+  py::dict found;
+  for (const FaceNumbers& each : self.cast<const Segmented&>().numbers)
+    found[each.name.c_str()] = view(each.values, self);
+  return found;
+}
+
 void bind_results(py::module_& module) {
   py::class_<Segmented> segmented(module, "Segmentation");
   segmented.def("labels", member_view<Segmented>([](const Segmented& s) -> auto& { return s.segmentation.face_label; }))
       .def("without_face",
            member_view<Segmented>([](const Segmented& s) -> auto& { return s.segmentation.without_face; }))
       .def("border_length",
-           [](const Segmented& s) { return compute_border_length(s.of->mesh(), s.segmentation.face_label); });
+           [](const Segmented& s) { return compute_border_length(s.of->surface(), s.segmentation.face_label); })
+      .def("numbers", &numbers_of);
   bind_files<Segmented>(segmented);
 
   py::class_<Cut> cut_class(module, "Cut");
@@ -171,7 +204,8 @@ namespace {
 std::vector<ViewScene> make_scenes(const LabelledMesh& mesh) {
   if (mesh.diagram != nullptr) {
     const bool is_diagram = mesh.face_label == &mesh.diagram->face_label;  // its cut faces have pieces, not labels
-    return is_diagram ? std::vector{make_view_scene("Regions", mesh.mesh, *mesh.diagram)} : make_region_scenes(mesh);
+    return is_diagram ? std::vector{make_view_scene("Regions", mesh.surface(), *mesh.diagram)}
+                      : make_region_scenes(mesh);
   }
   ViewScene scene;
   scene.mesh = &mesh.mesh;
@@ -232,8 +266,8 @@ void bind_diagram(py::module_& module) {
       .def("segment", &segment)
       .def("cut", &cut)
       .def("check", [](const MeshDiagram& d) {
-        return run_unlocked(py::none(),
-                            [&](const Progress&) { return check_diagram(d.mesh(), d.diagram()).violations; });
+        return run_unlocked(
+            py::none(), [&](const Progress&) { return check_diagram(d.surface(), d.surface_diagram()).violations; });
       });
   bind_files<MeshDiagram>(diagram);
   bind_results(module);

@@ -43,5 +43,6 @@ PYBIND11_MODULE(_gvd, module) {
   bind_diagram(module);  // first: the others take its options
   bind_mesh(module);
   bind_distances(module);
+  bind_regions(module);
   bind_remesh(module);
 }

@@ -76,6 +76,62 @@ class SameBytes(unittest.TestCase):
         self.run_command("gvd-segment", meshes.TORUS, "--generators", "list.txt", "-o", "e.json")
         self.assert_same_files(gvd.read(meshes.TORUS).segment(generators=positions), "e", ["json"])
 
+    def test_segment_inside_regions(self):
+        extensions = ["ply", "obj", "off", "stl", "vtp", "vtu", "glb", "json"]
+        outputs = [part for e in extensions for part in ("-o", f"w.{e}")]
+        for mesh_file in (meshes.FIGURE, meshes.HALF_SPHERE, meshes.PLATE):
+            mesh = gvd.read(mesh_file)
+            within = mesh.segment(4).labels * 10 - 10  # the first one is left out
+            mask = numpy.arange(len(mesh.faces)) % 50 == 0
+            (self.folder / "within.txt").write_text("\n".join(map(str, within)))
+            (self.folder / "mask.txt").write_text("\n".join(str(int(m)) for m in mask))
+            given = ["--within", "within.txt", "--mask", "mask.txt"]
+            self.run_command("gvd-segment", mesh_file, "-n", 90, *given, *outputs, "--diagram", "diagram.json")
+            regions = mesh.segment(90, within=within, mask=mask)
+            self.assert_same_files(regions, "w", extensions)
+            self.assert_same_files(regions.diagram, "diagram", ["json"])
+            self.assertEqual(regions.diagram.check(), [])
+            self.assertEqual(regions.diagram.distances.shape, (len(mesh.vertices),))
+            left_out = mask | (within < 0)
+            numpy.testing.assert_array_equal(regions.regions, within)
+            numpy.testing.assert_array_equal(regions.labels < 0, left_out)
+            for label in range(regions.labels.max() + 1):
+                self.assertLessEqual(len(set(within[regions.labels == label])), 1)
+            self.run_command("gvd-segment", mesh_file, "-n", 90, *given, "--cut", *outputs)
+            self.assert_same_files(regions.diagram.cut(), "w", extensions)
+
+    def test_segment_levels(self):
+        outputs = ["-o", "v.ply", "-o", "v.vtp", "-o", "v.json"]
+        for mesh_file in (meshes.FIGURE, meshes.PLATE):
+            self.run_command("gvd-segment", mesh_file, "--levels", "3,10,60", "--labels", "nearest", *outputs, "--face-labels", "v.npy")
+            regions = gvd.read(mesh_file).segment(levels=[3, 10, 60], labels="nearest")
+            self.assert_same_files(regions, "v", ["ply", "vtp", "json"])
+            numpy.testing.assert_array_equal(numpy.load(self.folder / "v.npy"), numpy.stack(regions.levels, axis=1))
+            numpy.testing.assert_array_equal(regions.levels[-1], regions.labels)
+            for coarse, fine in zip(regions.levels, regions.levels[1:]):
+                pairs = set(zip(fine.tolist(), coarse.tolist()))
+                self.assertEqual(len(pairs), len({label for label, _ in pairs}))
+            self.run_command("gvd-segment", mesh_file, "--levels", "3,60", "--cut", *outputs)
+            self.assert_same_files(gvd.read(mesh_file).segment(levels=[3, 60]).diagram.cut(), "v", ["ply", "vtp", "json"])
+        torus = gvd.read(meshes.TORUS)
+        halves = (torus.vertices[:, 0] > 0).astype(int)  # of vertices
+        (self.folder / "halves.txt").write_text("\n".join(map(str, halves)))
+        self.run_command("gvd-segment", meshes.TORUS, "--per-region", 3, "--within", "halves.txt", "-o", "x.json")
+        self.assert_same_files(torus.segment(per_region=3, within=halves), "x", ["json"])
+        inside = numpy.flatnonzero(halves == 0)[[5, 9, 60]]
+        self.run_command("gvd-segment", meshes.TORUS, "--vertices", ",".join(map(str, inside)), "--mask", "halves.txt", "-o", "y.json")
+        self.assert_same_files(torus.segment(generators=inside, mask=halves), "y", ["json"])
+        for wrong in ({"n": 5, "within": [1, 2]}, {"per_region": 2}, {"levels": [5, 3]}, {"levels": [2], "n": 3}, {"levels": []},
+                      {"per_region": 1.5, "within": halves}, {"levels": "five"}):
+            with self.subTest(wrong), self.assertRaises(gvd.Error) as caught:
+                torus.segment(**wrong)
+            self.assertEqual(caught.exception.code, "invalid_option")
+        for wrong in ({"n": 1, "within": halves}, {"n": 5, "within": halves + 0.5}, {"n": 5, "mask": halves * 0 + 1},
+                      {"n": 5, "mask": halves * numpy.nan}):
+            with self.subTest(wrong), self.assertRaises(gvd.Error) as caught:
+                torus.segment(**wrong)
+            self.assertEqual(caught.exception.code, "precondition")
+
     def test_lloyd(self):
         extensions = ["txt", "csv", "json", "ply", "vtp"]
         outputs = [part for e in extensions for part in ("-o", f"l.{e}")]
