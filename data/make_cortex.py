@@ -3,6 +3,7 @@
 
 FOLDER/cortex.surf.gii is closed, has 10,242 vertices and 20,480 faces, and folds of some 8 mm. FOLDER/atlas.label.gii has
 a key for each vertex: 1 to 12 for a region, and 0, named ???, for the flat inner side. Both are GIFTI in text.
+FOLDER/wall.txt has a line for each vertex: 1 on the inner side, 0 elsewhere.
 
 A subdivided icosahedron is stretched and moved along its rays by waves, so that no two triangles intersect.
 """
@@ -99,7 +100,9 @@ def main():
     shade = lambda k: f'Red="{0.2 + 0.05 * k:.2f}" Green="{0.9 - 0.06 * k:.2f}" Blue="{0.3 + k % 3 * 0.3:.2f}"'
     labels = [f'<Label Key="{k}" {shade(k)} Alpha="1">lobe_{k}</Label>\n' for k in range(1, REGIONS + 1)]
     table = '<LabelTable>\n<Label Key="0" Red="0" Green="0" Blue="0" Alpha="0">???</Label>\n' + "".join(labels)
-    write_gifti(folder / "atlas.label.gii", table + "</LabelTable>\n", array("LABEL", "INT32", [region(p) for p in points]))
+    regions = [region(p) for p in points]
+    write_gifti(folder / "atlas.label.gii", table + "</LabelTable>\n", array("LABEL", "INT32", regions))
+    (folder / "wall.txt").write_text("".join(f"{int(k == 0)}\n" for k in regions))
 
 
 if __name__ == "__main__":

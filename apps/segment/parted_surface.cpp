@@ -105,6 +105,7 @@ void PartedSurface::read_regions(Run& run) {
   if (!options_.mask.empty()) {
     const SoupProperty mask = find_numbers(run, input_, "--mask", options_.mask, read_region_numbers);
     name_errors("--mask", options_.mask, [&] { mask_regions(input_.mesh, mask, regions_); });
+    if (!numbers_.empty()) update_numbers(regions_, numbers_.back().values);
   }
 }
 

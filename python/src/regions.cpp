@@ -48,6 +48,7 @@ FaceRegions make_regions(const Mesh& mesh, const RegionOptions& options, std::ve
   if (options.mask) {
     if (regions.empty()) regions.assign(mesh.face_vertices().size(), 0);
     name_errors("mask", [&] { mask_regions(mesh, to_numbers(mesh, *options.mask), regions); });
+    if (options.within) update_numbers(regions, numbers.back().values);
   }
   return regions;
 }

@@ -2,7 +2,8 @@
 //
 // Atlases have labels of vertices. A face takes the number that most of its corners have, so a border between labels
 // runs along edges near that of the vertices; where all three differ, the least number decides. A mask is read in the
-// same way, as 0 and 1.
+// same way, as 0 and 1. A face that would be a region's only one there, for no better reason than the least number or a
+// mask beside it, joins a neighbour: else it would be a connected part of its own, with a generator of its own.
 #include "gvd/face_regions.hpp"
 
 #include <fmt/format.h>
@@ -45,6 +46,26 @@ std::vector<double> to_faces(const Mesh& mesh, const SoupProperty& numbers) {
     of_faces.push_back(majority(values[a.index()], values[b.index()], values[c.index()]));
   }
   return of_faces;
+}
+
+/// Gives each face for which `may_change` holds, and beside which no face has the same region, that of the neighbour
+/// across its longest side. Faces that are left out are no neighbours.
+template <class MayChange>
+void join_single_faces(const Mesh& mesh, FaceRegions& regions, const MayChange& may_change) {
+  for (const FaceId f : mesh.faces()) {
+    if (regions[f] < 0 || !may_change(f)) continue;
+    std::int32_t joined = regions[f];
+    double longest = 0;
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
+      const HalfedgeId twin = mesh.twin(h);
+      const std::int32_t beside = twin.valid() ? regions[Mesh::face(twin)] : -1;
+      if (beside == regions[f]) longest = kInfinity;
+      if (beside < 0 || !(mesh.length(h) > longest)) continue;
+      longest = mesh.length(h);
+      joined = beside;
+    }
+    if (longest < kInfinity) regions[f] = joined;
+  }
 }
 
 /// The values of the mesh's vertices, where the file has none for the midpoints of split edges.
@@ -95,6 +116,12 @@ FaceRegions make_face_regions(const Mesh& mesh, const SoupProperty& numbers) {
     }
     regions.push_back(std::int32_t(value));
   }
+  if (!numbers.of_vertices) return regions;
+  join_single_faces(mesh, regions, [&](FaceId f) {
+    const auto& [a, b, c] = mesh.vertices(f);
+    const double x = numbers.values[a.index()], y = numbers.values[b.index()], z = numbers.values[c.index()];
+    return x != y && y != z && z != x;
+  });
   return regions;
 }
 
@@ -106,8 +133,19 @@ void mask_regions(const Mesh& mesh, const SoupProperty& mask, FaceRegions& regio
   for (const FaceId f : regions.ids()) {
     if (left_out[f.index()] != 0) regions[f] = -1;
   }
+  if (flags.of_vertices) {
+    join_single_faces(mesh, regions, [&](FaceId f) {
+      return std::ranges::any_of(mesh.vertices(f), [&](VertexId v) { return flags.values[v.index()] != 0; });
+    });
+  }
   if (std::ranges::any_of(regions, [](std::int32_t region) { return region >= 0; })) return;
   throw Error(ErrorCode::precondition, "no face is left; the faces whose number is not 0 are left out");
+}
+
+void update_numbers(const FaceRegions& regions, FaceRegions& given) {
+  for (const FaceId f : regions.ids()) {
+    if (regions[f] >= 0) given[f] = regions[f];
+  }
 }
 
 std::optional<SoupProperty> read_region_numbers(const CheckedMesh& input, const std::string& name,

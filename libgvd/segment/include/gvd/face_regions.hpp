@@ -29,13 +29,18 @@ inline std::uint32_t order_of(std::int32_t region) { return region < 0 ? ~0U : s
 FaceRegions to_regions(const IdVector<FaceId, GeneratorId>& labels);
 
 /// Regions from a number for each vertex or each face of `mesh`. Of the numbers of its three corners, a face takes the
-/// one that occurs most often, of equals the least.
+/// one that occurs most often, of equals the least. If all three differ, and no face beside it has that number, it
+/// takes that of the neighbour across its longest side: no single face is a part of its own.
 /// Throws Error{precondition} where the number of values differs, or one is no whole number of 32 bits. Cost: O(n).
 FaceRegions make_face_regions(const Mesh& mesh, const SoupProperty& numbers);
 
-/// Leaves the faces out whose number is not 0. Of vertices, the majority decides as for `make_face_regions`.
+/// Leaves the faces out whose number is not 0. Of vertices, the majority decides as for `make_face_regions`. A face
+/// with a corner that is not 0, and no neighbour of its region left, joins another one.
 /// Throws Error{precondition} where the number of values differs, one is no number, or no face is left. Cost: O(n).
 void mask_regions(const Mesh& mesh, const SoupProperty& mask, FaceRegions& regions);
+
+/// Replaces what was given for the faces that are in a region by their region: a mask may have changed it.
+void update_numbers(const FaceRegions& regions, FaceRegions& given);
 
 /// The numbers that `name` stands for (see `read_element_values`), for each vertex or face of `input.mesh`. Where both
 /// have a property of that name, it is that of the faces; nothing where there is neither a file nor a property. The
