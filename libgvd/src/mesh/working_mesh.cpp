@@ -89,21 +89,26 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
       generator_vertex_(generators.size()),
       vertex_generator_(input.vertex_count()),
       coincidence_(coincidence(input)) {
-  const SortedGenerators sorted = sort_generators(input, generators);
-  for (const auto& [v, g] : sorted.on_vertices) claim(v, g);
-  if (!sorted.on_edges.empty() || !sorted.in_faces.empty()) {
-    report_progress(progress, steps::kWorkingMesh, 0);
-    copy_input();
-    insert_on_edges(sorted.on_edges, progress);
-    for (const auto& [face, ids] : sorted.in_faces) insert_in_face(face, ids, generators, progress);
-    check_inserted();
-  }
+  insert(generators, progress);
   vertex_generator_.resize(mesh().vertex_count());
+}
+
+/// Makes all points vertices.
+void WorkingMesh::insert(const std::vector<SurfacePoint>& points, const Progress& progress) {
+  const SortedGenerators sorted = sort_generators(*input_, points);
+  for (const auto& [v, point] : sorted.on_vertices) claim(v, point);
+  if (sorted.on_edges.empty() && sorted.in_faces.empty()) return;
+  report_progress(progress, steps::kWorkingMesh, 0);
+  copy_input();
+  insert_on_edges(sorted.on_edges, progress);
+  for (const auto& [face, ids] : sorted.in_faces) insert_in_face(face, ids, points, progress);
+  check_inserted();
 }
 
 void WorkingMesh::report_inserted(const Progress& progress) {
   if (++inserted_ % kInsertionStride != 0) return;
-  report_progress(progress, steps::kWorkingMesh, double(inserted_) / double(generator_vertex_.size()));
+  report_progress(progress, steps::kWorkingMesh,
+                  double(inserted_) / double(std::max(generator_vertex_.size(), owner_.size())));
 }
 
 void WorkingMesh::copy_input() {
@@ -114,17 +119,23 @@ void WorkingMesh::copy_input() {
   child_slot_.assign(parent_.size(), -1);
 }
 
-void WorkingMesh::claim(VertexId v, GeneratorId g) {
+void WorkingMesh::claim(VertexId v, PointId point) {
+  if (!point_vertex_.empty()) point_vertex_[point] = v;
+  claim_for(v, owner_.empty() ? point : owner_[point]);
+}
+
+/// Points of one curve may coincide: they have owners. Of two generators that are points none do.
+void WorkingMesh::claim_for(VertexId v, GeneratorId g) {
   if (v.index() >= vertex_generator_.size()) vertex_generator_.resize(v.index() + 1);
   GeneratorId& known = vertex_generator_[v];
-  if (known.valid()) {
+  if (known.valid() && (owner_.empty() || known != g)) {
     const auto [first, second] = std::minmax({known.value(), g.value()});
     throw Error(ErrorCode::precondition,
                 fmt::format("generators {} and {} coincide; remove one or merge coincident generators", first, second),
                 second);
   }
   known = g;
-  generator_vertex_[g] = v;
+  if (!generator_vertex_[g].valid()) generator_vertex_[g] = v;
 }
 
 /// Refuses inserted generators that coincide with a neighbour. While they were inserted they met the corners of one
@@ -133,7 +144,7 @@ void WorkingMesh::check_inserted() {
   for (std::int32_t i = input_->vertex_count(); i < copy_.vertex_count(); ++i) {
     const VertexId v(i);
     for_each_neighbour(copy_, v, [&](VertexId u, HalfedgeId h) {
-      if (generator(u).valid() && copy_.length(h) <= coincidence_) claim(u, generator(v));
+      if (generator(u).valid() && copy_.length(h) <= coincidence_) claim_for(u, generator(v));
     });
   }
 }
@@ -321,23 +332,48 @@ void WorkingMesh::make_delaunay(const std::vector<FaceId>& children) {
   }
 }
 
-bool WorkingMesh::flip_if_not_delaunay(HalfedgeId h) {
+/// The two faces at an edge, and the corners of the quadrilateral that they form: the edge runs from a to b, c is
+/// opposite to it in its face and d in the other one.
+struct WorkingMesh::Quadrilateral {
+  FaceId face, other, parent;
+  Bary a{}, b{}, c{}, d{};
+  /// Whether the diagonal can be the one from d to c.
+  bool is_convex() const { return signed_area(d, b, c) > 0 && signed_area(c, a, d) > 0; }
+};
+
+/// Nothing where the edge is not inside a face of the input.
+std::optional<WorkingMesh::Quadrilateral> WorkingMesh::quadrilateral(HalfedgeId h) const {
   const HalfedgeId t = copy_.twin(h);
   const FaceId f = Mesh::face(h);
-  if (!t.valid() || parent(f) != parent(Mesh::face(t))) return false;
-  const FaceId g = Mesh::face(t), parent_face = parent(f);
+  if (!t.valid() || parent(f) != parent(Mesh::face(t))) return std::nullopt;
   const int i = Mesh::corner(h), j = Mesh::corner(t);
-  const Corners cf = corners(f), cg = corners(g);
-  const Bary &a = cf[i], &b = cf[(i + 1) % 3], &c = cf[(i + 2) % 3], &d = cg[(j + 2) % 3];
-  if (signed_area(d, b, c) <= 0 || signed_area(c, a, d) <= 0) return false;
-  const auto at = [&](const Bary& bary) { return position(*input_, {parent_face, bary}); };
+  const Corners &cf = corners(f), &cg = corners(Mesh::face(t));
+  return Quadrilateral{f, Mesh::face(t), parent(f), cf[i], cf[(i + 1) % 3], cf[(i + 2) % 3], cg[(j + 2) % 3]};
+}
+
+void WorkingMesh::flip(HalfedgeId h, const Quadrilateral& quad) {
+  MeshEditor(copy_).flip_edge(h);
+  set_corners(quad.face, quad.parent, {quad.d, quad.b, quad.c});
+  set_corners(quad.other, quad.parent, {quad.c, quad.a, quad.d});
+}
+
+bool WorkingMesh::flip_if_convex(HalfedgeId h) {
+  const auto quad = quadrilateral(h);
+  if (!quad || !quad->is_convex()) return false;
+  flip(h, *quad);
+  return true;
+}
+
+bool WorkingMesh::flip_if_not_delaunay(HalfedgeId h) {
+  const auto quad = quadrilateral(h);
+  if (!quad || !quad->is_convex()) return false;
+  const auto& [face, other, parent_face, a, b, c, d] = *quad;
+  const auto at = [&, f = parent_face](const Bary& bary) { return position(*input_, {f, bary}); };
   const Vec3 ca = at(a) - at(c), cb = at(b) - at(c), da = at(a) - at(d), db = at(b) - at(d);
   // The edge is not Delaunay if the two opposite angles sum to more than pi: sin(c + d) < 0, times four lengths.
   const double gain = -(ca.cross(cb).norm() * da.dot(db) + da.cross(db).norm() * ca.dot(cb));
   if (gain <= kFlipGain * ca.norm() * cb.norm() * da.norm() * db.norm()) return false;
-  MeshEditor(copy_).flip_edge(h);
-  set_corners(f, parent_face, {d, b, c});
-  set_corners(g, parent_face, {c, a, d});
+  flip(h, *quad);
   return true;
 }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "base/barycentric.hpp"
+#include "gvd/generator_curve.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
@@ -21,6 +23,9 @@ struct EdgeGenerator {
   GeneratorId generator;
 };
 
+/// A point that becomes a vertex: a generator, or one of a curve.
+using PointId = GeneratorId;
+
 /// Generators by what they lie on.
 struct SortedGenerators {
   std::vector<std::pair<VertexId, GeneratorId>> on_vertices;  ///< ascending by generator
@@ -32,7 +37,15 @@ struct SortedGenerators {
 /// O(n log n).
 SortedGenerators sort_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators);
 
-/// A copy of a mesh in which every generator is a vertex.
+/// The generators of a working mesh that are curves: chains of its edges.
+struct CurveEdges {
+  std::vector<std::pair<VertexId, GeneratorId>> vertices;  ///< of all curves, each once; ascending
+  std::vector<HalfedgeId> edges;  ///< one halfedge of each edge, ascending; its ends lie on one curve
+
+  bool empty() const { return vertices.empty(); }
+};
+
+/// A copy of a mesh in which every generator is a vertex, or a chain of edges.
 ///
 /// Generators inside a face or on an edge split it. The surface itself does not change. So every generator has a
 /// vertex, no cell lies entirely inside a face, and the labels on the boundary of a face determine the cells inside it.
@@ -42,13 +55,19 @@ class WorkingMesh {
   /// Throws Error{precondition} where a generator's face does not exist or two generators coincide (both are named).
   /// Reports the step "working mesh". Cost: O(n) for the copy; k generators in one face cost O(k^2) at worst.
   WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators, const Progress& progress = {});
+  /// The same for curves. One that crosses itself has a vertex there. Throws what the other one throws, also where two
+  /// curves touch or cross, and what `check_curves` throws.
+  WorkingMesh(const Mesh& input, const std::vector<GeneratorCurve>& curves, const Progress& progress = {});
 
   const Mesh& mesh() const { return split_ ? copy_ : *input_; }
   const Mesh& input() const { return *input_; }
   VertexId vertex(GeneratorId g) const { return generator_vertex_[g]; }
   /// The generator at vertex v of mesh(); invalid where there is none.
   GeneratorId generator(VertexId v) const { return vertex_generator_[v]; }
+  /// Of a curve that of its first point.
   const IdVector<GeneratorId, VertexId>& generator_vertices() const { return generator_vertex_; }
+  /// Empty where all generators are points. A curve of one point is none.
+  const CurveEdges& curves() const { return curves_; }
 
   /// The input's face that contains face f of mesh().
   FaceId parent(FaceId f) const { return split_ ? parent_[f] : f; }
@@ -64,6 +83,7 @@ class WorkingMesh {
  private:
   using Corners = std::array<Bary, 3>;
 
+  void insert(const std::vector<SurfacePoint>& points, const Progress& progress);
   void copy_input();
   void insert_on_edges(const std::vector<EdgeGenerator>& generators, const Progress& progress);
   void insert_in_face(FaceId parent, const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators,
@@ -82,11 +102,18 @@ class WorkingMesh {
   std::vector<FaceId> split_edge(HalfedgeId h, GeneratorId g, const Vec3& p, const Bary& here, const Bary& there);
   std::pair<FaceId, FaceId> split_face(FaceId f, GeneratorId g, const Vec3& p, const Bary& bary);
   void make_delaunay(const std::vector<FaceId>& children);
+  struct Quadrilateral;
+  std::optional<Quadrilateral> quadrilateral(HalfedgeId h) const;
+  void flip(HalfedgeId h, const Quadrilateral& quad);
+  bool flip_if_convex(HalfedgeId h);
   bool flip_if_not_delaunay(HalfedgeId h);
   void set_corners(FaceId f, FaceId parent, const Corners& corners);
-  void claim(VertexId v, GeneratorId g);
+  void claim(VertexId v, PointId point);
+  void claim_for(VertexId v, GeneratorId g);
   void check_inserted();
   void report_inserted(const Progress& progress);
+
+  friend class CurveInsertion;  // makes the segments of curves edges
 
   const Mesh* input_;
   bool split_ = false;
@@ -94,6 +121,9 @@ class WorkingMesh {
   IdVector<FaceId, FaceId> parent_;
   IdVector<FaceId, std::int32_t> child_slot_;  // into child_corners_; -1 for a face that is not split
   std::vector<Corners> child_corners_;
+  IdVector<PointId, GeneratorId> owner_;      // of each point; empty if each is a generator
+  IdVector<PointId, VertexId> point_vertex_;  // where there are curves
+  CurveEdges curves_;
   IdVector<GeneratorId, VertexId> generator_vertex_;
   IdVector<VertexId, GeneratorId> vertex_generator_;
   double coincidence_ = 0;    // mesh units

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// A generator that is a curve: straight segments between surface points. Distances from it are those from the nearest
+/// of all its points. It is one connected piece: a polyline, open or closed, or several that meet.
+struct GeneratorCurve {
+  std::vector<SurfacePoint> points;                        ///< at least one; one alone is a generator as usual
+  std::vector<std::array<std::int32_t, 2>> segments = {};  ///< two points each, that have a face in common
+};
+
+/// The curve through points in their order. Cost: O(n).
+GeneratorCurve make_polyline(std::vector<SurfacePoint> points, bool closed);
+
+/// Positions along a curve, as polylines: one for a polyline, closed or not, and more where segments branch.
+/// Cost: O(n).
+std::vector<std::vector<Vec3>> polylines(const Mesh& mesh, const GeneratorCurve& curve);
+
+/// Throws Error{precondition}, with the number of the curve, if there is no curve, one has no point, a segment names a
+/// point that does not exist, its two points have no face in common, or a curve is not connected. Cost: O(n).
+void check_curves(const Mesh& mesh, const std::vector<GeneratorCurve>& curves);
+
+/// The boundary loops of a mesh, by their first vertices. Cost: O(n).
+std::vector<GeneratorCurve> boundary_curves(const Mesh& mesh);
+
+/// The creases of a mesh: connected sets of edges at which the normals of the two faces differ by more than
+/// `least_angle`, radians, by their first vertices. Cost: O(n).
+std::vector<GeneratorCurve> crease_curves(const Mesh& mesh, double least_angle);
+
+}  // namespace gvd
