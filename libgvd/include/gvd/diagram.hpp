@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gvd/front.hpp"
+#include "gvd/generator_curve.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/names.hpp"
@@ -128,7 +129,8 @@ struct DiagramReport {
 
 /// A geodesic Voronoi diagram. It owns its data and refers to the mesh by ids only.
 struct Diagram {
-  std::vector<SurfacePoint> generators;          ///< indexed by GeneratorId
+  std::vector<SurfacePoint> generators;          ///< indexed by GeneratorId; of a curve its first point
+  std::vector<GeneratorCurve> curves;            ///< the generators, if they are curves; empty if they are points
   std::vector<double> weights;                   ///< of the generators, mesh units (DiagramOptions); empty without
   IdVector<VertexId, GeneratorId> vertex_label;  ///< nearest generator; invalid if none reaches the vertex
   /// To the nearest generator, of relabelled vertices too; mesh units, infinity if none reaches the vertex.
@@ -157,6 +159,14 @@ struct Diagram {
 /// progress. May be called from several threads at once.
 /// Cost: O(n log n) time, O(n) memory for n faces.
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                        const DiagramOptions& options = {});
+
+/// The same for generators that are curves: a cell has the points that are nearest to one of them. It contains its
+/// curve, so that it may be an annulus or have more holes.
+///
+/// Throws what the other one and `check_curves` throw; Error{precondition} if two curves touch or cross (the message
+/// names both); Error{invalid_option} for another method than Method::exact, or if there are weights.
+Diagram compute_diagram(const Mesh& mesh, const std::vector<GeneratorCurve>& curves,
                         const DiagramOptions& options = {});
 
 }  // namespace gvd

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "gvd/generator_curve.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
@@ -67,6 +68,10 @@ class ExactField {
   /// Cost: O(windows), about 5 to 10 times that of Dijkstra's algorithm on the edges. With a largest distance O(faces)
   /// for the tables, and the windows up to it.
   ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options = {});
+  /// The same for generators that are curves: distances are those from the nearest point of a curve, and a path ends
+  /// there. Throws what the other one and `check_curves` throw; Error{precondition} if two curves touch or cross;
+  /// Error{invalid_option} if there are offsets.
+  ExactField(const Mesh& mesh, const std::vector<GeneratorCurve>& curves, const ExactFieldOptions& options = {});
   ~ExactField();
   ExactField(ExactField&&) noexcept;
   ExactField& operator=(ExactField&&) noexcept;
@@ -99,7 +104,7 @@ class ExactField {
 
   /// The tangent vector at the nearest generator (see geodesic_tracing.hpp) in whose direction the shortest path to
   /// `point` departs, as long as the path: the logarithm of the point. Zero for the generator itself, where none
-  /// reaches, and where the path is not complete.
+  /// reaches, where the path is not complete, and for curves.
   Vec2 departure(const SurfacePoint& point) const;
 
  private:
@@ -116,6 +121,9 @@ struct VertexDistances {
 /// What ExactField says of the vertices, bit by bit, in about half of its time. Throws what it throws. Memory: 130
 /// bytes a face, since no windows are kept.
 VertexDistances compute_vertex_distances(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                         const ExactFieldOptions& options = {});
+
+VertexDistances compute_vertex_distances(const Mesh& mesh, const std::vector<GeneratorCurve>& curves,
                                          const ExactFieldOptions& options = {});
 
 /// Distances from each source alone. Row i of `rows`, row-major, gets those of all vertices from source i, or where

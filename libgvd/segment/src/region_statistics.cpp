@@ -110,6 +110,7 @@ class RegionMeter {
     }
     std::vector<std::pair<FaceId, GeneratorId>> own;
     for (const GeneratorId g : regions_.ids()) {
+      if (!diagram_.curves.empty()) continue;  // the first point of a curve is not its nearest one
       for (const FaceId f : faces_around(mesh_, diagram_.generators[g.index()])) own.emplace_back(f, g);
     }
     std::sort(own.begin(), own.end());

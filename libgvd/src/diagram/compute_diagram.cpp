@@ -117,8 +117,7 @@ WindowField propagate(const WorkingMesh& working, const DiagramOptions& options,
   propagation.departures = keep == KeepWindows::all;
   propagation.offsets = from_zero(options.weights);
   propagation.threads = options.threads;
-  WindowField field =
-      propagate_windows(working.mesh(), working.generator_vertices().raw(), propagation, options.progress);
+  WindowField field = propagate_windows(working, propagation, options.progress);
   if (!options.weights.empty()) check_cells_exist(working, field);
   return field;
 }
@@ -183,6 +182,15 @@ Diagram compute_by_tables(const Mesh& mesh, const std::vector<SurfacePoint>& gen
   const FastMarchingResult solved = solve(working);
   finish(working, trace_marched(working, solved, options, parallel, diagram.report), options, parallel, diagram);
   return diagram;
+}
+
+/// All steps of the exact solver, after the working mesh.
+void trace_and_read(const WorkingMesh& working, const DiagramOptions& options, KeepWindows keep,
+                    const WindowReader& read, Diagram& diagram) {
+  const ParallelChunks parallel(options.threads, options.progress);
+  const WindowField field = propagate(working, options, keep);
+  finish(working, trace_windows(working, field, options, parallel, diagram.report), options, parallel, diagram);
+  if (read) read(working, field, diagram);
 }
 
 }  // namespace
@@ -250,14 +258,22 @@ Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoin
                                  const DiagramOptions& options, KeepWindows keep, const WindowReader& read) {
   check_diagram_options(options);
   check_weights(options.weights, generators.size());
-  const WorkingMesh working(mesh, generators, options.progress);
-  const ParallelChunks parallel(options.threads, options.progress);
-  const WindowField field = propagate(working, options, keep);
   Diagram diagram;
   diagram.generators = generators;
   diagram.weights = options.weights;
-  finish(working, trace_windows(working, field, options, parallel, diagram.report), options, parallel, diagram);
-  if (read) read(working, field, diagram);
+  trace_and_read(WorkingMesh(mesh, generators, options.progress), options, keep, read, diagram);
+  return diagram;
+}
+
+Diagram compute_diagram(const Mesh& mesh, const std::vector<GeneratorCurve>& curves, const DiagramOptions& options) {
+  check_diagram_options(options);
+  if (options.method != Method::exact) throw Error(ErrorCode::invalid_option, "only the exact method takes curves");
+  if (!options.weights.empty()) throw Error(ErrorCode::invalid_option, "curves have no weights");
+  Diagram diagram;
+  const WorkingMesh working(mesh, curves, options.progress);
+  diagram.curves = curves;
+  for (const GeneratorCurve& curve : curves) diagram.generators.push_back(curve.points.front());
+  trace_and_read(working, options, KeepWindows::near_bisectors, nullptr, diagram);
   return diagram;
 }
 

@@ -24,8 +24,22 @@ struct EdgeSource {
   double offset;      ///< distance from the generator to the image
   GeneratorId generator;
 
+  /// The parallel paths from a segment of a curve: lengths start + slope t.
+  static EdgeSource parallel(double begin, double end, double slope, double start, GeneratorId g) {
+    return {begin, end, slope, -1, start, g};
+  }
+  bool is_parallel() const { return depth < 0; }
+
   /// Length of the straight path to t: a path of the surface for t in [begin, end].
-  double straight(double t) const { return offset + std::sqrt((t - x) * (t - x) + depth * depth); }
+  double straight(double t) const {
+    if (is_parallel()) [[unlikely]]
+      return offset + x * t;
+    return offset + std::sqrt((t - x) * (t - x) + depth * depth);
+  }
+  /// Derivative of that length, where it is not `offset`. `length`: straight(t).
+  double slope(double t, double length) const { return is_parallel() ? x : (t - x) / (length - offset); }
+  /// The least of the lengths on the interval.
+  double least() const { return is_parallel() ? straight(x > 0 ? begin : end) : straight(std::clamp(x, begin, end)); }
   /// Length of the path to t that is straight to the interval, then follows the edge. Continuous in t.
   double distance(double t) const {
     const double nearest = std::clamp(t, begin, end);
@@ -34,15 +48,20 @@ struct EdgeSource {
 };
 
 /// An image with the opening through which its straight paths enter a face: an interval of a side, or a corner. In the
-/// coordinates of the face's layout (FaceLayout).
+/// coordinates of the face's layout (FaceLayout). Instead of an image, a source may have the direction of parallel
+/// paths, which come from a segment of a curve at right angles.
 struct FaceSource {
-  Vec2 image;
+  Vec2 image;       ///< or the unit vector of the direction, if the paths are parallel
   Vec2 begin, end;  ///< the opening's left and right end, as seen from the image; equal to the image at a corner
-  double offset;    ///< distance from the generator to the image
+  double offset;    ///< distance from the generator to the image; of parallel paths -infinity
   GeneratorId generator;
   HalfedgeId halfedge;  ///< the side of the opening; for a corner the halfedge that leaves it
   bool is_corner;
   double distance_begin, distance_end;  ///< distance from the generator to the opening's two ends
+
+  /// A path that makes a smaller angle with its opening, in radians, enters at the nearer end: where it crosses is
+  /// rounding, and the path round that end is longer by half the square of the angle at most, 5e-19 of itself.
+  static constexpr double kEdgeOn = 1e-9;
 
   struct Path {
     double distance;  ///< length of the whole path
@@ -52,19 +71,39 @@ struct FaceSource {
   /// opening elsewhere. Always a path of the surface, so its length is an upper bound of the distance; continuous in p.
   /// In the innermost loop over sources: a call would cost a quarter of it.
   [[gnu::always_inline]] Path shortest_path(const Vec2& p) const {
+    if (is_parallel()) [[unlikely]]
+      return shortest_parallel_path(p);
     const Vec2 ray = p - image;
     if (cross(ray, begin - image) < 0) return {distance_begin + (p - begin).norm(), begin};
     if (cross(ray, end - image) > 0) return {distance_end + (p - end).norm(), end};
     return {offset + ray.norm(), image};
   }
   [[gnu::always_inline]] double distance(const Vec2& p) const { return shortest_path(p).distance; }
+
+  bool is_parallel() const { return offset < 0; }
+  /// Where the line of a straight path to p passes an end of the opening on its left, this cross product is > 0; < 0 on
+  /// its right. Times the length of the path, unless paths are parallel.
+  double beside(const Vec2& p, const Vec2& opening_end) const {
+    return is_parallel() ? cross(image, opening_end - p) : cross(p - image, opening_end - image);
+  }
+  /// The same for parallel paths. A straight one begins at a point of the segment.
+  Path shortest_parallel_path(const Vec2& p) const {
+    if (beside(p, begin) < 0) return {distance_begin + (p - begin).norm(), begin};
+    if (beside(p, end) > 0) return {distance_end + (p - end).norm(), end};
+    return {straight_parallel(p), origin(p)};
+  }
+  double straight_parallel(const Vec2& p) const { return distance_begin + image.dot(p - begin); }
+  /// The image, or the point of the segment from which a straight path comes to p.
+  Vec2 origin(const Vec2& p) const { return is_parallel() ? p - straight_parallel(p) * image : image; }
   /// The point where that path enters the face: the one of the opening that is nearest to the line from the image to p.
   Vec2 entry(const Vec2& p) const {
     if (is_corner) return image;
     // Twice the areas between the line from the image to p and the two ends: >= 0 where the line crosses the opening.
-    const double to_begin = cross(p - image, begin - image), to_end = cross(end - image, p - image);
-    if (to_begin <= 0) return begin;
-    if (to_end <= 0) return end;
+    const double to_begin = beside(p, begin), to_end = -beside(p, end);
+    const double edge_on = kEdgeOn * (end - begin).norm() * (is_parallel() ? 1 : (p - image).norm());
+    if (to_begin <= 0 || to_end <= 0 || to_begin + to_end <= edge_on) {
+      return distance_begin + (p - begin).norm() < distance_end + (p - end).norm() ? begin : end;
+    }
     return begin + to_begin / (to_begin + to_end) * (end - begin);
   }
 };

@@ -120,7 +120,7 @@ TEST_CASE("distances of the vertices alone are those of the field to the last bi
       CHECK(alone.label[v] == field.label(v));
     }
   }
-  CHECK_THROWS_AS(compute_vertex_distances(test::make_torus(24, 12), {}), Error);
+  CHECK_THROWS_AS(compute_vertex_distances(test::make_torus(24, 12), std::vector<SurfacePoint>()), Error);
 }
 
 TEST_CASE("an exact field refuses what it can't do") {

@@ -75,7 +75,7 @@ TEST_CASE("a path that can't be continued from a vertex is not complete") {
   CHECK(vertex(mesh, path.points[1]) == saddle);
   CHECK(vertex(mesh, path.points[2]) == generator);
   // Rounding may cause this: the saddle is nearer than all paths to it.
-  field.distance[saddle] = 0;
+  field.distance[saddle] = -1;
   const GeodesicPath broken = trace_shortest_path(mesh, field, {generator}, vertex_point(mesh, start));
   CHECK_FALSE(broken.complete);
   CHECK(broken.generator.value() == 0);

@@ -36,9 +36,28 @@ constexpr double kShortestExactInterval = 5 * kEndGap;
 /// of the edge is a point.
 constexpr double kEqual = 1e-14;
 
+/// `equidistant_positions` where the paths of the first source, or of both, are parallel.
+std::array<double, 2> equidistant_to_parallel(const EdgeSource& parallel, const EdgeSource& other, double unit) {
+  if (other.is_parallel()) {
+    const double t = (other.offset - parallel.offset) / (parallel.x - other.x);
+    return {std::isfinite(t) ? t : -1, -1};
+  }
+  // sqrt(s^2 + depth^2) = level + slope s, squared, with positions s from the foot of the image.
+  const double slope = parallel.x, depth = other.depth * unit;
+  const double level = (parallel.straight(other.x) - other.offset) * unit;
+  auto roots = quadratic_roots((1 - slope) * (1 + slope), -level * slope, (depth - level) * (depth + level));
+  for (double& root : roots) root = std::isfinite(root) ? other.x + root / unit : -1;
+  if (roots[0] > roots[1]) std::swap(roots[0], roots[1]);
+  return roots;
+}
+
 }  // namespace
 
 std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeSource& second, double unit) {
+  if (first.is_parallel()) [[unlikely]]
+    return equidistant_to_parallel(first, second, unit);
+  if (second.is_parallel()) [[unlikely]]
+    return equidistant_to_parallel(second, first, unit);
   // The roots of sqrt(B) = sqrt(A) + c, with B - A - c^2 = slope t + rest, squared twice. Roots of the squares alone do
   // no harm: the same source is nearer on both sides of them. Positions count from the foot of the first image: where
   // both images are much nearer to each other than to the start of the edge, its squares would hide where they differ.
@@ -61,13 +80,13 @@ std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeS
 
 double refine_equidistant(const EdgeSource& first, const EdgeSource& second, double begin, double end,
                           double position) {
-  double t = position, error = first.straight(t) - second.straight(t);
+  double t = position, to_first = first.straight(t), to_second = second.straight(t), error = to_first - to_second;
   for (int step = 0; step < kPolishSteps && error != 0; ++step) {
-    const double slope =
-        (t - first.x) / (first.straight(t) - first.offset) - (t - second.x) / (second.straight(t) - second.offset);
-    const double next = t - error / slope;
+    const double next = t - error / (first.slope(t, to_first) - second.slope(t, to_second));
     if (!(next > begin && next < end)) break;
-    const double after = first.straight(next) - second.straight(next);
+    to_first = first.straight(next);
+    to_second = second.straight(next);
+    const double after = to_first - to_second;
     if (!(std::abs(after) < std::abs(error))) break;
     t = next;
     error = after;
@@ -132,7 +151,7 @@ void EdgeEnvelope::insert(std::int32_t source) {
                                           [&](const Segment& old) { return old.end <= s.begin + sliver_; });
   if (!(s.begin < s.end) || first == segments_.end()) return;
   // Most sources are farther than this anywhere, so that one square root settles them.
-  const double least = s.straight(std::clamp(s.x, s.begin, s.end));
+  const double least = s.least();
   const double begin = begin_of(first), last = s.end - sliver_;
   auto next = first;
   while (next->most <= least && next->end < last) ++next;
@@ -220,7 +239,9 @@ double EdgeDistances::at(GeneratorId g, double t) const {
   for (const EdgeSource& source : sources_.of(g)) {
     // No path of a source is shorter than the straight one. This test costs no square root.
     const double rest = least - source.offset, along = t - source.x;
-    if (rest > 0 && along * along + source.depth * source.depth < rest * rest) {
+    if (source.is_parallel()) [[unlikely]] {
+      least = std::min(least, source.distance(t));
+    } else if (rest > 0 && along * along + source.depth * source.depth < rest * rest) {
       least = std::min(least, source.distance(t));
     }
   }

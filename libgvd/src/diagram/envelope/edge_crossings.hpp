@@ -18,7 +18,11 @@ struct EndPaths {
   struct StraightPath {
     double along, straight, distance;
     StraightPath(const EdgeSource& s, double t)
-        : along(t - s.x), straight(std::sqrt(along * along + s.depth * s.depth)), distance(s.offset + straight) {}
+        : along(t - s.x), straight(std::sqrt(along * along + s.depth * s.depth)), distance(s.offset + straight) {
+      if (s.is_parallel()) [[unlikely]]
+        *this = {s.x, 1, s.straight(t)};
+    }
+    StraightPath(double slope, double unit, double length) : along(slope), straight(unit), distance(length) {}
     /// Derivative of the distance along the edge.
     double slope() const { return straight > 0 ? along / straight : 0; }
   };

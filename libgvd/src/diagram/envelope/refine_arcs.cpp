@@ -59,6 +59,11 @@ constexpr double kBandWidth = 0.05;
 /// Most steps of the search for the corner at which a path changes.
 constexpr int kMostChangeSteps = 8;
 
+/// A line through a point, with a direction.
+struct PlaneRay {
+  Vec2 origin, direction;
+};
+
 /// The change of a path between two samples; none where both have the same source.
 PathChange change_between(const PlaneSegment& segment, const SourceDistances::Nearest& a,
                           const SourceDistances::Nearest& b) {
@@ -90,8 +95,12 @@ void collect_visible_sources(std::span<const FaceSource> sources, const SearchBa
   for (const FaceSource& s : sources) {
     double first = -kInfinity, last = kInfinity;
     if (!s.is_corner && !band.is_all()) {
-      const Vec2 start = band.from - s.image;
-      for (const Vec2& ray : {Vec2(s.begin - s.image), Vec2(s.image - s.end)}) {
+      // Rays past the ends of the opening: a point of each, and its direction.
+      const std::array<PlaneRay, 2> rays =
+          s.is_parallel() ? std::array{PlaneRay{s.begin, s.image}, PlaneRay{s.end, -s.image}}
+                          : std::array{PlaneRay{s.image, s.begin - s.image}, PlaneRay{s.image, s.image - s.end}};
+      for (const auto& [origin, ray] : rays) {
+        const Vec2 start = band.from - origin;
         // Points at position t may be visible where at_start + rate t + slack >= 0.
         const double at_start = cross(start, ray), rate = cross(band.along, ray);
         const double slack = band.width * std::abs(cross(band.across, ray));

@@ -44,6 +44,10 @@ constexpr double kBeside = 1e-6;
 /// Whether a straight path of a source may pass its opening and reach the disc.
 bool may_see(const FaceSource& s, const Vec2& middle, double radius) {
   if (s.is_corner) return true;
+  if (s.is_parallel()) {
+    const double slack = radius + kBesideOpening * (middle - s.begin).norm();
+    return s.beside(middle, s.begin) >= -slack && s.beside(middle, s.end) <= slack;
+  }
   const Vec2 ray = middle - s.image, left = s.begin - s.image, right = s.end - s.image;
   const double slack = radius + kBesideOpening * ray.norm();
   return cross(ray, left) >= -slack * left.norm() && cross(ray, right) <= slack * right.norm();
@@ -58,9 +62,30 @@ using OnCone = Vec3;
 struct Plane {
   Vec3 normal;
   double level;
-  Plane(const Vec2& image, double offset)
-      : normal(image.x(), image.y(), -offset), level(0.5 * (image.squaredNorm() - offset * offset)) {}
+  /// Of source s, relative to the image of `first`. The distances of parallel paths are linear as they are.
+  Plane(const FaceSource& s, const FaceSource& first) {
+    if (s.is_parallel()) {
+      normal = {s.image.x(), s.image.y(), -1};
+      level = first.offset - s.distance_begin - s.image.dot(first.image - s.begin);
+    } else {
+      const Vec2 image = s.image - first.image;
+      const double offset = s.offset - first.offset;
+      normal = {image.x(), image.y(), -offset};
+      level = 0.5 * (image.squaredNorm() - offset * offset);
+    }
+  }
 };
+
+/// Appends the point where the parallel paths of three sources are equally long.
+void append_parallel_point(const FaceSource& a, const FaceSource& b, const FaceSource& c, std::vector<Vec2>& points) {
+  const auto start = [](const FaceSource& s) { return s.distance_begin - s.image.dot(s.begin); };
+  const Vec2 first = a.image - b.image, second = a.image - c.image;
+  const Vec2 levels(start(b) - start(a), start(c) - start(a));
+  const Vec2 p =
+      Vec2(second.y() * levels.x() - first.y() * levels.y(), first.x() * levels.y() - second.x() * levels.x()) /
+      cross(first, second);
+  if (p.allFinite()) points.push_back(p);
+}
 
 /// Appends the points of the cone that lie on both planes. `tip`: the cone's tip in the face.
 void append_common_points(const Plane& first, const Plane& second, const Vec2& tip, std::vector<Vec2>& points) {
@@ -130,9 +155,17 @@ void append_equidistant_points(std::span<const FaceSource> a, std::span<const Fa
                                std::span<const FaceSource> c, std::vector<Vec2>& points) {
   for (const FaceSource& first : a) {
     for (const FaceSource& second : b) {
-      const Plane plane(second.image - first.image, second.offset - first.offset);
       for (const FaceSource& third : c) {
-        append_common_points(plane, Plane(third.image - first.image, third.offset - first.offset), first.image, points);
+        // The cone is that of the first source with an image.
+        if (!first.is_parallel()) {
+          append_common_points(Plane(second, first), Plane(third, first), first.image, points);
+        } else if (!second.is_parallel()) {
+          append_common_points(Plane(first, second), Plane(third, second), second.image, points);
+        } else if (!third.is_parallel()) {
+          append_common_points(Plane(first, third), Plane(second, third), third.image, points);
+        } else {
+          append_parallel_point(first, second, third, points);
+        }
       }
     }
   }

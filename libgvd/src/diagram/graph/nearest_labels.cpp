@@ -29,7 +29,7 @@ class Labeller {
   }
 
   bool is_supported(VertexId v) const {
-    if (working_.vertex(result_.label[v]) == v) return true;
+    if (working_.generator(v) == result_.label[v]) return true;
     return any_neighbour(mesh_, v, [&](VertexId u) { return supports(u, v); });
   }
 

@@ -65,6 +65,11 @@ struct Reach {
 /// Ends may lie beyond the edge. A source reaches on along the edge from the ends of its interval.
 Reach reach_of(const EdgeSource& s, double level) {
   const double beyond_begin = level - s.straight(s.begin), beyond_end = level - s.straight(s.end);
+  if (s.is_parallel()) {
+    if (beyond_begin < 0 && beyond_end < 0) return {1, 0};
+    const double at = (level - s.offset) / s.x;
+    return {beyond_begin < 0 ? at : s.begin - beyond_begin, beyond_end < 0 ? at : s.end + beyond_end};
+  }
   const double rest = level - s.offset;
   if (beyond_begin < 0 && beyond_end < 0 && (rest < s.depth || s.x <= s.begin || s.x >= s.end)) return {1, 0};
   const double half = std::sqrt(std::max(0.0, rest * rest - s.depth * s.depth));
@@ -101,7 +106,7 @@ void cross_edge(const LevelSets& sets, EdgeId e, std::vector<EdgeSource>& source
                end = sets.field.distance[mesh.to(h)];
   collect_edge_sources(mesh, sets.field, h, sources);
   double least = kInfinity;
-  for (const EdgeSource& s : sources) least = std::min(least, s.straight(std::clamp(s.x, s.begin, s.end)));
+  for (const EdgeSource& s : sources) least = std::min(least, s.least());
   const auto first = std::lower_bound(sets.levels.begin(), sets.levels.end(), least);
   const auto last = std::upper_bound(first, sets.levels.end(), 0.5 * (start + end + length));
   std::vector<Reach> reaches;

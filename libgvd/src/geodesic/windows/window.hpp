@@ -63,7 +63,7 @@ static_assert(sizeof(Departure) == 4);
 
 /// All shortest paths of one generator that reach one interval of an edge from one side through the same faces. In the
 /// plane of the face that they leave, they are straight lines from one image: that of the generator, or of the last
-/// pseudo-source that they bend at.
+/// pseudo-source that they bend at. From a segment of a curve they are parallel (parallel_windows.hpp).
 ///
 /// The same type serves a window on its way, in a message to another partition, and on the edge where it is kept.
 /// Tracers see windows as EdgeSource and FaceSource (distance_field.hpp), which fast marching provides as well: these
@@ -74,9 +74,9 @@ static_assert(sizeof(Departure) == 4);
 /// towards its end. On the boundary, where the paths end, the origin is the end of `halfedge` and x runs to its start.
 /// Mesh units.
 struct Window {
-  double begin, end;      ///< interval on the edge, 0 <= begin < end <= length
-  double x, depth;        ///< the image lies at (x, -depth), depth > 0
-  double offset;          ///< distance from the generator to the vertex whose image this is
+  double begin, end;  ///< interval on the edge, 0 <= begin < end <= length
+  double x, depth;    ///< the image lies at (x, -depth), depth > 0; of parallel paths their direction is (x, -depth)
+  double offset;      ///< distance from the generator to the vertex whose image this is; of parallel paths at t = 0
   GeneratorId generator;  ///< at which the paths start
   HalfedgeId halfedge;    ///< that they cross next; on the boundary, that of the face which they leave
 
@@ -86,7 +86,12 @@ struct Window {
   /// The least distance from the image to the interval.
   double least_image_distance() const { return image_distance(std::min(std::max(x, begin), end)); }
   /// Distance from the generator to the point t of the edge; the length of a path for t in [begin, end].
-  double distance(double t) const { return offset + image_distance(t); }
+  double distance(double t) const { return offset + (is_parallel() ? x * t : image_distance(t)); }
+
+  /// Whether the paths are parallel: depth < 0. The other members are those of an image then, except for `distance`.
+  bool is_parallel() const { return depth < 0; }
+  /// Whether the paths begin on the edge, which belongs to a curve.
+  bool begins_here() const { return depth == -1 && x == 0 && offset == 0; }
 };
 static_assert(sizeof(Window) == 48);
 

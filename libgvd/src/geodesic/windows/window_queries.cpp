@@ -64,7 +64,7 @@ class PathTracer {
     path_.length = best_distance_;
     if (std::isinf(best_distance_)) return std::move(path_);
     path_.generator = best_.generator;
-    for (VertexId v = follow_best(); v != generators_[path_.generator.index()];) {
+    for (VertexId v = follow_best(); v.valid() && !is_on_generator(v);) {
       best_distance_ = kInfinity;
       for_each_outgoing(mesh_, v, [&](HalfedgeId h) { look_from(Mesh::face(h), edge_point(h, 0), v); });
       if (std::isinf(best_distance_)) return std::move(path_);  // rounding hides the continuation
@@ -78,6 +78,11 @@ class PathTracer {
   }
 
  private:
+  /// Whether a path ends at a vertex: the generator, or a vertex of it if it is a curve.
+  bool is_on_generator(VertexId v) const {
+    return v == generators_[path_.generator.index()] || field_.distance[v] == 0;
+  }
+
   /// Looks for a shorter path to p through face f. If p is the vertex `reached`, the path must continue from there: it
   /// must come from a vertex nearer to the generator, and across the opposite edge or along a side.
   void look_from(FaceId f, const SurfacePoint& p, VertexId reached = VertexId()) {
@@ -95,14 +100,18 @@ class PathTracer {
     }
   }
 
-  /// Follows the best path to the vertex from which it comes.
+  /// Follows the best path to the vertex from which it comes; to none if it comes from a segment of a curve, where it
+  /// ends.
   VertexId follow_best() {
     if (best_.is_corner) return go_to(best_.halfedge);
     const FaceLayout layout(mesh_, Mesh::face(best_.halfedge));
     const int i = Mesh::corner(best_.halfedge);
     const Vec2 origin = layout.corner[i], along = layout.side(i);
-    const Vec2 image = best_.image - origin;
-    const double length = mesh_.length(best_.halfedge), t = along.dot(best_.entry(best_point_) - origin);
+    const Vec2 entry = best_.entry(best_point_), image = best_.origin(entry) - origin;
+    const double length = mesh_.length(best_.halfedge), t = along.dot(entry - origin);
+    if (best_.is_parallel() && begins_at(best_.halfedge, std::abs(cross(along, image)))) {
+      return end_on_segment(best_.halfedge, t);
+    }
     // In the frame of the opposite halfedge, the edge runs the other way.
     Step step{mesh_.twin(best_.halfedge), length - t, {length - along.dot(image), std::abs(cross(along, image))}};
     for (;;) {
@@ -112,8 +121,21 @@ class PathTracer {
       const SurfacePoint crossing = edge_point(step.halfedge, fraction);
       path_.points.push_back(make_surface_point(crossing.face, crossing.bary));
       const VertexId v = advance(step);
-      if (v.valid()) return v;
+      if (v.valid() || !step.halfedge.valid()) return v;
     }
+  }
+
+  /// Whether parallel paths begin on the edge of a halfedge, so far from which their beginning lies.
+  bool begins_at(HalfedgeId h, double outside) const {
+    if (outside > kAtCorner * mesh_.length(h)) return false;
+    bool begins = false;
+    field_.windows.for_each(h, [&](const Window& w) { begins |= w.begins_here(); });
+    return begins;
+  }
+  VertexId end_on_segment(HalfedgeId h, double t) {
+    const SurfacePoint end = edge_point(h, std::clamp(t / mesh_.length(h), 0.0, 1.0));
+    path_.points.push_back(make_surface_point(end.face, end.bary));
+    return VertexId();
   }
 
   /// Ends a line at the vertex that `outgoing` leaves.
@@ -137,11 +159,15 @@ class PathTracer {
     if (std::abs(beside) <= kAtCorner * (step.image - at).norm() * (apex - at).norm()) return go_to(Mesh::previous(k));
     const bool to_right = beside > 0;
     const HalfedgeId side = to_right ? Mesh::next(k) : Mesh::previous(k);
-    if (!mesh_.twin(side).valid()) return go_to(Mesh::previous(k));  // it grazes a boundary corner
     const Vec2 origin = to_right ? Vec2(base, 0) : apex, target = to_right ? apex : Vec2(0, 0);
     const double length = mesh_.length(side);
     const Vec2 along = (target - origin) / length;
     const double inside = cross(along, at - origin), outside = -cross(along, step.image - origin);
+    if (best_.is_parallel() && begins_at(side, std::abs(outside))) {
+      step.halfedge = HalfedgeId();
+      return end_on_segment(side, along.dot(step.image - origin));
+    }
+    if (!mesh_.twin(side).valid()) return go_to(Mesh::previous(k));  // it grazes a boundary corner
     // The vertex lies in this face and rounding led past it: the line would never end.
     if (outside < -kAtCorner * length) return go_to(nearest_corner(k, step.image, base, apex));
     const double from_x = along.dot(at - origin), image_x = along.dot(step.image - origin);
@@ -192,11 +218,19 @@ void collect_edge_sources(const Mesh& mesh, const WindowField& field, HalfedgeId
   const HalfedgeId twin = mesh.twin(h);
   if (twin.valid()) {
     field.windows.for_each(h, [&](const Window& w) {
-      sources.push_back({w.begin, w.end, w.x, w.depth, w.offset, w.generator});
+      if (w.is_parallel()) {
+        sources.push_back(EdgeSource::parallel(w.begin, w.end, w.x, w.offset, w.generator));
+      } else {
+        sources.push_back({w.begin, w.end, w.x, w.depth, w.offset, w.generator});
+      }
     });
   }
   field.windows.for_each(twin.valid() ? twin : h, [&](const Window& w) {
-    sources.push_back({length - w.end, length - w.begin, length - w.x, w.depth, w.offset, w.generator});
+    if (w.is_parallel()) {
+      sources.push_back(EdgeSource::parallel(length - w.end, length - w.begin, -w.x, w.distance(length), w.generator));
+    } else {
+      sources.push_back({length - w.end, length - w.begin, length - w.x, w.depth, w.offset, w.generator});
+    }
   });
 }
 
@@ -206,13 +240,14 @@ void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, 
   const std::array<Vec2, 3> side{layout.side(0), layout.side(1), layout.side(2)};
   field.windows.for_each(f, [&](const Window& w) {
     const HalfedgeId h = w.halfedge;
-    if (!mesh.twin(h).valid()) return;  // the boundary: the paths leave the face
+    if (!mesh.twin(h).valid() && !w.begins_here()) return;  // the boundary: the paths leave the face
     const int i = Mesh::corner(h);
     const Vec2 &origin = layout.corner[i], &along = side[i];
-    const Vec2 inwards = turned_left(along);
-    const Vec2 image = origin + w.x * along - w.depth * inwards;
-    sources.push_back({image, origin + w.begin * along, origin + w.end * along, w.offset, w.generator, h, false,
-                       w.distance(w.begin), w.distance(w.end)});
+    const Vec2 inwards = turned_left(along), to_image = w.x * along - w.depth * inwards;
+    const bool is_parallel = w.is_parallel();
+    sources.push_back({is_parallel ? to_image : origin + to_image, origin + w.begin * along, origin + w.end * along,
+                       is_parallel ? -kInfinity : w.offset, w.generator, h, false, w.distance(w.begin),
+                       w.distance(w.end)});
   });
   for (int i = 0; i < 3; ++i) {
     const VertexId v = mesh.vertices(f)[i];

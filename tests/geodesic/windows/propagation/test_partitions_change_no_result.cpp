@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geodesic/face_layout.hpp"
+#include "geodesic/windows/propagation/join_points.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "geodesic/windows/window_queries.hpp"
 #include "gvd/error.hpp"
@@ -68,6 +69,41 @@ TEST_CASE("partitions change no distance") {
         if (partition_faces >= 20)
           CHECK(static_cast<double>(field.carried) <= 1.25 * static_cast<double>(whole.carried));
       }
+    }
+  }
+}
+
+TEST_CASE("partitions change no distance from curves, and threads no window") {
+  for (const auto& [name, input] : test::small_family()) {
+    std::vector<SurfacePoint> points{test::random_generators(input, 1, 3).front()};
+    for (const SurfacePoint& next : test::random_generators(input, 6, 4)) {
+      try {
+        const std::vector<SurfacePoint> between = join_points(input, points.back(), next);
+        points.insert(points.end(), between.begin(), between.end());
+        points.push_back(next);
+      } catch (const Error&) {  // on another component
+      }
+    }
+    const WorkingMesh working(input, std::vector{make_polyline(points, false)});
+    const auto propagate_curve = [&](std::int32_t partition_faces, int threads) {
+      PropagationOptions options;
+      options.threads = threads;
+      options.partition_faces = partition_faces;
+      return propagate_windows(working, options, {});
+    };
+    const WindowField whole = propagate_curve(1 << 20, 1);
+    for (const std::int32_t partition_faces : kPartitionFaces) {
+      CAPTURE(name, partition_faces);
+      const WindowField field = propagate_curve(partition_faces, 1);
+      for (const VertexId v : working.mesh().vertices()) {
+        if (field.distance[v] == whole.distance[v]) continue;  // infinity, too
+        CHECK(std::abs(field.distance[v] - whole.distance[v]) <= 1e-13 * whole.distance[v]);
+      }
+      test::with_many_threads([&] {
+        const WindowField again = propagate_curve(partition_faces, 3);
+        CHECK(std::ranges::equal(all_windows(working.mesh(), field), all_windows(working.mesh(), again), is_same));
+        CHECK(field.distance == again.distance);
+      });
     }
   }
 }

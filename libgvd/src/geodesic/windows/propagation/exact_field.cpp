@@ -65,15 +65,32 @@ PlacedInTriangle nearest_inside(const std::array<Bary, 3>& corners, const Bary& 
   return {local, (local[to] * base + local[tip] * to_tip - to_p).norm()};
 }
 
+/// `sources`: generators, points or curves.
+template <class Sources>
+VertexDistances compute_from(const Mesh& mesh, const Sources& sources, const ExactFieldOptions& options) {
+  checked(options, sources.size());
+  const WorkingMesh working(mesh, sources, options.progress);
+  WindowField field = propagate_windows(working,
+                                        {.keep = KeepWindows::none,
+                                         .offsets = options.offsets,
+                                         .threads = options.threads,
+                                         .max_distance = options.max_distance},
+                                        options.progress);
+  // The vertices of the input come first; those of generators inside faces follow.
+  field.distance.resize(mesh.vertex_count());
+  field.label.resize(mesh.vertex_count());
+  return {std::move(field.distance), std::move(field.label)};
+}
+
 }  // namespace
 
 struct ExactField::State {
-  State(const Mesh& mesh, const std::vector<SurfacePoint>& points, const ExactFieldOptions& options)
-      : generators(points),
-        working(mesh, points, options.progress),
+  /// `sources`: generators, points or curves.
+  template <class Sources>
+  State(const Mesh& mesh, const Sources& sources, const ExactFieldOptions& options)
+      : working(mesh, sources, options.progress),
         field(propagate_windows(
-            working.mesh(), working.generator_vertices().raw(),
-            {.offsets = options.offsets, .threads = options.threads, .max_distance = options.max_distance},
+            working, {.offsets = options.offsets, .threads = options.threads, .max_distance = options.max_distance},
             options.progress)),
         offsets(options.offsets),
         max_distance(options.max_distance),
@@ -93,7 +110,7 @@ struct ExactField::State {
   }
   double offset(GeneratorId g) const { return offsets.empty() ? 0 : offsets[g.index()]; }
 
-  std::vector<SurfacePoint> generators;
+  std::vector<SurfacePoint> generators;  // empty if they are curves
   WorkingMesh working;
   WindowField field;
   std::vector<double> offsets;
@@ -102,7 +119,11 @@ struct ExactField::State {
 };
 
 ExactField::ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options)
-    : state_(std::make_unique<State>(mesh, generators, checked(options, generators.size()))) {}
+    : state_(std::make_unique<State>(mesh, generators, checked(options, generators.size()))) {
+  state_->generators = generators;
+}
+ExactField::ExactField(const Mesh& mesh, const std::vector<GeneratorCurve>& curves, const ExactFieldOptions& options)
+    : state_(std::make_unique<State>(mesh, curves, checked(options, curves.size()))) {}
 ExactField::~ExactField() = default;
 ExactField::ExactField(ExactField&&) noexcept = default;
 ExactField& ExactField::operator=(ExactField&&) noexcept = default;
@@ -163,7 +184,7 @@ std::vector<Isoline> ExactField::isolines(const std::vector<double>& levels, con
 Vec2 ExactField::departure(const SurfacePoint& point) const {
   const Mesh& mesh = state_->working.input();
   const GeodesicPath path = this->path(point);
-  if (!path.complete || path.points.size() < 2) return Vec2::Zero();
+  if (!path.complete || path.points.size() < 2 || state_->generators.empty()) return Vec2::Zero();
   const SurfacePoint& generator = state_->generators[path.generator.index()];
   const TangentFan fan(mesh, generator);
   // The last piece of the path lies in one face; the fan knows the generator in each of its faces.
@@ -180,18 +201,11 @@ Vec2 ExactField::departure(const SurfacePoint& point) const {
 
 VertexDistances compute_vertex_distances(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                          const ExactFieldOptions& options) {
-  checked(options, generators.size());
-  const WorkingMesh working(mesh, generators, options.progress);
-  WindowField field = propagate_windows(working.mesh(), working.generator_vertices().raw(),
-                                        {.keep = KeepWindows::none,
-                                         .offsets = options.offsets,
-                                         .threads = options.threads,
-                                         .max_distance = options.max_distance},
-                                        options.progress);
-  // The vertices of the input come first; those of generators inside faces follow.
-  field.distance.resize(mesh.vertex_count());
-  field.label.resize(mesh.vertex_count());
-  return {std::move(field.distance), std::move(field.label)};
+  return compute_from(mesh, generators, options);
+}
+VertexDistances compute_vertex_distances(const Mesh& mesh, const std::vector<GeneratorCurve>& curves,
+                                         const ExactFieldOptions& options) {
+  return compute_from(mesh, curves, options);
 }
 
 void compute_distance_rows(const Mesh& mesh, const std::vector<SurfacePoint>& sources,

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/parallel_windows.hpp"
 #include "geodesic/windows/vertex_fan.hpp"
 #include "geodesic/windows/window.hpp"
 #include "geodesic/windows/window_filters.hpp"
@@ -120,6 +121,33 @@ class FaceCrossing {
     }
     if (std::isinf(labels_.distance[f.vertex[entry.top]])) reach_apex_along_sides(entry, target);
     leave(entering, entry, apex, exits, target);
+  }
+
+  /// The same for a parallel window, with target.enqueue_parallel_on_edge. Curves have no departures. Rare enough for a
+  /// call.
+  template <class Target>
+  [[gnu::noinline]] void cross_parallel(const PropagatedWindow& entering, const FaceEntry& entry, Target& target) {
+    const Window& w = entering.window;
+    const ParallelApexView apex(w, entry.apex_x, entry.apex_y);
+    const VertexCopyId top = entry.frame.vertex[entry.top];
+    if (apex.covered() || apex.is_grazed(w, entry.base)) {
+      const ParallelPaths paths(w);
+      const double cosine = entry.left.cosine, sine = entry.left.sine;
+      // The direction back, turned from the side that leads from the apex to the edge's start; see reach_apex.
+      const Rotation back{cosine * paths.along + sine * paths.across, cosine * paths.across - sine * paths.along};
+      target.reach_vertex(top, {paths.distance(apex.x, apex.y), w.generator, {entry.leaving(entry.top), back}});
+    }
+    if (std::isinf(labels_.distance[top])) reach_apex_along_sides(entry, target);
+    WindowHistory history = entering.history;
+    if (has_thin_faces_ && is_cycle_check_step(++history.crossed_faces)) {
+      history.cycle_check_face = Mesh::face(entry.halfedge);
+    }
+    if (!apex.all_right())
+      target.enqueue_parallel_on_edge(cross_left_parallel(w, entry.left, apex), history, entry.left_edge);
+    if (!apex.all_left()) {
+      target.enqueue_parallel_on_edge(cross_right_parallel(w, entry.base, entry.right, apex), history,
+                                      entry.right_edge);
+    }
   }
 
  private:

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/bucket_queue.hpp"
 #include "geodesic/windows/block_list.hpp"
 #include "geodesic/windows/face_frames.hpp"
+#include "geodesic/windows/parallel_windows.hpp"
 #include "geodesic/windows/propagation/face_crossing.hpp"
 #include "geodesic/windows/propagation/partition_exchange.hpp"
 #include "geodesic/windows/propagation/propagation_state.hpp"
@@ -93,6 +96,24 @@ class PartitionPropagator {
     push_event({v, true, {d, g, {}}});
   }
 
+  /// The same for a vertex of a curve at distance 0, which sends windows when `send_from_curve` is called.
+  void start_curve_vertex(VertexCopyId v, GeneratorId g) {
+    labels_.distance[v] = 0;
+    labels_.label[v] = g;
+  }
+  /// Sends the windows of a curve: from a vertex through each sector between two segments, where the nearest point of
+  /// the curve is the vertex, and the paths along the edges there.
+  void send_from_curve(VertexCopyId v, std::span<const CurveSector> sectors) {
+    sources_.send_from_curve(v, labels_.label[v], sectors, *this);
+  }
+  /// From a segment, into the face of its halfedge.
+  void send_from_segment(HalfedgeId h) {
+    const FaceFrame& f = frames_.frame[Mesh::face(h)];
+    const std::size_t start = Mesh::corner(h);
+    const Window w = window_from_segment(h, f.length[start], 0, labels_.label[f.vertex[start]]);
+    if (waiting_.add(w, {0, 0, FaceId()}, f.length[start], 0)) queue_.push(0, QueueItem(h));
+  }
+
   /// Takes the messages of the last round, and then all that waits in the current bucket of the queue. `settled`: no
   /// window in the whole mesh that has still to be carried holds a distance below it.
   void run_round(double settled) {
@@ -145,19 +166,12 @@ class PartitionPropagator {
     const bool by_end = is_beaten_by_end(w, labels_.distance[edge.end], edge.length);
     if (is_empty(w) | by_start | by_end) return;  // no shortcuts: branches that can't be predicted cost more
     if (has_needles_ && is_left_to_ends(w, edge)) return;
-    if (!w.halfedge.valid()) {
-      Window ending = w;
-      ending.halfedge = edge.behind;
-      KeepingEdge kept{edge.behind, edge.start, edge.end, pruning_.place(edge.behind)};
-      keep({ending, history}, kept);
-      return;
-    }
-    const double key = w.offset + w.least_image_distance();
-    if (!exchange_.is_own(w.halfedge)) [[unlikely]] {
-      exchange_.send_window(w, history, key);
-    } else if (waiting_.add(w, history, edge.length, key)) {
-      queue_.push(key, QueueItem(w.halfedge));
-    }
+    enqueue(w, history, edge, w.offset + w.least_image_distance());
+  }
+  /// The same for a parallel window.
+  void enqueue_parallel_on_edge(const Window& w, const WindowHistory& history, const WindowEdge& edge) {
+    if (is_parallel_dropped(w, labels_.distance[edge.start], labels_.distance[edge.end], edge.length)) return;
+    enqueue(w, history, edge, std::min(w.distance(w.begin), w.distance(w.end)));
   }
 
   void receive_multi_label_face(FaceId f) { pruning_.mark_own_face(f); }
@@ -172,11 +186,32 @@ class PartitionPropagator {
     const HalfedgeId h = received.window.halfedge;
     const FaceFrame& f = frames_.frame[Mesh::face(h)];
     const std::size_t start = Mesh::corner(h);
-    enqueue_on_edge(received.window, received.history,
-                    {f.length[start], f.vertex[start], f.vertex[(start + 1) % 3], h});
+    const WindowEdge edge{f.length[start], f.vertex[start], f.vertex[(start + 1) % 3], h};
+    if (received.window.is_parallel()) {
+      enqueue_parallel_on_edge(received.window, received.history, edge);
+    } else {
+      enqueue_on_edge(received.window, received.history, edge);
+    }
   }
 
  private:
+  /// Queues a window that no filter drops, or hands it over. No path in it is shorter than `key`.
+  [[gnu::always_inline]] void enqueue(const Window& w, const WindowHistory& history, const WindowEdge& edge,
+                                      double key) {
+    if (!w.halfedge.valid()) {
+      Window ending = w;
+      ending.halfedge = edge.behind;
+      KeepingEdge kept{edge.behind, edge.start, edge.end, pruning_.place(edge.behind)};
+      keep({ending, history}, kept);
+      return;
+    }
+    if (!exchange_.is_own(w.halfedge)) [[unlikely]] {
+      exchange_.send_window(w, history, key);
+    } else if (waiting_.add(w, history, edge.length, key)) {
+      queue_.push(key, QueueItem(w.halfedge));
+    }
+  }
+
   /// Prefetches what the next items of the queue will need: first the addresses, then what they lead to. Without it,
   /// half of the time would be spent waiting for memory.
   void look_ahead() const {
@@ -206,7 +241,11 @@ class PartitionPropagator {
       if (has_thin_faces_ && enters_face_twice(entering.history, Mesh::face(h), faces)) return;
       keep(entering, kept);
       ++carried_;
-      crossing_.cross(entering, entry, *this);
+      if (entering.window.is_parallel()) [[unlikely]] {
+        crossing_.cross_parallel(entering, entry, *this);
+      } else {
+        crossing_.cross(entering, entry, *this);
+      }
     };
     waiting_.take(h, cross);
   }

@@ -14,10 +14,12 @@
 #include <utility>
 #include <vector>
 
+#include "geodesic/windows/propagation/curve_sectors.hpp"
 #include "geodesic/windows/propagation/partition_propagator.hpp"
 #include "geodesic/windows/propagation/propagation_rounds.hpp"
 #include "geodesic/windows/propagation/propagation_state.hpp"
 #include "gvd/diagram_steps.hpp"
+#include "gvd/error.hpp"
 
 namespace gvd {
 namespace {
@@ -57,14 +59,26 @@ class Propagation {
   }
 
   void start(VertexId v, GeneratorId g, double d) {
-    const MeshPartitions& partitions = state_.partitions;
-    const SharedCopyId shared = partitions.shared(first_copy(v));
-    if (!shared.valid()) {
-      propagator(partitions.of_halfedge(state_.mesh.halfedge(v))).start_vertex(first_copy(v), g, d);
-      return;
+    for_each_copy(v, [&](PartitionPropagator& partition, VertexCopyId copy) { partition.start_vertex(copy, g, d); });
+  }
+
+  /// All vertices before the first window: their distances are known when windows meet them.
+  void start(const CurveEdges& curves) {
+    for (const auto& [v, generator] : curves.vertices) {
+      for_each_copy(v, [&, g = generator](PartitionPropagator& partition, VertexCopyId copy) {
+        partition.start_curve_vertex(copy, g);
+      });
     }
-    for (const MeshPartitions::VertexCopy& copy : partitions.copies(shared)) {
-      propagator(copy.partition).start_vertex(copy.vertex, g, d);
+    const CurveSectors sectors(state_.mesh, state_.frames, curves);
+    for (const auto& [v, generator] : curves.vertices) {
+      const std::vector<CurveSector> at_vertex = sectors.at(v);
+      for_each_copy(
+          v, [&](PartitionPropagator& partition, VertexCopyId copy) { partition.send_from_curve(copy, at_vertex); });
+    }
+    for (const HalfedgeId h : curves.edges) {
+      for (const HalfedgeId side : {h, state_.mesh.twin(h)}) {
+        if (side.valid()) propagator(state_.partitions.of_halfedge(side)).send_from_segment(side);
+      }
     }
   }
 
@@ -83,6 +97,17 @@ class Propagation {
 
  private:
   PartitionPropagator& propagator(PartitionId i) { return *partitions_[i.index()]; }
+
+  /// Calls visit(PartitionPropagator&, VertexCopyId) for all copies of a vertex.
+  template <class Visit>
+  void for_each_copy(VertexId v, Visit visit) {
+    const MeshPartitions& partitions = state_.partitions;
+    const SharedCopyId shared = partitions.shared(first_copy(v));
+    if (!shared.valid()) return visit(propagator(partitions.of_halfedge(state_.mesh.halfedge(v))), first_copy(v));
+    for (const MeshPartitions::VertexCopy& copy : partitions.copies(shared)) {
+      visit(propagator(copy.partition), copy.vertex);
+    }
+  }
 
   /// Reports once every kProgressStride windows: there can be many short rounds.
   void report() {
@@ -155,6 +180,23 @@ WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& gen
   Propagation propagation(mesh, options, progress);
   for (std::size_t g = 0; g < generators.size(); ++g) {
     propagation.start(generators[g], GeneratorId(g), options.offsets.empty() ? 0 : options.offsets[g]);
+  }
+  return propagation.run();
+}
+
+WindowField propagate_windows(const WorkingMesh& working, const PropagationOptions& options, const Progress& progress) {
+  const CurveEdges& curves = working.curves();
+  if (curves.empty()) return propagate_windows(working.mesh(), working.generator_vertices().raw(), options, progress);
+  if (!options.offsets.empty() || options.departures) {
+    throw Error(ErrorCode::invalid_option, "curves have neither offsets nor directions of departure");
+  }
+  report_progress(progress, steps::kDistances, 0);
+  Propagation propagation(working.mesh(), options, progress);
+  propagation.start(curves);
+  IdVector<GeneratorId, bool> is_curve(working.generator_vertices().size(), false);
+  for (const auto& [v, g] : curves.vertices) is_curve.raw()[g.index()] = true;
+  for (const GeneratorId g : working.generator_vertices().ids()) {
+    if (!is_curve.raw()[g.index()]) propagation.start(working.vertex(g), g, 0);
   }
   return propagation.run();
 }

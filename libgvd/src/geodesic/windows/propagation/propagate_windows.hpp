@@ -6,6 +6,7 @@
 #include "geodesic/windows/window_field.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
+#include "mesh/working_mesh.hpp"
 
 namespace gvd {
 
@@ -52,5 +53,8 @@ struct PropagationOptions {
 /// needles, paths tie in many places: up to O(faces) windows a face were seen.
 WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
                               const PropagationOptions& options, const Progress& progress);
+/// The same from the generators of a working mesh, which may be curves. Throws Error{invalid_option} if curves have
+/// offsets, or departures are to be recorded.
+WindowField propagate_windows(const WorkingMesh& working, const PropagationOptions& options, const Progress& progress);
 
 }  // namespace gvd

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "geodesic/windows/face_frames.hpp"
 #include "geodesic/windows/propagation/face_crossing.hpp"
@@ -15,6 +16,13 @@ struct VertexEvent {
   VertexCopyId vertex;
   bool all_round;  ///< into all directions: a generator, or an ambiguous vertex
   VertexPath path;
+};
+
+/// The directions at a vertex of a curve between two of its segments, or a segment and the boundary, in which the
+/// vertex is the nearest point of the curve: at right angles to both, and between. An invalid ray stands for the
+/// boundary.
+struct CurveSector {
+  FanRay first, last;  ///< counter-clockwise
 };
 
 /// Sends windows from generators and pseudo-sources into the faces of one partition: in all directions, or where
@@ -49,7 +57,30 @@ class PseudoSources {
     }
   }
 
+  /// Sends windows from a vertex of a curve, with the paths along all edges there.
+  template <class Target>
+  void send_from_curve(VertexCopyId v, GeneratorId g, std::span<const CurveSector> sectors, Target& target) const {
+    const VertexEvent event{v, false, {0, g, {}}};
+    const HalfedgeId start = mesh_.halfedge(partitions_.vertex(v));
+    HalfedgeId h = start;
+    do {
+      if (partitions_.of_halfedge(h) == own_) reach_along_sides(event.path, h, target);
+      h = fan_.left_of(h);
+    } while (h.valid() && h != start);
+    for (const CurveSector& sector : sectors) send_between(event, sector.first, sector.last, target);
+  }
+
  private:
+  /// Sends paths along both sides of a face at the vertex that `outgoing` leaves.
+  template <class Target>
+  void reach_along_sides(const VertexPath& path, HalfedgeId outgoing, Target& target) const {
+    const FaceFrame& f = fan_.face(outgoing);
+    const std::size_t c = Mesh::corner(outgoing), p = (c + 1) % 3, q = (c + 2) % 3;
+    const Rotation back{f.cosine[p], f.sine[p]};
+    target.reach_vertex(f.vertex[p], {path.distance + f.length[c], path.generator, {Mesh::next(outgoing), back}});
+    target.reach_vertex(f.vertex[q], {path.distance + f.length[q], path.generator, {Mesh::previous(outgoing), {}}});
+  }
+
   template <class Target>
   void send_all_round(const VertexEvent& event, Target& target) const {
     const HalfedgeId start = mesh_.halfedge(partitions_.vertex(event.vertex));

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "geodesic/windows/window.hpp"
+#include "geodesic/windows/window_filters.hpp"
+#include "geodesic/windows/window_geometry.hpp"
+
+namespace gvd {
+
+// Windows whose paths come from a straight segment of a curve, at right angles to it. They are parallel, and distances
+// grow linearly along an edge. What window_geometry.hpp and window_filters.hpp say of an image holds here for the
+// segment, with the direction of the paths in place of the ray from the image: no proof there uses more than that
+// paths are straight, and that none is shorter.
+
+/// The paths of a parallel window in its frame.
+struct ParallelPaths {
+  double along, across;  ///< unit vector of their direction, across > 0
+  double start;          ///< distance of the frame's origin
+
+  explicit ParallelPaths(const Window& w) : along(w.x), across(-w.depth), start(w.offset) {}
+  double distance(double x, double y) const { return start + along * x + across * y; }
+};
+
+/// The window that a segment of a curve sends into the face of its halfedge.
+inline Window window_from_segment(HalfedgeId h, double length, double start, GeneratorId g) {
+  return {0, length, 0, -1, start, g, h};
+}
+
+/// Position of the apex relative to the outermost paths, as in ApexView.
+struct ParallelApexView {
+  double x, y;
+  double beyond_begin, beyond_end;
+
+  ParallelApexView(const Window& w, double apex_x, double apex_y)
+      : x(apex_x),
+        y(apex_y),
+        beyond_begin(w.x * apex_y + (apex_x - w.begin) * w.depth),
+        beyond_end(w.x * apex_y + (apex_x - w.end) * w.depth) {}
+
+  bool all_right() const { return beyond_begin > 0; }
+  bool all_left() const { return beyond_end < 0; }
+  bool covered() const { return beyond_begin <= 0 && beyond_end >= 0; }
+
+  /// Whether the apex, which is not covered, lies on the continuation of an outermost path; see is_grazed.
+  bool is_grazed(const Window& w, double length) const {
+    const double t = all_right() ? w.begin : w.end, beyond = all_right() ? beyond_begin : beyond_end;
+    const double step_x = x - t, shift = kPositionRounding * length;
+    return beyond * beyond <= kGrazingAngle * kGrazingAngle * (step_x * step_x + y * y) + shift * shift &&
+           w.x * step_x - w.depth * y > 0;
+  }
+};
+
+/// Distance from the corner that a side shares with the edge, of the point where a path through u meets the side. Both
+/// count from that corner; `along` is the path's direction away from it. See SideView.
+inline double hit_by_parallel(double u, double along, double across, const ExitSide& side) {
+  return u * across / (across * side.cosine - along * side.sine);
+}
+
+/// The sub-windows that leave a face by its left and by its right side, as cross_left and cross_right.
+inline Window cross_left_parallel(const Window& w, const ExitSide& side, const ParallelApexView& apex) {
+  const ParallelPaths p(w);
+  const double end =
+      apex.all_left() ? std::min(side.length, hit_by_parallel(w.end, p.along, p.across, side)) : side.length;
+  return {std::max(0.0, hit_by_parallel(w.begin, p.along, p.across, side)),
+          end,
+          p.along * side.cosine + p.across * side.sine,
+          p.along * side.sine - p.across * side.cosine,
+          p.start,
+          w.generator,
+          side.twin};
+}
+inline Window cross_right_parallel(const Window& w, double base, const ExitSide& side, const ParallelApexView& apex) {
+  const ParallelPaths p(w);
+  const auto from_apex = [&](double t) { return side.length - hit_by_parallel(base - t, -p.along, p.across, side); };
+  return {apex.all_right() ? std::max(0.0, from_apex(w.begin)) : 0,
+          std::min(side.length, from_apex(w.end)),
+          p.along * side.cosine - p.across * side.sine,
+          -p.along * side.sine - p.across * side.cosine,
+          p.distance(apex.x, apex.y),
+          w.generator,
+          side.twin};
+}
+
+/// Whether a window has no width, its paths run along the edge, or the path through an end of the edge is shorter
+/// everywhere on it; see is_beaten_by_start. The edge is `length` long.
+inline bool is_parallel_dropped(const Window& w, double start_distance, double end_distance, double length) {
+  const auto is_beaten = [](double through, double step, double own) {
+    return through * (1 + kDropClearance) + step < own * (1 - kDropClearance);
+  };
+  return !(w.begin < w.end) || !(w.depth < 0) || is_beaten(start_distance, w.end, w.distance(w.end)) ||
+         is_beaten(end_distance, length - w.begin, w.distance(w.begin));
+}
+
+}  // namespace gvd
