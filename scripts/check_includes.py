@@ -46,14 +46,14 @@ FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in fol
 # For users, all public headers are in one folder. This is the folder to which each one belongs.
 PUBLIC = {
     "libgvd/src/base": "vec ids error names text progress diagram_steps version",
-    "libgvd/src/mesh": "mesh surface_point closest_point distance_samples quality openmesh",
+    "libgvd/src/mesh": "mesh surface_point generator_curve closest_point distance_samples quality openmesh",
     "libgvd/src/mesh/reading": "mesh_property read_soup",
     "libgvd/src/mesh/repair": "soup",
     "libgvd/src/geodesic": "front geodesic_tracing",
     "libgvd/src/geodesic/sampling": "sampling",
     "libgvd/src/geodesic/windows": "exact_field",
     "libgvd/src/diagram": "diagram check error_measure trace_diagram",
-    "libgvd/src/io": "generator_list read_values",
+    "libgvd/src/io": "curve_list generator_list read_values",
     "libgvd/src/io/writers": "io/diagram_json io/distance_writer io/label_color io/mesh_writer io/point_writer io/write_file",
     "libgvd/src/io/view": "io/view gvd",
     "libgvd/segment": "face_regions region_statistics segment",

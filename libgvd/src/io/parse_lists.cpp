@@ -253,20 +253,6 @@ std::int64_t read_index(const json& value, std::string_view key, const ListLocat
   return value.get<std::int64_t>();
 }
 
-GeneratorEntry read_object(const json& object, const ListLocation& location) {
-  if (object.contains("face") && object.contains("bary")) {
-    const std::int64_t face = read_index(object["face"], "face", location);
-    return {GeneratorEntry::Kind::face, face, read_three(object["bary"], "bary", location), location.line};
-  }
-  if (object.contains("vertex")) {
-    return {GeneratorEntry::Kind::vertex, read_index(object["vertex"], "vertex", location), {}, location.line};
-  }
-  if (object.contains("position")) {
-    return {GeneratorEntry::Kind::position, 0, read_three(object["position"], "position", location), location.line};
-  }
-  location.refuse("a generator needs \"face\" and \"bary\", or \"vertex\", or \"position\"");
-}
-
 }  // namespace
 
 std::string ListLocation::text() const { return line > 0 ? fmt::format("{}:{}", name, line) : name; }
@@ -343,6 +329,25 @@ std::vector<GeneratorEntry> parse_csv(std::string_view content, const std::strin
     entries.push_back(read_row(columns, rows[i].fields, {name, rows[i].number}));
   }
   return entries;
+}
+
+nlohmann::json parse_document(std::string_view content, const std::string& name) {
+  LineReader(content, name).read();
+  return json::parse(content);
+}
+
+GeneratorEntry read_object(const json& object, const ListLocation& location) {
+  if (object.contains("face") && object.contains("bary")) {
+    const std::int64_t face = read_index(object["face"], "face", location);
+    return {GeneratorEntry::Kind::face, face, read_three(object["bary"], "bary", location), location.line};
+  }
+  if (object.contains("vertex")) {
+    return {GeneratorEntry::Kind::vertex, read_index(object["vertex"], "vertex", location), {}, location.line};
+  }
+  if (object.contains("position")) {
+    return {GeneratorEntry::Kind::position, 0, read_three(object["position"], "position", location), location.line};
+  }
+  location.refuse("a generator needs \"face\" and \"bary\", or \"vertex\", or \"position\"");
 }
 
 std::vector<GeneratorEntry> parse_json(std::string_view content, const std::string& name) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,12 @@ std::vector<GeneratorEntry> parse_text(std::string_view content, const std::stri
 /// Parses comma-separated values: the fields of the text form, or named columns below a header.
 /// Throws Error{unreadable_input} with name and line. Cost: O(length).
 std::vector<GeneratorEntry> parse_csv(std::string_view content, const std::string& name);
+
+/// A JSON document. Throws Error{unreadable_input} with name and line.
+nlohmann::json parse_document(std::string_view content, const std::string& name);
+
+/// The entry of a JSON object: a face with coordinates, a vertex or a position.
+GeneratorEntry read_object(const nlohmann::json& object, const ListLocation& location);
 
 /// Parses JSON: the array `generators` of any object, such as a diagram or a report.
 /// Throws Error{unreadable_input} with name and line. Cost: O(length).

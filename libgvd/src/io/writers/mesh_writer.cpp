@@ -236,6 +236,14 @@ void print_bisector(ByteWriter& out, const Mesh& mesh, const Bisector& bisector)
   out.text("}");
 }
 
+void print_curve(ByteWriter& out, const Mesh& mesh, const GeneratorCurve& curve) {
+  out.text("{\"points\":");
+  print_array(out, curve.points, [&](const SurfacePoint& point) { print_point(out, mesh, point); });
+  out.text(",\"segments\":");
+  print_array(out, curve.segments, [&](const auto& ends) { out.print("[{},{}]", ends[0], ends[1]); });
+  out.text("}");
+}
+
 void print_cell(ByteWriter& out, const Cell& cell) {
   out.print("{{\"generator\":{},\"area\":{},\"euler_characteristic\":{},\"neighbours\":", cell.generator.value(),
             json_number(cell.area), cell.euler_characteristic);
@@ -252,6 +260,10 @@ void print_open_diagram(ByteWriter& out, const Mesh& mesh, const Diagram& diagra
   if (!diagram.weights.empty()) {
     out.text(",\n\"weights\":");
     print_array(out, diagram.weights, [&](double weight) { out.text(json_number(weight)); });
+  }
+  if (!diagram.curves.empty()) {
+    out.text(",\n\"curves\":");
+    print_lines(out, diagram.curves, [&](const GeneratorCurve& curve) { print_curve(out, mesh, curve); });
   }
   out.text(",\n\"branch_points\":");
   print_lines(out, diagram.branch_points, [&](const BranchPoint& branch) { print_branch_point(out, branch); });

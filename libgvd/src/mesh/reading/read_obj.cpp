@@ -47,28 +47,35 @@ class ObjParser {
     return std::move(texture_);
   }
 
+  LineSoup parse_lines() {
+    lines_wanted_ = true;
+    parse();
+    return {std::move(soup_.positions), std::move(edges_)};
+  }
+
   PolygonSoup parse() {
     while (text_.next_content_line()) {
       const std::string_view line = text_.line();
       const std::size_t begin = line.find_first_not_of(" \t\v\f");
       const char first = begin == std::string_view::npos ? '\0' : line[begin];
       if (first != 'v' && first != 'f' && first != 'l') continue;
-      if (first != 'l') join_continued_lines();
+      if (first != 'l' || lines_wanted_) join_continued_lines();
       const std::string_view statement = text_.token();
       if (statement == "v") {
         add_vertex();
       } else if (statement == "vt" && texture_) {
         add_texture_vertex();
       } else if (statement == "f") {
-        add_face();
+        if (!lines_wanted_) add_face();
       } else if (statement == "l") {
         ++lines_;
+        if (lines_wanted_) add_line();
       }
     }
     check_forward_references();
-    if (lines_ > 0)
+    if (lines_ > 0 && !lines_wanted_)
       soup_.notes.push_back(fmt::format("{} (statement l) left out", counted(lines_, "polyline", "polylines")));
-    return texture_ ? PolygonSoup() : std::move(soup_);
+    return texture_ || lines_wanted_ ? PolygonSoup() : std::move(soup_);
   }
 
  private:
@@ -100,6 +107,15 @@ class ObjParser {
     soup_.close_polygon();
   }
 
+  void add_line() {
+    std::int32_t last = -1;
+    for (std::string_view token = text_.token(); !token.empty(); token = text_.token()) {
+      const std::int32_t next = vertex_index(token);
+      if (last >= 0) edges_.push_back({last, next});
+      last = next;
+    }
+  }
+
   /// The 0-based vertex of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`.
   std::int32_t vertex_index(std::string_view token) {
     const std::size_t slash = token.find('/');
@@ -108,7 +124,7 @@ class ObjParser {
     const std::optional<std::int64_t> given = parse_integer(token.substr(0, slash));
     const bool tail_fits =
         slash == std::string_view::npos || token.find_first_not_of("0123456789+-/", slash) == std::string_view::npos;
-    if (!given || !tail_fits) text_.refuse(fmt::format("{} is no corner of a face", quoted(token)), polygon);
+    if (!given || !tail_fits) text_.refuse(fmt::format("{} is no corner of a {}", quoted(token), element()), polygon);
     const std::int64_t count = std::ssize(soup_.positions);
     const std::int64_t index = *given > 0 ? *given - 1 : count + *given;
     if (*given == 0 || index < 0 || index >= kMostVertices) refuse_index(*given, count, polygon);
@@ -134,9 +150,11 @@ class ObjParser {
     texture_vertices_.push_back({u, *second});
   }
 
+  const char* element() const { return lines_wanted_ ? "line" : "face"; }
+
   [[noreturn]] void refuse_index(std::int64_t given, std::int64_t count, std::int64_t polygon) const {
-    if (given == 0) text_.refuse("a face refers to vertex 0, and OBJ counts from 1", polygon);
-    text_.refuse(fmt::format("a face refers to vertex {}, and there are {} before it", given, count), polygon);
+    if (given == 0) text_.refuse(fmt::format("a {} refers to vertex 0, and OBJ counts from 1", element()), polygon);
+    text_.refuse(fmt::format("a {} refers to vertex {}, and there are {} before it", element(), given, count), polygon);
   }
 
   void check_forward_references() {
@@ -144,7 +162,7 @@ class ObjParser {
     for (const ForwardReference& reference : forward_) {
       if (reference.index <= count) continue;
       text_.skip_line_numbers(reference.line - text_.line_number());
-      text_.refuse(fmt::format("a face refers to vertex {}, and the file has {}", reference.index, count),
+      text_.refuse(fmt::format("a {} refers to vertex {}, and the file has {}", element(), reference.index, count),
                    reference.polygon);
     }
   }
@@ -154,6 +172,8 @@ class ObjParser {
   std::vector<ForwardReference> forward_;
   std::string joined_;
   std::int64_t lines_ = 0;
+  bool lines_wanted_ = false;  // instead of faces
+  std::vector<std::array<std::int32_t, 2>> edges_;
   std::optional<CornerTexture> texture_;  // only where it is wanted
   std::vector<std::array<double, 2>> texture_vertices_;
   std::vector<std::int64_t> texture_numbers_;  // per corner; outside of the texture vertices for none
@@ -162,6 +182,8 @@ class ObjParser {
 }  // namespace
 
 PolygonSoup parse_obj(std::string_view bytes, std::string_view name) { return ObjParser(bytes, name).parse(); }
+
+LineSoup parse_obj_lines(std::string_view bytes, std::string_view name) { return ObjParser(bytes, name).parse_lines(); }
 
 std::optional<CornerTexture> parse_obj_texture(std::string_view bytes, std::string_view name) {
   return ObjParser(bytes, name).parse_texture();

@@ -126,6 +126,8 @@ bool is_geometry(const PlyElement& element, int p) {
   return name == "x" || name == "y" || name == "z";
 }
 
+/// The walk over the elements, for surfaces, lines and properties.
+/// Long because all of them share the steps that read an element, and refuse alike what is damaged.
 template <class Source>
 class BodyParser {
  public:
@@ -155,6 +157,21 @@ class BodyParser {
       std::move(found.begin(), found.end(), std::back_inserter(all));
     }
     return all;
+  }
+
+  LineSoup parse_lines() {
+    LineSoup lines;
+    for (const PlyElement& element : header_.elements) {
+      check_count(element);
+      if (element.name == "vertex") {
+        vertices_ = element.count;
+        read_vertices(element);
+      } else if (!element.properties.empty()) {
+        read_edges(element, lines.edges);
+      }
+    }
+    lines.positions = std::move(soup_.positions);
+    return lines;
   }
 
   PolygonSoup parse() {
@@ -258,6 +275,21 @@ class BodyParser {
         return true;
       });
       soup_.close_polygon();
+    }
+  }
+
+  /// Reads the element `edge`, and skips any other one.
+  void read_edges(const PlyElement& element, std::vector<std::array<std::int32_t, 2>>& edges) {
+    const std::array<int, 2> ends{element.find("vertex1"), element.find("vertex2")};
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      std::array<std::int32_t, 2> edge{-1, -1};
+      read_element(element, i, [&](int p) {
+        const auto end = std::find(ends.begin(), ends.end(), p) - ends.begin();
+        if (element.name != "edge" || end == 2 || element.properties[p].count_type) return false;
+        edge[end] = require_index(source_.read(element.properties[p].type, element.properties[p]), i, "edge");
+        return true;
+      });
+      if (edge[0] >= 0 && edge[1] >= 0) edges.push_back(edge);
     }
   }
 
@@ -368,6 +400,11 @@ MeshAttributes parse_ply_attributes(std::string_view bytes, std::string_view nam
   found.texture = make_texture(*list, parse_ply(bytes, name));
   if (found.texture) found.properties.erase(list);
   return found;
+}
+
+LineSoup parse_ply_lines(std::string_view bytes, std::string_view name) {
+  return read_body(bytes, name, parse_ply_header(bytes, name, PlyContent::lines),
+                   [](auto parser) { return parser.parse_lines(); });
 }
 
 PolygonSoup parse_ply(std::string_view bytes, std::string_view name) {

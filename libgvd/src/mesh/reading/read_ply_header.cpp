@@ -34,8 +34,8 @@ std::optional<NumberType> parse_type(std::string_view word) {
 
 class HeaderParser {
  public:
-  HeaderParser(std::string_view bytes, std::string_view name)
-      : text_(header_bytes(bytes), name, false), size_(header_bytes(bytes).size()) {}
+  HeaderParser(std::string_view bytes, std::string_view name, PlyContent content)
+      : text_(header_bytes(bytes), name, false), size_(header_bytes(bytes).size()), content_(content) {}
 
   PlyHeader parse() {
     if (!text_.next_line() || text_.token() != "ply") text_.refuse("the first line of a PLY file should be ply");
@@ -130,6 +130,7 @@ class HeaderParser {
         text_.refuse(fmt::format("the element 'vertex' has no number '{}'", name));
       }
     }
+    if (content_ == PlyContent::lines) return check_edges();
     bool has_faces = false;
     for (const PlyElement& element : header_.elements) {
       if (element.name != "face" && element.name != "tristrips") continue;
@@ -142,8 +143,16 @@ class HeaderParser {
     if (!has_faces) text_.refuse("the header has neither an element 'face' nor 'tristrips'; a surface is needed");
   }
 
+  void check_edges() const {
+    const auto edge = std::ranges::find(header_.elements, "edge", &PlyElement::name);
+    if (edge == header_.elements.end() || edge->find("vertex1") < 0 || edge->find("vertex2") < 0) {
+      text_.refuse("the header has no element 'edge' with vertex1 and vertex2; curves are needed");
+    }
+  }
+
   TextReader text_;
   std::size_t size_;
+  PlyContent content_;
   PlyHeader header_;
   std::set<std::string_view> names_;  // of the elements
   bool has_format_ = false;
@@ -161,6 +170,8 @@ int PlyElement::find(std::string_view property) const {
   return it == properties.end() ? -1 : static_cast<int>(it - properties.begin());
 }
 
-PlyHeader parse_ply_header(std::string_view bytes, std::string_view name) { return HeaderParser(bytes, name).parse(); }
+PlyHeader parse_ply_header(std::string_view bytes, std::string_view name, PlyContent content) {
+  return HeaderParser(bytes, name, content).parse();
+}
 
 }  // namespace gvd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -82,6 +83,16 @@ PolygonSoup parse_obj(std::string_view bytes, std::string_view name);
 
 /// The texture of an OBJ, from `v`, `vt` and `f`; none where no corner refers to a `vt` of the file.
 std::optional<CornerTexture> parse_obj_texture(std::string_view bytes, std::string_view name);
+
+/// Points, and edges between them by their indices.
+struct LineSoup {
+  std::vector<Vec3> positions;
+  std::vector<std::array<std::int32_t, 2>> edges;
+};
+
+/// The polylines of an OBJ, from `v` and `l`; and those of a PLY, from its elements `vertex` and `edge`.
+LineSoup parse_obj_lines(std::string_view bytes, std::string_view name);
+LineSoup parse_ply_lines(std::string_view bytes, std::string_view name);
 
 /// PLY, text and binary: the elements `vertex` and `face`; other elements and properties are skipped.
 PolygonSoup parse_ply(std::string_view bytes, std::string_view name);

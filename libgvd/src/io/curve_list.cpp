@@ -1,0 +1,187 @@
+// Lists of curves: reading them, and their points and segments on a mesh.
+//
+// Lines of OBJ and PLY are edges between numbered vertices, often two points each. Connected ones are one curve, so
+// that it does not matter how a program parts a polyline. Points without a line are left out. JSON and text have points
+// in order.
+// Cost: O(length), and a field of distances for each two points that have to be joined.
+#include "gvd/curve_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/union_find.hpp"
+#include "geodesic/windows/propagation/join_points.hpp"
+#include "gvd/error.hpp"
+#include "gvd/text.hpp"
+#include "io/parse_lists.hpp"
+#include "io/writers/format_writers.hpp"
+#include "mesh/reading/readers.hpp"
+
+namespace gvd {
+namespace {
+
+/// The curves of edges between positions.
+CurveList connect_edges(const LineSoup& soup, const std::string& name) {
+  UnionFind sets(soup.positions.size());
+  std::vector<bool> is_used(soup.positions.size(), false);
+  for (const auto& [a, b] : soup.edges) {
+    sets.unite(a, b);
+    is_used[a] = is_used[b] = true;
+  }
+  // Points by their curves, and curves by their first vertices.
+  std::map<std::int32_t, std::vector<std::int32_t>> curves;
+  for (std::int32_t v = 0; v < std::ssize(soup.positions); ++v) {
+    if (is_used[v]) curves[sets.find(v)].push_back(v);
+  }
+  CurveList list{{name, {}}, {}, {}};
+  std::vector<std::int32_t> point_of(soup.positions.size(), -1);
+  std::int32_t number = 0;
+  for (const auto& [first, vertices] : curves) {
+    for (const std::int32_t v : vertices) {
+      const Vec3& p = soup.positions[v];
+      point_of[v] = std::int32_t(list.curve.size());
+      list.points.entries.push_back({GeneratorEntry::Kind::position, 0, {p.x(), p.y(), p.z()}, 0});
+      list.curve.push_back(number);
+    }
+    ++number;
+  }
+  for (const auto& [a, b] : soup.edges) {
+    if (a != b) list.segments.push_back({point_of[a], point_of[b]});
+  }
+  return list;
+}
+
+/// Adds a polyline through `points`.
+void add_polyline(CurveList& list, const std::vector<GeneratorEntry>& points, bool closed) {
+  const auto first = std::int32_t(list.curve.size()), count = std::int32_t(points.size());
+  const std::int32_t number = list.curve.empty() ? 0 : list.curve.back() + 1;
+  for (std::int32_t i = 0; i < count; ++i) {
+    list.points.entries.push_back(points[i]);
+    list.curve.push_back(number);
+    if (i > 0) list.segments.push_back({first + i - 1, first + i});
+  }
+  if (closed && count > 2) list.segments.push_back({first + count - 1, first});
+}
+
+/// Adds a curve with its segments, as diagrams have it.
+void add_segments(CurveList& list, const std::vector<GeneratorEntry>& points, const nlohmann::json& segments,
+                  const detail::ListLocation& location) {
+  const auto first = std::int32_t(list.curve.size()), count = std::int32_t(points.size());
+  add_polyline(list, points, false);
+  list.segments.erase(list.segments.end() - std::max(0, count - 1), list.segments.end());
+  const auto is_index = [count](const nlohmann::json& i) {
+    return i.is_number_unsigned() && i.get<std::uint64_t>() < std::uint64_t(count);
+  };
+  for (const nlohmann::json& ends : segments) {
+    if (!ends.is_array() || ends.size() != 2 || !is_index(ends[0]) || !is_index(ends[1])) {
+      location.refuse("\"segments\" must be pairs of numbers of the curve's points");
+    }
+    list.segments.push_back({first + ends[0].get<std::int32_t>(), first + ends[1].get<std::int32_t>()});
+  }
+}
+
+CurveList parse_text_curves(std::string_view content, const std::string& name) {
+  CurveList list{{name, {}}, {}, {}};
+  std::vector<bool> is_blank;  // [line]
+  for (std::size_t start = 0; start < content.size();) {
+    const std::size_t end = std::min(content.find('\n', start), content.size());
+    is_blank.push_back(content.substr(start, end - start).find_first_not_of(" \t\r\v\f") == std::string_view::npos);
+    start = end + 1;
+  }
+  std::vector<GeneratorEntry> points;
+  for (const GeneratorEntry& entry : detail::parse_text(content, name)) {
+    const bool begins =
+        !points.empty() && std::find(is_blank.begin() + points.back().line, is_blank.begin() + entry.line - 1, true) !=
+                               is_blank.begin() + entry.line - 1;
+    if (begins) add_polyline(list, std::exchange(points, {}), false);
+    points.push_back(entry);
+  }
+  if (!points.empty()) add_polyline(list, points, false);
+  return list;
+}
+
+CurveList parse_json_curves(std::string_view content, const std::string& name) {
+  const nlohmann::json document = detail::parse_document(content, name);
+  const detail::ListLocation location{name, 1};
+  CurveList list{{name, {}}, {}, {}};
+  bool found = false;
+  for (const char* key : {"curves", "paths", "isolines", "bisectors"}) {
+    if (!document.is_object() || !document.contains(key)) continue;
+    found = true;
+    const nlohmann::json& curves = document[key];
+    if (!curves.is_array()) location.refuse(fmt::format("\"{}\" must be an array", key));
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const nlohmann::json& curve = curves[i];
+      if (!curve.is_object() || !curve.contains("points") || !curve["points"].is_array()) {
+        location.refuse(fmt::format("element {} of \"{}\" must be an object with an array \"points\"", i, key));
+      }
+      std::vector<GeneratorEntry> points;
+      for (const nlohmann::json& point : curve["points"]) {
+        if (!point.is_object()) location.refuse(fmt::format("a point of element {} of \"{}\" is no object", i, key));
+        points.push_back(detail::read_object(point, location));
+      }
+      if (curve.contains("segments")) {
+        add_segments(list, points, curve["segments"], location);
+        continue;
+      }
+      const bool closed = curve.contains("closed") && curve["closed"].is_boolean() && curve["closed"].get<bool>();
+      if (!points.empty()) add_polyline(list, points, closed);
+    }
+    if (!list.curve.empty()) break;  // a diagram of curves has bisectors, too
+  }
+  if (!found) location.refuse("there is no array \"curves\", \"paths\", \"isolines\" or \"bisectors\"; write one");
+  return list;
+}
+
+}  // namespace
+
+CurveList parse_curves(std::string_view content, const std::string& name) {
+  const std::string extension = io::bare_extension(std::filesystem::path(name).extension().string());
+  const std::optional<MeshFormat> format = detect_format(content, name);
+  CurveList list;
+  if (extension == "obj" || (extension != "txt" && format == MeshFormat::obj)) {
+    list = connect_edges(parse_obj_lines(content, name), name);
+  } else if (format == MeshFormat::ply) {
+    list = connect_edges(parse_ply_lines(content, name), name);
+  } else if (detect_generator_format(content) == GeneratorFormat::json) {
+    list = parse_json_curves(content, name);
+  } else {
+    list = parse_text_curves(content, name);
+  }
+  if (list.curve.empty()) {
+    throw Error(ErrorCode::unreadable_input, fmt::format("{}: the file holds no curve; write at least one", name));
+  }
+  return list;
+}
+
+CurveList read_curves(const std::filesystem::path& path) { return parse_curves(read_file_bytes(path), path.string()); }
+
+std::vector<GeneratorCurve> resolve_curves(const Mesh& mesh, const CurveList& list, ResolveOptions options,
+                                           ResolvedGenerators& snapped) {
+  options.keep_coincident = true;
+  snapped = resolve_generators(mesh, list.points, options);
+  std::vector<GeneratorCurve> curves(list.curve.back() + 1);
+  std::vector<std::int32_t> number;  // of each point in its curve
+  for (std::size_t i = 0; i < list.curve.size(); ++i) {
+    GeneratorCurve& curve = curves[list.curve[i]];
+    number.push_back(std::int32_t(curve.points.size()));
+    curve.points.push_back(snapped.points[i]);
+  }
+  for (const auto& [a, b] : list.segments) {
+    GeneratorCurve& curve = curves[list.curve[a]];
+    std::int32_t last = number[a];
+    for (const SurfacePoint& p : join_points(mesh, snapped.points[a], snapped.points[b])) {
+      curve.segments.push_back({last, std::int32_t(curve.points.size())});
+      last = std::int32_t(curve.points.size());
+      curve.points.push_back(p);
+    }
+    curve.segments.push_back({last, number[b]});
+  }
+  return curves;
+}
+
+}  // namespace gvd
