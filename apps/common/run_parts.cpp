@@ -87,23 +87,6 @@ ResolvedGenerators sample(Run& run, const Mesh& mesh, const Sampler& sampler) {
   return sampled;
 }
 
-/// Computes the diagram, and reports the time of each of its steps as "diagram: step".
-Diagram compute_timed(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                      const std::vector<double>& weights) {
-  DiagramOptions options = make_diagram_options(run.options().compute);
-  options.weights = weights;
-  StepTimes times(run);
-  std::string current;
-  options.progress = [&, show = run.progress()](std::string_view step, double fraction) {
-    if (step != current) {
-      current = step;
-      times.start("diagram: " + current);
-    }
-    return show(step, fraction);
-  };
-  return compute_diagram(mesh, generators, options);
-}
-
 #ifdef GVD_HAS_VERIFY
 void verify(Run& run, const Mesh& mesh, const Diagram& diagram) {
   VerifyOptions options;
@@ -271,9 +254,25 @@ std::vector<SurfacePoint> load_targets(Run& run, const CheckedMesh& input) {
   });
 }
 
+Diagram compute_timed(Run& run, DiagramOptions options, const std::function<Diagram(const DiagramOptions&)>& compute) {
+  StepTimes times(run);
+  std::string current;
+  options.progress = [&, show = run.progress()](std::string_view step, double fraction) {
+    if (step != current) {
+      current = step;
+      times.start("diagram: " + current);
+    }
+    return show(step, fraction);
+  };
+  return compute(options);
+}
+
 Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                       const std::vector<double>& weights) {
-  Diagram diagram = run.timed("diagram", [&] { return compute_timed(run, mesh, generators, weights); });
+  DiagramOptions options = make_diagram_options(run.options().compute);
+  options.weights = weights;
+  const auto compute = [&](const DiagramOptions& timed) { return compute_diagram(mesh, generators, timed); };
+  Diagram diagram = run.timed("diagram", [&] { return compute_timed(run, options, compute); });
   report_diagram(run, diagram);
   return diagram;
 }

@@ -68,6 +68,9 @@ std::vector<SurfacePoint> load_targets(Run& run, const CheckedMesh& input);
 Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                       const std::vector<double>& weights = {});
 
+/// Calls compute(options), and reports the time of each of its steps as "diagram: step".
+Diagram compute_timed(Run& run, DiagramOptions options, const std::function<Diagram(const DiagramOptions&)>& compute);
+
 /// Notes and reports the figures of a diagram.
 void report_diagram(Run& run, const Diagram& diagram);
 

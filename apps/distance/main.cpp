@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "common/command.hpp"
+#include "common/curves.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/error.hpp"
@@ -61,6 +62,7 @@ void check(const Options& options, const OwnOptions& own) {
   if (own.paths && !has_targets)
     refuse("--paths does nothing here: add --to, where the paths begin, or leave --paths out");
   if (own.each && own.isolines) refuse("--each and --isolines exclude each other: isolines are of the nearest source");
+  if (own.each && !options.generators.curves.empty()) refuse("--each and --curves exclude each other: keep one");
   if (own.each && has_view) refuse("--each and --view exclude each other: the page shows the nearest source");
   if (own.each && !own.paths && writes(options, {"ply", "vtp", "vtu", "obj"})) {
     refuse(
@@ -306,8 +308,13 @@ void write_files(Run& run, const Mesh& mesh, const DistanceTable& table, Labelle
 /// One field for the nearest source.
 void measure_nearest(Run& run, const OwnOptions& own, const CheckedMesh& input, DistanceTable& table) {
   const Mesh& mesh = input.mesh;
-  const ExactField field =
-      run.timed("distances", [&] { return ExactField(mesh, table.sources, field_options(run, own)); });
+  const bool has_curves = !run.options().generators.curves.empty();
+  const std::vector<GeneratorCurve> curves = has_curves ? load_curves(run, input) : std::vector<GeneratorCurve>();
+  for (const GeneratorCurve& curve : curves) table.sources.push_back(curve.points.front());
+  const ExactField field = run.timed("distances", [&] {
+    const ExactFieldOptions options = field_options(run, own);
+    return has_curves ? ExactField(mesh, curves, options) : ExactField(mesh, table.sources, options);
+  });
   add_nearest(table, input, field);
   if (own.paths) run.timed("paths", [&] { add_paths(table, mesh, field, GeneratorId()); });
   if (own.isolines) {
@@ -322,8 +329,13 @@ void measure_nearest(Run& run, const OwnOptions& own, const CheckedMesh& input, 
     labels.push_back(field.label(v));
   }
   write_files(run, mesh, table, {.mesh = mesh, .vertex_label = &labels, .vertex_distance = &distances});
-  write_view_file(run, "gvd-distance",
-                  [&] { return std::vector{make_distance_scene("Distances", mesh, field, table)}; });
+  write_view_file(run, "gvd-distance", [&] {
+    std::vector scenes{make_distance_scene("Distances", mesh, field, table)};
+    for (const GeneratorCurve& curve : curves) {
+      for (auto& line : polylines(mesh, curve)) scenes[0].paths.push_back(std::move(line));
+    }
+    return scenes;
+  });
 }
 
 /// The paths from all targets to each source.
@@ -349,7 +361,7 @@ void measure(Run& run, const OwnOptions& own) {
   report_options(run, own);
   const CheckedMesh input = load_input(run);
   DistanceTable table;
-  table.sources = make_generators(run, input);
+  if (run.options().generators.curves.empty()) table.sources = make_generators(run, input);
   table.targets = load_targets(run, input);
   own.each ? measure_each(run, own, input, table) : measure_nearest(run, own, input, table);
   write_report(run);
@@ -368,6 +380,7 @@ int main(int argc, char** argv) {
                    {{"npy", "csv", "ply", "vtp", "vtu", "obj", "json", "shape.gii", "curv"}, false},
                    register_distance_options});
   command.line().option_defaults()->group("Distances");
+  add_curves_option(command.line(), command.options().generators, {"--from", "--merge-coincident"});
   add_flag(command.line(), "--each", own.each, "Measure from each source alone, instead of from the nearest one");
   add_flag(command.line(), "--paths", own.paths,
            "Trace the shortest path from each point of --to; .csv then holds the points of the paths");

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "common/command.hpp"
+#include "common/curves.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/io/distance_writer.hpp"
@@ -55,6 +56,7 @@ struct OwnOptions {
 void report_options(Run& run, const OwnOptions& own, const SegmentOptions& options) {
   Json& reported = run.report().options();
   const auto file = [&](const char* option) { return or_null(run.options().output.own.at(option)); };
+  reported["curves"] = or_null(run.options().generators.curves);
   reported["cut"] = own.cut;
   reported["stats"] = file("--stats");
   reported["adjacency"] = file("--adjacency");
@@ -223,7 +225,9 @@ void segment(Run& run, const OwnOptions& own) {
   const CheckedMesh input = load_input(run);
   const PartedSurface surface(run, input, own.regions, options);
   const Mesh& mesh = surface.mesh();
-  const Diagram diagram = build_weighted_diagram(run, {input, mesh}, surface.make_generators(run), own.weights);
+  const Diagram diagram = run.options().generators.curves.empty()
+                              ? build_weighted_diagram(run, {input, mesh}, surface.make_generators(run), own.weights)
+                              : build_curve_diagram(run, mesh, load_curves(run, input));
   if (own.cut) {
     write_cut_faces(run, surface, input.mesh, diagram);
   } else {
@@ -257,6 +261,9 @@ int main(int argc, char** argv) {
       ->excludes("--cut");
   add_region_options(command.line(), own.regions, command.options().generators);
   add_weight_options(command.line(), own.weights);
+  add_curves_option(command.line(), command.options().generators,
+                    {"--count", "--radius", "--sampling", "--seed", "--generators", "--vertices", "--merge-coincident",
+                     "--within", "--mask", "--levels", "--balance", "--weights", "--verify"});
   command.add_target("--face-labels", "Write the label of each face, in the order of the faces in .ply (-1 for none)");
   command.add_target("--vertex-labels",
                      "Write the nearest generator of each vertex, in the order of the vertices in .ply (-1 for none)");

@@ -104,7 +104,8 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
 
 void check_generator_source(const GeneratorOptions& generators) {
   if (generators.count || generators.are_listed() || generators.radius) return;
-  if (generators.target_edge || generators.error) return;
+  if (generators.target_edge || generators.error || !generators.curves.empty()) return;
+  if (generators.names.file == "--from") refuse("no sources: give --from or --curves");
   refuse("no generators: give one of -n, --generators, --vertices or --radius");
 }
 
@@ -145,7 +146,7 @@ void check_not_read(const std::string& option, const std::string& path, const Op
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return;
   std::vector<std::string> all = options.input.paths;
-  all.insert(all.end(), {options.generators.file, options.targets.file, options.config});
+  all.insert(all.end(), {options.generators.file, options.generators.curves, options.targets.file, options.config});
   for (const std::string& read : all) {
     if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
     refuse(fmt::format("{} {}: the run reads this file; name another one", option, path));

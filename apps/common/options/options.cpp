@@ -30,6 +30,7 @@ Json list_of(const GeneratorOptions& list) { return list.vertices ? Json(*list.v
 
 void add_lists(Json& json, const Options& options) {
   json["from"] = list_of(options.generators);
+  json["curves"] = or_null(options.generators.curves);
   json["to"] = list_of(options.targets);
   json["max_snap"] = or_null(options.generators.max_snap);
   json["merge_coincident"] = options.generators.merge_coincident;

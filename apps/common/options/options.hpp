@@ -36,7 +36,7 @@ struct ListNames {
   std::string points = "generators";
 };
 
-/// Where the generators come from: exactly one of count, file, vertices, radius, target_edge and error is set.
+/// Where the generators come from: exactly one of count, file, vertices, curves, radius, target_edge and error is set.
 struct GeneratorOptions {
   ListNames names;
   std::optional<std::int32_t> count;       ///< >= 1
@@ -45,6 +45,7 @@ struct GeneratorOptions {
   std::string file;                                   ///< a list of generators, or "-" for standard input
   std::optional<GeneratorFormat> format;              ///< of the list; nothing: told from extension and content
   std::optional<std::vector<std::int64_t>> vertices;  ///< 0-based indices of the input file's vertices
+  std::string curves;                                 ///< a file of curves, boundary or creases[:ANGLE]; empty: points
   std::optional<double> radius;                       ///< covering radius in mesh units, > 0
   std::optional<double> target_edge;                  ///< of a mesh of the generators, mesh units, > 0
   std::optional<ErrorBound> error;                    ///< as many as a mesh of them needs

@@ -113,7 +113,6 @@ void register_points(CLI::App& app, Options& options) {
       app, sources, "--from",
       "The points to measure from: vertices of the input file, counted from 0, as in 3,17,99, or a file that lists "
       "points (text, .csv or .json), or - for standard input");
-  app.get_option("--from")->required();
   add_list(app, options.targets, "--to", "The points to measure to, as --from gives them (default: all vertices)");
   add_number(app, "--max-snap", sources.max_snap, kNotNegative,
              "Refuse a point of a list that is farther than this from the surface, in mesh units");

@@ -362,7 +362,7 @@ TEST_CASE("gvd-distance: bad lists and contradictory options are refused in one 
   const auto refused = [&](const std::string& options, int code, const std::string& part) {
     require_error("gvd-distance", mesh + " " + options, code, part);
   };
-  refused("", 2, "--from is required");
+  refused("", 2, "--from or --curves");
   refused("--from ''", 2, "the list is empty");
   refused("--from 3 -n 4", 2, "unknown option: -n");
   refused("--from 3 --method gbgvd", 2, "unknown option: --method");

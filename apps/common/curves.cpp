@@ -1,0 +1,117 @@
+// --curves: the boundary loops or the creases of the mesh, or the curves of a file.
+//
+// The name decides: `boundary`, `creases` and `creases:ANGLE` are words, anything else is a file. A file of such a name
+// is reached as ./boundary. Points of a file are moved to the surface as those of a list of generators are. Reports
+// have the first point of each curve, so that they have as many generators as there are cells.
+
+#include "common/curves.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+#include <optional>
+
+#include "common/options/typed_options.hpp"
+#include "common/run_parts.hpp"
+#include "gvd/curve_list.hpp"
+#include "gvd/error.hpp"
+#include "gvd/text.hpp"
+
+namespace gvd::app {
+namespace {
+
+constexpr std::string_view kBoundary = "boundary", kCreases = "creases";
+
+/// Edges whose faces differ by more are creases, degrees: what gvd-lloyd and gvd-remesh take for one.
+constexpr double kCreaseAngle = 40;
+
+/// The angle of "creases" or "creases:ANGLE", degrees; none where the text is neither.
+std::optional<double> parse_creases(const std::string& text) {
+  if (text == kCreases) return kCreaseAngle;
+  const std::string before = std::string(kCreases) + ':';
+  if (!text.starts_with(before)) return std::nullopt;
+  const std::optional<double> angle = parse_number<double>(text.substr(before.size()));
+  return angle && *angle > 0 && *angle < 180 ? angle : std::nullopt;
+}
+
+std::vector<GeneratorCurve> read(Run& run, const CheckedMesh& input, const std::string& file) {
+  const GeneratorOptions& asked = run.options().generators;
+  ResolvedGenerators snapped;
+  const std::vector<GeneratorCurve> curves = resolve_curves(
+      input.mesh, read_curves(file),
+      {.input_vertices = &input.mesh_vertex, .max_snap = asked.max_snap, .progress = run.progress()}, snapped);
+  if (!asked.max_snap) note_far_entry(run, snapped, input.mesh.bbox_diagonal());
+  if (snapped.longest_snap) {
+    run.console().note(fmt::format("points of curves: moved to the surface, by at most {:.4g}", *snapped.longest_snap));
+  }
+  return curves;
+}
+
+std::vector<GeneratorCurve> find(Run& run, const CheckedMesh& input, const std::string& name) {
+  if (name == kBoundary) {
+    auto curves = boundary_curves(input.mesh);
+    if (curves.empty()) throw Error(ErrorCode::precondition, "--curves boundary: the mesh is closed");
+    return curves;
+  }
+  const std::optional<double> angle = parse_creases(name);
+  if (!angle) return read(run, input, name);
+  auto curves = crease_curves(input.mesh, *angle * std::numbers::pi / 180);
+  if (curves.empty()) {
+    throw Error(ErrorCode::precondition,
+                fmt::format("--curves {}: no two faces meet at more than {} degrees; write creases:ANGLE for less",
+                            name, *angle));
+  }
+  return curves;
+}
+
+double length_of(const Mesh& mesh, const GeneratorCurve& curve) {
+  double length = 0;
+  for (const auto& [a, b] : curve.segments) {
+    length += (position(mesh, curve.points[a]) - position(mesh, curve.points[b])).norm();
+  }
+  return length;
+}
+
+}  // namespace
+
+void add_curves_option(CLI::App& app, GeneratorOptions& generators, const std::vector<std::string>& excluded) {
+  const auto store = [&generators](const std::string& text) -> std::string {
+    if (text.empty()) return "the name is empty; write boundary, creases or a file";
+    if (text.starts_with("creases:") && !parse_creases(text)) {
+      return fmt::format("'{}': write an angle above 0 and below 180 degrees, as in creases:30", printable(text));
+    }
+    generators.curves = text;
+    return "";
+  };
+  CLI::Option* const option = add_parsed(
+      app, "--curves", "FILE|boundary|creases[:ANGLE]", store,
+      fmt::format("Use curves as generators: polylines of a file (.obj, .ply, .json or text), the boundary loops, or "
+                  "connected edges whose faces differ by more than ANGLE degrees (default: {})",
+                  kCreaseAngle));
+  for (const std::string& name : excluded) option->excludes(name);
+}
+
+std::vector<GeneratorCurve> load_curves(Run& run, const CheckedMesh& input) {
+  return run.timed("generators", [&] {
+    std::vector<GeneratorCurve> curves = find(run, input, run.options().generators.curves);
+    double length = 0;
+    for (const GeneratorCurve& curve : curves) {
+      length += length_of(input.mesh, curve);
+      const SurfacePoint& first = curve.points.front();
+      run.report().generators().push_back({first, position(input.mesh, first), std::nullopt});
+    }
+    run.console().detail(fmt::format("{} of length {:.6g}", counted(std::ssize(curves), "curve", "curves"), length));
+    return curves;
+  });
+}
+
+Diagram build_curve_diagram(Run& run, const Mesh& mesh, const std::vector<GeneratorCurve>& curves) {
+  Diagram diagram = run.timed("diagram", [&] {
+    return compute_timed(run, make_diagram_options(run.options().compute),
+                         [&](const DiagramOptions& options) { return compute_diagram(mesh, curves, options); });
+  });
+  report_diagram(run, diagram);
+  return diagram;
+}
+
+}  // namespace gvd::app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "common/run.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/generator_curve.hpp"
+#include "gvd/soup.hpp"
+
+// Curves as generators, for the commands that take them.
+namespace gvd::app {
+
+/// Adds --curves, which none of the options `excluded` may stand beside.
+void add_curves_option(CLI::App& app, GeneratorOptions& generators, const std::vector<std::string>& excluded);
+
+/// The curves of --curves, and reports them as generators, each by its first point. Throws what read_curves and
+/// resolve_curves throw; Error{precondition} if the mesh has no boundary or no crease.
+std::vector<GeneratorCurve> load_curves(Run& run, const CheckedMesh& input);
+
+/// Computes the diagram of curves, and reports it. Throws what compute_diagram throws.
+Diagram build_curve_diagram(Run& run, const Mesh& mesh, const std::vector<GeneratorCurve>& curves);
+
+}  // namespace gvd::app
