@@ -1,4 +1,5 @@
-// Feeds the readers of generator lists: text, CSV, JSON, and the detection of the format. The first byte chooses.
+// Feeds the readers of generator lists: text, CSV, JSON, and the detection of the format. The first byte chooses. All of
+// them may be curves, too, and OBJ and PLY as well.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "fuzz/targets/require.hpp"
+#include "gvd/curve_list.hpp"
 #include "gvd/generator_list.hpp"
 
 namespace {
@@ -78,6 +80,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string content(reinterpret_cast<const char*>(data + 1), size - 1);
   const int choice = data[0] % 4;
+  attempt({ErrorCode::unreadable_input}, [&] {
+    const CurveList curves = parse_curves(content, "curves");
+    require(curves.curve.size() == curves.points.entries.size(), "a point of no curve");
+    for (const auto& [a, b] : curves.segments) {
+      require(a >= 0 && b >= 0 && std::max(a, b) < std::ssize(curves.curve), "a segment of no points");
+      require(curves.curve[a] == curves.curve[b], "a segment between two curves");
+    }
+  });
   check_list(content, choice == 3 ? detect_generator_format(content) : static_cast<GeneratorFormat>(choice));
   return 0;
 }
