@@ -18,6 +18,7 @@
 #include "common/curves.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
+#include "gvd/error.hpp"
 #include "gvd/io/distance_writer.hpp"
 #include "gvd/region_statistics.hpp"
 #include "gvd/segment.hpp"
@@ -220,6 +221,9 @@ void write_cut_faces(Run& run, const PartedSurface& surface, const Mesh& input, 
 }
 
 void segment(Run& run, const OwnOptions& own) {
+  if (!run.options().generators.curves.empty() && run.options().compute.method != Method::exact) {
+    throw Error(ErrorCode::invalid_option, "--curves needs --method exact");
+  }
   const SegmentOptions options{own.labels.value_or(SegmentOptions().labels), run.progress()};
   report_options(run, own, options);
   const CheckedMesh input = load_input(run);

@@ -85,6 +85,10 @@ TEST_CASE("points far apart are joined by the shortest path between them") {
   const double first = ExactField(mesh, {vertex_point(mesh, VertexId(0))}).distance(VertexId(40));
   const double second = ExactField(mesh, {vertex_point(mesh, VertexId(95))}).distance(VertexId(40));
   CHECK(length == Approx(first + second).epsilon(1e-12));
+  list.curve = {0, 1, 1};  // the second point is that of the first curve too
+  list.points.entries[1] = list.points.entries[0];
+  list.segments = {{1, 2}};
+  CHECK(resolve_curves(mesh, list, {}, snapped).size() == 1);
   const Mesh two = test::make_two_components();
   list.segments = {{0, 1}};
   list.points.entries = {{GeneratorEntry::Kind::vertex, 0, {}, 1},

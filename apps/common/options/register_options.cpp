@@ -84,7 +84,7 @@ void register_lists(CLI::App& app, GeneratorOptions& generators) {
       ->excludes("--count", "--radius", "--generators", "--sampling", "--seed");
   add_number(app, "--max-snap", generators.max_snap, kNotNegative,
              "Refuse a point of --generators that is farther than this from the surface, in mesh units")
-      ->needs("--generators");
+      ->excludes("--count", "--radius", "--vertices");
   add_flag(app, "--merge-coincident", generators.merge_coincident,
            "Merge generators that are in the same place instead of refusing them")
       ->excludes("--count", "--radius");

@@ -32,7 +32,8 @@ CurveList parse_curves(std::string_view content, const std::string& name);
 CurveList read_curves(const std::filesystem::path& path);
 
 /// The curves of a list on a mesh, with what became of the points in `snapped`. Points of a segment that no face
-/// contains are joined by the shortest path between them.
+/// contains are joined by the shortest path between them. Curves that have a point in common are one curve. A point
+/// nearer to a side of its face than 1e-9 of the height is moved there.
 /// Throws what `resolve_generators` throws; Error{precondition} if two points of a segment lie on two components.
 /// Cost: that of `resolve_generators`, and of distances up to their neighbour for points that have to be joined.
 std::vector<GeneratorCurve> resolve_curves(const Mesh& mesh, const CurveList& list, ResolveOptions options,

@@ -80,7 +80,7 @@ struct FaceSource {
   }
   [[gnu::always_inline]] double distance(const Vec2& p) const { return shortest_path(p).distance; }
 
-  bool is_parallel() const { return offset < 0; }
+  bool is_parallel() const { return offset == -kInfinity; }
   /// Where the line of a straight path to p passes an end of the opening on its left, this cross product is > 0; < 0 on
   /// its right. Times the length of the path, unless paths are parallel.
   double beside(const Vec2& p, const Vec2& opening_end) const {

@@ -137,6 +137,32 @@ CurveList parse_json_curves(std::string_view content, const std::string& name) {
   return list;
 }
 
+/// A point nearer to a side of its face than this fraction of the height lies on it. Positions are rounded, and a point
+/// beside an edge would be seen from one of its faces only.
+constexpr double kOnSide = 1e-9;
+
+SurfacePoint moved_to_side(const SurfacePoint& point) {
+  std::array<double, 3> bary = point.bary;
+  for (double& b : bary) b = b < kOnSide ? 0 : b;
+  return bary == point.bary ? point : make_surface_point(point.face, bary);
+}
+
+/// The number of each point's curve, where curves that have a point in common are one: the paths from one source, or
+/// the bisectors of a diagram.
+std::vector<std::int32_t> unite_touching(const Mesh& mesh, const std::vector<std::int32_t>& curve,
+                                         const std::vector<SurfacePoint>& points) {
+  UnionFind sets(curve.back() + 1);
+  const std::vector<std::int32_t> first = find_coincident(mesh, points);
+  for (std::size_t i = 0; i < points.size(); ++i) sets.unite(curve[i], curve[first[i]]);
+  std::vector<std::int32_t> number(curve.back() + 1, -1), united;
+  std::int32_t count = 0;
+  for (std::int32_t c = 0; c <= curve.back(); ++c) {
+    if (sets.find(c) == c) number[c] = count++;
+  }
+  for (const std::int32_t c : curve) united.push_back(number[sets.find(c)]);
+  return united;
+}
+
 }  // namespace
 
 CurveList parse_curves(std::string_view content, const std::string& name) {
@@ -164,15 +190,17 @@ std::vector<GeneratorCurve> resolve_curves(const Mesh& mesh, const CurveList& li
                                            ResolvedGenerators& snapped) {
   options.keep_coincident = true;
   snapped = resolve_generators(mesh, list.points, options);
-  std::vector<GeneratorCurve> curves(list.curve.back() + 1);
+  for (SurfacePoint& point : snapped.points) point = moved_to_side(point);
+  const std::vector<std::int32_t> curve_of = unite_touching(mesh, list.curve, snapped.points);
+  std::vector<GeneratorCurve> curves(*std::ranges::max_element(curve_of) + 1);
   std::vector<std::int32_t> number;  // of each point in its curve
-  for (std::size_t i = 0; i < list.curve.size(); ++i) {
-    GeneratorCurve& curve = curves[list.curve[i]];
+  for (std::size_t i = 0; i < curve_of.size(); ++i) {
+    GeneratorCurve& curve = curves[curve_of[i]];
     number.push_back(std::int32_t(curve.points.size()));
     curve.points.push_back(snapped.points[i]);
   }
   for (const auto& [a, b] : list.segments) {
-    GeneratorCurve& curve = curves[list.curve[a]];
+    GeneratorCurve& curve = curves[curve_of[a]];
     std::int32_t last = number[a];
     for (const SurfacePoint& p : join_points(mesh, snapped.points[a], snapped.points[b])) {
       curve.segments.push_back({last, std::int32_t(curve.points.size())});

@@ -29,6 +29,10 @@ namespace {
 /// surface point are snapped by.
 constexpr double kOnSegment = kBarycentricSnap;
 
+/// Most flips for each edge that a segment crosses. Each flip of a convex quadrilateral either ends a crossing or
+/// leaves it to a later one; more are only seen where rounding turns slivers over.
+constexpr std::size_t kMostFlips = 100;
+
 /// A straight piece of a curve in a face of the input, from one of its points to another.
 struct Segment {
   FaceId face;
@@ -152,10 +156,12 @@ class CurveInsertion {
   const Mesh& mesh() const { return working_.mesh(); }
 
   [[noreturn]] static void fail(const Segment& segment) {
-    throw Error(ErrorCode::precondition,
-                fmt::format("curve {} can't be drawn in face {}, which is too thin; repair the mesh there",
-                            segment.generator.value(), segment.face.value()),
-                segment.generator.value());
+    throw Error(
+        ErrorCode::precondition,
+        fmt::format("curve {} can't be drawn in face {}: it runs beside itself too near for doubles, or the face "
+                    "is too thin; leave out points there",
+                    segment.generator.value(), segment.face.value()),
+        segment.generator.value());
   }
 
   /// A halfedge that joins two vertices, from either of them.
@@ -212,12 +218,14 @@ class CurveInsertion {
   VertexId flip_to_edge(const Segment& segment, const Bary& from, HalfedgeId first, VertexId target) {
     std::deque<Crossed> crossed;
     const VertexId end = collect_crossed(segment, from, first, target, crossed);
+    std::size_t flips = kMostFlips * crossed.size();
     for (std::size_t postponed = 0; !crossed.empty();) {
       const Crossed edge = crossed.front();
       crossed.pop_front();
       if (edges_.contains(std::minmax(edge.right, edge.left))) {
         throw Error(ErrorCode::precondition,
-                    fmt::format("curve {} meets another curve in face {}; make them one curve, or part them there",
+                    fmt::format("curve {} meets itself or another curve in face {} at too small an angle; leave out "
+                                "points there",
                                 segment.generator.value(), segment.face.value()),
                     segment.generator.value());
       }
@@ -228,6 +236,7 @@ class CurveInsertion {
         continue;
       }
       postponed = 0;
+      if (--flips == 0) fail(segment);
       // The new diagonal runs between the third corners of the two faces.
       const FaceId f = Mesh::face(h);
       const VertexId a = mesh().vertices(f)[0], b = mesh().vertices(f)[2];

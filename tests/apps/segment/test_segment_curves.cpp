@@ -57,7 +57,7 @@ TEST_CASE("bad curves, and options that contradict them, are refused in one line
   require_error("gvd-segment", figure + " --curves /nowhere.obj", 3, "no such file");
   require_error("gvd-segment", figure + " --curves boundary -n 5", 2, "--count");
   require_error("gvd-segment", figure + " --curves boundary --verify", 2, "--verify");
-  require_error("gvd-segment", data_file("half_sphere.off") + " --curves boundary --method gbgvd", 2, "exact method");
+  require_error("gvd-segment", data_file("half_sphere.off") + " --curves boundary --method gbgvd", 2, "--method exact");
   require_error("gvd-distance", figure + " -o " + scratch / "a.npy", 2, "--from or --curves");
   require_error("gvd-distance", figure + " --curves boundary --each -o " + scratch / "a.npy", 2, "--each");
   write_text(scratch / "cross.txt", "0 0.8 0.1 0.1\n0 0.1 0.1 0.8\n\n0 0.1 0.8 0.1\n0 0.45 0.05 0.5\n");

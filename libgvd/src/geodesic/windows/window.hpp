@@ -90,7 +90,8 @@ struct Window {
 
   /// Whether the paths are parallel: depth < 0. The other members are those of an image then, except for `distance`.
   bool is_parallel() const { return depth < 0; }
-  /// Whether the paths begin on the edge, which belongs to a curve.
+  /// Whether the paths begin on the edge, which belongs to a curve. No other window has these values: its edge would be
+  /// at distance 0, and windows that come to such an edge are dropped.
   bool begins_here() const { return depth == -1 && x == 0 && offset == 0; }
 };
 static_assert(sizeof(Window) == 48);

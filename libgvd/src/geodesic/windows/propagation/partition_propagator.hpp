@@ -79,6 +79,8 @@ class PartitionPropagator {
         labels_(state.labels),
         has_needles_(frames_.has_needles),
         has_thin_faces_(frames_.has_thin_faces),
+        has_curves_(!state.on_curve.empty()),
+        on_curve_(state.on_curve),
         exchange_(state.partitions, state.mailboxes, state.last_sent, own),
         sources_(state.mesh, frames_, state.partitions, state.angles, own),
         crossing_(frames_, labels_, state.apex_path, state.angles, state.starts),
@@ -198,6 +200,8 @@ class PartitionPropagator {
   /// Queues a window that no filter drops, or hands it over. No path in it is shorter than `key`.
   [[gnu::always_inline]] void enqueue(const Window& w, const WindowHistory& history, const WindowEdge& edge,
                                       double key) {
+    // A curve is nearer to all points of its edges than anything that comes to them.
+    if (has_curves_ && on_curve_[edge.behind] != 0) return;
     if (!w.halfedge.valid()) {
       Window ending = w;
       ending.halfedge = edge.behind;
@@ -310,6 +314,8 @@ class PartitionPropagator {
   DistanceLabels& labels_;
   bool has_needles_;     // meshes without needles look no kinds up
   bool has_thin_faces_;  // other meshes look for no faces that are entered twice
+  bool has_curves_;
+  const IdVector<HalfedgeId, std::uint8_t>& on_curve_;
   PartitionExchange exchange_;
   PseudoSources sources_;
   FaceCrossing crossing_;

@@ -48,11 +48,16 @@ constexpr double kKeyRounding = 1e-6;
 /// The propagation in all partitions.
 class Propagation {
  public:
-  Propagation(const Mesh& mesh, const PropagationOptions& options, const Progress& progress)
+  Propagation(const Mesh& mesh, const PropagationOptions& options, const CurveEdges& curves, const Progress& progress)
       : progress_(progress),
         max_distance_(options.max_distance),
         parallel_(options.threads, silent_),
         state_(mesh, options, parallel_) {
+    if (!curves.empty()) state_.on_curve.assign(mesh.halfedge_count(), 0);
+    for (const HalfedgeId h : curves.edges) {
+      state_.on_curve[h] = 1;
+      if (const HalfedgeId twin = mesh.twin(h); twin.valid()) state_.on_curve[twin] = 1;
+    }
     for (std::int32_t i = 0; i < state_.partitions.count(); ++i) {
       partitions_.push_back(std::make_unique<PartitionPropagator>(state_, PartitionId(i)));
     }
@@ -177,7 +182,7 @@ PropagationState::PropagationState(const Mesh& of_mesh, const PropagationOptions
 WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
                               const PropagationOptions& options, const Progress& progress) {
   report_progress(progress, steps::kDistances, 0);
-  Propagation propagation(mesh, options, progress);
+  Propagation propagation(mesh, options, {}, progress);
   for (std::size_t g = 0; g < generators.size(); ++g) {
     propagation.start(generators[g], GeneratorId(g), options.offsets.empty() ? 0 : options.offsets[g]);
   }
@@ -191,7 +196,7 @@ WindowField propagate_windows(const WorkingMesh& working, const PropagationOptio
     throw Error(ErrorCode::invalid_option, "curves have neither offsets nor directions of departure");
   }
   report_progress(progress, steps::kDistances, 0);
-  Propagation propagation(working.mesh(), options, progress);
+  Propagation propagation(working.mesh(), options, curves, progress);
   propagation.start(curves);
   IdVector<GeneratorId, bool> is_curve(working.generator_vertices().size(), false);
   for (const auto& [v, g] : curves.vertices) is_curve.raw()[g.index()] = true;

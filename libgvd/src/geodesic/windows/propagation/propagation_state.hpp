@@ -40,6 +40,7 @@ struct PropagationState {
   IdVector<HalfedgeId, ApexPath> apex_path;          // across the halfedge; empty if there are no needles
   IdVector<FaceId, FaceState> face_state;            // empty unless windows near bisectors are kept
   IdVector<SharedCopyId, LastSent> last_sent;
+  IdVector<HalfedgeId, std::uint8_t> on_curve;  // 1 for those of a curve; empty if there is none
 };
 
 }  // namespace gvd
