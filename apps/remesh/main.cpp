@@ -159,7 +159,7 @@ void write_map(Run& run, const CheckedMesh& input, const RemeshMap& map) {
 /// Properties and texture of the input file, on the remesh.
 struct Carried {
   std::vector<MeshProperty> properties;
-  std::vector<std::array<double, 2>> texture;  ///< of the corners of faces; empty where the file has none
+  Appearance appearance;
 };
 
 /// `standard_input`: the text that standard input held, if INPUT is `-`.
@@ -175,10 +175,10 @@ Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, co
   Carried carried = run.timed("carry", [&] {
     const MeshAttributes found = read_attributes(run.options().input, standard_input);
     Carried made{carry_properties(input, found.properties, result, map), {}};
-    if (found.texture) made.texture = carry_texture(input, *found.texture, result, map);
+    if (found.texture) made.appearance.texture = carry_texture(input, *found.texture, result, map);
     return made;
   });
-  if (carried.properties.empty() && carried.texture.empty()) {
+  if (carried.properties.empty() && carried.appearance.empty()) {
     note_on_input(run, "no properties and no texture coordinates to carry over");
   } else if (!carried.properties.empty() && !contains(written_formats(run.options().output), "ply")) {
     run.console().note("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply");
@@ -189,7 +189,7 @@ Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, co
 void write_remesh(Run& run, const Mesh& mesh, const RemeshResult& result, const Carried& carried) {
   LabelledMesh coarse{result.mesh};
   coarse.properties = &carried.properties;
-  if (!carried.texture.empty()) coarse.corner_texture = &carried.texture;
+  coarse.appearance = &carried.appearance;
   const auto json = [&](std::ostream& out) { write_remesh_json(out, mesh, result); };
   write_output_files(run, coarse, {{"json", json}});
 }

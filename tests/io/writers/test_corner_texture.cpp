@@ -30,7 +30,8 @@ struct Textured {
 
   std::string bytes(OutputFormat format, bool ascii = false) const {
     LabelledMesh view{mesh};
-    view.corner_texture = &texture;
+    const Appearance appearance{texture, {}, {}, {}};
+    view.appearance = &appearance;
     view.properties = &lists;
     view.ascii_ply = ascii;
     return to_bytes(view, format);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gvd/appearance.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
@@ -97,13 +98,17 @@ struct LabelledMesh {
   /// Further properties of vertices and faces, for PLY only; a value for each element. Null: none.
   const std::vector<MeshProperty>* properties = nullptr;
   const std::vector<FaceNumbers>* face_numbers = nullptr;  ///< for PLY, VTP and VTU
-  /// Texture coordinates of the corners of the faces, three for each face, for PLY (a list `texcoord`) and OBJ (`vt`).
-  /// A face with a number that is not finite has none. Null: none.
-  const std::vector<std::array<double, 2>>* corner_texture = nullptr;
-  bool ascii_ply = false;     ///< PLY as text instead of binary
-  bool no_bisectors = false;  ///< leave those of the diagram out of OBJ, VTP, VTU and GLB
+  /// Texture coordinates of the faces' corners, for PLY, OBJ and GLB, and materials, for OBJ. A face with a coordinate
+  /// that is not finite has none. Null: none.
+  const Appearance* appearance = nullptr;
+  bool ascii_ply = false;         ///< PLY as text instead of binary
+  bool no_bisectors = false;      ///< leave those of the diagram out of OBJ, VTP, VTU and GLB
+  bool region_materials = false;  ///< in OBJ, each region has a material of its own also where faces have materials
 
   const Mesh& surface() const { return diagram_mesh != nullptr ? *diagram_mesh : mesh; }
+  bool has_texture() const { return appearance != nullptr && !appearance->texture.empty(); }
+  /// Whether OBJ names the materials of the faces.
+  bool names_materials() const { return appearance != nullptr && !appearance->material.empty() && !region_materials; }
 };
 
 /// A mesh with the labels and distances of its diagram, and with these labels of its faces.
@@ -113,7 +118,7 @@ inline LabelledMesh label_mesh(const Mesh& mesh, const Diagram& diagram, const I
 
 /// Writes the mesh in one format. The stream is flushed and checked.
 ///
-/// In OBJ the stream holds the geometry and the groups, without materials.
+/// In OBJ the stream holds the geometry and the groups, and materials where the faces have them.
 /// Distances in PLY are floats, or doubles where a float can't hold one of them.
 /// Throws Error{precondition} where the length of an array is not the number of elements.
 /// Throws Error{invalid_option} for JSON without a diagram, and for formats of labels or distances without them.
@@ -122,7 +127,8 @@ inline LabelledMesh label_mesh(const Mesh& mesh, const Diagram& diagram, const I
 /// Cost: O(n) time; memory O(n) for the order of the faces by label, O(1) without labels.
 void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format);
 
-/// Writes a complete file or none, in the format of its extension; for OBJ with labels also the .mtl beside it.
+/// Writes a complete file or none, in the format of its extension; for OBJ with materials of regions also the .mtl
+/// beside it.
 /// Throws what `write_mesh` to a stream and `write_file` throw.
 void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, const Progress& progress = {});
 

@@ -1,10 +1,11 @@
 // Meshes in any format: the extension picks the writer, and the arrays are checked before the first byte is written.
 // OBJ, OFF and STL are written here; PLY, VTP and GLB in files of their own.
 //
-// OBJ: a region is a group with a material. Bisectors are lines, whose vertices follow those of the mesh, so the
-// numbers of the mesh's vertices are those of the input, with and without bisectors, groups and texture. OBJ counts
-// from 1, and shares texture coordinates between faces by number. With labels it is two files. The materials are
-// written while the geometry is complete but has no name yet, so both files are complete before either gets its name.
+// OBJ: a region is a group with a material, unless the faces have materials of their own, whose names then stay.
+// Bisectors are lines, whose vertices follow those of the mesh, so the numbers of the mesh's vertices are those of the
+// input, with and without bisectors, groups and texture. OBJ counts from 1, and shares texture coordinates between
+// faces by number. With materials of regions it is two files. These are written while the geometry is complete but has
+// no name yet, so both files are complete before either gets its name.
 //
 // OFF has no colours: meshio reads exactly three numbers of a vertex and four of a face. COFF has four numbers from 0
 // to 1 behind each vertex, as Geomview specifies, and three from 0 to 255 behind each face. OFF with colours of faces
@@ -53,12 +54,12 @@ void print_vertex(ByteWriter& out, const Vec3& p) { out.print("v {} {} {}\n", p.
 /// without a texture.
 std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh) {
   std::vector<std::size_t> numbers;
-  if (mesh.corner_texture == nullptr) return numbers;
-  using Numbered = std::pair<std::array<double, 2>, std::size_t>;
+  if (!mesh.has_texture()) return numbers;
+  using Numbered = std::pair<Uv, std::size_t>;
   IdVector<VertexId, std::vector<Numbered>> known(mesh.mesh.vertex_count());
   std::size_t count = 0;
   for (const HalfedgeId h : mesh.mesh.halfedges()) {
-    const std::array<double, 2>& uv = (*mesh.corner_texture)[h.index()];
+    const Uv& uv = mesh.appearance->texture[h.index()];
     std::vector<Numbered>& at = known[mesh.mesh.from(h)];
     auto found = std::find_if(at.begin(), at.end(), [&](const Numbered& n) { return n.first == uv; });
     if (found == at.end() && std::isfinite(uv[0]) && std::isfinite(uv[1])) {
@@ -70,26 +71,50 @@ std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh
   return numbers;
 }
 
-/// A face without texture coordinates, or with those of its corners. `texture`: what print_texture gave.
-void print_face(ByteWriter& out, const Mesh& mesh, const std::vector<std::size_t>& texture, FaceId f) {
-  const auto& [a, b, c] = mesh.vertices(f);
-  const std::size_t* t = texture.empty() ? nullptr : texture.data() + 3 * f.index();
-  if (t == nullptr || t[0] == 0 || t[1] == 0 || t[2] == 0) {
-    out.print("f {} {} {}\n", a.value() + 1, b.value() + 1, c.value() + 1);
-  } else {
-    out.print("f {}/{} {}/{} {}/{}\n", a.value() + 1, t[0], b.value() + 1, t[1], c.value() + 1, t[2]);
-  }
-}
+/// Prints the faces, with the numbers of their texture coordinates and the names of their materials.
+class FacePrinter {
+ public:
+  /// `texture`: what print_texture gave.
+  FacePrinter(ByteWriter& out, const LabelledMesh& mesh, std::vector<std::size_t> texture)
+      : out_(out), mesh_(mesh), texture_(std::move(texture)) {}
 
-void print_regions(ByteWriter& out, const LabelledMesh& mesh, const std::vector<std::size_t>& texture,
-                   bool with_materials) {
-  for (const Region& region : collect_regions(mesh)) {
-    const std::string name = region_name(region.label);
-    out.print("g {}\n", name);
-    if (with_materials) out.print("usemtl {}\n", name);
-    for (const FaceId f : region.faces) print_face(out, mesh.mesh, texture, f);
+  void print_all() {
+    for (const FaceId f : mesh_.mesh.faces()) print(f);
   }
-}
+
+  void print_regions(bool with_materials) {
+    for (const Region& region : collect_regions(mesh_)) {
+      const std::string name = region_name(region.label);
+      out_.print("g {}\n", name);
+      if (with_materials) out_.print("usemtl {}\n", name);
+      for (const FaceId f : region.faces) print(f);
+    }
+  }
+
+ private:
+  void print(FaceId f) {
+    if (mesh_.names_materials()) use_material(mesh_.appearance->material[f.index()]);
+    const auto& [a, b, c] = mesh_.mesh.vertices(f);
+    const std::size_t* t = texture_.empty() ? nullptr : texture_.data() + 3 * f.index();
+    if (t == nullptr || t[0] == 0 || t[1] == 0 || t[2] == 0) {
+      out_.print("f {} {} {}\n", a.value() + 1, b.value() + 1, c.value() + 1);
+    } else {
+      out_.print("f {}/{} {}/{} {}/{}\n", a.value() + 1, t[0], b.value() + 1, t[1], c.value() + 1, t[2]);
+    }
+  }
+
+  /// A statement holds for all faces up to the next one.
+  void use_material(std::int32_t material) {
+    if (material == material_) return;
+    material_ = material;
+    out_.print("usemtl {}\n", material < 0 ? kNoMaterial : std::string_view(mesh_.appearance->materials[material]));
+  }
+
+  ByteWriter& out_;
+  const LabelledMesh& mesh_;
+  std::vector<std::size_t> texture_;
+  std::int32_t material_ = -1;
+};
 
 /// The line through the vertices from number `first` on, one `l` for each segment: Blender keeps one edge of a longer
 /// `l`.
@@ -115,18 +140,17 @@ void print_lines(ByteWriter& out, const LabelledMesh& mesh) {
   }
 }
 
-/// OBJ: a group for each region, and the bisectors as lines. `material_library` is the file name of the .mtl; empty for
-/// none.
+/// OBJ: a group for each region, and the bisectors as lines. `material_library` is the file name of the .mtl of the
+/// regions; empty for none.
 void write_obj(std::ostream& stream, const LabelledMesh& mesh, const std::string& material_library) {
   ByteWriter out(stream);
   if (!material_library.empty()) out.print("mtllib {}\n", material_library);
-  for (const Vec3& p : mesh.mesh.positions()) print_vertex(out, p);
-  const std::vector<std::size_t> texture = print_texture(out, mesh);
-  if (mesh.face_label != nullptr) {
-    print_regions(out, mesh, texture, !material_library.empty());
-  } else {
-    for (const FaceId f : mesh.mesh.faces()) print_face(out, mesh.mesh, texture, f);
+  if (mesh.names_materials()) {
+    for (const std::string& file : mesh.appearance->material_files) out.print("mtllib {}\n", file);
   }
+  for (const Vec3& p : mesh.mesh.positions()) print_vertex(out, p);
+  FacePrinter faces(out, mesh, print_texture(out, mesh));
+  mesh.face_label != nullptr ? faces.print_regions(!material_library.empty()) : faces.print_all();
   print_lines(out, mesh);
   out.finish();
 }
@@ -337,7 +361,8 @@ void check_lengths(const LabelledMesh& mesh) {
   check_length(mesh.face_parent, mesh.mesh.face_count(), "parent faces");
   check_length(mesh.vertex_label, mesh.mesh.vertex_count(), "vertex labels");
   check_length(mesh.vertex_distance, mesh.mesh.vertex_count(), "vertex distances");
-  check_length(mesh.corner_texture, mesh.mesh.halfedge_count(), "texture coordinates of corners");
+  if (mesh.has_texture()) check_length(&mesh.appearance->texture, mesh.mesh.halfedge_count(), "texture coordinates");
+  if (mesh.names_materials()) check_length(&mesh.appearance->material, mesh.mesh.face_count(), "materials of faces");
   if (mesh.face_numbers != nullptr) {
     for (const FaceNumbers& numbers : *mesh.face_numbers) {
       check_length(&numbers.values, mesh.mesh.face_count(), numbers.name.c_str());
@@ -433,7 +458,7 @@ void write_mesh(std::ostream& out, const LabelledMesh& mesh, OutputFormat format
 
 void write_mesh(const std::filesystem::path& path, const LabelledMesh& mesh, const Progress& progress) {
   const OutputFormat format = output_format(path);
-  if (format != OutputFormat::obj || mesh.face_label == nullptr) {
+  if (format != OutputFormat::obj || mesh.face_label == nullptr || mesh.names_materials()) {
     return write_file(
         path, [&](std::ostream& out) { write_mesh(out, mesh, format); }, progress);
   }

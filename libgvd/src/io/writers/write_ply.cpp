@@ -68,7 +68,7 @@ void print_face_properties(ByteWriter& out, const LabelledMesh& mesh) {
   if (mesh.face_label != nullptr) print_label_properties(out);
   if (mesh.face_parent != nullptr) out.text("property int parent\n");
   if (mesh.face_label != nullptr) out.text("property uchar intensity\n");
-  if (mesh.corner_texture != nullptr) out.text("property list uchar float texcoord\n");
+  if (mesh.has_texture()) out.text("property list uchar float texcoord\n");
   print_further_properties(out, mesh, false);
   if (mesh.face_numbers == nullptr) return;
   for (const FaceNumbers& numbers : *mesh.face_numbers) out.print("property int {}\n", numbers.name);
@@ -170,7 +170,7 @@ void write_faces(Rows& rows, const LabelledMesh& mesh) {
     if (mesh.face_label != nullptr) rows.put_label((*mesh.face_label)[f]);
     if (mesh.face_parent != nullptr) rows.put((*mesh.face_parent)[f].value());
     if (mesh.face_label != nullptr) rows.put(std::uint8_t((*mesh.face_label)[f].value()));
-    if (mesh.corner_texture != nullptr) rows.put_texture(mesh.corner_texture->data() + 3 * f.index());
+    if (mesh.has_texture()) rows.put_texture(mesh.appearance->texture.data() + 3 * f.index());
     for (const MeshProperty* property : further) rows.put_property(*property, f.index());
     if (mesh.face_numbers != nullptr) {
       for (const FaceNumbers& numbers : *mesh.face_numbers) rows.put(numbers.values[f]);

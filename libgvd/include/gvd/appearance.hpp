@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gvd {
+
+/// Texture coordinates of a corner: u to the right and v upwards, as in OBJ and PLY. In glTF, v runs downwards.
+using Uv = std::array<double, 2>;
+
+/// The name in OBJ of no material, as Blender writes it: a face can't take back the one of the face before it.
+inline constexpr std::string_view kNoMaterial = "(null)";
+
+/// How polygons or faces are painted, as an OBJ says by `vt`, `mtllib` and `usemtl`. What there is none of is empty.
+struct Appearance {
+  std::vector<Uv> texture;                  ///< per corner, of all polygons in order; not finite where it has none
+  std::vector<std::int32_t> material;       ///< per polygon: index into `materials`; -1 where it has none
+  std::vector<std::string> materials;       ///< their names
+  std::vector<std::string> material_files;  ///< that describe the materials, as the input names them
+
+  bool empty() const { return texture.empty() && material.empty(); }
+};
+
+}  // namespace gvd
