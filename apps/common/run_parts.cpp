@@ -109,7 +109,20 @@ void verify(Run&, const Mesh&, const Diagram&) {}
 LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh) {
   mesh.no_bisectors = output.no_curves;
   mesh.ascii_ply = output.ascii_ply;
+  mesh.region_materials = output.region_materials;
   return mesh;
+}
+
+/// Notes that an OBJ in another folder than INPUT names files beside INPUT.
+void note_material_files(Run& run, const std::string& path, const Appearance& appearance) {
+  const std::string& input = run.options().input.path;
+  std::error_code failed;
+  const auto folder = [&](const std::string& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, failed).parent_path(), failed);
+  };
+  if (appearance.material_files.empty() || input == "-" || folder(path) == folder(input)) return;
+  run.console().note(fmt::format("{} names the materials of {}, which is beside {}: copy it, with its images", path,
+                                 printable(fmt::format("{}", fmt::join(appearance.material_files, ", "))), input));
 }
 
 void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
@@ -126,7 +139,9 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
   const LabelledMesh chosen = choose_content(run.options().output, mesh);
   const OutputWriter write = [&](std::ostream& out) { write_mesh(out, chosen, *known); };
   if (standard) return write_standard_output(write);
-  *known == OutputFormat::obj ? write_mesh(path, chosen, run.progress()) : write_file(path, write, run.progress());
+  if (*known != OutputFormat::obj) return write_file(path, write, run.progress());
+  write_mesh(path, chosen, run.progress());
+  if (chosen.names_materials()) note_material_files(run, path, *chosen.appearance);
 }
 
 /// Writes the file of an option, which is empty where the option is not given.
@@ -135,12 +150,31 @@ void write_timed(Run& run, const std::string& step, const std::string& path, con
   run.timed("write " + step, [&] { write_file(path, write, run.progress()); });
 }
 
-/// Notes a texture that the input has and no file of this run will hold.
-void note_texture(Run& run, const PolygonSoup& soup) {
-  const std::vector<std::string> formats = written_formats(run.options().output);
-  const auto is_mesh = [](const std::string& f) { return f != "json" && parse_output_format(f).has_value(); };
-  if (!soup.has_texture || std::none_of(formats.begin(), formats.end(), is_mesh)) return;
-  note_on_input(run, "the texture is left out; gvd-remesh --carry keeps texture coordinates in PLY and OBJ");
+/// The formats of this run's files that hold meshes, each once.
+std::vector<std::string> mesh_formats(const OutputOptions& output) {
+  std::vector<std::string> found;
+  for (const std::string& file : output.files) {
+    const std::string format = format_of(output, file);
+    const bool is_mesh = parse_output_format(format).has_value() &&
+                         !contains({"json", "label.gii", "shape.gii", "annot", "curv"}, format);
+    if (is_mesh && !contains(found, format)) found.push_back(format);
+  }
+  return found;
+}
+
+/// Notes in one line which parts of the input's appearance the files of this run will not hold.
+void note_left_out(Run& run, const Appearance& appearance) {
+  const std::vector<std::string> formats = mesh_formats(run.options().output);
+  std::vector<std::string> lost;
+  const auto add = [&](const char* what, const std::vector<std::string>& holding) {
+    std::vector<std::string> without = formats;
+    std::erase_if(without, [&](const std::string& format) { return contains(holding, format); });
+    if (!without.empty()) lost.push_back(fmt::format("{} in .{}", what, fmt::join(without, ", .")));
+  };
+  if (!appearance.texture.empty()) add("texture coordinates", {"ply", "obj", "glb"});
+  if (!appearance.material.empty()) add("materials", {"obj"});
+  if (!formats.empty()) lost.insert(lost.end(), appearance.unread.begin(), appearance.unread.end());
+  if (!lost.empty()) note_on_input(run, fmt::format("left out: {}", fmt::join(lost, "; ")));
 }
 
 /// Where coordinates are multiples of more than this fraction of a face's mean edge, written points are that far off:
@@ -189,7 +223,6 @@ CheckedMesh load_input(Run& run, std::string* standard_input) {
   const PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
   CheckedMesh checked = run.timed("check", [&] { return build_mesh(soup, input.on_defect, name_of(input)); });
   for (const std::string& message : checked.defects.messages) note_on_input(run, message);
-  if (standard_input == nullptr) note_texture(run, soup);
   note_coarse_coordinates(run, checked.mesh);
   check_formats(run.options().output, checked.mesh);
   const MeshSummary summary = compute_mesh_summary(checked.mesh);
@@ -304,6 +337,7 @@ void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::
                                    run.options().has_diagram ? ", --diagram" : ""));
   }
   if (output.files.empty()) return;
+  if (mesh.appearance != nullptr) note_left_out(run, *mesh.appearance);
   run.timed("write", [&] {
     for (const std::string& file : output.files) write_one(run, file, mesh, own_formats);
   });

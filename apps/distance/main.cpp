@@ -292,7 +292,9 @@ void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const Dista
   }
 }
 
-void write_files(Run& run, const Mesh& mesh, const DistanceTable& table, LabelledMesh output) {
+void write_files(Run& run, const CheckedMesh& input, const DistanceTable& table, LabelledMesh output) {
+  const Mesh& mesh = input.mesh;
+  output.appearance = &input.appearance;
   const bool has_paths = !table.paths.empty();
   const std::vector<MeshCurve> curves = make_curves(mesh, table);
   if (!curves.empty()) output.curves = &curves;
@@ -328,7 +330,7 @@ void measure_nearest(Run& run, const OwnOptions& own, const CheckedMesh& input, 
     distances.push_back(field.distance(v));
     labels.push_back(field.label(v));
   }
-  write_files(run, mesh, table, {.mesh = mesh, .vertex_label = &labels, .vertex_distance = &distances});
+  write_files(run, input, table, {.mesh = mesh, .vertex_label = &labels, .vertex_distance = &distances});
   write_view_file(run, "gvd-distance", [&] {
     std::vector scenes{make_distance_scene("Distances", mesh, field, table)};
     for (const GeneratorCurve& curve : curves) {
@@ -353,7 +355,7 @@ void measure_each(Run& run, const OwnOptions& own, const CheckedMesh& input, Dis
   run.timed("distances", [&] { add_rows(run, own, input, table); });
   if (own.paths) run.timed("paths", [&] { add_all_paths(run, own, input.mesh, table); });
   report_table(run, input.mesh, own, table);
-  write_files(run, input.mesh, table, {.mesh = input.mesh});
+  write_files(run, input, table, {.mesh = input.mesh});
 }
 
 void measure(Run& run, const OwnOptions& own) {

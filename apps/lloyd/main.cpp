@@ -321,12 +321,14 @@ void balance(Run& run, const CheckedMesh& input, const RelaxationStart& start, c
   run.figures().energy = relaxed.final_energy;
 }
 
-void write_outputs(Run& run, const Mesh& mesh, const Diagram& diagram) {
+void write_outputs(Run& run, const CheckedMesh& input, const Diagram& diagram) {
+  const Mesh& mesh = input.mesh;
   const auto list = [&](GeneratorFormat format) {
     return [&mesh, &diagram, format](std::ostream& out) { out << format_generators(mesh, diagram.generators, format); };
   };
-  write_output_files(run, label_mesh(mesh, diagram, diagram.face_label),
-                     {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}});
+  LabelledMesh output = label_mesh(mesh, diagram, diagram.face_label);
+  output.appearance = &input.appearance;
+  write_output_files(run, output, {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}});
 }
 
 void write_points_file(Run& run, const Mesh& mesh, const LloydResult& relaxed) {
@@ -355,7 +357,7 @@ void lloyd(Run& run, const OwnOptions& own) {
   run.report().generators().clear();
   run.report().set_generators(mesh, relaxed.generators);
   report_diagram(run, relaxed.diagram);
-  write_outputs(run, mesh, relaxed.diagram);
+  write_outputs(run, input, relaxed.diagram);
   write_diagram_file(run, mesh, relaxed.diagram);
   write_points_file(run, mesh, relaxed);
   write_own_file(run, "--trace", [&](std::ostream& out) { trace.write(out, relaxed, run.options().compute.method); });

@@ -156,32 +156,30 @@ void write_map(Run& run, const CheckedMesh& input, const RemeshMap& map) {
   write_own_file(run, kMap, [&](std::ostream& out) { write_map_json(out, input, map); });
 }
 
-/// Properties and texture of the input file, on the remesh.
+/// Properties, texture coordinates and materials of the input file, on the remesh.
 struct Carried {
   std::vector<MeshProperty> properties;
-  Appearance appearance;
+  Appearance appearance;  ///< empty where the file has neither
 };
 
 /// `standard_input`: the text that standard input held, if INPUT is `-`.
-MeshAttributes read_attributes(const InputOptions& input, const std::string& standard_input) {
-  if (input.path != "-") return read_mesh_attributes(input.path, input.format);
-  return parse_mesh_attributes(standard_input, *input.format, kStandardInput);
+std::vector<MeshProperty> read_properties(const InputOptions& input, const std::string& standard_input) {
+  if (input.path != "-") return read_mesh_properties(input.path, input.format);
+  return parse_mesh_properties(standard_input, *input.format, kStandardInput);
 }
 
-/// Reads the properties and the texture of the input file, and carries them over. Notes where there is nothing to carry
-/// over, and what no output holds.
+/// Reads the properties of the input file, and carries them over, with the texture coordinates and materials. Notes
+/// where there is nothing to carry over, and what no output holds.
 Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map,
               const std::string& standard_input) {
   Carried carried = run.timed("carry", [&] {
-    const MeshAttributes found = read_attributes(run.options().input, standard_input);
-    Carried made{carry_properties(input, found.properties, result, map), {}};
-    if (found.texture) made.appearance.texture = carry_texture(input, *found.texture, result, map);
-    return made;
+    const std::vector<MeshProperty> found = read_properties(run.options().input, standard_input);
+    return Carried{carry_properties(input, found, result, map), carry_appearance(input, result, map)};
   });
   if (carried.properties.empty() && carried.appearance.empty()) {
-    note_on_input(run, "no properties and no texture coordinates to carry over");
+    note_on_input(run, "no properties, texture coordinates or materials to carry over");
   } else if (!carried.properties.empty() && !contains(written_formats(run.options().output), "ply")) {
-    run.console().note("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply");
+    run.console().note("--carry: OBJ and GLB hold texture coordinates, and no properties; these need -o FILE.ply");
   }
   return carried;
 }
@@ -207,6 +205,9 @@ void run_remesh(Run& run, const Settings& settings) {
   run.report().options()["carry"] = settings.carry;
   std::string standard_input;
   const CheckedMesh input = load_input(run, settings.carry ? &standard_input : nullptr);
+  if (!settings.carry && !input.appearance.empty() && !run.options().output.files.empty()) {
+    note_on_input(run, "texture coordinates and materials are left out; --carry keeps them in .obj, .ply and .glb");
+  }
   const Mesh& mesh = input.mesh;
   const GeneratorOptions& asked = run.options().generators;
   SurfaceRemeshOptions options = make_remesh_options(run, input, settings);

@@ -86,8 +86,8 @@ void register_remesh(CLI::App& line, Settings& settings) {
   add_flag(line, "--allow-intersections", settings.remesh.allow_intersections,
            "Accept triangles that intersect each other instead of adding generators there");
   add_flag(line, "--carry", settings.carry,
-           "Carry over the colours and other properties of a PLY input to PLY output, and texture coordinates to PLY "
-           "and OBJ output");
+           "Carry over the colours and other properties of a PLY input to PLY output, texture coordinates to PLY, OBJ "
+           "and GLB output, and materials to OBJ output");
 }
 
 /// Refuses an option that does nothing because no generator is relaxed.
@@ -125,9 +125,9 @@ void check_settings(const Options& options, const Settings& settings) {
     throw Error(ErrorCode::invalid_option, "--no-curves: the files of gvd-remesh have no curves; leave it out");
   }
   const std::vector<std::string> written = written_formats(options.output);
-  if (settings.carry && !contains(written, "ply") && !contains(written, "obj")) {
+  if (settings.carry && !contains(written, "ply") && !contains(written, "obj") && !contains(written, "glb")) {
     throw Error(ErrorCode::invalid_option,
-                "--carry: only PLY and OBJ files hold what is carried over; write one, such as -o FILE.ply");
+                "--carry: only PLY, OBJ and GLB files hold what is carried over; write one, such as -o FILE.ply");
   }
   check_relaxation(settings, options.generators);
   check_shape(settings, options.generators);

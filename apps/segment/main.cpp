@@ -59,6 +59,7 @@ void report_options(Run& run, const OwnOptions& own, const SegmentOptions& optio
   const auto file = [&](const char* option) { return or_null(run.options().output.own.at(option)); };
   reported["curves"] = or_null(run.options().generators.curves);
   reported["cut"] = own.cut;
+  reported["region_materials"] = run.options().output.region_materials;
   reported["stats"] = file("--stats");
   reported["adjacency"] = file("--adjacency");
   reported["face_labels"] = file("--face-labels");
@@ -180,9 +181,9 @@ void note_long_borders(Run& run, std::optional<double> ratio) {
 
 /// Labels the faces of the diagram's surface, which are those of the input. Files have the input's vertices, on which
 /// borders of regions are not doubled; bisectors are read from the surface.
-void write_whole_faces(Run& run, const PartedSurface& surface, const Mesh& input, const Diagram& diagram,
+void write_whole_faces(Run& run, const PartedSurface& surface, const CheckedMesh& checked, const Diagram& diagram,
                        const SegmentOptions& options) {
-  const Mesh& mesh = surface.mesh();
+  const Mesh &mesh = surface.mesh(), &input = checked.mesh;
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
   const std::optional<double> ratio = report_segmentation(run, mesh, diagram, segmentation);
   report_regions(run, {surface, diagram, input, segmentation.face_label});
@@ -195,16 +196,19 @@ void write_whole_faces(Run& run, const PartedSurface& surface, const Mesh& input
   output.diagram = &diagram;
   output.diagram_mesh = &mesh;
   output.face_numbers = &numbers;
+  output.appearance = &checked.appearance;
   write_files(run, output,
               [&](std::ostream& out) { write_segmentation_json(out, input, written, segmentation, numbers); });
   write_diagram_file(run, input, written);
 }
 
 /// Cuts the input and not the diagram's surface: both sides of a border keep their vertices in common.
-void write_cut_faces(Run& run, const PartedSurface& surface, const Mesh& input, const Diagram& diagram) {
+void write_cut_faces(Run& run, const PartedSurface& surface, const CheckedMesh& checked, const Diagram& diagram) {
+  const Mesh& input = checked.mesh;
   CutMesh cut = run.timed("cut", [&] { return cut_faces(input, diagram, run.progress()); });
   const CutVertices vertices = carry_to_cut_vertices(surface.mesh(), diagram, cut);
   cut.numbers = carry_to_cut_faces(surface.numbers(), cut);
+  const Appearance appearance = carry_to_cut_faces(input, checked.appearance, cut);
   surface.add_labels(cut.label, cut.numbers);
   if (cut.uncut_faces > 0) {
     run.console().note(fmt::format("{} could not be cut", counted(cut.uncut_faces, "face", "faces")));
@@ -214,6 +218,7 @@ void write_cut_faces(Run& run, const PartedSurface& surface, const Mesh& input, 
   LabelledMesh output{cut.mesh,           &cut.label, &cut.parent,    &vertices.label,
                       &vertices.distance, &diagram,   &surface.mesh()};
   output.face_numbers = &cut.numbers;
+  output.appearance = &appearance;
   Diagram restricted;
   const Diagram& written = surface.restrict(diagram, restricted);
   write_files(run, output, [&](std::ostream& out) { write_cut_json(out, input, written, cut, vertices); });
@@ -226,6 +231,10 @@ void segment(Run& run, const OwnOptions& own) {
   }
   const SegmentOptions options{own.labels.value_or(SegmentOptions().labels), run.progress()};
   report_options(run, own, options);
+  if (run.options().output.region_materials && !contains(written_formats(run.options().output), "obj")) {
+    throw Error(ErrorCode::invalid_option,
+                "--region-materials: only .obj names materials; write one, as in -o FILE.obj, or leave it out");
+  }
   const CheckedMesh input = load_input(run);
   const PartedSurface surface(run, input, own.regions, options);
   const Mesh& mesh = surface.mesh();
@@ -233,9 +242,9 @@ void segment(Run& run, const OwnOptions& own) {
                               ? build_weighted_diagram(run, {input, mesh}, surface.make_generators(run), own.weights)
                               : build_curve_diagram(run, mesh, load_curves(run, input));
   if (own.cut) {
-    write_cut_faces(run, surface, input.mesh, diagram);
+    write_cut_faces(run, surface, input, diagram);
   } else {
-    write_whole_faces(run, surface, input.mesh, diagram, options);
+    write_whole_faces(run, surface, input, diagram, options);
   }
   write_own_file(run, "--stats",
                  [&](std::ostream& out) { write_statistics_csv(out, compute_region_statistics(mesh, diagram)); });
@@ -263,6 +272,8 @@ int main(int argc, char** argv) {
              "How to label whole faces on a bisector: for borders as short as its faces allow, or by the largest share "
              "(default: smooth)")
       ->excludes("--cut");
+  add_flag(command.line(), "--region-materials", command.options().output.region_materials,
+           "Give each region a material of its own in .obj also where INPUT has materials, in place of these");
   add_region_options(command.line(), own.regions, command.options().generators);
   add_weight_options(command.line(), own.weights);
   add_curves_option(command.line(), command.options().generators,

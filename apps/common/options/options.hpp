@@ -77,6 +77,7 @@ struct OutputOptions {
   std::optional<UpAxis> up;                ///< of the pages
   bool no_curves = false;                  ///< leave the bisectors out of OBJ, VTP and GLB
   bool ascii_ply = false;                  ///< PLY as text
+  bool region_materials = false;           ///< in OBJ, a material for each region, not those of the input
   std::map<std::string, std::string> own;  ///< further files of the command, by the option, empty where not given
 };
 

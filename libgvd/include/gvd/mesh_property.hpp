@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -33,27 +32,14 @@ struct MeshProperty {
   }
 };
 
-/// Texture coordinates of the corners of polygons: a vertex may have others in each of its polygons.
-struct CornerTexture {
-  std::vector<std::int32_t> corners;               ///< of all polygons, one after the other: vertices
-  std::vector<std::size_t> first_corner;           ///< per polygon, and the number of corners at the end
-  std::vector<std::array<double, 2>> coordinates;  ///< per corner: u and v; not finite where it has none
-};
-
-/// The contents of a file besides positions and polygons.
-struct MeshAttributes {
-  std::vector<MeshProperty> properties;
-  std::optional<CornerTexture> texture;
-};
-
-/// PLY: the properties of vertices but for their coordinates, and of polygons, in the file's order; a list `texcoord`
-/// of two numbers for each corner is the texture. Those of strips of triangles are left out. OBJ: the texture, from
-/// `vt` and `f`. Nothing of other formats, also where they have data of points and cells.
-/// `format` overrides the detection.
+/// PLY: the properties of vertices but for their coordinates, and of polygons, in the file's order. Those of a texture,
+/// which `read_soup` reads, and of strips of triangles are left out. Nothing of other formats, also where they have
+/// data of points and cells. `format` overrides the detection.
 /// Throws Error{unreadable_input} where the file can't be read. Cost: O(bytes).
-MeshAttributes read_mesh_attributes(const std::filesystem::path& path, std::optional<MeshFormat> format = {});
+std::vector<MeshProperty> read_mesh_properties(const std::filesystem::path& path,
+                                               std::optional<MeshFormat> format = {});
 
-/// `read_mesh_attributes` from bytes in memory; `name` stands for the file in messages.
-MeshAttributes parse_mesh_attributes(std::string_view bytes, MeshFormat format, std::string_view name);
+/// `read_mesh_properties` from bytes in memory; `name` stands for the file in messages.
+std::vector<MeshProperty> parse_mesh_properties(std::string_view bytes, MeshFormat format, std::string_view name);
 
 }  // namespace gvd

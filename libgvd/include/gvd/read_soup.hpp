@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gvd/appearance.hpp"
 #include "gvd/names.hpp"
 #include "gvd/vec.hpp"
 
@@ -36,8 +37,8 @@ struct PolygonSoup {
   std::vector<std::int32_t> corners;         ///< of all polygons, one after the other: indices into `positions`
   std::vector<std::size_t> first_corner{0};  ///< per polygon, and the number of corners at the end
   bool unwelded = false;                     ///< whether polygons may have vertices of their own (STL, GLB)
-  bool has_texture = false;                  ///< whether the file has texture coordinates, which are not read here
-  std::vector<std::string> notes;            ///< what else the reader left out, one line each
+  Appearance appearance;                     ///< of the polygons: texture coordinates and materials
+  std::vector<std::string> notes;            ///< what the reader left out, one line each
 
   /// Makes a polygon of the corners that were appended last.
   void close_polygon() { first_corner.push_back(corners.size()); }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gvd/appearance.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/names.hpp"
@@ -63,6 +64,7 @@ struct CheckedMesh {
   std::vector<VertexId> mesh_vertex;              ///< per input vertex; invalid where it was dropped
   IdVector<VertexId, std::int32_t> input_vertex;  ///< -1 for the midpoint of a split edge
   IdVector<FaceId, std::int32_t> input_polygon;
+  Appearance appearance;  ///< that of the soup, for the faces: corners keep their texture coordinates
 };
 
 /// Examines a soup, repairs it as `policy` says, triangulates it and builds the mesh.

@@ -5,6 +5,7 @@
 
 #include "apps/remesh/run_remesh.hpp"
 #include "gvd/mesh_property.hpp"
+#include "gvd/read_soup.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_carry_option {
@@ -25,14 +26,14 @@ constexpr const char* kTetrahedron =
 constexpr const char* kTexturedTetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
     "vt 0 0\nvt 0.25 0\nvt 0 0.25\nvt 0.25 0.25\nvt 0.5 0.5\nvt 1 0.5\nvt 0.5 1\n"
-    "f 1/5 3/6 2/7\nf 1/1 2/2 4/4\nf 1/1 4/4 3/3\nf 2/2/1 3/3/1 -1/4/1\n";
+    "f 1/5 3/6 2/7\nf 1/1 2/2 4/4\nmtllib in.mtl\nusemtl skin\nf 1/1 4/4 3/3\nf 2/2/1 3/3/1 -1/4/1\n";
 
 TEST_CASE("gvd-remesh --carry: generators at the vertices keep the values of the file") {
   const ScratchFolder scratch;
   write_text(scratch / "in.ply", kTetrahedron);
   for (const char* format : {"", " --ascii-ply"}) {
     run_remesh(scratch / "in.ply" + " --vertices 0,1,2,3 --carry -o " + scratch / "out.ply" + format);
-    const auto properties = read_mesh_attributes(scratch / "out.ply").properties;
+    const auto properties = read_mesh_properties(scratch / "out.ply");
     REQUIRE(properties.size() == 5);
     CHECK(properties[0].name == "red");
     CHECK(properties[0].type == NumberType::uint8);
@@ -55,7 +56,7 @@ TEST_CASE("gvd-remesh: without --carry the output has coordinates and faces only
   const ScratchFolder scratch;
   write_text(scratch / "in.ply", kTetrahedron);
   run_remesh(scratch / "in.ply" + " --vertices 0,1,2,3 -o " + scratch / "out.ply");
-  CHECK(read_mesh_attributes(scratch / "out.ply").properties.empty());
+  CHECK(read_mesh_properties(scratch / "out.ply").empty());
 }
 
 TEST_CASE("gvd-remesh --carry: standard input is carried over, too") {
@@ -67,20 +68,23 @@ TEST_CASE("gvd-remesh --carry: standard input is carried over, too") {
   CHECK(read_text(scratch / "stream.ply") == read_text(scratch / "file.ply"));
 }
 
-TEST_CASE("gvd-remesh --carry: texture coordinates of an OBJ are on OBJ and PLY output") {
+TEST_CASE("gvd-remesh --carry: texture coordinates of an OBJ are on OBJ, PLY and GLB output, materials on OBJ") {
   const ScratchFolder scratch;
   write_text(scratch / "in.obj", kTexturedTetrahedron);
   run_remesh(scratch / "in.obj" + " --vertices 0,1,2,3 --carry -o " + scratch / "out.obj" + " -o " +
-             scratch / "out.ply");
-  for (const char* name : {"out.obj", "out.ply"}) {
+             scratch / "out.ply" + " -o " + scratch / "out.glb");
+  for (const char* name : {"out.obj", "out.ply", "out.glb"}) {
     INFO(name);
-    const auto texture = read_mesh_attributes(scratch / name).texture;
-    REQUIRE(texture.has_value());
-    REQUIRE(texture->corners.size() == 12);
+    const Appearance found = read_soup(scratch / name).appearance;
+    REQUIRE(found.texture.size() == 12);
     // The faces of vertices 0, 2, 1 and of the others are two charts.
     std::size_t in_second = 0;
-    for (const auto& [u, v] : texture->coordinates) in_second += u >= 0.5;
+    for (const auto& [u, v] : found.texture) in_second += u >= 0.5;
     CHECK(in_second == 3);
+    if (name != std::string("out.obj")) continue;
+    CHECK(found.materials == std::vector<std::string>{"skin"});
+    CHECK(std::count(found.material.begin(), found.material.end(), 0) == 2);
+    CHECK(found.material_files == std::vector<std::string>{"in.mtl"});
   }
 }
 
@@ -89,15 +93,27 @@ TEST_CASE("gvd-remesh --carry: what has no properties, or can't hold them, is na
   const CommandResult none =
       run_command("gvd-remesh", data_file("figure.obj") + " -n 30 --carry -o " + scratch / "out.ply");
   CHECK(none.exit_code == 0);
-  CHECK_THAT(none.err, Contains("figure.obj: no properties and no texture coordinates to carry over"));
+  CHECK_THAT(none.err, Contains("figure.obj: no properties, texture coordinates or materials to carry over"));
   write_text(scratch / "in.ply", kTetrahedron);
   const std::string run = scratch / "in.ply" + " --vertices 0,1,2,3 --carry -o ";
   const CommandResult obj = run_command("gvd-remesh", run + scratch / "out.obj");
   CHECK(obj.exit_code == 0);
-  CHECK_THAT(obj.err, Contains("--carry: OBJ holds texture coordinates only; properties need -o FILE.ply"));
+  CHECK_THAT(obj.err,
+             Contains("--carry: OBJ and GLB hold texture coordinates, and no properties; these need -o FILE.ply"));
   const CommandResult off = run_command("gvd-remesh", run + scratch / "out.off");
   CHECK(off.exit_code == 2);
-  CHECK_THAT(off.err, Contains("--carry: only PLY and OBJ files hold what is carried over; write one, such as -o"));
+  CHECK_THAT(off.err,
+             Contains("--carry: only PLY, OBJ and GLB files hold what is carried over; write one, such as -o"));
+}
+
+TEST_CASE("gvd-remesh: without --carry one line says that texture coordinates and materials are left out") {
+  const ScratchFolder scratch;
+  write_text(scratch / "in.obj", kTexturedTetrahedron);
+  const std::string run = scratch / "in.obj" + " --vertices 0,1,2,3 -o " + scratch / "out.obj";
+  const std::string told = run_command("gvd-remesh", run).err;
+  CHECK_THAT(told, Contains("in.obj: texture coordinates and materials are left out; --carry keeps them"));
+  CHECK(read_soup(scratch / "out.obj").appearance.empty());
+  CHECK_THAT(run_command("gvd-remesh", run + " --carry").err, !Contains("left out"));
 }
 
 }  // namespace gvd::test_carry_option

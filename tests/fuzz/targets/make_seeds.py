@@ -94,6 +94,8 @@ def obj_seeds():
     yield from (obj(*shape) for shape in SHAPES)
     yield "o a\r\nv 0 0 0 1 # c\r\nv 1 0 0\r\nv 0 1 0\r\nvt 0 0\r\nvn 0 0 1\r\nf 1/1/1 2//1 3/1\r\nl 1 2 3\r\n"
     yield "f -3 -2 -1\nf 1 2 \\\n3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\ng x\nusemtl y\n"
+    yield ("mtllib a.mtl\nusemtl a b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 1\nvt 1 0.5 0\nvt nan\nf 1/1 2/2 3/-2 4/9\nusemtl c\n"
+           "f 1/1/1 2/2/1 4/2\n")
     yield "v 1e-310 -0 +1e400\nv 1e75 1e-75 0\nv 0 0 1\nf 1 2 3\nf 1 2 9999999999\n"
 
 
@@ -102,6 +104,9 @@ def ply_seeds():
            "property list uchar int ids\nelement face 1\nproperty list uchar int vertex_indices\n"
            "property list uchar float texcoord\nend_header\n"
            "0 0 0 1 7\n1 0 0 0\n0 1 0 2 1 2\n3 0 1 2 6 0 0 1 0 0 1\n")
+    yield ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float s\n"
+           "property float t\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 0.5 1\n1 0 0 0 0\n"
+           "0 1 0 2 3\n3 0 1 2\n")
     for shape in SHAPES:
         yield ply(*shape)
         yield binary_ply(*shape, "<", "f")
@@ -193,16 +198,18 @@ def vtp_seeds():
     yield vtp(*TETRAHEDRON, "ascii", False).replace(b"Polys", b"Strips")
 
 
-def glb(points, faces, kind, nodes='[{"mesh":0}]'):
+def glb(points, faces, kind, nodes='[{"mesh":0}]', texture=False):
     component = {"B": 5121, "H": 5123, "I": 5125}[kind]
     triangles = [v for f in faces for k in range(1, len(f) - 1) for v in (f[0], f[k], f[k + 1])]
     first = struct.pack(f"<{3 * len(points)}f", *[x for p in points for x in p])
     second = struct.pack(f"<{len(triangles)}{kind}", *triangles)
     binary = first + second + bytes(-len(second) % 4)
     text = ('{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":' + nodes
-            + ',"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":4}]}],"accessors":['
+            + ',"meshes":[{"primitives":[{"attributes":{"POSITION":0' + (',"TEXCOORD_0":2' if texture else "")
+            + '},"indices":1,"mode":4}]}],"accessors":['
             + f'{{"bufferView":0,"componentType":5126,"count":{len(points)},"type":"VEC3"}},'
-            + f'{{"bufferView":1,"byteOffset":0,"componentType":{component},"count":{len(triangles)},"type":"SCALAR"}}],'
+            + f'{{"bufferView":1,"byteOffset":0,"componentType":{component},"count":{len(triangles)},"type":"SCALAR"}}'
+            + (f',{{"bufferView":0,"componentType":5126,"count":{len(points)},"type":"VEC2"}}' if texture else "") + "],"
             + f'"bufferViews":[{{"buffer":0,"byteLength":{len(first)},"byteStride":12}},'
             + f'{{"buffer":0,"byteOffset":{len(first)},"byteLength":{len(second)}}}],"buffers":[{{"byteLength":{len(binary)}}}]}}')
     text += " " * (-len(text) % 4)
@@ -216,6 +223,7 @@ def glb_seeds():
             yield glb(*shape, kind)
     yield glb(*TETRAHEDRON, "B", '[{"children":[1,2],"scale":[-1,2,3]},{"mesh":0,"rotation":[0,0,1,0],'
               '"translation":[5,0,0]},{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,9,1]}]')
+    yield glb(*TETRAHEDRON, "H", texture=True)
     for mode in "0156":
         yield glb(*TETRAHEDRON, "H").replace(b'"mode":4', f'"mode":{mode}'.encode())
 

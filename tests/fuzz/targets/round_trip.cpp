@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -26,6 +27,13 @@ bool same_bits(const Vec3& a, const Vec3& b) {
   return true;
 }
 
+void check_appearance(const Appearance& appearance, std::size_t corners, std::size_t polygons) {
+  require(appearance.texture.empty() || appearance.texture.size() == corners, "a corner has no texture coordinates");
+  require(appearance.material.empty() || appearance.material.size() == polygons, "a polygon has no material");
+  const auto count = static_cast<std::int64_t>(appearance.materials.size());
+  for (const std::int32_t m : appearance.material) require(m >= -1 && m < count, "a material has no name");
+}
+
 void check_soup(const PolygonSoup& soup) {
   require(soup.polygon_count() > 0, "a soup without polygons");
   require(soup.first_corner.front() == 0 && soup.first_corner.back() == soup.corners.size(), "corners are lost");
@@ -33,6 +41,7 @@ void check_soup(const PolygonSoup& soup) {
   for (const Vec3& p : soup.positions) require(p.allFinite(), "a coordinate is not finite");
   const auto count = static_cast<std::int64_t>(soup.positions.size());
   for (const std::int32_t v : soup.corners) require(v >= 0 && v < count, "an index is out of range");
+  check_appearance(soup.appearance, soup.corners.size(), soup.polygon_count());
 }
 
 /// The faces round each vertex must form one fan: as many faces as can be reached from one of them through edges at the
@@ -104,31 +113,62 @@ void require_same(const Mesh& a, const Mesh& b) {
   }
 }
 
-std::string write(const Mesh& mesh, OutputFormat format, bool ascii) {
-  LabelledMesh labelled{mesh};
+std::string write(const CheckedMesh& checked, OutputFormat format, bool ascii) {
+  LabelledMesh labelled{checked.mesh};
+  labelled.appearance = &checked.appearance;
   labelled.ascii_ply = ascii;
   std::ostringstream out;
   write_mesh(out, labelled, format);
   return std::move(out).str();
 }
 
-void check_written(const Mesh& mesh, MeshFormat format, bool ascii) {
+/// Texture coordinates in files may be 32-bit floats. A face with a corner without any, or beyond floats, has none.
+void require_same(const Mesh& mesh, const Appearance& a, const Appearance& b) {
+  const auto has_texture = [&](const Appearance& appearance, FaceId f) {
+    const auto corner = [&](int i) { return appearance.texture[Mesh::halfedge(f, i).index()]; };
+    const auto fits = [&](int i) {
+      constexpr double kMost = std::numeric_limits<float>::max();
+      return std::abs(corner(i)[0]) <= kMost && std::abs(corner(i)[1]) <= kMost;
+    };
+    return !appearance.texture.empty() && fits(0) && fits(1) && fits(2);
+  };
+  for (const FaceId f : mesh.faces()) {
+    require(has_texture(a, f) == has_texture(b, f), "a face has lost its texture coordinates");
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
+      if (!has_texture(a, f)) break;
+      const auto &before = a.texture[h.index()], &after = b.texture[h.index()];
+      const auto is_near = [&](std::size_t k) { return static_cast<float>(before[k]) == static_cast<float>(after[k]); };
+      require(is_near(0) && is_near(1), "a corner has other texture coordinates");
+    }
+    const auto material = [&](const Appearance& appearance) {
+      const std::int32_t m = appearance.material.empty() ? -1 : appearance.material[f.index()];
+      return m < 0 ? std::string() : appearance.materials[static_cast<std::size_t>(m)];
+    };
+    if (!b.material.empty()) require(material(a) == material(b), "a face has another material");
+  }
+}
+
+void check_written(const CheckedMesh& checked, MeshFormat format, bool ascii) {
+  const Mesh& mesh = checked.mesh;
   const auto output = parse_output_format(name_in(kMeshFormatNames, format));
   require(output.has_value(), "a format can be read and not written");
   // What a repair leaves of a mesh may be smaller than a mesh may be.
   const bool may_be_refused = mesh.bbox_diagonal() < 2 * kSmallestExtent;
   attempt({may_be_refused ? ErrorCode::precondition : ErrorCode::invalid_option}, [&] {
-    const PolygonSoup soup = parse_soup(write(mesh, *output, ascii), format, "the written file");
+    const PolygonSoup soup = parse_soup(write(checked, *output, ascii), format, "the written file");
     const CheckedMesh again = build_mesh(soup, DefectPolicy::error);
     require_same(mesh, again.mesh);
+    if (format == MeshFormat::obj || format == MeshFormat::ply)
+      require_same(mesh, checked.appearance, again.appearance);
   });
 }
 
 /// Writes the triangles in a format with 32-bit floats, and compares the corners.
-void check_written_floats(const Mesh& mesh, MeshFormat format) {
+void check_written_floats(const CheckedMesh& checked, MeshFormat format) {
+  const Mesh& mesh = checked.mesh;
   std::string bytes;
   const OutputFormat output = *parse_output_format(name_in(kMeshFormatNames, format));
-  if (!attempt({ErrorCode::unwritable_output}, [&] { bytes = write(mesh, output, false); })) return;
+  if (!attempt({ErrorCode::unwritable_output}, [&] { bytes = write(checked, output, false); })) return;
   PolygonSoup soup;
   attempt({}, [&] { soup = parse_soup(bytes, format, "the written file"); });
   require(soup.polygon_count() == static_cast<std::size_t>(mesh.face_count()), "other numbers of triangles");
@@ -146,28 +186,25 @@ void check_policy(const PolygonSoup& soup, DefectPolicy policy, MeshFormat forma
   if (!attempt({ErrorCode::precondition}, [&] { checked = build_mesh(soup, policy); })) return;
   check_mesh(checked.mesh);
   check_maps(checked, soup);
+  check_appearance(checked.appearance, 3 * checked.input_polygon.size(), checked.input_polygon.size());
   if (policy != DefectPolicy::repair) return;
   if (format == MeshFormat::vtk) return;  // is not written
   const auto has_floats = {MeshFormat::stl, MeshFormat::glb, MeshFormat::gii, MeshFormat::fs};
-  if (std::ranges::find(has_floats, format) != has_floats.end()) return check_written_floats(checked.mesh, format);
-  check_written(checked.mesh, format, false);
-  if (format == MeshFormat::ply) check_written(checked.mesh, format, true);
+  if (std::ranges::find(has_floats, format) != has_floats.end()) return check_written_floats(checked, format);
+  check_written(checked, format, false);
+  if (format == MeshFormat::ply) check_written(checked, format, true);
 }
 
-/// Properties and texture coordinates: there is one for each element of the soup, or a value for each entry of a list.
-void check_attributes(const std::string& bytes, MeshFormat format, const PolygonSoup& soup) {
-  MeshAttributes found;
-  if (!attempt({ErrorCode::unreadable_input}, [&] { found = parse_mesh_attributes(bytes, format, "input"); })) return;
-  for (const MeshProperty& property : found.properties) {
+/// Properties: there is one for each element of the soup, or a value for each entry of a list.
+void check_properties(const std::string& bytes, MeshFormat format) {
+  std::vector<MeshProperty> found;
+  if (!attempt({ErrorCode::unreadable_input}, [&] { found = parse_mesh_properties(bytes, format, "input"); })) return;
+  for (const MeshProperty& property : found) {
     if (!property.count_type) continue;
     require(!property.first_value.empty() && property.first_value.front() == 0, "a list has no beginning");
     require(property.first_value.back() == property.values.size(), "values of lists are lost");
     require(std::is_sorted(property.first_value.begin(), property.first_value.end()), "lists overlap");
   }
-  if (!found.texture) return;
-  require(found.texture->corners == soup.corners, "the texture has other corners");
-  require(found.texture->first_corner == soup.first_corner, "the texture has other polygons");
-  require(found.texture->coordinates.size() == soup.corners.size(), "a corner has no texture coordinates");
 }
 
 }  // namespace
@@ -180,7 +217,7 @@ void check_reading(const std::uint8_t* data, std::size_t size, MeshFormat format
                                [&] { soup = parse_soup(bytes, format, "input"); });
   if (!is_read) return;
   check_soup(soup);
-  check_attributes(bytes, format, soup);
+  check_properties(bytes, format);
   const bool is_packed = bytes.starts_with("\x1f\x8b");
   if (format == MeshFormat::ply && !is_packed)
     require(detected == MeshFormat::ply, "a PLY is taken for something else");

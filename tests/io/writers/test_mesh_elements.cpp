@@ -82,7 +82,7 @@ TEST_CASE("bisectors of one point are left out, and without a diagram there are 
 }
 
 ShadingVertices split(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label = nullptr) {
-  return split_shading_vertices(mesh, label);
+  return split_shading_vertices({mesh, label});
 }
 
 /// Two triangles with a common edge, the second one turned by an angle in degrees.

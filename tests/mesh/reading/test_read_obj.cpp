@@ -26,9 +26,6 @@ TEST_CASE("OBJ: line ends, continued lines, comments, statements that are skippe
   CHECK(parse("o name\ng a b\n" + kVertices + "vn 0 0 1\nvt 0 0\nvp 1\nusemtl x\ns off\np 1\nf 1 2 3\n").corners ==
         triangle);
   CHECK(parse("mtllib C:\\models\\\n" + kVertices + "# ends in \\\nf 1 2 3\n").corners == triangle);
-  CHECK(parse(kVertices + "vt 0 0\nf 1/1 2/1 3/1\n").has_texture);
-  CHECK(!parse(kVertices + "vt 0 0\nf 1 2 3\n").has_texture);
-  CHECK(!parse(kVertices + "vn 0 0 1\nf 1//1 2//1 3//1\n").has_texture);
   const PolygonSoup soup = parse(kVertices + "l 1 2\nf 1 2 3\n");
   REQUIRE(soup.notes.size() == 1);
   CHECK_THAT(soup.notes[0], Catch::Matchers::Contains("1 polyline"));

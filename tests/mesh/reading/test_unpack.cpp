@@ -51,9 +51,9 @@ TEST_CASE("gzip: properties are read through it") {
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float "
       "w\n"
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 7\n1 0 0 8\n0 1 0 9\n3 0 1 2\n";
-  const MeshAttributes found = parse_mesh_attributes(pack(ply), MeshFormat::ply, "file");
-  REQUIRE(found.properties.size() == 1);
-  CHECK(found.properties[0].values == std::vector<double>{7, 8, 9});
+  const auto found = parse_mesh_properties(pack(ply), MeshFormat::ply, "file");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].values == std::vector<double>{7, 8, 9});
 }
 
 TEST_CASE("gzip: a damaged, cut or endless file is refused in one line") {

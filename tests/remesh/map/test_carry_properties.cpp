@@ -173,17 +173,12 @@ CheckedMesh make_square() {
 
 /// Coordinates by a function of a corner's position and of its face's centre.
 template <class Function>
-CornerTexture make_texture(const Mesh& mesh, Function function) {
-  CornerTexture texture;
-  texture.first_corner.push_back(0);
+std::vector<Uv> make_texture(const Mesh& mesh, Function function) {
+  std::vector<Uv> texture;
   for (std::int32_t f = 0; f < mesh.face_count(); ++f) {
     const auto& vertices = mesh.vertices(FaceId(f));
     const Vec3 centre = (mesh.position(vertices[0]) + mesh.position(vertices[1]) + mesh.position(vertices[2])) / 3;
-    for (const VertexId v : vertices) {
-      texture.corners.push_back(v.value());
-      texture.coordinates.push_back(function(mesh.position(v), centre));
-    }
-    texture.first_corner.push_back(texture.corners.size());
+    for (const VertexId v : vertices) texture.push_back(function(mesh.position(v), centre));
   }
   return texture;
 }
@@ -193,20 +188,21 @@ struct Case {
   RemeshResult result = remesh(input.mesh, test::random_generators(input.mesh, 40, 2));
   RemeshMap map = map_to_remesh(input.mesh, result);
 
+  template <class Function>
+  std::vector<Uv> carry_texture(Function function) {
+    input.appearance.texture = make_texture(input.mesh, function);
+    return carry_appearance(input, result, map).texture;
+  }
+
   Vec3 origin(std::size_t corner) const {
     const HalfedgeId h(corner);
     return position(input.mesh, map.origins[result.mesh.from(h)]);
   }
 };
 
-using Uv = std::array<double, 2>;
-
 TEST_CASE("carry texture: linear coordinates without a seam are those at the origins") {
-  const Case square;
-  const CornerTexture texture = make_texture(square.input.mesh, [](const Vec3& p, const Vec3&) {
-    return Uv{p.x() / 12, p.y() / 12 + 1};
-  });
-  const auto carried = carry_texture(square.input, texture, square.result, square.map);
+  Case square;
+  const auto carried = square.carry_texture([](const Vec3& p, const Vec3&) { return Uv{p.x() / 12, p.y() / 12 + 1}; });
   REQUIRE(carried.size() == static_cast<std::size_t>(square.result.mesh.halfedge_count()));
   for (std::size_t i = 0; i < carried.size(); ++i) {
     CHECK(carried[i][0] == Approx(square.origin(i).x() / 12).margin(1e-12));
@@ -215,12 +211,11 @@ TEST_CASE("carry texture: linear coordinates without a seam are those at the ori
 }
 
 TEST_CASE("carry texture: a face beside a seam has coordinates of one side only, up to the seam") {
-  const Case square;
+  Case square;
   // The right half lies elsewhere in the texture.
-  const CornerTexture texture = make_texture(square.input.mesh, [](const Vec3& p, const Vec3& centre) {
+  const auto carried = square.carry_texture([](const Vec3& p, const Vec3& centre) {
     return Uv{centre.x() < 6 ? p.x() : 100 + p.x(), p.y()};
   });
-  const auto carried = carry_texture(square.input, texture, square.result, square.map);
   int across = 0;
   for (std::size_t f = 0; 3 * f < carried.size(); ++f) {
     const bool right = position(square.input.mesh, square.result.face_points[f]).x() > 6;
@@ -236,15 +231,30 @@ TEST_CASE("carry texture: a face beside a seam has coordinates of one side only,
 }
 
 TEST_CASE("carry texture: where the input has none, the remesh has none") {
-  const Case square;
-  const CornerTexture texture = make_texture(square.input.mesh, [](const Vec3& p, const Vec3& centre) {
-    return centre.x() < 6 ? Uv{p.x(), p.y()} : Uv{std::nan(""), std::nan("")};
+  Case square;
+  const auto carried = square.carry_texture([](const Vec3& p, const Vec3& centre) {
+    return centre.x() < 6 ? Uv{p.x(), p.y()} : kNoTexture;
   });
-  const auto carried = carry_texture(square.input, texture, square.result, square.map);
   for (std::size_t i = 0; i < carried.size(); ++i) {
     const bool right = position(square.input.mesh, square.result.face_points[i / 3]).x() > 6;
     CHECK(std::isfinite(carried[i][0]) == !right);
   }
+}
+
+TEST_CASE("carry materials: a face has that of the face of its branch point") {
+  Case square;
+  Appearance& given = square.input.appearance;
+  for (std::int32_t f = 0; f < square.input.mesh.face_count(); ++f) given.material.push_back(f % 3 - 1);
+  given.materials = {"a", "b"};
+  given.material_files = {"c.mtl"};
+  const Appearance carried = carry_appearance(square.input, square.result, square.map);
+  REQUIRE(carried.material.size() == square.result.face_points.size());
+  for (std::size_t f = 0; f < carried.material.size(); ++f) {
+    CHECK(carried.material[f] == square.result.face_points[f].face.value() % 3 - 1);
+  }
+  CHECK(carried.materials == given.materials);
+  CHECK(carried.material_files == given.material_files);
+  CHECK(carried.texture.empty());
 }
 
 }  // namespace gvd::test_carry_properties

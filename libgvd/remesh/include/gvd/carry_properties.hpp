@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "gvd/appearance.hpp"
 #include "gvd/mesh_property.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
@@ -25,16 +25,15 @@ namespace gvd {
 std::vector<MeshProperty> carry_properties(const CheckedMesh& input, const std::vector<MeshProperty>& properties,
                                            const RemeshResult& result, const RemeshMap& map);
 
-/// Texture coordinates for the corners of the remesh's faces, three for each face.
+/// The texture coordinates and materials of an input for the faces of its remesh.
 ///
-/// A chart consists of faces that are joined by edges on whose both sides the coordinates are equal. A face of the
-/// remesh takes its coordinates from one chart, in which its branch point is. A corner has those at its vertex's origin
-/// if that is in the chart or on its border. Otherwise it has those at the nearest point of the chart. So no triangle
-/// goes across a seam; near one, the texture is stretched. Without a chart at the branch point they are not finite.
+/// A face takes the material of the face in which its branch point is. A chart consists of faces that are joined by
+/// edges on whose both sides the coordinates are equal. A face of the remesh takes its coordinates from one chart, in
+/// which its branch point is. A corner has those at its vertex's origin if that is in the chart or on its border.
+/// Otherwise it has those at the nearest point of the chart. So no triangle goes across a seam; near one, the texture
+/// is stretched. Without a chart at the branch point they are not finite.
 ///
-/// `texture` is that of the soup that `input` was built from, `map` that of `result`, a remesh of `input.mesh`.
-/// Cost: O(n log n).
-std::vector<std::array<double, 2>> carry_texture(const CheckedMesh& input, const CornerTexture& texture,
-                                                 const RemeshResult& result, const RemeshMap& map);
+/// `map` is that of `result`, a remesh of `input.mesh`. Cost: O(n log n).
+Appearance carry_appearance(const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map);
 
 }  // namespace gvd

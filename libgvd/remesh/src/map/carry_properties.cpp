@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string_view>
@@ -117,11 +116,6 @@ void scale_normals(std::vector<MeshProperty>& properties) {
   }
 }
 
-using Uv = std::array<double, 2>;
-constexpr Uv kNone{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-
-bool is_finite(const Uv& uv) { return std::isfinite(uv[0]) && std::isfinite(uv[1]); }
-
 /// The faces of a chart, apart from each other: neighbours need not have the chart's coordinates in common elsewhere.
 class ChartSurface {
  public:
@@ -151,9 +145,7 @@ class ChartSurface {
 
 class TextureCarrier {
  public:
-  TextureCarrier(const CheckedMesh& input, const CornerTexture& texture)
-      : mesh_(input.mesh), corners_(input.mesh.halfedge_count(), kNone) {
-    for (const FaceId f : mesh_.faces()) find_corners(input, texture, f);
+  explicit TextureCarrier(const CheckedMesh& input) : mesh_(input.mesh), corners_(input.appearance.texture) {
     find_charts();
   }
 
@@ -162,30 +154,17 @@ class TextureCarrier {
     for (const FaceId f : result.mesh.faces()) {
       const FaceId at = result.face_points[f.index()].face;
       for (const VertexId v : result.mesh.vertices(f)) {
-        carried.push_back(has_texture(at) ? in_chart(chart_[at], map.origins[v]) : kNone);
+        carried.push_back(has_texture(at) ? in_chart(chart_[at], map.origins[v]) : kNoTexture);
       }
     }
     return carried;
   }
 
  private:
-  const Uv& corner(FaceId f, int i) const { return corners_[Mesh::halfedge(f, i)]; }
+  const Uv& at(HalfedgeId h) const { return corners_[h.index()]; }
+  const Uv& corner(FaceId f, int i) const { return at(Mesh::halfedge(f, i)); }
   bool has_texture(FaceId f) const {
     return is_finite(corner(f, 0)) && is_finite(corner(f, 1)) && is_finite(corner(f, 2));
-  }
-
-  /// Finds the polygon's corner at each of the face's vertices: the first one of a vertex that the repair welded.
-  void find_corners(const CheckedMesh& input, const CornerTexture& texture, FaceId f) {
-    const std::int32_t polygon = input.input_polygon[f];
-    if (polygon + 1 >= std::ssize(texture.first_corner)) return;
-    for (int i = 0; i < 3; ++i) {
-      const VertexId v = mesh_.vertices(f)[i];
-      for (std::size_t c = texture.first_corner[polygon + 1]; c-- > texture.first_corner[polygon];) {
-        const std::int32_t vertex = texture.corners[c];
-        if (vertex != input.input_vertex[v] && input.mesh_vertex[vertex] != v) continue;
-        corners_[Mesh::halfedge(f, i)] = texture.coordinates[c];
-      }
-    }
   }
 
   void find_charts() {
@@ -193,7 +172,7 @@ class TextureCarrier {
     for (const HalfedgeId h : mesh_.halfedges()) {
       const HalfedgeId twin = mesh_.twin(h);
       if (!twin.valid() || !has_texture(Mesh::face(h)) || !has_texture(Mesh::face(twin))) continue;
-      if (corners_[h] == corners_[Mesh::next(twin)] && corners_[Mesh::next(h)] == corners_[twin]) {
+      if (at(h) == at(Mesh::next(twin)) && at(Mesh::next(h)) == at(twin)) {
         sets.unite(Mesh::face(h).value(), Mesh::face(twin).value());
       }
     }
@@ -235,8 +214,8 @@ class TextureCarrier {
   }
 
   const Mesh& mesh_;
-  IdVector<HalfedgeId, Uv> corners_;  // where each halfedge begins
-  IdVector<FaceId, FaceId> chart_;    // the smallest face of the chart; invalid without texture coordinates
+  const std::vector<Uv>& corners_;  // where each halfedge begins
+  IdVector<FaceId, FaceId> chart_;  // the smallest face of the chart; invalid without texture coordinates
   std::map<FaceId, std::vector<FaceId>> faces_;
   std::map<FaceId, std::unique_ptr<ChartSurface>> surfaces_;  // where a point outside of the chart was looked for
 };
@@ -261,9 +240,15 @@ std::vector<MeshProperty> carry_properties(const CheckedMesh& input, const std::
   return carried;
 }
 
-std::vector<std::array<double, 2>> carry_texture(const CheckedMesh& input, const CornerTexture& texture,
-                                                 const RemeshResult& result, const RemeshMap& map) {
-  return TextureCarrier(input, texture).run(result, map);
+Appearance carry_appearance(const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map) {
+  Appearance carried = input.appearance;
+  if (!carried.texture.empty()) carried.texture = TextureCarrier(input).run(result, map);
+  if (carried.material.empty()) return carried;
+  carried.material.clear();
+  for (const SurfacePoint& point : result.face_points) {
+    carried.material.push_back(input.appearance.material[point.face.index()]);
+  }
+  return carried;
 }
 
 }  // namespace gvd

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <vector>
 
+#include "gvd/appearance.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/io/mesh_writer.hpp"
@@ -92,6 +93,14 @@ struct CutVertices {
 /// distance that is linear between the corners of the face that it lies in.
 /// Throws Error{precondition} if the three do not belong together. Cost: O(n).
 CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut);
+
+/// Carries the appearance of the faces of `mesh` over to `cut`, which is `mesh` cut along a diagram.
+///
+/// A face has the material of its parent, and the texture coordinates at the parent's corners are those of the parent.
+/// Elsewhere they are linear in the parent. On an edge they depend on the values at its ends alone: where both sides
+/// of an edge agreed, they still do, and no seam is added.
+/// Throws Error{precondition} if the three do not belong together. Cost: O(n).
+Appearance carry_to_cut_faces(const Mesh& mesh, const Appearance& appearance, const CutMesh& cut);
 
 /// Writes the diagram as `gvd-diagram/1` with one more member, `"face_labels"`: the label of each face, -1 for none.
 /// Where there are `numbers`, `"face_numbers"` is an object with an array of each. The stream is flushed and checked.

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "gvd/appearance.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/io/label_color.hpp"
 #include "gvd/io/mesh_writer.hpp"
@@ -35,8 +38,8 @@ void write_vtp(std::ostream& stream, const ColoredMesh& mesh);
 /// VTK UnstructuredGrid in XML: the same arrays, with faces first, and each segment of a line as a cell.
 void write_vtu(std::ostream& stream, const ColoredMesh& mesh);
 
-/// Binary glTF 2.0: the surface as one primitive, with normals, colours and labels of vertices, and the bisectors as
-/// line segments. The file can't exceed 4 GiB.
+/// Binary glTF 2.0: the surface as one primitive, with normals, colours, labels and texture coordinates of vertices,
+/// and the bisectors as line segments. The file can't exceed 4 GiB.
 void write_glb(std::ostream& stream, const ColoredMesh& mesh);
 
 /// GIFTI, arrays in Base64: positions as 32-bit floats and triangles; or the labels of vertices, with a table of their
@@ -65,6 +68,12 @@ std::vector<NumberedLabel> number_labels(const ColoredMesh& mesh, std::string_vi
 /// Throws Error{unwritable_output} where 32-bit floats can't hold the mesh: a coordinate is too large for one, or the
 /// whole mesh lies between two of them. `format` is the name of the file format, for the message. Cost: O(n).
 void check_single_precision(const Mesh& mesh, std::string_view format);
+
+/// Whether texture coordinates are numbers that 32-bit floats can hold, as PLY and GLB have them.
+inline bool fits_floats(const Uv& uv) {
+  const auto fits = [](double x) { return std::abs(x) <= double(std::numeric_limits<float>::max()); };
+  return fits(uv[0]) && fits(uv[1]);
+}
 
 /// A colour of sRGB (IEC 61966-2-1) as linear factors of light, which Blender takes `Kd` for and glTF prescribes.
 /// Rounded to four digits, which 8 bits need, so that the last bit of pow does not matter.
@@ -101,25 +110,27 @@ struct OutputLine {
 /// The bisectors of the diagram in its order, without those of a single point, then the curves. Cost: O(n).
 std::vector<OutputLine> collect_lines(const LabelledMesh& mesh);
 
-/// A vertex as a renderer takes it: with the normal of its faces on one side of a crease, and of one region.
+/// A vertex as a renderer takes it: with the normal of its faces on one side of a crease, of one region, and on one
+/// side of a seam of the texture.
 struct ShadingVertex {
   VertexId vertex;
   Eigen::Vector3f normal;  ///< of length 1
   GeneratorId label;       ///< of its region
+  Uv texture{};            ///< of its corners; 0 where its faces have none
 };
 
-/// The vertices of a mesh, each once for every region and every side of a crease that meet there.
+/// The vertices of a mesh, each once for every region, every side of a crease and every side of a seam that meet there.
 struct ShadingVertices {
   std::vector<ShadingVertex> vertices;            ///< in the order in which the faces use them
   IdVector<HalfedgeId, std::uint32_t> of_corner;  ///< index in `vertices` for the corner where a halfedge begins
 };
 
-/// Splits the vertices of `mesh`. `label` is that of each face, null for one region.
+/// Splits the vertices of a mesh where the normals, the labels of faces or the texture coordinates differ.
 ///
 /// Properties: (1) a normal is the mean of the faces weighted by their angles, over both sides of a border between
 /// regions, so that borders do not show; (2) faces at an angle above 40 degrees have different normals; (3) faces
 /// without area have the normals of their neighbours, or the z axis where there is none.
 /// Cost: O(n) time and memory.
-ShadingVertices split_shading_vertices(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label);
+ShadingVertices split_shading_vertices(const LabelledMesh& mesh);
 
 }  // namespace gvd::io

@@ -1,7 +1,7 @@
 // The elements of an output that several formats share: regions, bisectors as polylines, and vertices with normals.
 //
 // A renderer needs a vertex once for every normal. So the ring of faces around a vertex is split at creases, where the
-// normal changes, and at borders between regions, where it does not: shading runs on over a border.
+// normal changes, and at borders between regions and seams of a texture, where it does not: shading runs on over these.
 // Invariant: the order of regions, lines and vertices depends on the mesh alone, so that all formats agree and the same
 // input gives the same bytes.
 #include <fmt/format.h>
@@ -25,10 +25,10 @@ constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
 
 class Splitter {
  public:
-  Splitter(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label) : mesh_(mesh), label_(label) {
-    for (const FaceId f : mesh.faces()) face_normal_.push_back(face_normal(mesh, f));
-    of_corner_.resize(mesh.halfedge_count());
-    for (const VertexId v : mesh.vertices()) split(v);
+  explicit Splitter(const LabelledMesh& labelled) : labelled_(labelled), mesh_(labelled.mesh) {
+    for (const FaceId f : mesh_.faces()) face_normal_.push_back(face_normal(mesh_, f));
+    of_corner_.resize(mesh_.halfedge_count());
+    for (const VertexId v : mesh_.vertices()) split(v);
   }
 
   /// Numbers the vertices in the order in which the faces use them.
@@ -47,8 +47,22 @@ class Splitter {
   }
 
  private:
-  GeneratorId label_of(HalfedgeId h) const { return label_ == nullptr ? GeneratorId() : (*label_)[Mesh::face(h)]; }
-  bool same_region(HalfedgeId g, HalfedgeId h) const { return label_of(g) == label_of(h); }
+  GeneratorId label_of(HalfedgeId h) const {
+    return labelled_.face_label == nullptr ? GeneratorId() : (*labelled_.face_label)[Mesh::face(h)];
+  }
+  /// 0 for the corners of a face without texture coordinates: GLB has some for every vertex.
+  Uv texture_of(HalfedgeId h) const {
+    if (!labelled_.has_texture()) return {};
+    const std::vector<Uv>& texture = labelled_.appearance->texture;
+    for (const HalfedgeId corner : Mesh::halfedges(Mesh::face(h))) {
+      if (!fits_floats(texture[corner.index()])) return {};
+    }
+    return texture[h.index()];
+  }
+  /// Whether the corners of two faces can be one vertex, but for their normals.
+  bool is_joined(HalfedgeId g, HalfedgeId h) const {
+    return label_of(g) == label_of(h) && texture_of(g) == texture_of(h);
+  }
 
   /// A face without area is no crease.
   bool is_crease(HalfedgeId g, HalfedgeId h) const {
@@ -56,7 +70,7 @@ class Splitter {
     return !m.isZero(0) && !n.isZero(0) && m.dot(n) < kCreaseCosine;
   }
 
-  /// Turns a closed ring so that it begins behind a crease or, where there is none, behind a border between regions.
+  /// Turns a closed ring so that it begins behind a crease or, where there is none, behind a border or a seam.
   /// So faces that lie together in the ring lie together in the list.
   void begin_at_break() {
     const auto turn_to = [this](auto is_break) {
@@ -68,7 +82,7 @@ class Splitter {
       return false;
     };
     if (turn_to([this](HalfedgeId g, HalfedgeId h) { return is_crease(g, h); })) return;
-    turn_to([this](HalfedgeId g, HalfedgeId h) { return !same_region(g, h); });
+    turn_to([this](HalfedgeId g, HalfedgeId h) { return !is_joined(g, h); });
   }
 
   Eigen::Vector3f mean_normal(std::size_t first, std::size_t last) const {
@@ -87,14 +101,16 @@ class Splitter {
       for (last = first + 1; last < ring_.size() && !is_crease(ring_[last - 1], ring_[last]);) ++last;
       const Eigen::Vector3f normal = mean_normal(first, last);
       for (std::size_t i = first; i < last; ++i) {
-        if (i == first || !same_region(ring_[i - 1], ring_[i])) split_.push_back({v, normal, label_of(ring_[i])});
+        if (i == first || !is_joined(ring_[i - 1], ring_[i])) {
+          split_.push_back({v, normal, label_of(ring_[i]), texture_of(ring_[i])});
+        }
         of_corner_[ring_[i]] = std::uint32_t(split_.size()) - 1;
       }
     }
   }
 
+  const LabelledMesh& labelled_;
   const Mesh& mesh_;
-  const IdVector<FaceId, GeneratorId>* label_;
   IdVector<FaceId, Vec3> face_normal_;
   std::vector<ShadingVertex> split_;  ///< by vertex
   IdVector<HalfedgeId, std::uint32_t> of_corner_;
@@ -163,8 +179,6 @@ std::vector<NumberedLabel> number_labels(const ColoredMesh& mesh, std::string_vi
   return table;
 }
 
-ShadingVertices split_shading_vertices(const Mesh& mesh, const IdVector<FaceId, GeneratorId>* label) {
-  return Splitter(mesh, label).run();
-}
+ShadingVertices split_shading_vertices(const LabelledMesh& mesh) { return Splitter(mesh).run(); }
 
 }  // namespace gvd::io

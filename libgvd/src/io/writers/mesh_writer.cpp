@@ -78,10 +78,12 @@ class FacePrinter {
   FacePrinter(ByteWriter& out, const LabelledMesh& mesh, std::vector<std::size_t> texture)
       : out_(out), mesh_(mesh), texture_(std::move(texture)) {}
 
+  /// In the order of the faces.
   void print_all() {
     for (const FaceId f : mesh_.mesh.faces()) print(f);
   }
 
+  /// Group by group. `with_materials`: each region has one of its own, and the faces have none.
   void print_regions(bool with_materials) {
     for (const Region& region : collect_regions(mesh_)) {
       const std::string name = region_name(region.label);
@@ -113,7 +115,7 @@ class FacePrinter {
   ByteWriter& out_;
   const LabelledMesh& mesh_;
   std::vector<std::size_t> texture_;
-  std::int32_t material_ = -1;
+  std::int32_t material_ = -1;  // that of the last statement; faces before the first one have none
 };
 
 /// The line through the vertices from number `first` on, one `l` for each segment: Blender keeps one edge of a longer

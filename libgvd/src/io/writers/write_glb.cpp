@@ -3,10 +3,10 @@
 // The JSON chunk describes views of the numbers, and comes before them in the file. So the surface and the lines
 // are described first, which adds up the bytes, and then written in the same order.
 // The surface is one primitive, which a renderer draws at once however many regions it has. Each region has vertices of
-// its own, with its colour in COLOR_0 and its label in _LABEL: a vertex on a border or a crease comes once for each
-// region and normal. glTF has no unsigned integers for such attributes and takes colours for linear, so both are
-// floats. Positions are 32-bit floats, too, which `check_single_precision` has allowed. Invariant: every view begins
-// where the one before it ends, so that the description and the numbers agree.
+// its own, with its colour in COLOR_0 and its label in _LABEL: a vertex on a border, a crease or a seam comes once for
+// each region, normal and texture coordinate. glTF has no unsigned integers for such attributes and takes colours for
+// linear, so both are floats. Positions are 32-bit floats, too, which `check_single_precision` has allowed. Invariant:
+// every view begins where the one before it ends, so that the description and the numbers agree.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -25,10 +25,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-constexpr int kFloat = 5126, kUnsignedInt = 5125;             // accessor.componentType
-constexpr int kVertexBuffer = 34962, kIndexBuffer = 34963;    // bufferView.target
-constexpr int kLines = 1, kTriangles = 4;                     // primitive.mode
-constexpr const char *kScalar = "SCALAR", *kVector = "VEC3";  // accessor.type
+constexpr int kFloat = 5126, kUnsignedInt = 5125;                              // accessor.componentType
+constexpr int kVertexBuffer = 34962, kIndexBuffer = 34963;                     // bufferView.target
+constexpr int kLines = 1, kTriangles = 4;                                      // primitive.mode
+constexpr const char *kScalar = "SCALAR", *kPair = "VEC2", *kVector = "VEC3";  // accessor.type
 /// Bytes of the file header and the headers of both chunks.
 constexpr std::uint64_t kHeadBytes = 12 + 8 + 8;
 
@@ -44,7 +44,7 @@ class GlbWriter {
   explicit GlbWriter(const ColoredMesh& labelled)
       : labelled_(labelled),
         mesh_(labelled.mesh),
-        surface_(split_shading_vertices(labelled.mesh, labelled.face_label)),
+        surface_(split_shading_vertices(labelled)),
         lines_(collect_lines(labelled)) {
     describe_surface();
     describe_lines();
@@ -112,13 +112,14 @@ class GlbWriter {
     gltf_["scenes"][0]["nodes"].push_back(index);
   }
 
-  /// Positions, normals, colours, labels and indices have one view each.
+  /// Positions, normals, colours, labels, texture coordinates and indices have one view each.
   void describe_surface() {
     gltf_["asset"] = {{"version", "2.0"}, {"generator", "libgvd"}};
     gltf_["scene"] = 0;
     const std::size_t count = surface_.vertices.size();
     const auto add_attribute = [&](const char* type) {
-      return add_accessor(add_view((type == kVector ? 12 : 4) * std::uint64_t{count}, kVertexBuffer), count, type);
+      const std::uint64_t bytes = type == kVector ? 12 : type == kPair ? 8 : 4;
+      return add_accessor(add_view(bytes * count, kVertexBuffer), count, type);
     };
     Json attributes = {{"POSITION", add_attribute(kVector)}};
     set_bounds(attributes["POSITION"], [this](auto visit) {
@@ -129,6 +130,7 @@ class GlbWriter {
       attributes["COLOR_0"] = add_attribute(kVector);
       attributes["_LABEL"] = add_attribute(kScalar);
     }
+    if (labelled_.has_texture()) attributes["TEXCOORD_0"] = add_attribute(kPair);
     const auto corners = std::size_t(mesh_.halfedge_count());
     const std::size_t indices = add_accessor(add_view(4 * std::uint64_t{corners}, kIndexBuffer), corners, kScalar);
     // Colours of vertices are factors of that of the material.
@@ -167,6 +169,12 @@ class GlbWriter {
       for (const Rgb& color : labelled_.colors) linear.push_back(to_linear(color));
       for (const ShadingVertex& vertex : vertices) out.floats(linear[std::size_t(vertex.label.value() + 1)]);
       for (const ShadingVertex& vertex : vertices) out.binary(static_cast<float>(vertex.label.value()));
+    }
+    if (labelled_.has_texture()) {
+      for (const ShadingVertex& vertex : vertices) {
+        const auto& [u, v] = vertex.texture;
+        for (const double number : {u, 1 - v}) out.binary(static_cast<float>(number));  // in glTF v runs downwards
+      }
     }
     for (const std::uint32_t index : surface_.of_corner) out.binary(index);
   }

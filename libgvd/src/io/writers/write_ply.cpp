@@ -10,8 +10,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "io/writers/byte_writer.hpp"
@@ -74,6 +77,28 @@ void print_face_properties(ByteWriter& out, const LabelledMesh& mesh) {
   for (const FaceNumbers& numbers : *mesh.face_numbers) out.print("property int {}\n", numbers.name);
 }
 
+/// The further properties and, behind them, texture coordinates as the numbers `s` and `t` of vertices, which more
+/// programs read than those of corners. None where a vertex has several, or a corner has none.
+std::optional<std::vector<MeshProperty>> list_with_texture(const LabelledMesh& mesh) {
+  if (!mesh.has_texture()) return std::nullopt;
+  const std::size_t count = mesh.mesh.positions().size();
+  std::array<MeshProperty, 2> pair{{{"s", NumberType::float32, true, std::vector<double>(count)},
+                                    {"t", NumberType::float32, true, std::vector<double>(count)}}};
+  std::vector<char> is_known(count, 0);
+  for (const HalfedgeId h : mesh.mesh.halfedges()) {
+    const Uv& uv = mesh.appearance->texture[h.index()];
+    const std::size_t v = mesh.mesh.from(h).index();
+    if (!fits_floats(uv) || (is_known[v] != 0 && Uv{pair[0].values[v], pair[1].values[v]} != uv)) return std::nullopt;
+    is_known[v] = 1;
+    for (std::size_t k = 0; k < 2; ++k) pair[k].values[v] = uv[k];
+  }
+  std::vector<MeshProperty> all = mesh.properties != nullptr ? *mesh.properties : std::vector<MeshProperty>();
+  const auto is_taken = [](const MeshProperty& p) { return p.of_vertices && (p.name == "s" || p.name == "t"); };
+  if (std::any_of(all.begin(), all.end(), is_taken)) return std::nullopt;
+  std::move(pair.begin(), pair.end(), std::back_inserter(all));
+  return all;
+}
+
 /// The nearest number of the type; for integers 0 for what is no number.
 template <class T>
 T nearest(double value) {
@@ -120,10 +145,9 @@ class Rows {
     for (std::size_t k = first; k < last; ++k) put_number(property.type, property.values[k]);
   }
 
-  /// The coordinates of a face's corners, or none where one is not finite.
-  void put_texture(const std::array<double, 2>* corners) {
-    const auto is_finite = [](const std::array<double, 2>& uv) { return std::isfinite(uv[0]) && std::isfinite(uv[1]); };
-    const bool has = std::all_of(corners, corners + 3, is_finite);
+  /// The coordinates of a face's corners, or none where one is no number.
+  void put_texture(const Uv* corners) {
+    const bool has = std::all_of(corners, corners + 3, fits_floats);
     put(std::uint8_t(has ? 6 : 0));
     for (int i = 0; has && i < 3; ++i) {
       for (const double number : corners[i]) put(float(number));
@@ -181,8 +205,14 @@ void write_faces(Rows& rows, const LabelledMesh& mesh) {
 
 }  // namespace
 
-void write_ply(std::ostream& stream, const ColoredMesh& mesh) {
+void write_ply(std::ostream& stream, const ColoredMesh& given) {
   ByteWriter out(stream);
+  ColoredMesh mesh = given;
+  const auto with_texture = list_with_texture(given);
+  if (with_texture) {
+    mesh.properties = &*with_texture;
+    mesh.appearance = nullptr;
+  }
   const bool doubles = needs_doubles(mesh);
   out.print("ply\nformat {} 1.0\n", mesh.ascii_ply ? "ascii" : "binary_little_endian");
   print_vertex_properties(out, mesh, doubles);

@@ -3,7 +3,8 @@
 // A scene is a forest of nodes; a node may have a mesh, a mesh has primitives, and a primitive is a list of triangles
 // with accessors for positions and indices. Accessors are numbers in the binary chunk. Vertices with several normals
 // or materials come several times, so that the soup is marked as unwelded, as that of an STL is.
-// Materials, skins, morph targets and animations are left out: the surface is that of the stored positions.
+// Of attributes besides positions, the first set of texture coordinates is read; its v runs downwards. Materials,
+// skins, morph targets and animations are left out: the surface is that of the stored positions.
 // Source: Khronos, glTF 2.0 (ISO/IEC 12113), sections 3.5 to 3.7 and 4.4.
 // Invariant: every node is visited at most once, and what primitives unfold to is counted before it takes memory.
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -82,14 +82,14 @@ class GlbFile {
     return value.get<std::size_t>();
   }
 
-  /// Numbers or vectors of three numbers; those that stand for fractions are divided, -128 as -127.
+  /// Numbers or vectors of two or three numbers; those that stand for fractions are divided, -128 as -127.
   Accessor read_accessor(std::size_t a) {
     const Json& accessor = item("accessors", a);
     if (accessor.contains("sparse")) refuse(fmt::format("accessor {} is sparse, which is not read", a));
     if (!accessor.contains("bufferView")) refuse(fmt::format("accessor {} has no numbers", a));
     const StoredNumber stored = stored_number(number(accessor, "componentType"));
     const std::string type = accessor.at("type");
-    Accessor read{{}, type == "SCALAR" ? 1U : type == "VEC3" ? 3U : 0U};
+    Accessor read{{}, type == "SCALAR" ? 1U : type == "VEC2" ? 2U : type == "VEC3" ? 3U : 0U};
     if (read.size == 0) refuse(fmt::format("accessor {} has the type {}", a, gvd::quoted(type)));
     const std::string_view view = find_view(number(accessor, "bufferView"));
     const std::size_t count = number(accessor, "count"), begin = number(accessor, "byteOffset", 0);
@@ -198,6 +198,7 @@ class GlbParser {
       soup_.notes.push_back(
           fmt::format("{} left out", counted(left_out_, "list of points or lines is", "lists of points or lines are")));
     }
+    finish_appearance();
     return std::move(soup_);
   }
 
@@ -280,8 +281,49 @@ class GlbParser {
       if (is_new) add_positions(positions, transform);
       std::vector<double> corners = read_indices(primitive, count);
       for (double& corner : corners) corner = require_vertex(corner, count) + double(known->second);
+      const std::size_t begin = soup_.corners.size();
       add_triangles(corners, Mode(mode), transform.topLeftCorner<3, 3>().determinant() < 0);
+      add_texture(primitive.at("attributes"), begin, {known->second, count});
     }
+  }
+
+  /// The vertices of a primitive.
+  struct Vertices {
+    std::size_t first, count;
+  };
+
+  /// Gives the corners from `begin` on their texture coordinates.
+  void add_texture(const Json& attributes, std::size_t begin, const Vertices& vertices) {
+    has_second_set_ |= attributes.contains("TEXCOORD_1");
+    if (!attributes.contains("TEXCOORD_0")) return;
+    const std::size_t accessor = file_.number(attributes, "TEXCOORD_0");
+    const Json& described = file_.item("accessors", accessor);
+    if (described.contains("sparse") || !described.contains("bufferView")) {
+      has_sparse_ = true;
+      return;
+    }
+    const Accessor read = file_.read_accessor(accessor);
+    if (read.size != 2 || read.numbers.size() / 2 != vertices.count) {
+      file_.refuse(fmt::format("accessor {} has no texture coordinates for {}", accessor,
+                               counted(std::int64_t(vertices.count), "vertex", "vertices")));
+    }
+    std::vector<Uv>& texture = soup_.appearance.texture;
+    texture.resize(begin, kNoTexture);
+    for (std::size_t c = begin; c < soup_.corners.size(); ++c) {
+      const double* uv = read.numbers.data() + 2 * (std::size_t(soup_.corners[c]) - vertices.first);
+      texture.push_back({uv[0], 1 - uv[1]});
+    }
+  }
+
+  /// Corners of primitives without texture coordinates have none. Names what else could paint the surface.
+  void finish_appearance() {
+    std::vector<Uv>& texture = soup_.appearance.texture;
+    std::ranges::none_of(texture, is_finite) ? texture.clear() : texture.resize(soup_.corners.size(), kNoTexture);
+    std::vector<std::string>& unread = soup_.appearance.unread;
+    if (has_sparse_) unread.emplace_back("sparse texture coordinates");
+    if (has_second_set_) unread.emplace_back("the second texture coordinates");
+    if (!file_.array("images").empty()) unread.emplace_back("texture images");
+    if (file_.array("materials").size() > 1) unread.emplace_back("materials");
   }
 
   std::vector<double> read_indices(const Json& primitive, std::size_t vertices) {
@@ -329,6 +371,7 @@ class GlbParser {
   GlbFile file_;
   std::vector<char> visited_;  // nodes
   std::int64_t left_out_ = 0;
+  bool has_sparse_ = false, has_second_set_ = false;  // of texture coordinates
   PolygonSoup soup_;
 };
 

@@ -1,14 +1,17 @@
-// Wavefront OBJ: the statements v, vt and f, in one pass over the lines.
+// Wavefront OBJ: the statements v, vt, f, usemtl and mtllib, in one pass over the lines.
 //
 // A face may refer to vertices that come later in the file. Such references are kept and checked at the end, so that a
 // message names the line of the face. Indices are 1-based, or negative and counted back from the last vertex so far.
-// Groups, normals, materials and curves are skipped. A texture is kept only where it is asked for.
+// Groups, normals and curves are skipped. Wrong numbers of a texture are noted, and not refused: the surface is whole.
 // Source: Wavefront's Advanced Visualizer manual, appendix B1.
 // Invariant: every index that was stored fits 32 bits, whatever the file says.
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "gvd/text.hpp"
@@ -31,22 +34,6 @@ class ObjParser {
     soup_.first_corner.reserve(bytes.size() / 60);
   }
 
-  std::optional<CornerTexture> parse_texture() {
-    texture_.emplace();
-    parse();
-    bool is_used = false;
-    for (const std::int64_t index : texture_numbers_) {
-      const bool is_known = index >= 0 && index < std::ssize(texture_vertices_);
-      constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-      is_used = is_used || is_known;
-      texture_->coordinates.push_back(is_known ? texture_vertices_[index] : std::array<double, 2>{kNone, kNone});
-    }
-    if (!is_used) return std::nullopt;
-    texture_->corners = std::move(soup_.corners);
-    texture_->first_corner = std::move(soup_.first_corner);
-    return std::move(texture_);
-  }
-
   LineSoup parse_lines() {
     lines_wanted_ = true;
     parse();
@@ -58,24 +45,30 @@ class ObjParser {
       const std::string_view line = text_.line();
       const std::size_t begin = line.find_first_not_of(" \t\v\f");
       const char first = begin == std::string_view::npos ? '\0' : line[begin];
-      if (first != 'v' && first != 'f' && first != 'l') continue;
-      if (first != 'l' || lines_wanted_) join_continued_lines();
+      if (first != 'v' && first != 'f' && first != 'l' && first != 'u' && first != 'm') continue;
+      if (first == 'v' || first == 'f' || (first == 'l' && lines_wanted_)) join_continued_lines();
       const std::string_view statement = text_.token();
       if (statement == "v") {
         add_vertex();
-      } else if (statement == "vt" && texture_) {
+      } else if (statement == "vt") {
         add_texture_vertex();
       } else if (statement == "f") {
         if (!lines_wanted_) add_face();
       } else if (statement == "l") {
         ++lines_;
         if (lines_wanted_) add_line();
+      } else if (statement == "usemtl") {
+        use_material(rest_of_line());
+      } else if (statement == "mtllib") {
+        soup_.appearance.material_files.push_back(rest_of_line());
       }
     }
     check_forward_references();
+    finish_texture();
+    finish_materials();
     if (lines_ > 0 && !lines_wanted_)
       soup_.notes.push_back(fmt::format("{} (statement l) left out", counted(lines_, "polyline", "polylines")));
-    return texture_ || lines_wanted_ ? PolygonSoup() : std::move(soup_);
+    return lines_wanted_ ? PolygonSoup() : std::move(soup_);
   }
 
  private:
@@ -102,7 +95,6 @@ class ObjParser {
   void add_face() {
     for (std::string_view token = text_.token(); !token.empty(); token = text_.token()) {
       soup_.corners.push_back(vertex_index(token));
-      if (texture_) texture_numbers_.push_back(texture_number(token));
     }
     soup_.close_polygon();
   }
@@ -119,7 +111,7 @@ class ObjParser {
   /// The 0-based vertex of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`.
   std::int32_t vertex_index(std::string_view token) {
     const std::size_t slash = token.find('/');
-    if (slash != token.npos) soup_.has_texture |= slash + 1 < token.size() && token[slash + 1] != '/';
+    if (slash != token.npos) add_texture_number(token.substr(slash + 1));
     const std::int64_t polygon = soup_.polygon_count();
     const std::optional<std::int64_t> given = parse_integer(token.substr(0, slash));
     const bool tail_fits =
@@ -132,22 +124,63 @@ class ObjParser {
     return static_cast<std::int32_t>(index);
   }
 
-  /// The 0-based number of the texture vertex of a corner; -1 for none.
-  std::int64_t texture_number(std::string_view token) const {
-    const std::size_t slash = token.find('/');
-    if (slash == std::string_view::npos) return -1;
-    token.remove_prefix(slash + 1);
-    const std::int64_t given = parse_integer(token.substr(0, token.find('/'))).value_or(0);
-    return given > 0 ? given - 1 : given < 0 ? std::ssize(texture_vertices_) + given : -1;
+  /// Keeps the texture vertex of the next corner. `token` is what follows `v/`.
+  void add_texture_number(std::string_view token) {
+    token = token.substr(0, token.find('/'));
+    if (token.empty()) return;
+    const std::int64_t given = parse_integer(token).value_or(0);
+    const std::int64_t index = given > 0 ? given - 1 : std::ssize(texture_vertices_) + given;
+    texture_numbers_.resize(soup_.corners.size(), kNoNumber);
+    const bool is_number = given != 0 && index >= 0 && index < kWrongNumber;
+    texture_numbers_.push_back(is_number ? static_cast<std::int32_t>(index) : kWrongNumber);
   }
 
   /// Reads `vt u v`; v is 0 where it is missing.
   void add_texture_vertex() {
-    const double u = text_.number("u");
+    const std::optional<double> u = parse_double(text_.token());
     const std::string_view v = text_.token();
-    const std::optional<double> second = v.empty() ? 0.0 : parse_double(v);
-    if (!second) text_.refuse(fmt::format("{} is no texture coordinate", quoted(v)));
-    texture_vertices_.push_back({u, *second});
+    texture_vertices_.push_back({u.value_or(kNone), v.empty() ? 0 : parse_double(v).value_or(kNone)});
+  }
+
+  /// Gives the corners the coordinates that they refer to. Those may come later in the file, so all lines are read by
+  /// now. A file whose corners have none has no texture.
+  void finish_texture() {
+    if (texture_numbers_.empty()) return;
+    texture_numbers_.resize(soup_.corners.size(), kNoNumber);
+    std::int64_t known = 0, wrong = 0;
+    for (const std::int32_t number : texture_numbers_) {
+      const bool is_listed = number >= 0 && number < std::ssize(texture_vertices_);
+      const Uv& uv = soup_.appearance.texture.emplace_back(is_listed ? texture_vertices_[number] : kNoTexture);
+      ++(is_finite(uv) ? known : wrong);
+      if (number == kNoNumber) --wrong;
+    }
+    if (known == 0) soup_.appearance.texture.clear();
+    if (wrong == 0) return;
+    soup_.notes.push_back(fmt::format("{} to texture coordinates that are missing or no numbers: left out",
+                                      counted(wrong, "corner refers", "corners refer")));
+  }
+
+  /// What follows the statement: a name may have blanks and '#'.
+  std::string rest_of_line() const {
+    const std::string_view rest = text_.line();
+    const std::size_t begin = std::min(rest.find_first_not_of(" \t"), rest.size());
+    return std::string(rest.substr(begin, rest.find_last_not_of(" \t\r") + 1 - begin));
+  }
+
+  /// The polygons from now on have this material.
+  void use_material(const std::string& name) {
+    soup_.appearance.material.resize(soup_.polygon_count(), material_);
+    material_ = -1;
+    if (name.empty() || name == kNoMaterial) return;
+    const auto [known, is_new] = materials_.try_emplace(name, std::int32_t(materials_.size()));
+    if (is_new) soup_.appearance.materials.push_back(name);
+    material_ = known->second;
+  }
+
+  /// The last polygons have the last material. A file that names no material has none.
+  void finish_materials() {
+    use_material("");
+    if (materials_.empty()) soup_.appearance.material.clear();
   }
 
   const char* element() const { return lines_wanted_ ? "line" : "face"; }
@@ -174,9 +207,12 @@ class ObjParser {
   std::int64_t lines_ = 0;
   bool lines_wanted_ = false;  // instead of faces
   std::vector<std::array<std::int32_t, 2>> edges_;
-  std::optional<CornerTexture> texture_;  // only where it is wanted
-  std::vector<std::array<double, 2>> texture_vertices_;
-  std::vector<std::int64_t> texture_numbers_;  // per corner; outside of the texture vertices for none
+  static constexpr double kNone = kNoTexture[0];
+  static constexpr std::int32_t kNoNumber = -1, kWrongNumber = std::numeric_limits<std::int32_t>::max();
+  std::vector<Uv> texture_vertices_;
+  std::vector<std::int32_t> texture_numbers_;  // of the corners up to the last one that has one
+  std::map<std::string, std::int32_t> materials_;
+  std::int32_t material_ = -1;  // of the next polygon
 };
 
 }  // namespace
@@ -184,9 +220,5 @@ class ObjParser {
 PolygonSoup parse_obj(std::string_view bytes, std::string_view name) { return ObjParser(bytes, name).parse(); }
 
 LineSoup parse_obj_lines(std::string_view bytes, std::string_view name) { return ObjParser(bytes, name).parse_lines(); }
-
-std::optional<CornerTexture> parse_obj_texture(std::string_view bytes, std::string_view name) {
-  return ObjParser(bytes, name).parse_texture();
-}
 
 }  // namespace gvd

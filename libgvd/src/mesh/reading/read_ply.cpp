@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -110,11 +111,24 @@ class BinarySource {
 /// The texture coordinates of a face's corners, as MeshLab and VCGlib name them.
 constexpr const char* kTextureList = "texcoord";
 
-/// Whether vertices have texture coordinates, by the names of Blender, of MeshLab or of others.
-bool has_texture_pair(const PlyElement& element) {
+/// Indices of the texture coordinates of vertices, by the names of Blender, of MeshLab or of others; -1 for none.
+std::array<int, 2> find_texture_pair(const PlyElement& element) {
   constexpr std::array<std::array<const char*, 2>, 3> kPairs{{{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}};
-  return std::any_of(kPairs.begin(), kPairs.end(),
-                     [&](const auto& pair) { return element.find(pair[0]) >= 0 && element.find(pair[1]) >= 0; });
+  for (const auto& [first, second] : kPairs) {
+    const int u = element.find(first), v = element.find(second);
+    const auto is_number = [&](int p) { return p >= 0 && !element.properties[p].count_type; };
+    if (is_number(u) && is_number(v)) return {u, v};
+  }
+  return {-1, -1};
+}
+
+/// Whether property p is that of a texture: of a vertex a coordinate, or of a face the list of its corners'
+/// coordinates.
+bool is_texture(const PlyElement& element, int p) {
+  const auto& [name, type, count_type] = element.properties[p];
+  if (element.name == "face") return count_type && name == kTextureList;
+  const auto [u, v] = find_texture_pair(element);
+  return element.name == "vertex" && (p == u || p == v);
 }
 
 bool is_on_mesh(const PlyElement& element) { return element.name == "vertex" || element.name == "face"; }
@@ -135,8 +149,7 @@ class BodyParser {
       : header_(header), source_(bytes, name, header), name_(name) {}
 
   /// The properties of vertices and faces for which wanted(element, number) holds.
-  template <class Wanted>
-  std::vector<MeshProperty> parse_properties(const Wanted& wanted) {
+  std::vector<MeshProperty> parse_properties(const std::function<bool(const PlyElement&, int)>& wanted) {
     std::vector<MeshProperty> all;
     for (const PlyElement& element : header_.elements) {
       check_count(element);
@@ -181,11 +194,8 @@ class BodyParser {
     for (const PlyElement& element : header_.elements) {
       check_count(element);
       if (element.name == "vertex") {
-        soup_.has_texture |= has_texture_pair(element);
         read_vertices(element);
       } else if (element.name == "face") {
-        const int list = element.find(kTextureList);
-        soup_.has_texture |= list >= 0 && element.properties[list].count_type;
         read_faces(element);
       } else if (element.name == "tristrips") {
         read_strips(element);
@@ -340,23 +350,42 @@ class BodyParser {
   std::int64_t vertices_ = 0;
 };
 
-/// The texture in a list of the faces; none where a face has numbers, but not two for each corner.
-std::optional<CornerTexture> make_texture(const MeshProperty& list, PolygonSoup soup) {
-  if (list.element_count() != soup.polygon_count()) return std::nullopt;
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  CornerTexture texture;
+/// Gives the soup's corners the texture coordinates of a list of the faces.
+void add_corner_texture(const MeshProperty& list, PolygonSoup& soup) {
+  if (list.element_count() != soup.polygon_count()) {
+    soup.notes.emplace_back("texture coordinates of faces beside strips of triangles: left out");
+    return;
+  }
+  std::int64_t wrong = 0;
   for (std::size_t p = 0; p < soup.polygon_count(); ++p) {
     const std::size_t corners = soup.polygon(p).size(), first = list.first_value[p];
     const std::size_t numbers = list.first_value[p + 1] - first;
-    if (numbers != 0 && numbers != 2 * corners) return std::nullopt;
-    for (std::size_t i = 0; i < corners; ++i) {
-      numbers == 0 ? texture.coordinates.push_back({kNone, kNone})
-                   : texture.coordinates.push_back({list.values[first + 2 * i], list.values[first + 2 * i + 1]});
+    const bool fits = numbers == 2 * corners;
+    wrong += !fits && numbers > 0;
+    for (std::size_t i = first; i < first + 2 * corners; i += 2) {
+      soup.appearance.texture.push_back(fits ? Uv{list.values[i], list.values[i + 1]} : kNoTexture);
     }
   }
-  texture.corners = std::move(soup.corners);
-  texture.first_corner = std::move(soup.first_corner);
-  return texture;
+  if (wrong == 0) return;
+  soup.notes.push_back(fmt::format("{} not two texture coordinates for each corner: left out",
+                                   counted(wrong, "face has", "faces have")));
+}
+
+/// Gives the soup its texture from the properties of one. Coordinates of vertices count where no corner has its own.
+void add_texture(const std::vector<MeshProperty>& properties, PolygonSoup& soup) {
+  std::vector<Uv>& texture = soup.appearance.texture;
+  const MeshProperty *u = nullptr, *v = nullptr;
+  for (const MeshProperty& property : properties) {
+    if (property.count_type) add_corner_texture(property, soup);
+    const bool is_first = property.name == "s" || property.name == "u" || property.name == "texture_u";
+    if (!property.count_type) (is_first ? u : v) = &property;
+  }
+  const auto is_empty = [&] { return std::ranges::none_of(texture, is_finite); };
+  if (is_empty()) texture.clear();
+  if (texture.empty() && u != nullptr) {
+    for (const std::int32_t corner : soup.corners) texture.push_back({u->values[corner], v->values[corner]});
+  }
+  if (is_empty()) texture.clear();
 }
 
 /// The result of read(parser) for a parser of the encoding in the header.
@@ -364,6 +393,21 @@ template <class Read>
 auto read_body(std::string_view bytes, std::string_view name, const PlyHeader& header, const Read& read) {
   return header.encoding == PlyEncoding::ascii ? read(BodyParser<AsciiSource>(bytes, name, header))
                                                : read(BodyParser<BinarySource>(bytes, name, header));
+}
+
+/// Whether an element has a property of a texture.
+bool has_texture(const PlyHeader& header) {
+  return std::ranges::any_of(header.elements, [](const PlyElement& element) {
+    for (int p = 0; p < std::ssize(element.properties); ++p) {
+      if (is_texture(element, p)) return true;
+    }
+    return false;
+  });
+}
+
+/// Reads a texture in a walk of its own: files without one are read as fast as can be.
+void read_texture(std::string_view bytes, std::string_view name, const PlyHeader& header, PolygonSoup& soup) {
+  add_texture(read_body(bytes, name, header, [](auto parser) { return parser.parse_properties(is_texture); }), soup);
 }
 
 }  // namespace
@@ -388,18 +432,12 @@ std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::stri
   return std::nullopt;
 }
 
-MeshAttributes parse_ply_attributes(std::string_view bytes, std::string_view name) {
-  const auto wanted = [](const PlyElement& e, int p) { return is_on_mesh(e) && !is_geometry(e, p); };
-  MeshAttributes found;
-  found.properties = read_body(bytes, name, parse_ply_header(bytes, name),
-                               [&](auto parser) { return parser.parse_properties(wanted); });
-  const auto list = std::find_if(found.properties.begin(), found.properties.end(), [](const MeshProperty& property) {
-    return !property.of_vertices && property.count_type && property.name == kTextureList;
-  });
-  if (list == found.properties.end()) return found;
-  found.texture = make_texture(*list, parse_ply(bytes, name));
-  if (found.texture) found.properties.erase(list);
-  return found;
+std::vector<MeshProperty> parse_ply_properties(std::string_view bytes, std::string_view name) {
+  const auto wanted = [](const PlyElement& e, int p) {
+    return is_on_mesh(e) && !is_geometry(e, p) && !is_texture(e, p);
+  };
+  return read_body(bytes, name, parse_ply_header(bytes, name),
+                   [&](auto parser) { return parser.parse_properties(wanted); });
 }
 
 LineSoup parse_ply_lines(std::string_view bytes, std::string_view name) {
@@ -408,7 +446,10 @@ LineSoup parse_ply_lines(std::string_view bytes, std::string_view name) {
 }
 
 PolygonSoup parse_ply(std::string_view bytes, std::string_view name) {
-  return read_body(bytes, name, parse_ply_header(bytes, name), [](auto parser) { return parser.parse(); });
+  const PlyHeader header = parse_ply_header(bytes, name);
+  PolygonSoup soup = read_body(bytes, name, header, [](auto parser) { return parser.parse(); });
+  if (has_texture(header)) read_texture(bytes, name, header, soup);
+  return soup;
 }
 
 }  // namespace gvd

@@ -160,11 +160,6 @@ class HeaderParser {
 
 }  // namespace
 
-std::size_t size_of(NumberType type) {
-  constexpr std::array<std::size_t, 8> kSizes = {1, 1, 2, 2, 4, 4, 4, 8};
-  return kSizes[static_cast<int>(type)];
-}
-
 int PlyElement::find(std::string_view property) const {
   const auto it = std::ranges::find(properties, property, &PlyProperty::name);
   return it == properties.end() ? -1 : static_cast<int>(it - properties.begin());

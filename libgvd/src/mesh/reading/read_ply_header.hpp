@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,7 +15,10 @@ namespace gvd {
 enum class PlyEncoding { ascii, little_endian, big_endian };
 
 /// Size of a number in a binary file, in bytes.
-std::size_t size_of(NumberType type);
+inline std::size_t size_of(NumberType type) {
+  constexpr std::array<std::size_t, 8> kSizes = {1, 1, 2, 2, 4, 4, 4, 8};
+  return kSizes[static_cast<std::size_t>(type)];
+}
 
 struct PlyProperty {
   std::string name;  ///< printable and short, for messages: "x" and other names that mean something stay as they are

@@ -169,18 +169,16 @@ std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path
   return parse_ply_property(bytes, property, name, preferred);
 }
 
-MeshAttributes parse_mesh_attributes(std::string_view bytes, MeshFormat format, std::string_view name) {
-  if (is_gzip(bytes)) return parse_mesh_attributes(unpack_gzip(bytes, name), format, name);
-  if (format == MeshFormat::ply) return parse_ply_attributes(bytes, name);
-  if (format == MeshFormat::obj) return {{}, parse_obj_texture(bytes, name)};
-  return {};
+std::vector<MeshProperty> parse_mesh_properties(std::string_view bytes, MeshFormat format, std::string_view name) {
+  if (is_gzip(bytes)) return parse_mesh_properties(unpack_gzip(bytes, name), format, name);
+  return format == MeshFormat::ply ? parse_ply_properties(bytes, name) : std::vector<MeshProperty>();
 }
 
-MeshAttributes read_mesh_attributes(const std::filesystem::path& path, std::optional<MeshFormat> format) {
+std::vector<MeshProperty> read_mesh_properties(const std::filesystem::path& path, std::optional<MeshFormat> format) {
   const std::string name = path.string();
   const std::string bytes = read_file_bytes(path);
   if (!format) format = detect_format(bytes, name);
-  return format ? parse_mesh_attributes(bytes, *format, name) : MeshAttributes();
+  return format ? parse_mesh_properties(bytes, *format, name) : std::vector<MeshProperty>();
 }
 
 }  // namespace gvd

@@ -78,11 +78,8 @@ class TextReader {
 // The readers of the formats. `bytes` is a whole file and `name` stands for it in messages. Errors, properties and
 // cost are those of `parse_soup`.
 
-/// Wavefront OBJ: the statements `v` and `f`; all others are skipped.
+/// Wavefront OBJ: the statements `v`, `vt`, `f`, `usemtl` and `mtllib`; all others are skipped.
 PolygonSoup parse_obj(std::string_view bytes, std::string_view name);
-
-/// The texture of an OBJ, from `v`, `vt` and `f`; none where no corner refers to a `vt` of the file.
-std::optional<CornerTexture> parse_obj_texture(std::string_view bytes, std::string_view name);
 
 /// Points, and edges between them by their indices.
 struct LineSoup {
@@ -94,7 +91,8 @@ struct LineSoup {
 LineSoup parse_obj_lines(std::string_view bytes, std::string_view name);
 LineSoup parse_ply_lines(std::string_view bytes, std::string_view name);
 
-/// PLY, text and binary: the elements `vertex` and `face`; other elements and properties are skipped.
+/// PLY, text and binary: the elements `vertex` and `face`. Other elements, and properties but those of a texture, are
+/// skipped.
 PolygonSoup parse_ply(std::string_view bytes, std::string_view name);
 
 /// One property of the element `vertex` or `face` that is a number, first of the preferred one: none where there is no
@@ -102,8 +100,8 @@ PolygonSoup parse_ply(std::string_view bytes, std::string_view name);
 std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::string_view property, std::string_view name,
                                                SoupElement preferred);
 
-/// The properties and the texture of a PLY, as read_mesh_attributes returns them.
-MeshAttributes parse_ply_attributes(std::string_view bytes, std::string_view name);
+/// The properties of a PLY, as read_mesh_properties returns them.
+std::vector<MeshProperty> parse_ply_properties(std::string_view bytes, std::string_view name);
 
 /// Geomview's OFF in text, with or without colours, normals and texture coordinates, which are skipped. Each vertex and
 /// each face begins a line.
@@ -122,7 +120,8 @@ PolygonSoup parse_vtp(std::string_view bytes, std::string_view name);
 /// Legacy files of VTK (.vtk), text and binary: PolyData, and unstructured grids whose cells are polygons.
 PolygonSoup parse_vtk(std::string_view bytes, std::string_view name);
 
-/// Binary glTF 2.0 (.glb): the triangles of its scene, where the nodes' transforms put them. Vertices are unwelded.
+/// Binary glTF 2.0 (.glb): the triangles of its scene, where the nodes' transforms put them, with the first set of
+/// texture coordinates. Vertices are unwelded.
 PolygonSoup parse_glb(std::string_view bytes, std::string_view name);
 
 /// GIFTI: the points and triangles of a surface. Values, and transforms of coordinates, are left out and noted.

@@ -176,6 +176,16 @@ void examine_positions(const PolygonSoup& soup) {
   }
 }
 
+/// Refuses an appearance that is not that of the soup's corners and polygons. Readers never make one.
+void examine_appearance(const PolygonSoup& soup) {
+  const auto& [texture, material, materials, files, unread] = soup.appearance;
+  const bool is_whole = (texture.empty() || texture.size() == soup.corners.size()) &&
+                        (material.empty() || material.size() == soup.polygon_count());
+  if (!is_whole) refuse_soup("the soup has no texture coordinate for each corner, or no material for each face", -1);
+  const auto is_known = [&](std::int32_t m) { return m >= -1 && m < std::ssize(materials); };
+  if (!std::all_of(material.begin(), material.end(), is_known)) refuse_soup("a material of the soup has no name", -1);
+}
+
 void examine_polygons(const PolygonSoup& soup) {
   if (soup.first_corner.empty() || soup.first_corner.front() != 0 || soup.first_corner.back() != soup.corners.size()) {
     refuse_soup("the soup's first_corner does not span its corners", -1);
@@ -392,6 +402,7 @@ namespace {
 CheckedMesh build_repaired(const PolygonSoup& soup, DefectPolicy policy) {
   examine_polygons(soup);
   examine_positions(soup);
+  examine_appearance(soup);
   DefectLog log(policy);
   log.report().messages = soup.notes;
   const std::vector<std::int32_t> weld = weld_vertices(soup, log);
@@ -408,6 +419,7 @@ CheckedMesh build_repaired(const PolygonSoup& soup, DefectPolicy policy) {
   CheckedMesh checked = assemble(std::move(work), weld);
   require_shapes(checked.mesh);
   checked.defects = std::move(log.report());
+  checked.appearance = carry_appearance(soup, checked);
   add_remarks(checked);
   return checked;
 }

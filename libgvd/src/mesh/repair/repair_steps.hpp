@@ -152,4 +152,8 @@ void cut_vertices(WorkFaces& work, const std::vector<Vec3>& positions, const std
 /// Throws Error{precondition} where an edge is too short for a midpoint. Cost: O(n log n).
 void split_touching_edges(WorkFaces& work, DefectLog& log);
 
+/// The appearance of the soup on the faces of the mesh that it became. The midpoint of a split edge has the texture
+/// coordinates that are linear between the edge's ends. Cost: O(n), and O(k) for each corner of a polygon with k ones.
+Appearance carry_appearance(const PolygonSoup& soup, const CheckedMesh& checked);
+
 }  // namespace gvd
