@@ -30,14 +30,16 @@ class Writable:
     _native: Any
 
     @checked
-    def to_file(self, path: PathLike, *, title: str = "gvd", no_curves: bool = False, ascii_ply: bool = False) -> None:
+    def to_file(self, path: PathLike, *, title: str = "gvd", no_curves: bool = False, ascii_ply: bool = False,
+                region_materials: bool = False) -> None:
         """Writes a complete file or none, in the format of its extension, as the commands do.
 
         .ply, .obj, .off, .coff, .stl, .vtp, .vtu, .glb, .surf.gii and .fs (FreeSurfer) hold meshes, .label.gii and
         .annot labels of vertices, .shape.gii and .curv their distances, .html is the page. `title`: of the page.
         `no_curves`: leaves the bisectors out of .obj, .vtp, .vtu and .glb. `ascii_ply`: PLY as text.
+        `region_materials`: .obj has a material for each region, in place of the materials that the mesh was read with.
         """
-        self._native.write(os.fspath(path), _gvd.WriteOptions(title, no_curves, ascii_ply))
+        self._native.write(os.fspath(path), _gvd.WriteOptions(title, no_curves, ascii_ply, region_materials))
 
     @checked
     def to_html(self, *, title: str = "gvd") -> str:

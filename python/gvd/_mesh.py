@@ -82,6 +82,12 @@ class Mesh(Writable):
     input_vertex = forward(_gvd.Mesh.input_vertex,
                            "The input's vertex for each vertex, -1 for the midpoint of a split edge; a view.")
     input_face = forward(_gvd.Mesh.input_face, "The input's polygon for each face; a view.")
+    @property
+    def texture_coordinates(self) -> Optional[Floats]:
+        """u and v of the faces' corners (m, 3, 2), v upwards, NaN where there are none; a view. None without a texture."""
+        corners = self._native.texture_coordinates()
+        return corners.reshape(-1, 3, 2) if len(corners) else None
+
     summary = forward(_gvd.Mesh.summary, "Numbers of vertices, edges, faces, components and boundary loops, "
                                          "Euler characteristic, area and diagonal, by their names.")
 

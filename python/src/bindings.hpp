@@ -86,9 +86,10 @@ using OwnFormats = std::vector<std::pair<std::string, std::function<void(std::os
 
 /// How a file is written.
 struct WriteOptions {
-  std::string title;       ///< of the page
-  bool no_curves = false;  ///< leave the bisectors out of formats that hold meshes
-  bool ascii_ply = false;  ///< PLY as text
+  std::string title;              ///< of the page
+  bool no_curves = false;         ///< leave the bisectors out of formats that hold meshes
+  bool ascii_ply = false;         ///< PLY as text
+  bool region_materials = false;  ///< in OBJ, those of the regions in place of the mesh's own
 };
 
 /// Writes a mesh and its arrays by the file's extension: .html is the page, and `own` are formats of one result alone.

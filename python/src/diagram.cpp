@@ -26,6 +26,7 @@ struct Cut {
   SharedDiagram of;
   CutMesh cut;
   CutVertices vertices;
+  Appearance appearance;
 };
 
 /// The labels and distances of a diagram, and the bisectors on the surface that it was made on.
@@ -33,6 +34,7 @@ LabelledMesh label_surface(const MeshDiagram& of, const IdVector<FaceId, Generat
   LabelledMesh mesh = label_mesh(of.mesh(), of.diagram(), faces);
   mesh.diagram = &of.surface_diagram();
   mesh.diagram_mesh = &of.surface();
+  mesh.appearance = &of.input->appearance;
   return mesh;
 }
 
@@ -47,6 +49,7 @@ LabelledMesh labelled(const Cut& c) {
                     &c.vertices.label, &c.vertices.distance, &c.of->surface_diagram(),
                     &c.of->surface()};
   mesh.face_numbers = &c.cut.numbers;
+  mesh.appearance = &c.appearance;
   return mesh;
 }
 
@@ -83,7 +86,8 @@ Cut cut(const SharedDiagram& of, const py::object& progress) {
       faces.numbers = carry_to_cut_faces(of->parted->numbers, faces);
       of->parted->add_labels(faces.label, faces.numbers);
     }
-    return Cut{of, std::move(faces), std::move(vertices)};
+    Appearance appearance = carry_to_cut_faces(of->mesh(), of->input->appearance, faces);
+    return Cut{of, std::move(faces), std::move(vertices), std::move(appearance)};
   });
 }
 
@@ -180,7 +184,13 @@ void bind_results(py::module_& module) {
   bind_files<Segmented>(segmented);
 
   py::class_<Cut> cut_class(module, "Cut");
-  cut_class.def("mesh", [](const Cut& c) { return std::make_shared<CheckedMesh>(as_input(c.cut.mesh)); })
+  cut_class
+      .def("mesh",
+           [](const Cut& c) {
+             auto mesh = std::make_shared<CheckedMesh>(as_input(c.cut.mesh));
+             mesh->appearance = c.appearance;
+             return mesh;
+           })
       .def("labels", member_view<Cut>([](const Cut& c) -> auto& { return c.cut.label; }))
       .def("parents", member_view<Cut>([](const Cut& c) -> auto& { return c.cut.parent; }))
       .def("vertex_labels", member_view<Cut>([](const Cut& c) -> auto& { return c.vertices.label; }))
@@ -232,6 +242,7 @@ void write_result(const std::filesystem::path& path, LabelledMesh mesh, const Ow
   }
   mesh.no_bisectors = options.no_curves;
   mesh.ascii_ply = options.ascii_ply;
+  mesh.region_materials = options.region_materials;
   write_mesh(path, mesh);
 }
 
@@ -241,9 +252,10 @@ void bind_diagram(py::module_& module) {
           [](std::string method, std::optional<std::string> front, std::optional<double> chord_tolerance, int threads) {
             return ComputeOptions{std::move(method), std::move(front), chord_tolerance, threads};
           }));
-  py::class_<WriteOptions>(module, "WriteOptions").def(py::init([](std::string title, bool no_curves, bool ascii_ply) {
-    return WriteOptions{std::move(title), no_curves, ascii_ply};
-  }));
+  py::class_<WriteOptions>(module, "WriteOptions")
+      .def(py::init([](std::string title, bool no_curves, bool ascii_ply, bool region_materials) {
+        return WriteOptions{std::move(title), no_curves, ascii_ply, region_materials};
+      }));
 
   py::class_<MeshDiagram, SharedDiagram> diagram(module, "Diagram");
   diagram

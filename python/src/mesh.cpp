@@ -40,11 +40,13 @@ SharedMesh mesh_from_file(const std::filesystem::path& path, const std::optional
   });
 }
 
-/// For pickle: the arrays of a mesh, those of its input's elements, and the notes.
+/// For pickle: the arrays of a mesh, those of its input's elements, the notes, and the appearance.
 py::tuple get_state(const py::object& self) {
   const CheckedMesh& c = self.cast<const CheckedMesh&>();
   return py::make_tuple(view(c.mesh.positions(), self), view(c.mesh.face_vertices(), self), view(c.mesh_vertex, self),
-                        view(c.input_vertex, self), view(c.input_polygon, self), c.defects.messages);
+                        view(c.input_vertex, self), view(c.input_polygon, self), c.defects.messages,
+                        view(c.appearance.texture, self), view(c.appearance.material, self), c.appearance.materials,
+                        c.appearance.material_files);
 }
 
 SharedMesh set_state(const py::tuple& state) {
@@ -53,7 +55,10 @@ SharedMesh set_state(const py::tuple& state) {
   checked->mesh_vertex = to_vector<VertexId>(state[2]);
   checked->input_vertex = IdVector<VertexId, std::int32_t>(to_vector<std::int32_t>(state[3]));
   checked->input_polygon = IdVector<FaceId, std::int32_t>(to_vector<std::int32_t>(state[4]));
-  checked->defects.messages = state[5].cast<std::vector<std::string>>();
+  using Texts = std::vector<std::string>;
+  checked->defects.messages = state[5].cast<Texts>();
+  checked->appearance = {
+      to_vector<Uv>(state[6]), to_vector<std::int32_t>(state[7]), state[8].cast<Texts>(), state[9].cast<Texts>(), {}};
   return checked;
 }
 
@@ -117,6 +122,13 @@ py::array compute_positions(const CheckedMesh& checked, const PointList& list) {
   return take(std::move(positions));
 }
 
+/// With the texture coordinates and materials that the mesh was read with.
+void write(const CheckedMesh& checked, const std::filesystem::path& path, const WriteOptions& options) {
+  LabelledMesh mesh{checked.mesh};
+  mesh.appearance = &checked.appearance;
+  run_unlocked(py::none(), [&](const Progress&) { write_result(path, mesh, {}, options); });
+}
+
 }  // namespace
 
 Sampler::Sampler(const std::string& sampling, std::int64_t count, std::uint64_t seed, std::optional<double> radius,
@@ -151,17 +163,15 @@ void bind_mesh(py::module_& module) {
            [](const py::object& self) { return view(self.cast<const CheckedMesh&>().input_vertex, self); })
       .def("input_face",
            [](const py::object& self) { return view(self.cast<const CheckedMesh&>().input_polygon, self); })
+      .def("texture_coordinates",
+           [](const py::object& self) { return view(self.cast<const CheckedMesh&>().appearance.texture, self); })
       .def("notes", [](const CheckedMesh& checked) { return checked.defects.messages; })
       .def("summary", &summarize)
       .def("resolve", &resolve)
       .def("sample", &sample)
       .def("count_for", &count_for)
       .def("positions", &compute_positions)
-      .def("write",
-           [](const CheckedMesh& checked, const std::filesystem::path& path, const WriteOptions& options) {
-             run_unlocked(py::none(),
-                          [&](const Progress&) { write_result(path, LabelledMesh{checked.mesh}, {}, options); });
-           })
+      .def("write", &write)
       .def("page", [](const CheckedMesh& checked, const std::string& title) {
         return run_unlocked(py::none(), [&](const Progress&) { return make_page(LabelledMesh{checked.mesh}, title); });
       });

@@ -2,6 +2,7 @@
 import html
 import os
 import pathlib
+import pickle
 import subprocess
 import tempfile
 import unittest
@@ -43,6 +44,27 @@ class SameBytes(unittest.TestCase):
             self.assert_same_files(regions.diagram, "diagram", ["json"])
             self.run_command("gvd-segment", mesh_file, "-n", n, "--cut", *outputs)
             self.assert_same_files(regions.diagram.cut(), "a", extensions)
+
+    def test_texture_coordinates_and_materials(self):
+        square = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 5 5\nusemtl red\nf 1/1 2/2 3/3\n"
+        (self.folder / "t.obj").write_text(square + "usemtl blue\nf 1/5 3/3 4/4\n")
+        mesh = gvd.read(self.folder / "t.obj")
+        numpy.testing.assert_array_equal(mesh.texture_coordinates, [[[0, 0], [1, 0], [1, 1]], [[5, 5], [1, 1], [0, 1]]])
+        numpy.testing.assert_array_equal(pickle.loads(pickle.dumps(mesh)).texture_coordinates, mesh.texture_coordinates)
+        self.assertIsNone(gvd.read(meshes.TORUS).texture_coordinates)
+        extensions = ["ply", "obj", "glb"]
+        outputs = [part for e in extensions for part in ("-o", f"a.{e}")]
+        regions = mesh.segment(generators=[0, 2])
+        self.run_command("gvd-segment", "t.obj", "--vertices", "0,2", *outputs)
+        self.assert_same_files(regions, "a", extensions)
+        self.run_command("gvd-segment", "t.obj", "--vertices", "0,2", "--region-materials", "-o", "b.obj")
+        self.assert_same_files(regions, "b", ["obj"], region_materials=True)
+        self.run_command("gvd-segment", "t.obj", "--vertices", "0,2", "--cut", *outputs)
+        cut = regions.diagram.cut()
+        self.assert_same_files(cut, "a", extensions)
+        self.assertEqual(cut.mesh.texture_coordinates.shape, (len(cut.mesh.faces), 3, 2))
+        cut.mesh.to_file(self.folder / "plain.obj")
+        self.assertIn("usemtl blue", (self.folder / "plain.obj").read_text())
 
     def test_formats_of_brains(self):
         extensions = ["surf.gii", "label.gii", "shape.gii", "fs", "annot", "curv"]

@@ -38,6 +38,7 @@ using namespace gvd;
 struct SharedMesh {
   Mesh mesh;
   std::vector<VertexId> vertex_of_input;
+  Appearance appearance;
   std::string repairs;
   std::optional<std::vector<SurfacePoint>> generators;  ///< of the vertices of a remesh
   std::once_flag tree_made;
@@ -164,6 +165,7 @@ std::unique_ptr<gvd_mesh> make_handle(CheckedMesh checked) {
   handle->shared = std::make_shared<SharedMesh>();
   handle->shared->mesh = std::move(checked.mesh);
   handle->shared->vertex_of_input = std::move(checked.mesh_vertex);
+  handle->shared->appearance = std::move(checked.appearance);
   for (const std::string& line : checked.defects.messages) handle->shared->repairs += line + '\n';
   return handle;
 }
@@ -239,7 +241,11 @@ void gvd_mesh_faces(const gvd_mesh* mesh, int32_t* faces) {
 }
 
 gvd_status gvd_mesh_write(const gvd_mesh* mesh, const char* path) {
-  return guarded([&] { write_mesh(&given(path, "path"), LabelledMesh{given(mesh, "mesh").mesh()}); });
+  return guarded([&] {
+    LabelledMesh written{given(mesh, "mesh").mesh()};
+    written.appearance = &mesh->shared->appearance;
+    write_mesh(&given(path, "path"), written);
+  });
 }
 
 gvd_status gvd_point_at_vertex(const gvd_mesh* mesh, int64_t vertex, gvd_point* point) {
@@ -407,7 +413,9 @@ gvd_status gvd_segment_write(const gvd_diagram* diagram, const char* path, const
     if (format == OutputFormat::json) {
       return write_file(file, [&](std::ostream& out) { write_segmentation_json(out, of.shared->mesh, made, labels); });
     }
-    write_mesh(file, label_mesh(of.shared->mesh, made, labels.face_label));
+    LabelledMesh written = label_mesh(of.shared->mesh, made, labels.face_label);
+    written.appearance = &of.shared->appearance;
+    write_mesh(file, written);
   });
 }
 
