@@ -16,8 +16,12 @@ import numpy
 HERE = pathlib.Path(__file__).resolve().parent
 GUIDE = HERE.parents[1] / "docs" / "guide" / "formats.md"
 BEGIN, END = "<!-- what programs keep: begin -->\n", "<!-- what programs keep: end -->\n"
-HEAD = ["program", "format", "coordinates", "order of faces", "labels of faces", "labels of vertices", "distances", "colours", "bisectors"]
+HEAD = ["program", "format", "coordinates", "order of faces", "labels of faces", "labels of vertices", "distances", "colours", "bisectors", "texture"]
 FORMATS = [".ply", ".ply (text)", ".obj", ".off", ".coff as .off", ".stl", ".vtp", ".vtu", ".glb"]
+
+
+# Cut meshes with texture coordinates, without and with a seam.
+PAINTED = {".ply": "{}.ply", ".ply (text)": "{}_text.ply", ".obj": "{}.obj", ".glb": "{}.glb"}
 
 
 def file_of(name):
@@ -34,6 +38,7 @@ class Content:
     corner_colors: numpy.ndarray = None  # (faces, 3, 3)
     face_colors: numpy.ndarray = None
     point_colors: numpy.ndarray = None
+    corner_texture: numpy.ndarray = None  # (faces, 3, 2)
     segments: int = 0
 
 
@@ -110,6 +115,34 @@ def describe(truth, content, lost_bits=0):
             first(distances), " and ".join(held), "lines" if content.segments == truth.segments else ""]
 
 
+def keeps_texture(content):
+    """Whether a program has the texture coordinates of the corners, in arrays of points or of its own."""
+    of_points = content.point_arrays
+    found = [numpy.asarray(v) for v in of_points.values() if numpy.ndim(v) == 2 and numpy.shape(v)[1] == 2]
+    found += [numpy.stack([of_points["s"], of_points["t"]], 1)] if "s" in of_points else []
+    held = [v[content.faces] for v in found if len(v) == len(content.points)]
+    held += [content.corner_texture] if content.corner_texture is not None else []
+    corners = content.points[content.faces]
+    for seam in (False, True):
+        right = (corners[:, :, 0].mean(1) > 2) & seam
+        wanted = numpy.array([[files.texture(x, y, r) for x, y, _ in face] for face, r in zip(corners, right)])
+        downwards = wanted * (1, -1) + (0, 1)  # as glTF has it
+        if any(numpy.abs(v - w).max() < 1e-5 for v in held for w in (wanted, downwards)):
+            return True
+    return False
+
+
+def describe_texture(reader, work, extension):
+    """The last cell of a row."""
+    kept = []
+    for name in ("painted", "seam"):
+        try:
+            kept.append(keeps_texture(reader(work / PAINTED[extension].format(name))))
+        except (Exception, SystemExit):  # as in `measure`; a format without texture coordinates, too
+            kept.append(False)
+    return {(True, True): "kept", (True, False): "without seams", (False, True): "with seams", (False, False): ""}[tuple(kept)]
+
+
 def read_vtk(path):
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader, vtkSTLReader
@@ -151,6 +184,9 @@ def read_vtk(path):
     content = Content(points, numpy.array([f for _, f in triangles]), arrays(data.GetCellData(), cells),
                       arrays(data.GetPointData(), range(len(points))), segments=segments)
     content.face_colors, content.point_colors = content.face_arrays.pop("RGB", None), content.point_arrays.pop("RGB", None)
+    if path.suffix == ".obj":  # an array for each material, -1 where another one has the numbers
+        pairs = [content.point_arrays.pop(n) for n, v in list(content.point_arrays.items()) if v.ndim == 2 and v.shape[1] == 2]
+        content.point_arrays.update({"of each material": numpy.max(pairs, axis=0)} if pairs else {})
     if "COLOR_0" in content.point_arrays:
         content.point_colors = numpy.vectorize(files.srgb)(content.point_arrays.pop("COLOR_0"))
     return content
@@ -177,6 +213,8 @@ def read_open3d(path):
         raise ValueError("no triangles")
     materials = {"triangle_material_ids": numpy.asarray(mesh.triangle_material_ids)} if mesh.has_triangle_material_ids() else {}
     content = Content(numpy.asarray(mesh.vertices), numpy.asarray(mesh.triangles), materials)
+    if mesh.has_triangle_uvs():
+        content.corner_texture = numpy.asarray(mesh.triangle_uvs).reshape(-1, 3, 2)
     if mesh.has_vertex_colors():
         colors = numpy.asarray(mesh.vertex_colors)
         content.point_colors = numpy.vectorize(files.srgb)(colors) if path.suffix == ".glb" else numpy.rint(255 * colors).astype(int)
@@ -193,7 +231,7 @@ def read_meshlab(path):
     """By MeshLab's server, which writes what it holds as PLY, in text with seven digits."""
     out = path.parent / f"meshlab-{path.name}.ply"
     out.unlink(missing_ok=True)
-    subprocess.run(["xvfb-run", "-a", "meshlabserver", "-i", path, "-o", out, "-m", "vc", "fc", "sa"], cwd=path.parent, check=True,
+    subprocess.run(["xvfb-run", "-a", "meshlabserver", "-i", path, "-o", out, "-m", "vc", "fc", "wt", "sa"], cwd=path.parent, check=True,
                    capture_output=True, timeout=60)
     head, body = out.read_text().split("end_header\n")
     counts = [int(line.split()[-1]) for line in head.splitlines() if line.startswith("element")]
@@ -201,11 +239,18 @@ def read_meshlab(path):
     vertices, triangles = rows[: counts[0]], rows[counts[0] : sum(counts)]
     properties = [[line.split()[-1] for line in part.splitlines() if line.startswith("property")] for part in head.split("element face")]
 
+    texture = None
+    if "texcoord" in properties[1]:  # behind the corners
+        texture = numpy.array([row[5:11] for row in triangles], float).reshape(-1, 3, 2)
+        properties[1].remove("texcoord")
+        for row in triangles:
+            del row[4:11]
+
     def colors(table, names, extra):
         return numpy.array([[int(row[names.index(c) + extra]) for c in ("red", "green", "blue")] for row in table]) if "red" in names else None
 
     return Content(numpy.array([row[:3] for row in vertices], float), numpy.array([row[1:4] for row in triangles], int),
-                   face_colors=colors(triangles, properties[1], 3), point_colors=colors(vertices, properties[0], 0))
+                   face_colors=colors(triangles, properties[1], 3), point_colors=colors(vertices, properties[0], 0), corner_texture=texture)
 
 
 class Blender:
@@ -220,6 +265,8 @@ class Blender:
         held = self.held[path.name]
         arrays = {"materials": numpy.array(held["materials"])} if held["materials"] else {}
         content = Content(numpy.array(held["points"]), numpy.array(held["faces"]), arrays, {}, segments=held["segments"])
+        if held["corner_texture"]:
+            content.corner_texture = numpy.array(held["corner_texture"])
         if held["corner_colors"]:
             content.corner_colors = numpy.array(held["corner_colors"])
         if held["point_colors"]:
@@ -265,14 +312,15 @@ def measure(work, truth):
         rows, unread = [], []
         for extension in FORMATS:
             try:
-                rows.append([extension, *describe(truth, reader(work / file_of(extension)), 3 if extension == ".stl" else 0)])
+                rows.append([extension, *describe(truth, reader(work / file_of(extension)), 3 if extension == ".stl" else 0),
+                             describe_texture(reader, work, extension)])
             except AssertionError:
                 raise
             except (Exception, SystemExit):  # whatever a reader raises, and meshio ends: it does not read the format
                 unread.append(extension)
         lines[name] = [" | ".join([f"| {name} {version}", *row]) + " |" for row in rows]
         if unread:
-            cells = " | ".join([", ".join(unread), "not read"] + [""] * 6)
+            cells = " | ".join([", ".join(unread), "not read"] + [""] * 7)
             lines[name].append(f"| {name} {version} | {cells} |")
     return lines
 

@@ -2,6 +2,7 @@
 
     whole.*   gvd-segment      text.ply   the same as text      plain.*   the same with --no-curves
     cut.*     gvd-segment --cut           coarse.*   gvd-remesh           ball.off, sheet.off   the inputs
+    painted.* gvd-segment --cut of painted.obj, the sheet with texture coordinates; seam.* with a seam; *_text.ply as text
 """
 import json
 import math
@@ -47,6 +48,21 @@ def make_ball(rings=9, sectors=14):
     return points, faces
 
 
+def texture(x, y, seam):
+    """Texture coordinates at x and y; `seam`: on the right side of the seam."""
+    return x / 10 + (0.25 if seam else 0), 1 - y / 3
+
+
+def write_painted(path, points, faces, with_seam):
+    """The sheet as OBJ with texture coordinates, of which those to the right of x = 2 may lie elsewhere."""
+    lines = ["v " + " ".join(repr(x) for x in p) for p in points]
+    lines += ["vt {!r} {!r}".format(*texture(x, y, seam)) for seam in (False, True) for x, y, _ in points]
+    for face in faces:
+        shift = len(points) if with_seam and sum(points[v][0] for v in face) > 6 else 0
+        lines.append("f " + " ".join(f"{v + 1}/{v + 1 + shift}" for v in face))
+    path.write_text("\n".join(lines) + "\n")
+
+
 def run(bin_folder, work, *arguments):
     subprocess.run([str(pathlib.Path(bin_folder) / arguments[0]), *map(str, arguments[1:]), "-q"], cwd=work, check=True)
 
@@ -75,6 +91,11 @@ def write_files(bin_folder, work):
     run(bin_folder, work, *sheet, "--cut", *outputs("cut", "vtp", "vtu", "glb", "json"))
     run(bin_folder, work, *sheet, "--cut", *outputs("cut", "ply"), "--ascii-ply")
     run(bin_folder, work, "gvd-remesh", "ball.off", "-n", "30", *outputs("coarse", "ply", "glb"))
+    for name in ("painted", "seam"):
+        write_painted(work / f"{name}-in.obj", points, faces, name == "seam")
+        painted = ["gvd-segment", f"{name}-in.obj", *sheet[2:], "--cut"]
+        run(bin_folder, work, *painted, "--no-curves", *outputs(name, "ply", "obj", "glb"))
+        run(bin_folder, work, *painted, "--ascii-ply", *outputs(f"{name}_text", "ply"))
     diagram = json.loads((work / "whole.json").read_text())
     assert -1 in diagram["face_labels"] and None in diagram["vertex_distances"], "nothing is unreached"
     return diagram, points, faces

@@ -41,7 +41,9 @@ def hold(path):
     regions = len(surface.materials) > 1
     held = {"points": points, "faces": [list(p.vertices) for p in surface.polygons],
             "materials": [label_of(surface.materials[p.material_index]) for p in surface.polygons] if regions else [],
-            "segments": sum(len(m.edges) for m in lines), "corner_colors": [], "point_colors": []}
+            "segments": sum(len(m.edges) for m in lines), "corner_colors": [], "point_colors": [], "corner_texture": []}
+    if surface.uv_layers:
+        held["corner_texture"] = [[list(surface.uv_layers[0].data[i].uv) for i in p.loop_indices] for p in surface.polygons]
     for attribute in surface.color_attributes:
         colors = [[round(255 * c) for c in list(d.color_srgb)[:3]] for d in attribute.data]
         if attribute.domain == "POINT":
@@ -59,6 +61,7 @@ def hold(path):
 
 
 held = {}
-for name in ("whole.ply", "text.ply", "whole.obj", "whole.stl", "whole.glb"):
+painted = [f"{name}{end}" for name in ("painted", "seam") for end in (".ply", "_text.ply", ".obj", ".glb")]
+for name in ("whole.ply", "text.ply", "whole.obj", "whole.stl", "whole.glb", *painted):
     held[name] = hold(work / name)
 (work / "blender.json").write_text(json.dumps(held))
