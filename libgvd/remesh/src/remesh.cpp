@@ -349,6 +349,7 @@ class Remesher {
             least,
             std::int64_t(share * double(events_)),
             options_.diagram,
+            {},
             [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); }};
   }
 

@@ -10,6 +10,7 @@
 #include "base/plane.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/segment.hpp"
+#include "mesh/flatten_disc.hpp"
 
 // The steps of map_to_remesh, in their order: the cells of the surface, the polygons of the branch points, where a
 // cell's border goes on the remesh and in the plane, the disc of the cell, its map, and the nearest points where a
@@ -142,46 +143,6 @@ struct BorderTarget {
 /// Sets where the bisectors cross the remesh's edges: at the point of the edge nearest to the bisector, but not near
 /// the ends. Cost: O(k) for k halfedges of borders.
 void place_crossings(const CellSurface& surface, DualPolygons& polygons);
-
-/// A vertex of the border of a disc, and where it is put.
-struct BorderPoint {
-  VertexId vertex;
-  Vec2 point;
-};
-
-// flatten_disc.cpp
-
-/// Vertices of a disc, and their points of the plane.
-struct PlaneDisc {
-  std::vector<VertexId> vertices;  ///< ascending
-  std::vector<Vec2> points;        ///< in the same order
-
-  /// The number of v among the vertices, which it must be one of.
-  std::size_t number(VertexId v) const {
-    return std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin();
-  }
-  const Vec2& at(VertexId v) const { return points[number(v)]; }
-};
-
-/// Weights of the neighbours of a vertex. All are positive.
-enum class DiscWeights {
-  mean_value,  ///< keep angles, about
-  uniform,     ///< 1
-};
-
-/// The convex combination map of a disc of faces: every inner vertex is the weighted mean of its neighbours.
-///
-/// `border` is the whole border. The map is one-to-one, but for rounding, if two conditions hold. The border goes to a
-/// convex polygon, and no inner edge joins two vertices of one side of it. `is_oriented` tells whether the map is
-/// one-to-one with rounding, too.
-/// Throws Error{no_valid_result} where the system can't be solved. Cost: a sparse system of the inner vertices.
-PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border,
-                       DiscWeights weights);
-
-/// Whether every face is counter-clockwise in the plane, for certain. Cost: O(n log n).
-bool is_oriented(const Mesh& mesh, const std::vector<FaceId>& faces, const PlaneDisc& disc);
-
-// cell_map.cpp
 
 /// A cell in the plane: the surface's faces by a convex combination map, and the remesh's part by a fan of triangles.
 /// Both have the same border, vertex by vertex. Going from one to the other is the map.

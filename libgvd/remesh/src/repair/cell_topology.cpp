@@ -93,9 +93,9 @@ class ArcLister {
   std::vector<BoundaryArc> arcs_;
 };
 
-/// Largest distance of the generator from the loop, as a fraction of the loop's length, at which two new generators are
-/// enough. Farther away, the generator's own cell may not cover a third of the loop, and three are added.
-constexpr double kFarFromLoop = 1.0 / 6;
+/// Largest distance of the generator from the loop, as a fraction of a part of the loop, at which one new generator
+/// less than parts is enough. Farther away, the generator's own cell may not cover its part of the loop.
+constexpr double kFarFromLoop = 1.0 / 2;
 
 }  // namespace
 
@@ -183,7 +183,7 @@ CellLoops::CellLoops(const Mesh& mesh, const Diagram& diagram)
   std::ranges::stable_sort(by_label_, {}, [&](FaceId f) { return cut_.label[f]; });
 }
 
-std::vector<SurfacePoint> CellLoops::find(GeneratorId cell) {
+std::vector<SurfacePoint> CellLoops::find(GeneratorId cell, int parts) {
   const std::vector<FaceId> faces = faces_of(cell);
   if (faces.empty()) return {};
   tree_.grow(find_root(faces, cell), cell);
@@ -192,7 +192,7 @@ std::vector<SurfacePoint> CellLoops::find(GeneratorId cell) {
     shortest.offer(tree_.distance(cut_.mesh.from(h)) + cut_.mesh.length(h) + tree_.distance(cut_.mesh.to(h)), h);
   }
   if (!shortest.value.valid()) return {};
-  return divide_into_thirds(close_loop(shortest.value));
+  return divide(close_loop(shortest.value), parts);
 }
 
 std::vector<FaceId> CellLoops::faces_of(GeneratorId cell) const {
@@ -244,7 +244,7 @@ CellLoops::Loop CellLoops::close_loop(HalfedgeId last) const {
   return loop;
 }
 
-std::vector<SurfacePoint> CellLoops::divide_into_thirds(const Loop& loop) const {
+std::vector<SurfacePoint> CellLoops::divide(const Loop& loop, int parts) const {
   const std::size_t n = loop.vertices.size();
   std::vector<double> start{0};  // arc length of every vertex, and of the whole loop
   for (std::size_t i = 0; i < n; ++i) {
@@ -253,8 +253,8 @@ std::vector<SurfacePoint> CellLoops::divide_into_thirds(const Loop& loop) const 
   }
   const double length = start.back();
   std::vector<SurfacePoint> points;
-  for (int third = loop.distance > kFarFromLoop * length ? 0 : 1; third < 3; ++third) {
-    const double at = length * third / 3;
+  for (int part = loop.distance > kFarFromLoop * length / parts ? 0 : 1; part < parts; ++part) {
+    const double at = length * part / parts;
     const std::size_t i = std::upper_bound(start.begin() + 1, start.end() - 1, at) - start.begin() - 1;
     const double t = std::clamp((at - start[i]) / (start[i + 1] - start[i]), 0.0, 1.0);
     points.push_back(to_input(loop.vertices[i], loop.vertices[(i + 1) % n], t));

@@ -100,12 +100,12 @@ class CellLoops {
   CellLoops(const CellLoops&) = delete;
   CellLoops& operator=(const CellLoops&) = delete;
 
-  /// Points of the input mesh that divide a short non-contractible loop of the cell into thirds. They are two, since
-  /// the generator serves as the third; three where the generator is far from the loop. Empty for a cell that is a
-  /// disc. The loop is the shortest one made of two paths of the shortest-path tree and one edge outside of it that no
-  /// pruning removes: Erickson and Har-Peled, Optimally cutting a surface into a disk, 2004.
+  /// Points of the input mesh that divide a short non-contractible loop of the cell into `parts`. They are one less,
+  /// since the generator serves as another; as many where the generator is far from the loop. Empty for a cell that is
+  /// a disc. The loop is the shortest one made of two paths of the shortest-path tree and one edge outside of it that
+  /// no pruning removes: Erickson and Har-Peled, Optimally cutting a surface into a disk, 2004.
   /// Cost: O(k log k) for a cell of k faces.
-  std::vector<SurfacePoint> find(GeneratorId cell);
+  std::vector<SurfacePoint> find(GeneratorId cell, int parts = 3);
 
  private:
   struct Loop {
@@ -117,7 +117,7 @@ class CellLoops {
   VertexId find_root(const std::vector<FaceId>& faces, GeneratorId cell) const;
   std::vector<HalfedgeId> find_loop_edges(const std::vector<FaceId>& faces, GeneratorId cell);
   Loop close_loop(HalfedgeId last) const;
-  std::vector<SurfacePoint> divide_into_thirds(const Loop& loop) const;
+  std::vector<SurfacePoint> divide(const Loop& loop, int parts) const;
   SurfacePoint to_input(VertexId from, VertexId to, double t) const;
 
   const Mesh& mesh_;

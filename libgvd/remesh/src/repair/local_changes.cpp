@@ -159,6 +159,9 @@ std::vector<SurfacePoint> LocalChanges::list_candidates(const LocalDual& local,
 
 std::optional<LocalDual::Result> LocalChanges::compute(const LocalDual& local, const std::vector<SurfacePoint>& added) {
   auto result = local.compute(added);
+  if (result && search_.only) {
+    std::erase_if(result->defects, [&](const DualDefect& defect) { return defect.property != *search_.only; });
+  }
   // A part that can't tell has its share of the whole diagram's.
   const auto share = double(local.part().size()) / double(mesh_.face_count());
   events_ += result ? result->diagram.report.propagation_events

@@ -15,6 +15,9 @@
 namespace gvd {
 namespace {
 
+/// Cells round a loop: the dual needs three, so that its edges have different ends. Two may be discs already.
+constexpr int kPartsOfDual = 3, kFewestParts = 2;
+
 double segment_length(const Mesh& mesh, const Bisector& b, std::size_t i) {
   return (position(mesh, b.points[i]) - position(mesh, b.points[i - 1])).norm();
 }
@@ -78,7 +81,7 @@ class DefectRepair {
       case DualProperty::component_reached:
         return add_to_component(defect.component);
       case DualProperty::cell_is_disc:
-        return split_loop(defect.cells[0]);
+        return split_loop(defect.cells[0], kPartsOfDual);
       case DualProperty::one_boundary_arc:
         return split_boundary_arcs(defect.cells[0]);
       case DualProperty::bisector_has_face:
@@ -97,6 +100,31 @@ class DefectRepair {
     }
   }
 
+  /// Adds generators so that a loop of the cell, round a tip or not contractible, passes through `parts` cells.
+  void split_loop(GeneratorId g, int parts) {
+    const std::size_t before = added_.size();
+    std::vector<SurfacePoint> ring = rings().find(g);
+    ring.resize(std::min(ring.size(), std::size_t(parts - 1)));
+    for (const SurfacePoint& p : ring) added_.add(p);
+    if (added_.size() > before) return;
+    if (cut()) {
+      for (const SurfacePoint& p : loops_->find(g, parts)) added_.add(p);
+    }
+    if (added_.size() == before) add_farthest(g);
+  }
+
+  /// Adds the vertex of the cell that is farthest from its generator; without such a vertex, the farthest point of the
+  /// cell's bisectors.
+  void add_farthest(GeneratorId g) {
+    std::vector<SurfacePoint> candidates;
+    for (const VertexId v : elements().vertices[g]) candidates.push_back(vertex_point(mesh_, v));
+    const auto vertex_distance = [&](const SurfacePoint& p) { return diagram_.vertex_distance[vertex(mesh_, p)]; };
+    if (added_.add_best(candidates, vertex_distance)) return;
+    candidates.clear();
+    for (const BisectorId id : elements().bisectors[g]) append_points(diagram_.bisectors[id], candidates);
+    added_.add_best(candidates, [&](const SurfacePoint& p) { return distance(p, g); });
+  }
+
   /// The tip at which the defect can't be repaired, because the surface round it is too narrow.
   std::optional<NarrowTip> find_narrow_tip(const DualDefect& defect) {
     if (defect.property != DualProperty::cell_is_disc) return std::nullopt;
@@ -112,16 +140,6 @@ class DefectRepair {
       }
     }
     added_.add(vertex_point(mesh_, mesh_.vertices(first_face_[component])[0]));
-  }
-
-  void split_loop(GeneratorId g) {
-    const std::size_t before = added_.size();
-    for (const SurfacePoint& p : rings().find(g)) added_.add(p);
-    if (added_.size() > before) return;
-    if (cut()) {
-      for (const SurfacePoint& p : loops_->find(g)) added_.add(p);
-    }
-    if (added_.size() == before) add_farthest(g);
   }
 
   const CellElements& elements() {
@@ -214,18 +232,6 @@ class DefectRepair {
     added_.add_best(candidates, [&](const SurfacePoint& p) { return added_.clearance(p); });
   }
 
-  /// Adds the vertex of the cell that is farthest from its generator; without such a vertex, the farthest point of the
-  /// cell's bisectors.
-  void add_farthest(GeneratorId g) {
-    std::vector<SurfacePoint> candidates;
-    for (const VertexId v : elements().vertices[g]) candidates.push_back(vertex_point(mesh_, v));
-    const auto vertex_distance = [&](const SurfacePoint& p) { return diagram_.vertex_distance[vertex(mesh_, p)]; };
-    if (added_.add_best(candidates, vertex_distance)) return;
-    candidates.clear();
-    for (const BisectorId id : elements().bisectors[g]) append_points(diagram_.bisectors[id], candidates);
-    added_.add_best(candidates, [&](const SurfacePoint& p) { return distance(p, g); });
-  }
-
   static void append_points(const Bisector& bisector, std::vector<SurfacePoint>& points) {
     points.insert(points.end(), bisector.points.begin(), bisector.points.end());
   }
@@ -313,6 +319,19 @@ ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, 
   }
   proposed.points = added.take();
   return proposed;
+}
+
+std::vector<SurfacePoint> propose_for_discs(const Mesh& mesh, const Diagram& diagram,
+                                            const std::vector<GeneratorId>& cells, DiscProposal way,
+                                            std::size_t max_count) {
+  AddedGenerators added(mesh, diagram.generators, max_count);
+  DefectRepair repair(mesh, diagram, added);
+  for (std::size_t i = 0; i < cells.size() && !added.is_full(); ++i) {
+    if (way == DiscProposal::farthest) repair.add_farthest(cells[i]);
+    if (way == DiscProposal::halves) repair.split_loop(cells[i], kFewestParts);
+    if (way == DiscProposal::thirds) repair.split_loop(cells[i], kPartsOfDual);
+  }
+  return added.take();
 }
 
 NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const std::vector<SurfacePoint>& added,

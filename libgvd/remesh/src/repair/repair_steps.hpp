@@ -228,6 +228,18 @@ struct ProposedGenerators {
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
                                       std::size_t max_count, const Progress& progress = {});
 
+/// Ways to divide a cell that is no disc.
+enum class DiscProposal {
+  halves,    ///< a second point at the generator's distance from a tip, or the opposite one of the shortest loop
+  thirds,    ///< two of them, as for a dual
+  farthest,  ///< the cell's farthest vertex
+};
+
+/// New generators in cells that are no discs, as above. Cost: as above, for each cell.
+std::vector<SurfacePoint> propose_for_discs(const Mesh& mesh, const Diagram& diagram,
+                                            const std::vector<GeneratorId>& cells, DiscProposal way,
+                                            std::size_t max_count);
+
 struct NearbyGenerators {
   std::vector<SurfacePoint> points;
   std::int64_t events = 0;  ///< windows propagated (DiagramReport) to find them
@@ -256,6 +268,7 @@ struct GeneratorSearch {
   std::size_t least = 0;            ///< it ends with so many generators
   std::int64_t most_events = 0;     ///< windows propagated (DiagramReport) in all diagrams, after which the search ends
   DiagramOptions diagram;
+  std::optional<DualProperty> only = {};  ///< the property that counts; nothing: all
   /// Whether the dual of these generators is right. If so, it has made the diagram of the search theirs.
   std::function<bool(const std::vector<SurfacePoint>&)> accept;
 };

@@ -6,13 +6,13 @@
 // Sources: M. Floater, One-to-one piecewise linear mappings over triangulations, 2003; for the weights, M. Floater, Mean
 // value coordinates, 2003.
 
+#include "mesh/flatten_disc.hpp"
+
 #include <Eigen/SparseLU>
-#include <algorithm>
 #include <cmath>
 
 #include "base/plane.hpp"
 #include "gvd/error.hpp"
-#include "map/map_steps.hpp"
 
 namespace gvd {
 namespace {

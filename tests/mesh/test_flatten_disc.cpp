@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/plane.hpp"
-#include "map/map_steps.hpp"
+#include "mesh/flatten_disc.hpp"
 #include "mesh/vertex_ring.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"

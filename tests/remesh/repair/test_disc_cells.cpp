@@ -1,0 +1,125 @@
+// Cells made discs: the given generators stay, the fewest that are known suffice, and no added one is in vain.
+#include <algorithm>
+
+#include "gvd/disc_cells.hpp"
+#include "gvd/error.hpp"
+#include "gvd/segment.hpp"
+#include "segment/plain_topology.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+#include "support/same_diagram.hpp"
+#include "support/tiny_meshes.hpp"
+
+namespace gvd::test_disc_cells {
+
+DiscCells make(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiscOptions& options = {}) {
+  return make_discs(mesh, compute_diagram(mesh, generators, options.diagram), options);
+}
+
+/// Whether the given generators come first, all cells are discs, and none of the added ones can be left out.
+void check_discs(const Mesh& mesh, const std::vector<SurfacePoint>& given, const DiscCells& made) {
+  const std::vector<SurfacePoint>& generators = made.diagram.generators;
+  REQUIRE(generators.size() == given.size() + std::size_t(made.added));
+  CHECK(std::equal(given.begin(), given.end(), generators.begin()));
+  CHECK(find_non_discs(made.diagram).empty());
+  for (std::size_t i = given.size(); i < generators.size() && !made.search_cut_short; ++i) {
+    std::vector<SurfacePoint> without = generators;
+    without.erase(without.begin() + std::ptrdiff_t(i));
+    CHECK(!find_non_discs(compute_diagram(mesh, without)).empty());
+  }
+}
+
+TEST_CASE("disc cells: surfaces take the fewest generators that their topology allows") {
+  const struct {
+    const char* name;
+    Mesh mesh;
+    std::size_t fewest;
+  } cases[] = {{"sphere", test::make_sphere(2), 2}, {"half sphere", test::make_half_sphere(2), 1},
+               {"plate", test::make_plate(4), 2},   {"grid", test::make_grid(5, 4), 1},
+               {"ring", test::make_ring(24, 3), 2}, {"pyramid", test::make_pyramid(30, 5), 2}};
+  for (const auto& [name, mesh, fewest] : cases) {
+    INFO(name);
+    for (unsigned seed = 1; seed < 4; ++seed) {
+      const auto given = test::random_generators(mesh, 1, seed);
+      const DiscCells made = make(mesh, given);
+      check_discs(mesh, given, made);
+      CHECK(made.diagram.generators.size() == fewest);
+    }
+  }
+}
+
+TEST_CASE("disc cells: a torus takes at least three, and few more are found") {
+  const Mesh mesh = test::make_torus(24, 12);
+  for (unsigned seed = 1; seed < 5; ++seed) {
+    const auto given = test::random_generators(mesh, 1, seed);
+    const DiscCells made = make(mesh, given);
+    check_discs(mesh, given, made);
+    CHECK(made.diagram.generators.size() >= 3);
+    CHECK(made.diagram.generators.size() <= 6);
+  }
+}
+
+TEST_CASE("disc cells: several given generators stay, and discs get no further ones") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    for (int count : {2, 9}) {
+      const auto given = test::random_generators(mesh, count, 5);
+      const DiscCells made = make(mesh, given);
+      check_discs(mesh, given, made);
+      const Diagram before = compute_diagram(mesh, given);
+      CHECK((made.added == 0) == find_non_discs(before).empty());
+      CHECK((made.rounds == 0) == (made.added == 0));
+    }
+  }
+}
+
+TEST_CASE("disc cells: a surface of genus 3 becomes discs with one generator a handle and few more") {
+  const Mesh mesh = test::make_genus3(4);
+  const auto given = test::random_generators(mesh, 1, 2);
+  const DiscCells made = make(mesh, given);
+  check_discs(mesh, given, made);
+  CHECK(made.added <= 9);
+}
+
+TEST_CASE("disc cells: the pieces of the cut mesh are discs") {
+  const Mesh mesh = test::make_torus(24, 12);
+  const DiscCells made = make(mesh, test::random_generators(mesh, 1, 1));
+  const CutMesh cut = cut_faces(mesh, made.diagram);
+  for (const auto& [label, region] : test::find_topology(cut.mesh, cut.label)) {
+    CHECK(region.components == 1);
+    CHECK(region.euler_characteristic == 1);
+  }
+  for (const Cell& cell : made.diagram.cells) CHECK(cell.boundary_loops == 1);
+}
+
+TEST_CASE("disc cells: no bit depends on the number of threads") {
+  const Mesh mesh = test::make_genus3(4);
+  const auto given = test::random_generators(mesh, 2, 3);
+  DiscOptions one, three;
+  one.diagram.threads = 1;
+  three.diagram.threads = 3;
+  CHECK(test::same_diagram(make(mesh, given, one).diagram, make(mesh, given, three).diagram));
+}
+
+TEST_CASE("disc cells: refusals name the cell, or the option") {
+  const Mesh mesh = test::make_torus(24, 12);
+  const auto given = test::random_generators(mesh, 1, 1);
+  DiscOptions few;
+  few.max_added = 1;
+  try {
+    make(mesh, given, few);
+    FAIL("one more generator can't make discs of a torus");
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::no_valid_result);
+    CHECK(error.element() >= 0);
+    CHECK(std::string(error.what()).find("is no disc") != std::string::npos);
+  }
+  few.max_added = -1;
+  CHECK_THROWS_AS(make(mesh, given, few), Error);
+  DiscOptions weighted;
+  weighted.diagram.weights = {1.0};
+  CHECK_THROWS_AS(make(mesh, given, weighted), Error);
+}
+
+}  // namespace gvd::test_disc_cells
