@@ -88,8 +88,10 @@ class ExactField {
   /// The same for any surface point. Cost: O(windows on its faces).
   Nearest nearest(const SurfacePoint& point) const;
 
-  /// A shortest path from a point to its nearest generator; see GeodesicPath::complete. Cost: O(faces crossed).
-  GeodesicPath path(const SurfacePoint& point) const;
+  /// A shortest path from a point to its nearest generator; see GeodesicPath::complete. To the generator `only` where
+  /// it is given: the shortest one for a point of the border of its cell, to which other generators are as near.
+  /// Farther outside it may be longer, or none. Cost: O(faces crossed).
+  GeodesicPath path(const SurfacePoint& point, GeneratorId only = {}) const;
 
   /// The curves on which the distance is one of `levels`: ascending, above 0, up to the largest distance.
   ///
@@ -105,7 +107,8 @@ class ExactField {
   /// The tangent vector at the nearest generator (see geodesic_tracing.hpp) in whose direction the shortest path to
   /// `point` departs, as long as the path: the logarithm of the point. Zero for the generator itself, where none
   /// reaches, where the path is not complete, and for curves.
-  Vec2 departure(const SurfacePoint& point) const;
+  Vec2 departure(const SurfacePoint& point) const { return departure(path(point)); }
+  Vec2 departure(const GeodesicPath& path) const;  ///< the same for a path of this field
 
  private:
   struct State;

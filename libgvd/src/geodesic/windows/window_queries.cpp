@@ -58,12 +58,13 @@ class PathTracer {
   PathTracer(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators)
       : mesh_(mesh), field_(field), generators_(generators) {}
 
-  GeodesicPath trace(const SurfacePoint& start) {
+  GeodesicPath trace(const SurfacePoint& start, GeneratorId only) {
     path_.points.push_back(start);
+    path_.generator = only;
     for (const FaceId f : faces_around(mesh_, start)) look_from(f, start);
     path_.length = best_distance_;
-    if (std::isinf(best_distance_)) return std::move(path_);
-    path_.generator = best_.generator;
+    path_.generator = std::isinf(best_distance_) ? GeneratorId() : best_.generator;
+    if (!path_.generator.valid()) return std::move(path_);
     for (VertexId v = follow_best(); v.valid() && !is_on_generator(v);) {
       best_distance_ = kInfinity;
       for_each_outgoing(mesh_, v, [&](HalfedgeId h) { look_from(Mesh::face(h), edge_point(h, 0), v); });
@@ -307,8 +308,8 @@ GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, 
 }
 
 GeodesicPath trace_shortest_path(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators,
-                                 const SurfacePoint& start) {
-  return PathTracer(mesh, field, generators).trace(start);
+                                 const SurfacePoint& start, GeneratorId only) {
+  return PathTracer(mesh, field, generators).trace(start, only);
 }
 
 Departures::Departures(const WorkingMesh& working, const std::vector<SurfacePoint>& generators) {

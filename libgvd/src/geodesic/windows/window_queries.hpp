@@ -75,10 +75,10 @@ class WindowDistances final : public DistanceField {
 GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, const Progress& progress = {});
 
 /// Traces a shortest path over edges and pseudo-sources; its length includes the generator's offset. All windows must
-/// have been kept. `generators` are the vertices that the field was propagated from.
-/// Cost: O(faces crossed + windows at its ends).
+/// have been kept. `generators` are the vertices that the field was propagated from. `only`: the generator that it
+/// leads to, if valid. Cost: O(faces crossed + windows at its ends).
 GeodesicPath trace_shortest_path(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators,
-                                 const SurfacePoint& start);
+                                 const SurfacePoint& start, GeneratorId only = {});
 
 /// Turns departures, which count angles on the working mesh, into tangent vectors of the input mesh at the generators
 /// (see geodesic_tracing.hpp).

@@ -155,10 +155,10 @@ ExactField::Nearest ExactField::nearest(const SurfacePoint& point) const {
   return nearest.distance > state_->max_distance ? Nearest{kInfinity, GeneratorId()} : nearest;
 }
 
-GeodesicPath ExactField::path(const SurfacePoint& point) const {
+GeodesicPath ExactField::path(const SurfacePoint& point, GeneratorId only) const {
   const WorkingMesh& working = state_->working;
-  GeodesicPath path =
-      trace_shortest_path(working.mesh(), state_->field, working.generator_vertices().raw(), state_->to_working(point));
+  GeodesicPath path = trace_shortest_path(working.mesh(), state_->field, working.generator_vertices().raw(),
+                                          state_->to_working(point), only);
   if (!path.generator.valid() || path.length > state_->max_distance) return {{}, GeneratorId(), kInfinity, false};
   path.length -= state_->offset(path.generator);
   for (SurfacePoint& p : path.points) p = state_->to_input(p);
@@ -181,9 +181,8 @@ std::vector<Isoline> ExactField::isolines(const std::vector<double>& levels, con
   return lines;
 }
 
-Vec2 ExactField::departure(const SurfacePoint& point) const {
+Vec2 ExactField::departure(const GeodesicPath& path) const {
   const Mesh& mesh = state_->working.input();
-  const GeodesicPath path = this->path(point);
   if (!path.complete || path.points.size() < 2 || state_->generators.empty()) return Vec2::Zero();
   const SurfacePoint& generator = state_->generators[path.generator.index()];
   const TangentFan fan(mesh, generator);

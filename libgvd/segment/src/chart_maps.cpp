@@ -1,0 +1,218 @@
+// Maps of regions to the plane: by exact logarithms, or by convex combinations.
+//
+// A logarithm is read from the shortest path: its length, and the direction in which it leaves the generator. Shortest
+// paths stay in the cell, and the one to a point of the border is asked for by its generator. Vertices decide, so that
+// neighbouring faces fit; but where the paths to two corners of a face pass on different sides of something, the three
+// logarithms do not belong together. Such a face is laid by the path to its centre: turned as that path turns from its
+// arrival to its departure.
+// A flat map has its border as a star round the generator, with the exact distances and the angles of the triangles of
+// two distances and a side: for a flat region that is the region itself, and mean value weights keep its inside. If a
+// face is turned round, the border is rounded, in steps up to a circle: then the map is one-to-one by Tutte's theorem.
+// Source: M. Floater, Mean value coordinates, 2003. Invariant: a map writes the faces of its own island only.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "base/plane.hpp"
+#include "chart_steps.hpp"
+#include "geodesic/face_layout.hpp"
+#include "mesh/flatten_disc.hpp"
+#include "mesh/vertex_ring.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr StepPart kPaths{"charts", 0, 0.8}, kTears{"charts", 0.8, 0.9};
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+const Vec2 kNowhere(kNaN, kNaN);
+
+/// Vertices and faces of one task: a path takes some microseconds.
+constexpr std::size_t kPathChunk = 256;
+
+IdVector<VertexId, Vec2> find_logarithms(const ChartSurface& surface) {
+  IdVector<VertexId, Vec2> logs(std::size_t(surface.mesh().vertex_count()), kNowhere);
+  const auto chunks = cut_into_chunks(logs.size(), kPathChunk);
+  surface.parallel().run(chunks.size(), kPaths, [&](std::size_t k) {
+    for (std::size_t i = chunks[k].begin; i < chunks[k].end; ++i) {
+      const GeodesicPath path = surface.path(VertexId(i));
+      if (path.complete) logs[VertexId(i)] = surface.field().departure(path);
+    }
+  });
+  return logs;
+}
+
+/// Whether the logarithms of the corners belong to paths that are not neighbours, or one is missing.
+bool is_torn(const Mesh& mesh, FaceId f, const PlaneCorners& corners) {
+  for (const HalfedgeId h : Mesh::halfedges(f)) {
+    const auto i = std::size_t(Mesh::corner(h));
+    // Also where a coordinate is not a number.
+    if (!((corners[(i + 1) % 3] - corners[i]).norm() <= kTear * mesh.length(h))) return true;
+  }
+  return false;
+}
+
+/// The corners of a face by the path to its centre. At the centre, the logarithm turns directions by the angle from
+/// that in which the path arrives to that in which it departs.
+PlaneCorners lay_by_centre(const ChartSurface& surface, FaceId f) {
+  const FaceId parent = surface.parent(f);
+  const FaceLayout layout(surface.surface(), parent);
+  PlaneCorners corners{kNowhere, kNowhere, kNowhere};
+  std::array<Vec2, 3> in_parent;
+  Bary centre{0, 0, 0};
+  for (int i = 0; i < 3; ++i) {
+    const SurfacePoint point = surface.point(f, i);
+    in_parent[std::size_t(i)] = layout.at(point.bary);
+    for (std::size_t k = 0; k < 3; ++k) centre[k] += point.bary[k] / 3;
+  }
+  const GeodesicPath path = surface.field().path(make_surface_point(parent, centre), surface.label(f));
+  const Vec2 log = surface.field().departure(path), at = layout.at(centre);
+  if (!path.complete || path.points.size() < 2 || !(log.norm() > 0)) return corners;
+  const auto before = locate_in_face(surface.surface(), parent, path.points[1]);
+  if (!before || *before == at) return corners;
+  const Vec2 arrival = (at - *before).normalized(), departure = log.normalized();
+  const double cosine = arrival.dot(departure), sine = cross(arrival, departure);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec2 d = in_parent[i] - at;
+    corners[i] = log + Vec2(cosine * d.x() - sine * d.y(), sine * d.x() + cosine * d.y());
+  }
+  return corners;
+}
+
+}  // namespace
+
+std::vector<PlaneCorners> map_by_logarithms(const ChartSurface& surface, IdVector<FaceId, char>& torn) {
+  const Mesh& mesh = surface.mesh();
+  const IdVector<VertexId, Vec2> logs = find_logarithms(surface);
+  std::vector<PlaneCorners> corners(std::size_t(mesh.face_count()), {kNowhere, kNowhere, kNowhere});
+  torn.assign(corners.size(), 0);
+  const auto chunks = cut_into_chunks(corners.size(), kPathChunk);
+  surface.parallel().run(chunks.size(), kTears, [&](std::size_t k) {
+    for (std::size_t i = chunks[k].begin; i < chunks[k].end; ++i) {
+      const FaceId f(i);
+      if (!surface.label(f).valid()) continue;
+      for (std::size_t c = 0; c < 3; ++c) corners[i][c] = logs[mesh.vertices(f)[c]];
+      if (!is_torn(mesh, f, corners[i])) continue;
+      torn[f] = 1;
+      corners[i] = lay_by_centre(surface, f);
+    }
+  });
+  return corners;
+}
+
+namespace {
+
+/// The border of an island that is a disc, counter-clockwise, one after the other.
+std::vector<VertexId> trace_border(const Mesh& mesh, const Island& island) {
+  std::vector<VertexId> border;
+  for (const FaceId f : island.faces) {
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
+      if (mesh.twin(h).valid()) continue;
+      HalfedgeId next = h;
+      do {
+        border.push_back(mesh.from(next));
+        next = next_on_boundary(mesh, next);
+      } while (next != h);
+      return border;
+    }
+  }
+  return border;
+}
+
+/// How the border of a disc is laid.
+struct BorderShape {
+  bool is_star;       ///< round the generator; else on a circle
+  double roundness;   ///< exponent, from 0 to 1, by which distances become equal
+  double even_share;  ///< share of even spacing in the angles between vertices
+  DiscWeights weights;
+};
+
+/// A twentieth of even spacing keeps apart what nearly coincides; a tenth, triangles of three vertices on a circle with
+/// some area. The last shape depends on connectivity alone.
+constexpr std::array<BorderShape, kFlatMaps> kShapes{{{true, 0, 0, DiscWeights::mean_value},
+                                                      {true, 0.5, 0.05, DiscWeights::mean_value},
+                                                      {false, 1, 0.1, DiscWeights::mean_value},
+                                                      {false, 1, 1, DiscWeights::uniform}}};
+
+/// The angles of the border's vertices, from 0 up to a full turn behind the last one. Of a star they are those of the
+/// triangles of two distances and a side, of a circle the lengths of the sides.
+std::vector<double> find_angles(const std::vector<double>& radius, const std::vector<double>& side,
+                                const BorderShape& shape) {
+  const std::size_t n = side.size();
+  std::vector<double> angles{0};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = radius[i], b = radius[(i + 1) % n];
+    // Half the angle by its sine, from the law of cosines: exact for small angles, too.
+    const double sine = std::sqrt(std::max(0.0, (side[i] - (a - b)) * (side[i] + (a - b)) / (4 * a * b)));
+    angles.push_back(angles.back() + (shape.is_star ? 2 * std::asin(std::min(1.0, sine)) : side[i]));
+  }
+  const double total = angles.back(), turn = 2 * std::numbers::pi;
+  for (std::size_t i = 0; i <= n; ++i) {
+    angles[i] = turn * ((1 - shape.even_share) * angles[i] / total + shape.even_share * double(i) / double(n));
+  }
+  return angles;
+}
+
+/// Lays the border by its shape; nothing where it does not go round the origin once, turning left.
+std::vector<BorderPoint> lay_border(const ChartSurface& surface, const Island& island, const BorderShape& shape) {
+  const std::vector<VertexId> border = trace_border(surface.mesh(), island);
+  const std::size_t n = border.size();
+  std::vector<double> radius(n, 1), side(n);
+  if (shape.is_star && surface.is_on_boundary(island.generator)) return {};
+  for (std::size_t i = 0; i < n; ++i) {
+    side[i] = (surface.mesh().position(border[(i + 1) % n]) - surface.mesh().position(border[i])).norm();
+    if (shape.is_star) radius[i] = surface.path(border[i]).length;
+    if (!(radius[i] > 0) || !std::isfinite(radius[i])) return {};
+  }
+  const std::vector<double> angles = find_angles(radius, side, shape);
+  std::vector<BorderPoint> laid;
+  for (std::size_t i = 0; i < n; ++i) {
+    laid.push_back({border[i], std::pow(radius[i], 1 - shape.roundness) * unit_vector(angles[i])});
+  }
+  // Each side turns by less than half a turn, and all sides by a full one.
+  for (std::size_t i = 0; i < n; ++i) {
+    if (orientation(Vec2::Zero(), laid[i].point, laid[(i + 1) % n].point) <= 0) return {};
+  }
+  return laid;
+}
+
+/// Directions that are tried for the axes of an island, over a quarter of a turn.
+constexpr int kTurns = 32;
+
+/// The matrix that gives the points the area `area`, and turns them so that their box is small and lies wide.
+Eigen::Matrix2d fit(const std::vector<BorderPoint>& border, double area, double laid_area) {
+  Eigen::Matrix2d best = Eigen::Matrix2d::Identity();
+  double least = kInfinity;
+  for (int k = 0; k < 2 * kTurns; ++k) {
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(std::numbers::pi / 2 * k / kTurns).toRotationMatrix();
+    Box2 box;
+    for (const BorderPoint& b : border) box.extend(turn * b.point);
+    const Vec2 size = box.sizes();
+    if (size.x() < size.y() || !(size.prod() < least)) continue;
+    least = size.prod();
+    best = turn;
+  }
+  return std::sqrt(area / laid_area) * best;
+}
+
+}  // namespace
+
+bool map_flat(const ChartSurface& surface, const Island& island, int attempt, std::vector<PlaneCorners>& corners) {
+  const Mesh& mesh = surface.mesh();
+  const BorderShape& shape = kShapes[std::size_t(attempt)];
+  const std::vector<BorderPoint> border = lay_border(surface, island, shape);
+  if (border.empty()) return false;
+  const PlaneDisc disc = flatten_disc(mesh, island.faces, border, shape.weights);
+  double area = 0;
+  for (const FaceId f : island.faces) area += mesh.area(f);
+  const double laid = 0.5 * twice_signed_area(border.size(), [&](std::size_t i) { return border[i].point; });
+  const Eigen::Matrix2d to_plane = fit(border, area, laid);
+  for (const FaceId f : island.faces) {
+    for (std::size_t c = 0; c < 3; ++c) corners[f.index()][c] = to_plane * disc.at(mesh.vertices(f)[c]);
+  }
+  return true;
+}
+
+}  // namespace gvd

@@ -1,0 +1,275 @@
+// Texture coordinates for regions: islands of the cut mesh, laid into the plane and packed into the unit square.
+//
+// The cut mesh is taken apart along the borders of its labels, so that each island has vertices of its own and a border
+// without a vertex twice. Islands keep their size in mesh units until all are packed; then one scale takes them into
+// the square. Faces are judged by their final coordinates, rounding included. A flat map that turns a face round there
+// is replaced by its next one, and all islands are packed again.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "base/plane.hpp"
+#include "chart_steps.hpp"
+#include "face_shares.hpp"
+#include "gvd/charts.hpp"
+#include "gvd/closest_point.hpp"
+#include "gvd/error.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Weights as distances at which the generators start: only differences matter.
+std::vector<double> to_offsets(std::vector<double> weights) {
+  if (weights.empty()) return weights;
+  const double least = *std::ranges::min_element(weights);
+  for (double& w : weights) w -= least;
+  return weights;
+}
+
+void check_cut(const Mesh& mesh, const CutMesh& cut) {
+  const bool fits = cut.parent.count() == cut.mesh.face_count() && cut.label.count() == cut.mesh.face_count() &&
+                    (cut.parent.empty() || cut.parent.raw().back().value() < mesh.face_count());
+  if (!fits) throw Error(ErrorCode::precondition, "the cut mesh was made of another mesh");
+}
+
+constexpr StepPart kFlatMapping{"charts", 0, 0.9};
+
+class ChartMaker {
+ public:
+  ChartMaker(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, const ChartOptions& options)
+      : surface_(mesh, diagram, cut, options) {}
+
+  Charts run(ChartMap map) {
+    charts_.charts.resize(islands().size());
+    if (map == ChartMap::logmap) {
+      corners_ = map_by_logarithms(surface_, torn_);
+      place();
+    } else {
+      lay_flat();
+    }
+    for (std::size_t i = 0; i < islands().size(); ++i) measure(i);
+    charts_.covered =
+        std::accumulate(charts_.charts.begin(), charts_.charts.end(), 0.0,
+                        [&](double sum, const Chart& c) { return sum + c.area * charts_.scale * charts_.scale; });
+    return std::move(charts_);
+  }
+
+ private:
+  const Mesh& mesh() const { return surface_.mesh(); }
+  const std::vector<Island>& islands() const { return surface_.islands(); }
+
+  void lay_flat() {
+    for (const Island& island : islands()) check_disc(island);
+    corners_.assign(std::size_t(mesh().face_count()), {Vec2(kNaN, kNaN), Vec2(kNaN, kNaN), Vec2(kNaN, kNaN)});
+    std::vector<int> next(islands().size(), 0);
+    std::vector<std::size_t> open(islands().size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    while (!open.empty()) {
+      surface_.parallel().run(open.size(), kFlatMapping, [&](std::size_t k) {
+        int& attempt = next[open[k]];
+        for (bool laid = false; !laid && attempt < kFlatMaps; ++attempt) {
+          laid = map_flat(surface_, islands()[open[k]], attempt, corners_);
+        }
+      });
+      place();
+      std::erase_if(open, [&](std::size_t i) { return next[i] == kFlatMaps || !has_flip(i); });
+    }
+  }
+
+  void check_disc(const Island& island) const {
+    const std::int64_t euler = euler_characteristic(mesh(), island);
+    if (euler == 1) return;
+    throw Error(ErrorCode::no_valid_result,
+                fmt::format("region {} is no disc (Euler characteristic {}), and can't be laid flat",
+                            island.generator.value(), euler),
+                island.generator.value());
+  }
+
+  bool has_flip(std::size_t i) const {
+    return std::ranges::any_of(islands()[i].faces, [&](FaceId f) { return orientation_of(f) <= 0; });
+  }
+
+  /// 1 if counter-clockwise in the square, for certain.
+  int orientation_of(FaceId f) const {
+    const auto corner = [&](std::size_t c) {
+      const auto& [u, v] = charts_.texture[3 * f.index() + c];
+      return Vec2(u, v);
+    };
+    return orientation(corner(0), corner(1), corner(2));
+  }
+
+  /// Packs the islands and sets the texture coordinates.
+  void place() {
+    std::vector<Box2> boxes;
+    std::vector<Vec2> sizes;
+    for (const Island& island : islands()) {
+      Box2 box;
+      for (const FaceId f : island.faces) {
+        for (const Vec2& p : corners_[f.index()]) {
+          if (p.allFinite()) box.extend(p);
+        }
+      }
+      if (box.isEmpty()) box.extend(Vec2::Zero());
+      boxes.push_back(box);
+      sizes.push_back(box.sizes());
+    }
+    const Packing packing = pack_boxes(sizes);
+    charts_.scale = packing.side > 0 ? 1 / packing.side : 1;
+    charts_.texture.assign(3 * corners_.size(), {kNaN, kNaN});
+    for (std::size_t i = 0; i < islands().size(); ++i) {
+      const auto in_square = [&](const Vec2& p) -> Vec2 {
+        return charts_.scale * (packing.at[i] + (p - boxes[i].min()));
+      };
+      charts_.charts[i].origin = in_square(Vec2::Zero());
+      for (const FaceId f : islands()[i].faces) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          const Vec2 p = in_square(corners_[f.index()][c]);
+          charts_.texture[3 * f.index() + c] = {p.x(), p.y()};
+        }
+      }
+    }
+  }
+
+  void measure(std::size_t i) {
+    Chart& chart = charts_.charts[i];
+    chart.generator = islands()[i].generator;
+    chart.faces = std::ssize(islands()[i].faces);
+    for (const FaceId f : islands()[i].faces) {
+      const double area = mesh().area(f);
+      chart.area += area;
+      if (!torn_.empty() && torn_[f]) chart.torn_area += area;
+      if (std::isnan(charts_.texture[3 * f.index()][0])) {
+        chart.unplaced_area += area;
+      } else if (orientation_of(f) <= 0) {
+        chart.flipped_area += area;
+      }
+    }
+  }
+
+  ChartSurface surface_;
+  std::vector<PlaneCorners> corners_;  // mesh units, each island round an origin of its own
+  IdVector<FaceId, char> torn_;
+  Charts charts_;
+};
+
+/// Fills shelves from below; the lower left corners of the boxes, or none where they do not fit.
+std::vector<Vec2> fill_shelves(const std::vector<Vec2>& sizes, const std::vector<std::size_t>& order, double side,
+                               double margin) {
+  std::vector<Vec2> at(sizes.size());
+  double x = 0, y = 0, height = 0;
+  for (const std::size_t i : order) {
+    const Vec2 size = sizes[i] + Vec2(2 * margin, 2 * margin);
+    if (x > 0 && x + size.x() > side) {
+      x = 0;
+      y += std::exchange(height, 0);
+    }
+    if (x + size.x() > side || y + size.y() > side) return {};
+    at[i] = Vec2(x + margin, y + margin);
+    x += size.x();
+    height = std::max(height, size.y());
+  }
+  return at;
+}
+
+}  // namespace
+
+double Charts::share(double Chart::*area_of) const {
+  double part = 0, all = 0;
+  for (const Chart& chart : charts) part += chart.*area_of, all += chart.area;
+  return all > 0 ? part / all : 0;
+}
+
+ChartSurface::ChartSurface(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, const ChartOptions& options)
+    : surface_(mesh),
+      diagram_(diagram),
+      cut_(cut),
+      separated_(separate_regions(cut.mesh, to_regions(cut.label))),
+      parallel_(options.threads, options.progress),
+      field_(mesh, diagram.generators,
+             {.offsets = to_offsets(diagram.weights), .progress = options.progress, .threads = options.threads}) {
+  islands_ = find_islands(separated_.mesh, cut.label);
+}
+
+std::vector<Island> find_islands(const Mesh& separated, const IdVector<FaceId, GeneratorId>& label) {
+  const IdVector<FaceId, std::int32_t> component = compute_face_components(separated);
+  std::vector<Island> islands;
+  std::vector<std::int32_t> number;  // of the island of each component; -1: without a label
+  for (const FaceId f : separated.faces()) {
+    const auto c = std::size_t(component[f]);
+    if (c == number.size()) {
+      number.push_back(label[f].valid() ? std::int32_t(islands.size()) : -1);
+      if (label[f].valid()) islands.push_back({label[f], {}});
+    }
+    if (number[c] >= 0) islands[std::size_t(number[c])].faces.push_back(f);
+  }
+  return islands;
+}
+
+std::int64_t euler_characteristic(const Mesh& mesh, const Island& island) {
+  std::vector<VertexId> vertices;
+  std::int64_t border = 0;
+  for (const FaceId f : island.faces) {
+    vertices.insert(vertices.end(), mesh.vertices(f).begin(), mesh.vertices(f).end());
+    for (const HalfedgeId h : Mesh::halfedges(f)) border += !mesh.twin(h).valid();
+  }
+  std::ranges::sort(vertices);
+  const std::int64_t count = std::ranges::unique(vertices).begin() - vertices.begin();
+  return count - (3 * std::ssize(island.faces) + border) / 2 + std::ssize(island.faces);
+}
+
+std::vector<GeneratorId> find_non_disc_regions(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label) {
+  const SeparatedMesh separated = separate_regions(mesh, to_regions(face_label));
+  std::map<GeneratorId, std::int64_t> parts;  // 2 for a region that can't be a disc
+  for (const Island& island : find_islands(separated.mesh, face_label)) {
+    parts[island.generator] += euler_characteristic(separated.mesh, island) == 1 ? 1 : 2;
+  }
+  std::vector<GeneratorId> regions;
+  for (const auto& [region, count] : parts) {
+    if (count > 1) regions.push_back(region);
+  }
+  return regions;
+}
+
+SurfacePoint ChartSurface::point(FaceId f, int corner) const {
+  const FaceId parent = cut_.parent[f];
+  const Vec3& at = mesh().position(mesh().vertices(f)[std::size_t(corner)]);
+  for (int i = 0; i < 3; ++i) {
+    if (surface_.position(surface_.vertices(parent)[std::size_t(i)]) == at) {
+      return edge_point(Mesh::halfedge(parent, i), 0);
+    }
+  }
+  return closest_point_on_face(surface_, parent, at).point;
+}
+
+Packing pack_boxes(const std::vector<Vec2>& sizes) {
+  constexpr double kGrowth = 1.01, kMarginOfMeanSide = 1.0 / 8;
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return sizes[a].y() > sizes[b].y(); });
+  double area = 0, longest = 0;
+  for (const Vec2& size : sizes) area += size.prod(), longest = std::max(longest, size.maxCoeff());
+  const double margin =
+      std::min(kChartMargin, kMarginOfMeanSide / std::sqrt(double(std::max<std::size_t>(1, sizes.size()))));
+  Packing packing;
+  if (!(longest > 0)) return {std::vector<Vec2>(sizes.size(), Vec2::Zero()), 0};
+  for (packing.side = std::max(longest, std::sqrt(area)); packing.at.empty(); packing.side *= kGrowth) {
+    packing.at = fill_shelves(sizes, order, packing.side, margin * packing.side);
+    if (!packing.at.empty()) break;
+  }
+  return packing;
+}
+
+Charts make_charts(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, const ChartOptions& options) {
+  check_belongs(mesh, diagram);
+  check_cut(mesh, cut);
+  return ChartMaker(mesh, diagram, cut, options).run(options.map);
+}
+
+}  // namespace gvd
