@@ -23,6 +23,7 @@
 #include "gvd/region_statistics.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/text.hpp"
+#include "segment/charts.hpp"
 #include "segment/parted_surface.hpp"
 #include "segment/weights.hpp"
 
@@ -37,6 +38,7 @@ constexpr const char* kExamples =
     "  gvd-segment scan.stl --radius 2.5 --cut -o pieces.ply --report report.json\n"
     "  gvd-segment - --input-format ply --vertices 3,17,99 -o - < a.ply > b.ply\n"
     "  gvd-segment bunny.obj -n 350 --balance area --cut -o equal.ply\n"
+    "  gvd-segment bunny.obj -n 20 --disc --uv flat -o charts.glb\n"
     "  gvd-segment scans/*.stl -n 30 --output-dir regions --output-format ply,json\n";
 
 /// A note names this many generators.
@@ -52,22 +54,26 @@ struct OwnOptions {
   std::optional<FaceLabels> labels;  ///< of whole faces
   RegionOptions regions;
   WeightOptions weights;
+  ChartRequest charts;
+
+  bool is_cut() const { return cut || charts.uv; }
 };
 
 void report_options(Run& run, const OwnOptions& own, const SegmentOptions& options) {
   Json& reported = run.report().options();
   const auto file = [&](const char* option) { return or_null(run.options().output.own.at(option)); };
   reported["curves"] = or_null(run.options().generators.curves);
-  reported["cut"] = own.cut;
+  reported["cut"] = own.is_cut();
   reported["region_materials"] = run.options().output.region_materials;
   reported["stats"] = file("--stats");
   reported["adjacency"] = file("--adjacency");
   reported["face_labels"] = file("--face-labels");
   reported["vertex_labels"] = file("--vertex-labels");
   reported["vertex_distances"] = file("--vertex-distances");
-  reported["labels"] = own.cut ? nullptr : Json(name_in(kFaceLabelNames, options.labels));
+  reported["labels"] = own.is_cut() ? nullptr : Json(name_in(kFaceLabelNames, options.labels));
   report_region_options(run, own.regions);
   report_weight_options(run, own.weights);
+  report_chart_options(run, own.charts);
 }
 
 /// The note on generators that own no face. It names a few of them; the report lists all.
@@ -182,12 +188,13 @@ void note_long_borders(Run& run, std::optional<double> ratio) {
 /// Labels the faces of the diagram's surface, which are those of the input. Files have the input's vertices, on which
 /// borders of regions are not doubled; bisectors are read from the surface.
 void write_whole_faces(Run& run, const PartedSurface& surface, const CheckedMesh& checked, const Diagram& diagram,
-                       const SegmentOptions& options) {
+                       const SegmentOptions& options, const ChartRequest& charts) {
   const Mesh &mesh = surface.mesh(), &input = checked.mesh;
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
   const std::optional<double> ratio = report_segmentation(run, mesh, diagram, segmentation);
   report_regions(run, {surface, diagram, input, segmentation.face_label});
   if (options.labels == FaceLabels::smooth) note_long_borders(run, ratio);
+  if (charts.disc) note_non_discs(run, mesh, segmentation.face_label);
   Diagram restricted;
   const Diagram& written = surface.restrict(diagram, restricted);
   std::vector<FaceNumbers> numbers = surface.numbers();
@@ -203,12 +210,13 @@ void write_whole_faces(Run& run, const PartedSurface& surface, const CheckedMesh
 }
 
 /// Cuts the input and not the diagram's surface: both sides of a border keep their vertices in common.
-void write_cut_faces(Run& run, const PartedSurface& surface, const CheckedMesh& checked, const Diagram& diagram) {
+void write_cut_faces(Run& run, const PartedSurface& surface, const CheckedMesh& checked, const Diagram& diagram,
+                     const ChartRequest& charts) {
   const Mesh& input = checked.mesh;
   CutMesh cut = run.timed("cut", [&] { return cut_faces(input, diagram, run.progress()); });
   const CutVertices vertices = carry_to_cut_vertices(surface.mesh(), diagram, cut);
   cut.numbers = carry_to_cut_faces(surface.numbers(), cut);
-  const Appearance appearance = carry_to_cut_faces(input, checked.appearance, cut);
+  Appearance appearance = carry_to_cut_faces(input, checked.appearance, cut);
   surface.add_labels(cut.label, cut.numbers);
   if (cut.uncut_faces > 0) {
     run.console().note(fmt::format("{} could not be cut", counted(cut.uncut_faces, "face", "faces")));
@@ -218,6 +226,7 @@ void write_cut_faces(Run& run, const PartedSurface& surface, const CheckedMesh& 
   LabelledMesh output{cut.mesh,           &cut.label, &cut.parent,    &vertices.label,
                       &vertices.distance, &diagram,   &surface.mesh()};
   output.face_numbers = &cut.numbers;
+  if (charts.uv) appearance.texture = chart_regions(run, surface.mesh(), diagram, cut, *charts.uv).texture;
   output.appearance = &appearance;
   Diagram restricted;
   const Diagram& written = surface.restrict(diagram, restricted);
@@ -238,13 +247,17 @@ void segment(Run& run, const OwnOptions& own) {
   const CheckedMesh input = load_input(run);
   const PartedSurface surface(run, input, own.regions, options);
   const Mesh& mesh = surface.mesh();
-  const Diagram diagram = run.options().generators.curves.empty()
-                              ? build_weighted_diagram(run, {input, mesh}, surface.make_generators(run), own.weights)
-                              : build_curve_diagram(run, mesh, load_curves(run, input));
-  if (own.cut) {
-    write_cut_faces(run, surface, input, diagram);
+  Diagram diagram = run.options().generators.curves.empty()
+                        ? build_weighted_diagram(run, {input, mesh}, surface.make_generators(run), own.weights)
+                        : build_curve_diagram(run, mesh, load_curves(run, input));
+  if (own.charts.disc) {
+    diagram = make_cells_discs(run, mesh, diagram);
+    run.report().set_generators(input.mesh, diagram.generators);
+  }
+  if (own.is_cut()) {
+    write_cut_faces(run, surface, input, diagram, own.charts);
   } else {
-    write_whole_faces(run, surface, input, diagram, options);
+    write_whole_faces(run, surface, input, diagram, options, own.charts);
   }
   write_own_file(run, "--stats",
                  [&](std::ostream& out) { write_statistics_csv(out, compute_region_statistics(mesh, diagram)); });
@@ -276,9 +289,11 @@ int main(int argc, char** argv) {
            "Give each region a material of its own in .obj also where INPUT has materials, in place of these");
   add_region_options(command.line(), own.regions, command.options().generators);
   add_weight_options(command.line(), own.weights);
+  add_chart_options(command.line(), own.charts);
   add_curves_option(command.line(), command.options().generators,
                     {"--count", "--radius", "--sampling", "--seed", "--generators", "--vertices", "--merge-coincident",
-                     "--within", "--mask", "--levels", "--balance", "--weights", "--verify"});
+                     "--within", "--mask", "--levels", "--balance", "--weights", "--disc", "--uv",
+                     "--verify"});
   command.add_target("--face-labels", "Write the label of each face, in the order of the faces in .ply (-1 for none)");
   command.add_target("--vertex-labels",
                      "Write the nearest generator of each vertex, in the order of the vertices in .ply (-1 for none)");

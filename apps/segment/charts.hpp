@@ -1,0 +1,36 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+
+#include "common/run.hpp"
+#include "gvd/appearance.hpp"
+#include "gvd/charts.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/segment.hpp"
+
+// Regions as charts: cells that are discs, and texture coordinates for the pieces of the cut mesh.
+namespace gvd::app {
+
+struct ChartRequest {
+  bool disc = false;           ///< generators are added until every cell is a disc
+  std::optional<ChartMap> uv;  ///< of the texture coordinates; none: no coordinates
+};
+
+/// Adds the options, behind those that they exclude.
+void add_chart_options(CLI::App& app, ChartRequest& target);
+
+/// Adds them to the member `options` of the report.
+void report_chart_options(Run& run, const ChartRequest& request);
+
+/// Adds generators until every cell is a disc, and reports what was added.
+Diagram make_cells_discs(Run& run, const Mesh& mesh, const Diagram& diagram);
+
+/// Notes the regions of whole faces that are no discs although their cells are.
+void note_non_discs(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label);
+
+/// The texture coordinates of `cut`, reported. Throws what `make_charts` throws, with the option that helps.
+Charts chart_regions(Run& run, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, ChartMap map);
+
+}  // namespace gvd::app
