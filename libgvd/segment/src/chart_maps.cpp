@@ -7,7 +7,8 @@
 // arrival to its departure.
 // A flat map has its border as a star round the generator, with the exact distances and the angles of the triangles of
 // two distances and a side: for a flat region that is the region itself, and mean value weights keep its inside. If a
-// face is turned round, the border is rounded, in steps up to a circle: then the map is one-to-one by Tutte's theorem.
+// face is turned round, the star's convex hull takes its place, with sides bent outwards; then a circle. With a convex
+// border the map is one-to-one by Tutte's theorem.
 // Source: M. Floater, Mean value coordinates, 2003. Invariant: a map writes the faces of its own island only.
 #include <algorithm>
 #include <cmath>
@@ -122,59 +123,97 @@ std::vector<VertexId> trace_border(const Mesh& mesh, const Island& island) {
 }
 
 /// How the border of a disc is laid.
-struct BorderShape {
-  bool is_star;       ///< round the generator; else on a circle
-  double roundness;   ///< exponent, from 0 to 1, by which distances become equal
+enum class Border {
+  star,    ///< round the generator, by exact distances
+  convex,  ///< the convex hull of the star, bent outwards
+  circle,
+};
+
+struct FlatMap {
+  Border border;
   double even_share;  ///< share of even spacing in the angles between vertices
   DiscWeights weights;
 };
 
-/// A twentieth of even spacing keeps apart what nearly coincides; a tenth, triangles of three vertices on a circle with
-/// some area. The last shape depends on connectivity alone.
-constexpr std::array<BorderShape, kFlatMaps> kShapes{{{true, 0, 0, DiscWeights::mean_value},
-                                                      {true, 0.5, 0.05, DiscWeights::mean_value},
-                                                      {false, 1, 0.1, DiscWeights::mean_value},
-                                                      {false, 1, 1, DiscWeights::uniform}}};
+/// A twentieth of even spacing keeps directions apart that nearly coincide, a tenth vertices that do. The last map
+/// depends on connectivity alone.
+constexpr std::array<FlatMap, kFlatMaps> kMaps{{{Border::star, 0, DiscWeights::mean_value},
+                                                {Border::convex, 0.05, DiscWeights::mean_value},
+                                                {Border::circle, 0.1, DiscWeights::mean_value},
+                                                {Border::circle, 1, DiscWeights::uniform}}};
+
+/// Share of a circle in a convex border. Without it, three vertices of one side would lie on a line.
+constexpr double kBulge = 0.1;
 
 /// The angles of the border's vertices, from 0 up to a full turn behind the last one. Of a star they are those of the
 /// triangles of two distances and a side, of a circle the lengths of the sides.
 std::vector<double> find_angles(const std::vector<double>& radius, const std::vector<double>& side,
-                                const BorderShape& shape) {
+                                const FlatMap& map) {
   const std::size_t n = side.size();
   std::vector<double> angles{0};
   for (std::size_t i = 0; i < n; ++i) {
     const double a = radius[i], b = radius[(i + 1) % n];
     // Half the angle by its sine, from the law of cosines: exact for small angles, too.
     const double sine = std::sqrt(std::max(0.0, (side[i] - (a - b)) * (side[i] + (a - b)) / (4 * a * b)));
-    angles.push_back(angles.back() + (shape.is_star ? 2 * std::asin(std::min(1.0, sine)) : side[i]));
+    angles.push_back(angles.back() + (map.border == Border::circle ? side[i] : 2 * std::asin(std::min(1.0, sine))));
   }
   const double total = angles.back(), turn = 2 * std::numbers::pi;
   for (std::size_t i = 0; i <= n; ++i) {
-    angles[i] = turn * ((1 - shape.even_share) * angles[i] / total + shape.even_share * double(i) / double(n));
+    angles[i] = turn * ((1 - map.even_share) * angles[i] / total + map.even_share * double(i) / double(n));
   }
   return angles;
 }
 
-/// Lays the border by its shape; nothing where it does not go round the origin once, turning left.
-std::vector<BorderPoint> lay_border(const ChartSurface& surface, const Island& island, const BorderShape& shape) {
+/// Moves points at ascending angles outwards onto their convex hull, which holds the origin, and bends its sides. In
+/// polar coordinates a line is 1 / r = c cos(angle - a), and a convex curve has 1 / r at most as large between two
+/// points as their line; a constant added to 1 / r makes that strict.
+void make_convex(const std::vector<double>& angle, std::vector<double>& radius) {
+  const std::size_t n = radius.size(), first = std::size_t(std::ranges::max_element(radius) - radius.begin());
+  const auto point = [&](std::size_t i) -> Vec2 { return radius[i % n] * unit_vector(angle[i % n]); };
+  std::vector<std::size_t> hull;
+  for (std::size_t i = first; i <= first + n; ++i) {
+    while (hull.size() > 1 && orientation(point(hull[hull.size() - 2]), point(hull.back()), point(i)) <= 0) {
+      hull.pop_back();
+    }
+    hull.push_back(i);
+  }
+  std::vector<double> inverse(n);
+  const double round = 1 / radius[first];
+  for (std::size_t k = 0; k + 1 < hull.size(); ++k) {
+    const auto angle_to = [&](std::size_t i) {
+      return angle[i % n] - angle[hull[k] % n] + (i >= n && hull[k] < n ? angle[n] : 0);
+    };
+    const double to = 1 / radius[hull[k + 1] % n], from = 1 / radius[hull[k] % n], all = angle_to(hull[k + 1]);
+    for (std::size_t i = hull[k]; i < hull[k + 1]; ++i) {
+      const double at = angle_to(i);
+      inverse[i % n] = (from * std::sin(all - at) + to * std::sin(at)) / std::sin(all);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) radius[i] = 1 / ((1 - kBulge) * inverse[i] + kBulge * round);
+}
+
+/// Lays the border; nothing where it does not go round the origin once, turning left.
+std::vector<BorderPoint> lay_border(const ChartSurface& surface, const Island& island, const FlatMap& map) {
   const std::vector<VertexId> border = trace_border(surface.mesh(), island);
   const std::size_t n = border.size();
   std::vector<double> radius(n, 1), side(n);
-  if (shape.is_star && surface.is_on_boundary(island.generator)) return {};
+  const bool is_round = map.border == Border::circle;
+  if (!is_round && surface.is_on_boundary(island.generator)) return {};
   for (std::size_t i = 0; i < n; ++i) {
     side[i] = (surface.mesh().position(border[(i + 1) % n]) - surface.mesh().position(border[i])).norm();
-    if (shape.is_star) radius[i] = surface.path(border[i]).length;
+    if (!is_round) radius[i] = surface.path(border[i]).length;
     if (!(radius[i] > 0) || !std::isfinite(radius[i])) return {};
   }
-  const std::vector<double> angles = find_angles(radius, side, shape);
+  const std::vector<double> angles = find_angles(radius, side, map);
+  const auto turns_left = [&](std::size_t i) {
+    return orientation(Vec2::Zero(), unit_vector(angles[i]), unit_vector(angles[i + 1])) > 0;
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!turns_left(i)) return {};
+  }
+  if (map.border == Border::convex) make_convex(angles, radius);
   std::vector<BorderPoint> laid;
-  for (std::size_t i = 0; i < n; ++i) {
-    laid.push_back({border[i], std::pow(radius[i], 1 - shape.roundness) * unit_vector(angles[i])});
-  }
-  // Each side turns by less than half a turn, and all sides by a full one.
-  for (std::size_t i = 0; i < n; ++i) {
-    if (orientation(Vec2::Zero(), laid[i].point, laid[(i + 1) % n].point) <= 0) return {};
-  }
+  for (std::size_t i = 0; i < n; ++i) laid.push_back({border[i], radius[i] * unit_vector(angles[i])});
   return laid;
 }
 
@@ -201,10 +240,10 @@ Eigen::Matrix2d fit(const std::vector<BorderPoint>& border, double area, double 
 
 bool map_flat(const ChartSurface& surface, const Island& island, int attempt, std::vector<PlaneCorners>& corners) {
   const Mesh& mesh = surface.mesh();
-  const BorderShape& shape = kShapes[std::size_t(attempt)];
-  const std::vector<BorderPoint> border = lay_border(surface, island, shape);
+  const FlatMap& map = kMaps[std::size_t(attempt)];
+  const std::vector<BorderPoint> border = lay_border(surface, island, map);
   if (border.empty()) return false;
-  const PlaneDisc disc = flatten_disc(mesh, island.faces, border, shape.weights);
+  const PlaneDisc disc = flatten_disc(mesh, island.faces, border, map.weights);
   double area = 0;
   for (const FaceId f : island.faces) area += mesh.area(f);
   const double laid = 0.5 * twice_signed_area(border.size(), [&](std::size_t i) { return border[i].point; });
