@@ -48,9 +48,9 @@ void report_charts(Run& run, const Charts& charts, ChartMap map) {
 void note_shares(Run& run, const Charts& charts, ChartMap map) {
   const auto percent = [&](double Chart::*area_of) { return fmt::format("{:.3g} %", 100 * charts.share(area_of)); };
   const auto has = [&](double Chart::*area_of) { return charts.share(area_of) > 0; };
-  run.console().note(fmt::format("{} cover {:.3g} % of the texture{}",
-                                 counted(std::ssize(charts.charts), "chart", "charts"), 100 * charts.covered,
-                                 map == ChartMap::flat && !has(&Chart::flipped_area) ? "; no face is flipped" : ""));
+  run.console().note(fmt::format(
+      "{} {:.3g} % of the texture{}", counted(std::ssize(charts.charts), "chart covers", "charts cover"),
+      100 * charts.covered, map == ChartMap::flat && !has(&Chart::flipped_area) ? "; no face is flipped" : ""));
   if (has(&Chart::flipped_area)) {
     run.console().note(fmt::format("{} of the area is flipped{}", percent(&Chart::flipped_area),
                                    map == ChartMap::flat

@@ -20,7 +20,7 @@ struct DiscOptions {
 struct DiscCells {
   Diagram diagram;                ///< of the given generators, in their order, then the added ones
   std::int64_t added = 0;         ///< number of generators added
-  std::int32_t rounds = 0;        ///< number of diagrams in which generators were added
+  std::int32_t rounds = 0;        ///< number of diagrams to which generators were added
   bool search_cut_short = false;  ///< the search for fewer generators ended at its limit
 };
 
@@ -29,22 +29,21 @@ std::vector<GeneratorId> find_non_discs(const Diagram& diagram);
 
 /// Adds generators until every cell is a disc, as few as are found.
 ///
-/// While there are cells that are no discs, each of them gets a generator that halves its shortest non-contractible
-/// loop, or one as far from a tip that it surrounds as its own; a sphere gets its farthest vertex. A search follows:
-/// added generators that the discs can do without are left out, and one is put in the place of two where that will do.
-/// If more than one remains, the same is done from thirds of loops, and from farthest vertices; the fewest count. There
-/// may be fewer still; but no single added one can be left out, as far as parts of the mesh tell, unless the search was
-/// cut short. Two cells may share several bisectors, and a cell may touch itself at a branch point.
+/// While there are cells that are no discs, each one that is apart from others is divided by one more generator: of
+/// some candidates the one that leaves least to do. These are the opposite point of its shortest non-contractible loop,
+/// one as far from a tip as its generator, and vertices; each is tried on the part of the mesh round the cell. A search
+/// follows: generators that the discs can do without are left out, and one is put in the place of two where that will
+/// do. There may be fewer still; but no single added one can be left out, as far as parts of the mesh tell, unless the
+/// search was cut short. Two cells may share several bisectors, and a cell may touch itself at a branch point.
 ///
 /// `diagram`: of `mesh` with `options.diagram`. Given generators are neither moved nor removed. Deterministic.
 /// Throws Error{no_valid_result} with the cell as its element where `max_added` or kMaxRemeshRounds rounds are not
 /// enough, or every point of it is too close to a generator; Error{invalid_option} for a negative `max_added` or
-/// weights. Cost: one diagram a round, and for the search kDiscSearch times as much; three times where more than one is
-/// added.
+/// weights. Cost: one diagram a round, and trials and search as kDiscSearch allows.
 DiscCells make_discs(const Mesh& mesh, const Diagram& diagram, const DiscOptions& options = {});
 
-/// The most work of a search, by that of the diagrams before it. Of 72 searches on tori and surfaces of genus 3, 56
-/// ended within it.
-inline constexpr double kDiscSearch = 40;
+/// The most work of all trials and of the search, each: that of so many diagrams of the given generators, or so many
+/// windows, which take some seconds. With a third of it, 6 generators in place of 2 were added on a model.
+inline constexpr double kDiscSearch = 20, kDiscSearchWindows = 3e7;
 
 }  // namespace gvd

@@ -1,18 +1,20 @@
 // Discs: generators are added until every cell is one, and then left out again as far as all cells stay discs.
 //
-// A disc needs less than the dual of a remesh: two cells round a loop may do, not three. What was added in vain is
-// found by the search of a remesh, which counts the one property here: it tries changes on parts of the mesh, and
-// decides by the diagram of the whole mesh. Where it ends depends on where it begins, so three ways to add generators
-// are tried. On 24 tori and surfaces of genus 3, with one generator given, each way alone adds 146 or 147, the best
-// of the three 126. A closed component takes two generators, a handle three: two cells meet in closed curves only, and
-// leave annuli.
+// A disc needs less than the dual of a remesh: two cells round a loop may do, not three. But both have to reach as far
+// along a limb, or one of them surrounds it beyond the other. So candidates are tried on the part of the mesh round the
+// cell, until one leaves nothing to do. The search of a remesh then finds what was added in vain, with discs as the one
+// property that counts.
+// A closed component takes two generators, a handle three: two cells meet in closed curves only, and leave annuli.
 #include "gvd/disc_cells.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
 #include <utility>
 
+#include "base/least.hpp"
 #include "gvd/error.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/surface_point.hpp"
@@ -24,14 +26,26 @@ namespace {
 
 bool is_disc(const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; }
 
+/// How far a cell is from a disc.
+int count_defects(const Cell& cell) { return std::abs(cell.euler_characteristic - 1) + cell.components - 1; }
+
+/// Candidates that are tried in one cell.
+constexpr std::size_t kCandidates = 24;
+
+/// A cell is divided in the same round as another one that is farther than so many bisectors: the cells that the two
+/// changes alter, one ring round each, do not meet.
+constexpr int kApart = 3;
+
 class DiscMaker {
  public:
   /// All must outlive this.
-  DiscMaker(const Mesh& mesh, const Diagram& given, const DiscOptions& options, DiscProposal way)
-      : mesh_(mesh), options_(options), way_(way), given_(given.generators.size()) {
-    max_added_ = options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), given_));
+  DiscMaker(const Mesh& mesh, const Diagram& given, const DiscOptions& options)
+      : mesh_(mesh),
+        options_(options),
+        given_(given.generators.size()),
+        max_added_(options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), given_))),
+        most_events_(std::max(kDiscSearch * double(given.report.propagation_events), kDiscSearchWindows)) {
     result_.diagram = given;
-    events_ = given.report.propagation_events;
   }
 
   DiscCells run() {
@@ -46,19 +60,48 @@ class DiscMaker {
  private:
   std::int64_t added() const { return std::int64_t(result_.diagram.generators.size() - given_); }
 
+  /// Divides cells that are apart from each other.
   void add_generators(const std::vector<GeneratorId>& cells) {
-    const std::int64_t may_add = max_added_ - added();
-    if (may_add <= 0 || result_.rounds >= kMaxRemeshRounds) {
+    if (added() >= max_added_ || result_.rounds >= kMaxRemeshRounds) {
       refuse(cells, fmt::format("{} added in {}", counted(added(), "generator was", "generators were"),
                                 counted(result_.rounds, "round", "rounds")));
     }
-    const auto points = propose_for_discs(mesh_, result_.diagram, cells, way_, std::size_t(may_add));
-    if (points.empty()) refuse(cells, "every point for a new generator is too close to another one");
+    const auto candidates = list_disc_candidates(mesh_, result_.diagram, cells, kCandidates);
     std::vector<SurfacePoint> generators = result_.diagram.generators;
-    generators.insert(generators.end(), points.begin(), points.end());
+    CellFlags near_change(generators.size(), 0);
+    for (std::size_t i = 0; i < cells.size() && std::int64_t(generators.size() - given_) < max_added_; ++i) {
+      if (candidates[i].empty() || near_change[cells[i]]) continue;
+      generators.push_back(choose_point(cells[i], candidates[i]));
+      const CellFlags rings = grow_rings(result_.diagram, {cells[i]}, kApart);
+      for (const GeneratorId g : rings.ids()) near_change[g] |= rings[g];
+    }
+    if (generators.size() == result_.diagram.generators.size()) {
+      refuse(cells, "every point for a new generator is too close to another one");
+    }
     result_.diagram = compute_diagram(mesh_, generators, options_.diagram);
-    events_ += result_.diagram.report.propagation_events;
     ++result_.rounds;
+  }
+
+  /// The candidate that leaves the fewest defects, as far as trials are allowed.
+  SurfacePoint choose_point(GeneratorId cell, const std::vector<SurfacePoint>& candidates) {
+    const LocalDual local(mesh_, result_.diagram, {cell}, {}, options_.diagram);
+    Least<SurfacePoint, int> best{candidates.front(), std::numeric_limits<int>::max()};
+    for (std::size_t i = 0; i < candidates.size() && best.rank > 0 && events_ < most_events_; ++i) {
+      if (const auto defects = try_point(local, candidates[i])) best.offer(*defects, candidates[i]);
+    }
+    return best.value;
+  }
+
+  /// The defects round the cell with one more generator; nothing where the part can't tell.
+  std::optional<int> try_point(const LocalDual& local, const SurfacePoint& point) {
+    const auto with = local.compute({point});
+    events_ += double(with ? with->diagram.report.propagation_events : 0);
+    if (!with) return std::nullopt;
+    int defects = 0;
+    for (const Cell& cell : with->diagram.cells) {
+      if (with->inner[cell.generator]) defects += count_defects(cell);
+    }
+    return defects;
   }
 
   [[noreturn]] void refuse(const std::vector<GeneratorId>& cells, const std::string& why) const {
@@ -76,7 +119,7 @@ class DiscMaker {
   void search_fewer() {
     GeneratorSearch search;
     search.kept = given_;
-    search.most_events = std::int64_t(kDiscSearch * double(events_));
+    search.most_events = std::int64_t(most_events_);
     search.diagram = options_.diagram;
     search.only = DualProperty::cell_is_disc;
     search.accept = [this](const std::vector<SurfacePoint>& generators) { return take_if_discs(generators); };
@@ -92,10 +135,10 @@ class DiscMaker {
 
   const Mesh& mesh_;
   const DiscOptions& options_;
-  const DiscProposal way_;
   const std::size_t given_;
-  std::int64_t max_added_ = 0;
-  std::int64_t events_ = 0;  // windows propagated in all diagrams but those of the search
+  const std::int64_t max_added_;
+  const double most_events_;  // windows propagated in trials, and in the search
+  double events_ = 0;         // of trials
   DiscCells result_;
 };
 
@@ -116,20 +159,7 @@ DiscCells make_discs(const Mesh& mesh, const Diagram& diagram, const DiscOptions
   if (!options.diagram.weights.empty() || !diagram.weights.empty()) {
     throw Error(ErrorCode::invalid_option, "generators can't be added to those with weights; make discs first");
   }
-  std::optional<DiscCells> best;
-  std::optional<Error> refused;
-  for (const DiscProposal way : {DiscProposal::halves, DiscProposal::thirds, DiscProposal::farthest}) {
-    if (best && best->added <= 1) break;
-    try {
-      DiscCells made = DiscMaker(mesh, diagram, options, way).run();
-      if (!best || made.added < best->added) best = std::move(made);
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::no_valid_result) throw;
-      if (!refused) refused = error;
-    }
-  }
-  if (!best) throw Error(*refused);
-  return *std::move(best);
+  return DiscMaker(mesh, diagram, options).run();
 }
 
 }  // namespace gvd

@@ -113,16 +113,14 @@ class DefectRepair {
     if (added_.size() == before) add_farthest(g);
   }
 
-  /// Adds the vertex of the cell that is farthest from its generator; without such a vertex, the farthest point of the
-  /// cell's bisectors.
-  void add_farthest(GeneratorId g) {
-    std::vector<SurfacePoint> candidates;
-    for (const VertexId v : elements().vertices[g]) candidates.push_back(vertex_point(mesh_, v));
-    const auto vertex_distance = [&](const SurfacePoint& p) { return diagram_.vertex_distance[vertex(mesh_, p)]; };
-    if (added_.add_best(candidates, vertex_distance)) return;
-    candidates.clear();
-    for (const BisectorId id : elements().bisectors[g]) append_points(diagram_.bisectors[id], candidates);
-    added_.add_best(candidates, [&](const SurfacePoint& p) { return distance(p, g); });
+  /// Adds points that may divide the cell: those that halve a loop, and vertices, from the farthest one to the
+  /// generator, evenly by their number.
+  void divide(GeneratorId g) {
+    split_loop(g, kFewestParts);
+    std::vector<VertexId> vertices = elements().vertices[g];
+    std::ranges::stable_sort(vertices, std::greater(), [&](VertexId v) { return diagram_.vertex_distance[v]; });
+    const std::size_t step = 1 + vertices.size() / std::max<std::size_t>(1, added_.room());
+    for (std::size_t i = 0; i < vertices.size(); i += step) added_.add(vertex_point(mesh_, vertices[i]));
   }
 
   /// The tip at which the defect can't be repaired, because the surface round it is too narrow.
@@ -232,6 +230,18 @@ class DefectRepair {
     added_.add_best(candidates, [&](const SurfacePoint& p) { return added_.clearance(p); });
   }
 
+  /// Adds the vertex of the cell that is farthest from its generator; without such a vertex, the farthest point of the
+  /// cell's bisectors.
+  void add_farthest(GeneratorId g) {
+    std::vector<SurfacePoint> candidates;
+    for (const VertexId v : elements().vertices[g]) candidates.push_back(vertex_point(mesh_, v));
+    const auto vertex_distance = [&](const SurfacePoint& p) { return diagram_.vertex_distance[vertex(mesh_, p)]; };
+    if (added_.add_best(candidates, vertex_distance)) return;
+    candidates.clear();
+    for (const BisectorId id : elements().bisectors[g]) append_points(diagram_.bisectors[id], candidates);
+    added_.add_best(candidates, [&](const SurfacePoint& p) { return distance(p, g); });
+  }
+
   static void append_points(const Bisector& bisector, std::vector<SurfacePoint>& points) {
     points.insert(points.end(), bisector.points.begin(), bisector.points.end());
   }
@@ -321,17 +331,16 @@ ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, 
   return proposed;
 }
 
-std::vector<SurfacePoint> propose_for_discs(const Mesh& mesh, const Diagram& diagram,
-                                            const std::vector<GeneratorId>& cells, DiscProposal way,
-                                            std::size_t max_count) {
-  AddedGenerators added(mesh, diagram.generators, max_count);
+std::vector<std::vector<SurfacePoint>> list_disc_candidates(const Mesh& mesh, const Diagram& diagram,
+                                                            const std::vector<GeneratorId>& cells, std::size_t count) {
+  AddedGenerators added(mesh, diagram.generators, count);
   DefectRepair repair(mesh, diagram, added);
-  for (std::size_t i = 0; i < cells.size() && !added.is_full(); ++i) {
-    if (way == DiscProposal::farthest) repair.add_farthest(cells[i]);
-    if (way == DiscProposal::halves) repair.split_loop(cells[i], kFewestParts);
-    if (way == DiscProposal::thirds) repair.split_loop(cells[i], kPartsOfDual);
+  std::vector<std::vector<SurfacePoint>> candidates;
+  for (const GeneratorId cell : cells) {
+    repair.divide(cell);
+    candidates.push_back(added.take());
   }
-  return added.take();
+  return candidates;
 }
 
 NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const std::vector<SurfacePoint>& added,

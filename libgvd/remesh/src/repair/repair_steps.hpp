@@ -40,7 +40,9 @@ class AddedGenerators {
 
   std::size_t size() const { return points_.size(); }
   bool is_full() const { return points_.size() == max_count_; }
-  std::vector<SurfacePoint> take() { return std::move(points_); }
+  std::size_t room() const { return max_count_ - points_.size(); }
+  /// Empties the list, but not the set of points that others keep their distance from.
+  std::vector<SurfacePoint> take() { return std::exchange(points_, {}); }
 
   /// Adds the point unless the list is full or a generator is too close (kMinAddedSpacing). Cost: that of `clearance`.
   bool add(const SurfacePoint& point) {
@@ -228,17 +230,12 @@ struct ProposedGenerators {
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
                                       std::size_t max_count, const Progress& progress = {});
 
-/// Ways to divide a cell that is no disc.
-enum class DiscProposal {
-  halves,    ///< a second point at the generator's distance from a tip, or the opposite one of the shortest loop
-  thirds,    ///< two of them, as for a dual
-  farthest,  ///< the cell's farthest vertex
-};
-
-/// New generators in cells that are no discs, as above. Cost: as above, for each cell.
-std::vector<SurfacePoint> propose_for_discs(const Mesh& mesh, const Diagram& diagram,
-                                            const std::vector<GeneratorId>& cells, DiscProposal way,
-                                            std::size_t max_count);
+/// For each of some cells that are no discs points, at most `count`, of which one may divide it as one more generator:
+/// a second point at the generator's distance from a tip or the opposite one of the shortest loop, then vertices, from
+/// the farthest one to the generator. Too close ones are left out, as above. Cost: that of cutting the mesh, and that
+/// of the elements of the cells.
+std::vector<std::vector<SurfacePoint>> list_disc_candidates(const Mesh& mesh, const Diagram& diagram,
+                                                            const std::vector<GeneratorId>& cells, std::size_t count);
 
 struct NearbyGenerators {
   std::vector<SurfacePoint> points;
