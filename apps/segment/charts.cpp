@@ -26,7 +26,6 @@ constexpr std::size_t kNamed = 8;
 
 void report_charts(Run& run, const Charts& charts, ChartMap map) {
   Json& results = run.report().results()["charts"];
-  results["islands"] = charts.charts.size();
   results["scale"] = charts.scale;
   results["covered_share"] = charts.covered;
   results["flipped_share"] = charts.share(&Chart::flipped_area);
@@ -112,7 +111,9 @@ void note_non_discs(Run& run, const Mesh& mesh, const IdVector<FaceId, Generator
                                  named.size() < regions.size() ? ", ..." : ""));
 }
 
-Charts chart_regions(Run& run, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, ChartMap map) {
+Charts chart_regions(Run& run, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
+                     const ChartRequest& request) {
+  const ChartMap map = *request.uv;
   try {
     const ChartOptions options{map, run.options().compute.threads, run.progress()};
     Charts charts = run.timed("charts", [&] { return make_charts(mesh, diagram, cut, options); });
@@ -120,7 +121,7 @@ Charts chart_regions(Run& run, const Mesh& mesh, const Diagram& diagram, const C
     note_shares(run, charts, map);
     return charts;
   } catch (const Error& error) {
-    if (error.code() != ErrorCode::no_valid_result) throw;
+    if (error.code() != ErrorCode::no_valid_result || request.disc) throw;
     throw Error(error.code(), fmt::format("{}; --disc adds generators until every region is a disc", error.what()),
                 error.element());
   }

@@ -30,7 +30,9 @@ Diagram make_cells_discs(Run& run, const Mesh& mesh, const Diagram& diagram);
 /// Notes the regions of whole faces that are no discs although their cells are.
 void note_non_discs(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label);
 
-/// The texture coordinates of `cut`, reported. Throws what `make_charts` throws, with the option that helps.
-Charts chart_regions(Run& run, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, ChartMap map);
+/// The texture coordinates of `cut` that are asked for, reported. Throws what `make_charts` throws, with the option
+/// that helps.
+Charts chart_regions(Run& run, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
+                     const ChartRequest& request);
 
 }  // namespace gvd::app

@@ -226,7 +226,7 @@ void write_cut_faces(Run& run, const PartedSurface& surface, const CheckedMesh& 
   LabelledMesh output{cut.mesh,           &cut.label, &cut.parent,    &vertices.label,
                       &vertices.distance, &diagram,   &surface.mesh()};
   output.face_numbers = &cut.numbers;
-  if (charts.uv) appearance.texture = chart_regions(run, surface.mesh(), diagram, cut, *charts.uv).texture;
+  if (charts.uv) appearance.texture = chart_regions(run, surface.mesh(), diagram, cut, charts).texture;
   output.appearance = &appearance;
   Diagram restricted;
   const Diagram& written = surface.restrict(diagram, restricted);

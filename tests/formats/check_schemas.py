@@ -72,6 +72,8 @@ def write_documents():
     run("gvd-segment", "ball.off", "-n", "4", "--method", "gbgvd", "-o", "g.json", "--report", "g-report.json")
     run("gvd-segment", "ball.off", "--levels", "2,5", "-o", "n.json", "-o", "n.ply", "--report", "n-report.json")
     run("gvd-segment", "n.ply", "--within", "label_1", "-n", "9", "--cut", "-o", "i.json", "--report", "i-report.json")
+    run("gvd-segment", "ball.off", "-n", "1", "--disc", "--uv", "flat", "-o", "u.json", "--report", "u-report.json")
+    run("gvd-segment", "ball.off", "-n", "3", "--uv", "logmap", "-o", "u.obj", "--report", "o-report.json")
     run("gvd-lloyd", "ball.off", "-n", "6", "--sampling", "random", "-o", "l.json", "--report", "l-report.json")
     run("gvd-remesh", "ball.off", "--generators", "l.json", "-o", "r.json", "--map", "m.json", "--report", "r-report.json")
     run("gvd-distance", "sheet.off", "--from", "0,80", "--to", "3,77,155", "--paths", "--isolines", ".5", "--max-distance", "2",
@@ -97,7 +99,7 @@ distances = check("distance.json")
 assert None in distances["distances"][0] and distances["paths"][0]["points"] and distances["isolines"]
 assert check("each.json")["nearest"] is None
 assert len(check("b.json")["weights"]) == 4
-for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scgnilrdebw"]:
+for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scgnilrdebwuo"]:
     check(name)
 if files.has_viewer(bin_folder, work):
     save_manifest("v1.json", "gvd-segment", "sheet.off", "--vertices", "0,77")

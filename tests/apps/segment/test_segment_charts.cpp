@@ -1,0 +1,141 @@
+// gvd-segment --disc and --uv: cells that are discs, and texture coordinates of the pieces.
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "apps/require_error.hpp"
+#include "apps/run_command.hpp"
+#include "support/catch.hpp"
+
+namespace gvd::test_segment_charts {
+
+using namespace test;
+using Catch::Matchers::Contains;
+
+std::string run(const std::string& arguments) {
+  const CommandResult result = run_command("gvd-segment", arguments);
+  CAPTURE(arguments, result.err);
+  REQUIRE(result.exit_code == 0);
+  return result.err;
+}
+
+nlohmann::json read_json(const std::string& path) { return nlohmann::json::parse(read_text(path)); }
+
+struct ObjFace {
+  std::array<std::array<double, 2>, 3> texture{};
+  double twice_area() const {
+    const auto& [a, b, c] = texture;
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  }
+};
+
+/// The faces of an OBJ by their texture coordinates; all must have some.
+std::vector<ObjFace> read_faces(const std::string& path) {
+  std::istringstream in(read_text(path));
+  std::vector<std::array<double, 2>> texture;
+  std::vector<ObjFace> faces;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream fields(line);
+    std::string kind;
+    fields >> kind;
+    if (kind == "vt") {
+      fields >> texture.emplace_back()[0] >> texture.back()[1];
+    } else if (kind == "f") {
+      ObjFace& face = faces.emplace_back();
+      for (auto& corner : face.texture) {
+        std::string field;
+        fields >> field;
+        REQUIRE(field.find('/') != std::string::npos);
+        corner = texture.at(std::stoul(field.substr(field.find('/') + 1)) - 1);
+      }
+    }
+  }
+  return faces;
+}
+
+TEST_CASE(
+    "gvd-segment --disc: every cell is a disc, the given generators come first, and the report counts the added ones") {
+  const ScratchFolder scratch;
+  const std::string figure = data_file("figure.obj") + " -n 6";
+  run(figure + " -q --report " + scratch / "without.json");
+  const std::string notes =
+      run(figure + " --disc --cut -o " + scratch / "a.ply" + " --report " + scratch / "with.json" + " --diagram " +
+          scratch / "d.json --stats " + scratch / "s.csv");
+  const auto without = read_json(scratch / "without.json"), with = read_json(scratch / "with.json");
+  const int added = with["results"]["disc"]["added"];
+  REQUIRE(without["diagram"]["disc_cells"] < 6);
+  CHECK(added >= 1);
+  CHECK(with["diagram"]["cells"] == 6 + added);
+  CHECK(with["diagram"]["disc_cells"] == 6 + added);
+  CHECK(with["results"]["regions"].size() == std::size_t(6 + added));
+  CHECK(read_json(scratch / "d.json")["generators"].size() == std::size_t(6 + added));
+  for (std::size_t i = 0; i < 6; ++i) CHECK(with["generators"][i] == without["generators"][i]);
+  CHECK_THAT(notes, Contains("so that every cell is a disc"));
+  // A run that needs none says so, too.
+  run(data_file("figure.obj") + " -q -n 300 --disc --report " + scratch / "none.json");
+  CHECK(read_json(scratch / "none.json")["results"]["disc"]["added"] == 0);
+}
+
+TEST_CASE("gvd-segment --uv flat: each face is counter-clockwise in the square, and the report says so") {
+  const ScratchFolder scratch;
+  run(data_file("figure.obj") + " -n 12 --disc --uv flat -q -o " + scratch / "a.obj" + " -o " + scratch / "a.ply" +
+      " --report " + scratch / "r.json");
+  const auto report = read_json(scratch / "r.json");
+  CHECK(report["options"]["cut"] == true);
+  CHECK(report["options"]["uv"] == "flat");
+  const auto& charts = report["results"]["charts"];
+  CHECK(charts["flipped_share"] == 0);
+  CHECK(charts["charts"].size() == report["results"]["regions"].size());
+  const auto faces = read_faces(scratch / "a.obj");
+  CHECK(faces.size() == report["results"]["faces"]);
+  double area = 0;
+  for (const ObjFace& face : faces) {
+    REQUIRE(face.twice_area() > 0);
+    for (const auto& [u, v] : face.texture) REQUIRE(std::min({u, v, 1 - u, 1 - v}) > 0);
+    area += 0.5 * face.twice_area();
+  }
+  CHECK(area == Approx(charts["covered_share"].get<double>()).epsilon(1e-6));
+  CHECK_THAT(read_text(scratch / "a.ply"), Contains("texcoord") || Contains("property double s"));
+}
+
+TEST_CASE("gvd-segment --uv logmap: the report has the generators' places, and distances in the texture are exact") {
+  const ScratchFolder scratch;
+  run(data_file("figure.obj") + " -n 40 --uv logmap -q -o " + scratch / "a.obj" + " --report " + scratch / "r.json");
+  const auto charts = read_json(scratch / "r.json")["results"]["charts"];
+  CHECK(charts["unplaced_share"] == 0);
+  CHECK(charts["flipped_share"] < 0.01);
+  CHECK(charts["torn_share"] < 0.03);
+  for (const auto& chart : charts["charts"]) {
+    CHECK(chart["origin"][0].get<double>() > 0);
+    CHECK(chart["origin"][1].get<double>() < 1);
+  }
+  CHECK(read_faces(scratch / "a.obj").size() > 5876);
+}
+
+TEST_CASE("gvd-segment --uv: the same bytes on any number of threads, and inside regions") {
+  const ScratchFolder scratch;
+  run(data_file("figure.obj") + " -q -n 5 -o " + scratch / "coarse.ply");
+  for (const std::string map : {"flat", "logmap"}) {
+    for (const std::string threads : {"1", "3"}) {
+      run(scratch / "coarse.ply" + " --within label -n 20 --disc -q --uv " + map + " --threads " + threads + " -o " +
+          scratch / threads + ".ply -o " + scratch / "any.obj" + " --report " + scratch / threads + ".json");
+    }
+    const bool is_same = read_text(scratch / "1.ply") == read_text(scratch / "3.ply");
+    CHECK(is_same);
+    CHECK(read_json(scratch / "1.json")["results"]["charts"]["unplaced_share"] == 0);
+    CHECK(read_faces(scratch / "any.obj").size() == read_json(scratch / "3.json")["results"]["faces"]);
+  }
+}
+
+TEST_CASE("gvd-segment --disc and --uv: refusals name what helps") {
+  const std::string name = "gvd-segment", figure = data_file("figure.obj") + " -n 6 ";
+  require_error(name, figure + "-q --uv flat", 5, "--disc adds generators until every region is a disc");
+  require_error(name, figure + "--uv flat --labels smooth", 2, "--uv");
+  require_error(name, figure + "--uv round", 2, "logmap|flat");
+  require_error(name, figure + "--disc --balance area", 2, "--disc");
+  require_error(name, figure + "--disc --weights none.txt", 2, "--disc");
+}
+
+}  // namespace gvd::test_segment_charts
