@@ -59,6 +59,10 @@ struct OwnOptions {
   bool is_cut() const { return cut || charts.uv; }
 };
 
+SegmentOptions make_segment_options(Run& run, const OwnOptions& own) {
+  return {own.labels.value_or(SegmentOptions().labels), run.progress()};
+}
+
 void report_options(Run& run, const OwnOptions& own, const SegmentOptions& options) {
   Json& reported = run.report().options();
   const auto file = [&](const char* option) { return or_null(run.options().output.own.at(option)); };
@@ -188,13 +192,14 @@ void note_long_borders(Run& run, std::optional<double> ratio) {
 /// Labels the faces of the diagram's surface, which are those of the input. Files have the input's vertices, on which
 /// borders of regions are not doubled; bisectors are read from the surface.
 void write_whole_faces(Run& run, const PartedSurface& surface, const CheckedMesh& checked, const Diagram& diagram,
-                       const SegmentOptions& options, const ChartRequest& charts) {
+                       const OwnOptions& own) {
+  const SegmentOptions options = make_segment_options(run, own);
   const Mesh &mesh = surface.mesh(), &input = checked.mesh;
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
   const std::optional<double> ratio = report_segmentation(run, mesh, diagram, segmentation);
   report_regions(run, {surface, diagram, input, segmentation.face_label});
   if (options.labels == FaceLabels::smooth) note_long_borders(run, ratio);
-  if (charts.disc) note_non_discs(run, mesh, segmentation.face_label);
+  if (own.charts.disc) note_non_discs(run, mesh, segmentation.face_label);
   Diagram restricted;
   const Diagram& written = surface.restrict(diagram, restricted);
   std::vector<FaceNumbers> numbers = surface.numbers();
@@ -238,7 +243,7 @@ void segment(Run& run, const OwnOptions& own) {
   if (!run.options().generators.curves.empty() && run.options().compute.method != Method::exact) {
     throw Error(ErrorCode::invalid_option, "--curves needs --method exact");
   }
-  const SegmentOptions options{own.labels.value_or(SegmentOptions().labels), run.progress()};
+  const SegmentOptions options = make_segment_options(run, own);
   report_options(run, own, options);
   if (run.options().output.region_materials && !contains(written_formats(run.options().output), "obj")) {
     throw Error(ErrorCode::invalid_option,
@@ -257,7 +262,7 @@ void segment(Run& run, const OwnOptions& own) {
   if (own.is_cut()) {
     write_cut_faces(run, surface, input, diagram, own.charts);
   } else {
-    write_whole_faces(run, surface, input, diagram, options, own.charts);
+    write_whole_faces(run, surface, input, diagram, own);
   }
   write_own_file(run, "--stats",
                  [&](std::ostream& out) { write_statistics_csv(out, compute_region_statistics(mesh, diagram)); });

@@ -56,8 +56,8 @@ struct Charts {
   double share(double Chart::*area_of) const;
 };
 
-/// Free space on all sides of an island, as a share of the square's side: two texels of a texture of 1024 x 1024, so that
-/// no texel of a neighbour is interpolated. Less where there are over 4096 islands: an eighth of their mean side.
+/// Free space on all sides of an island, as a share of the square's side: two texels of a texture of 1024 x 1024, so
+/// that none of a neighbour is interpolated. Less where there are over 4096 islands: an eighth of their mean side.
 inline constexpr double kChartMargin = 2.0 / 1024;
 
 /// A face is torn where the logarithms of two of its corners are farther apart than this many times the length of the
