@@ -105,7 +105,7 @@ std::vector<PlaneCorners> map_by_logarithms(const ChartSurface& surface, IdVecto
 
 namespace {
 
-/// The border of an island that is a disc, counter-clockwise, one after the other.
+/// The border of an island that is a disc, counter-clockwise.
 std::vector<VertexId> trace_border(const Mesh& mesh, const Island& island) {
   std::vector<VertexId> border;
   for (const FaceId f : island.faces) {
@@ -147,15 +147,18 @@ constexpr double kBulge = 0.1;
 
 /// The angles of the border's vertices, from 0 up to a full turn behind the last one. Of a star they are those of the
 /// triangles of two distances and a side, of a circle the lengths of the sides.
-std::vector<double> find_angles(const std::vector<double>& radius, const std::vector<double>& side,
-                                const FlatMap& map) {
-  const std::size_t n = side.size();
+std::vector<double> find_angles(const IslandBorder& border, const FlatMap& map) {
+  const std::size_t n = border.side.size();
   std::vector<double> angles{0};
   for (std::size_t i = 0; i < n; ++i) {
-    const double a = radius[i], b = radius[(i + 1) % n];
-    // Half the angle by its sine, from the law of cosines: exact for small angles, too.
-    const double sine = std::sqrt(std::max(0.0, (side[i] - (a - b)) * (side[i] + (a - b)) / (4 * a * b)));
-    angles.push_back(angles.back() + (map.border == Border::circle ? side[i] : 2 * std::asin(std::min(1.0, sine))));
+    double angle = border.side[i];
+    if (map.border != Border::circle) {
+      const double a = border.distance[i], b = border.distance[(i + 1) % n];
+      // Half the angle by its sine, from the law of cosines: exact for small angles, too.
+      const double sine = std::sqrt(std::max(0.0, (angle - (a - b)) * (angle + (a - b)) / (4 * a * b)));
+      angle = 2 * std::asin(std::min(1.0, sine));
+    }
+    angles.push_back(angles.back() + angle);
   }
   const double total = angles.back(), turn = 2 * std::numbers::pi;
   for (std::size_t i = 0; i <= n; ++i) {
@@ -193,27 +196,19 @@ void make_convex(const std::vector<double>& angle, std::vector<double>& radius) 
 }
 
 /// Lays the border; nothing where it does not go round the origin once, turning left.
-std::vector<BorderPoint> lay_border(const ChartSurface& surface, const Island& island, const FlatMap& map) {
-  const std::vector<VertexId> border = trace_border(surface.mesh(), island);
-  const std::size_t n = border.size();
-  std::vector<double> radius(n, 1), side(n);
-  const bool is_round = map.border == Border::circle;
-  if (!is_round && surface.is_on_boundary(island.generator)) return {};
+std::vector<BorderPoint> lay_border(const IslandBorder& border, const FlatMap& map) {
+  const std::size_t n = border.vertices.size();
+  std::vector<double> radius(n, 1);
+  if (map.border != Border::circle) radius = border.distance;
+  const auto is_usable = [](double r) { return r > 0 && std::isfinite(r); };
+  if (radius.empty() || !std::ranges::all_of(radius, is_usable)) return {};
+  const std::vector<double> angles = find_angles(border, map);
   for (std::size_t i = 0; i < n; ++i) {
-    side[i] = (surface.mesh().position(border[(i + 1) % n]) - surface.mesh().position(border[i])).norm();
-    if (!is_round) radius[i] = surface.path(border[i]).length;
-    if (!(radius[i] > 0) || !std::isfinite(radius[i])) return {};
-  }
-  const std::vector<double> angles = find_angles(radius, side, map);
-  const auto turns_left = [&](std::size_t i) {
-    return orientation(Vec2::Zero(), unit_vector(angles[i]), unit_vector(angles[i + 1])) > 0;
-  };
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!turns_left(i)) return {};
+    if (orientation(Vec2::Zero(), unit_vector(angles[i]), unit_vector(angles[i + 1])) <= 0) return {};
   }
   if (map.border == Border::convex) make_convex(angles, radius);
   std::vector<BorderPoint> laid;
-  for (std::size_t i = 0; i < n; ++i) laid.push_back({border[i], radius[i] * unit_vector(angles[i])});
+  for (std::size_t i = 0; i < n; ++i) laid.push_back({border.vertices[i], radius[i] * unit_vector(angles[i])});
   return laid;
 }
 
@@ -238,10 +233,22 @@ Eigen::Matrix2d fit(const std::vector<BorderPoint>& border, double area, double 
 
 }  // namespace
 
-bool map_flat(const ChartSurface& surface, const Island& island, int attempt, std::vector<PlaneCorners>& corners) {
+IslandBorder measure_border(const ChartSurface& surface, const Island& island) {
   const Mesh& mesh = surface.mesh();
+  IslandBorder border{trace_border(mesh, island), {}, {}};
+  const std::size_t n = border.vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    border.side.push_back((mesh.position(border.vertices[(i + 1) % n]) - mesh.position(border.vertices[i])).norm());
+  }
+  if (surface.is_on_boundary(island.generator)) return border;
+  for (const VertexId v : border.vertices) border.distance.push_back(surface.path(v).length);
+  return border;
+}
+
+bool map_flat(const Mesh& mesh, const Island& island, const IslandBorder& measured, int attempt,
+              std::vector<PlaneCorners>& corners) {
   const FlatMap& map = kMaps[std::size_t(attempt)];
-  const std::vector<BorderPoint> border = lay_border(surface, island, map);
+  const std::vector<BorderPoint> border = lay_border(measured, map);
   if (border.empty()) return false;
   const PlaneDisc disc = flatten_disc(mesh, island.faces, border, map.weights);
   double area = 0;

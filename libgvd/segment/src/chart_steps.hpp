@@ -76,9 +76,20 @@ std::vector<PlaneCorners> map_by_logarithms(const ChartSurface& surface, IdVecto
 /// Maps of a disc to the plane, from the best looking to the safest.
 inline constexpr int kFlatMaps = 4;
 
+/// The border of an island that is a disc, counter-clockwise.
+struct IslandBorder {
+  std::vector<VertexId> vertices;
+  std::vector<double> side;      ///< length from each vertex to the next one, mesh units
+  std::vector<double> distance;  ///< from the generator, mesh units; empty where that is on the boundary
+};
+
+/// Cost: O(n), and that of a path for each vertex of the border.
+IslandBorder measure_border(const ChartSurface& surface, const Island& island);
+
 /// Lays the faces of an island, a disc, by the `attempt`-th map; false where its border has no such shape. The area is
 /// that of the faces, mesh units. Writes to these faces only.
-bool map_flat(const ChartSurface& surface, const Island& island, int attempt, std::vector<PlaneCorners>& corners);
+bool map_flat(const Mesh& mesh, const Island& island, const IslandBorder& border, int attempt,
+              std::vector<PlaneCorners>& corners);
 
 // make_charts.cpp
 

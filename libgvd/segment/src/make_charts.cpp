@@ -69,13 +69,16 @@ class ChartMaker {
     for (const Island& island : islands()) check_disc(island);
     corners_.assign(std::size_t(mesh().face_count()), {Vec2(kNaN, kNaN), Vec2(kNaN, kNaN), Vec2(kNaN, kNaN)});
     std::vector<int> next(islands().size(), 0);
+    std::vector<IslandBorder> borders(islands().size());
     std::vector<std::size_t> open(islands().size());
     std::iota(open.begin(), open.end(), std::size_t{0});
     while (!open.empty()) {
       surface_.parallel().run(open.size(), kFlatMapping, [&](std::size_t k) {
         int& attempt = next[open[k]];
+        const Island& island = islands()[open[k]];
+        if (attempt == 0) borders[open[k]] = measure_border(surface_, island);
         for (bool laid = false; !laid && attempt < kFlatMaps; ++attempt) {
-          laid = map_flat(surface_, islands()[open[k]], attempt, corners_);
+          laid = map_flat(mesh(), island, borders[open[k]], attempt, corners_);
         }
       });
       place();
