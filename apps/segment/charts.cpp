@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A note names this many regions.
-constexpr std::size_t kNamed = 8;
+constexpr std::size_t kNamedRegions = 8;
 
 void report_charts(Run& run, const Charts& charts, ChartMap map) {
   Json& results = run.report().results()["charts"];
@@ -104,7 +104,7 @@ void note_non_discs(Run& run, const Mesh& mesh, const IdVector<FaceId, Generator
   const std::vector<GeneratorId> regions = find_non_disc_regions(mesh, label);
   if (regions.empty()) return;
   std::vector<std::int32_t> named;
-  for (std::size_t i = 0; i < std::min(kNamed, regions.size()); ++i) named.push_back(regions[i].value());
+  for (std::size_t i = 0; i < std::min(kNamedRegions, regions.size()); ++i) named.push_back(regions[i].value());
   run.console().note(fmt::format("{} of whole faces {} although their cells are: {}{}; --cut follows the cells",
                                  counted(std::ssize(regions), "region", "regions"),
                                  regions.size() == 1 ? "is no disc" : "are no discs", fmt::join(named, ", "),

@@ -34,7 +34,7 @@ constexpr std::size_t kCandidates = 24;
 
 /// A cell is divided in the same round as another one that is farther than so many bisectors: the cells that the two
 /// changes alter, one ring round each, do not meet.
-constexpr int kApart = 3;
+constexpr int kRingsApart = 3;
 
 class DiscMaker {
  public:
@@ -72,7 +72,7 @@ class DiscMaker {
     for (std::size_t i = 0; i < cells.size() && std::int64_t(generators.size() - given_) < max_added_; ++i) {
       if (candidates[i].empty() || near_change[cells[i]]) continue;
       generators.push_back(choose_point(cells[i], candidates[i]));
-      const CellFlags rings = grow_rings(result_.diagram, {cells[i]}, kApart);
+      const CellFlags rings = grow_rings(result_.diagram, {cells[i]}, kRingsApart);
       for (const GeneratorId g : rings.ids()) near_change[g] |= rings[g];
     }
     if (generators.size() == result_.diagram.generators.size()) {

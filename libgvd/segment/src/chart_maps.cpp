@@ -12,7 +12,6 @@
 // Source: M. Floater, Mean value coordinates, 2003. Invariant: a map writes the faces of its own island only.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -26,9 +25,6 @@ namespace gvd {
 namespace {
 
 constexpr StepPart kPaths{"charts", 0, 0.8}, kTears{"charts", 0.8, 0.9};
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-const Vec2 kNowhere(kNaN, kNaN);
 
 /// Vertices and faces of one task: a path takes some microseconds.
 constexpr std::size_t kPathChunk = 256;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,8 @@ std::int64_t euler_characteristic(const Mesh& mesh, const Island& island);
 
 /// The points of a face's corners in the plane; not numbers for one that is not placed.
 using PlaneCorners = std::array<Vec2, 3>;
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+inline const Vec2 kNowhere(kNaN, kNaN);
 
 /// A cut mesh whose regions are taken apart, with the paths from their generators.
 class ChartSurface {

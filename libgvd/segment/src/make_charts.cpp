@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -22,8 +21,6 @@
 
 namespace gvd {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Weights as distances at which the generators start: only differences matter.
 std::vector<double> to_offsets(std::vector<double> weights) {
@@ -67,7 +64,7 @@ class ChartMaker {
 
   void lay_flat() {
     for (const Island& island : islands()) check_disc(island);
-    corners_.assign(std::size_t(mesh().face_count()), {Vec2(kNaN, kNaN), Vec2(kNaN, kNaN), Vec2(kNaN, kNaN)});
+    corners_.assign(std::size_t(mesh().face_count()), {kNowhere, kNowhere, kNowhere});
     std::vector<int> next(islands().size(), 0);
     std::vector<IslandBorder> borders(islands().size());
     std::vector<std::size_t> open(islands().size());
