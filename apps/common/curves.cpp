@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::string_view kBoundary = "boundary", kCreases = "creases";
 
-/// Edges whose faces differ by more are creases, degrees: what gvd-lloyd and gvd-remesh take for one.
+/// Edges whose faces differ by more are creases, degrees: what gvd-lloyd and gvd-remesh take for one. On scans it
+/// leaves little but sharp rims.
 constexpr double kCreaseAngle = 40;
 
 /// The angle of "creases" or "creases:ANGLE", degrees; none where the text is neither.
@@ -34,6 +35,7 @@ std::optional<double> parse_creases(const std::string& text) {
   return angle && *angle > 0 && *angle < 180 ? angle : std::nullopt;
 }
 
+/// Notes and limits are those of a list of generators (run_parts.cpp).
 std::vector<GeneratorCurve> read(Run& run, const CheckedMesh& input, const std::string& file) {
   const GeneratorOptions& asked = run.options().generators;
   ResolvedGenerators snapped;
@@ -47,6 +49,7 @@ std::vector<GeneratorCurve> read(Run& run, const CheckedMesh& input, const std::
   return curves;
 }
 
+/// The curves that a name stands for. A mesh that has none of that kind is refused: there would be no generator.
 std::vector<GeneratorCurve> find(Run& run, const CheckedMesh& input, const std::string& name) {
   if (name == kBoundary) {
     auto curves = boundary_curves(input.mesh);
@@ -64,6 +67,7 @@ std::vector<GeneratorCurve> find(Run& run, const CheckedMesh& input, const std::
   return curves;
 }
 
+/// Twice where segments lie on each other.
 double length_of(const Mesh& mesh, const GeneratorCurve& curve) {
   double length = 0;
   for (const auto& [a, b] : curve.segments) {

@@ -9,7 +9,8 @@
 #include "gvd/generator_curve.hpp"
 #include "gvd/soup.hpp"
 
-// Curves as generators, for the commands that take them.
+// Curves as generators, for the commands that take them: gvd-segment for bands between curves, gvd-distance for
+// distances from them and their offset curves.
 namespace gvd::app {
 
 /// Adds --curves, which none of the options `excluded` may stand beside.

@@ -297,8 +297,7 @@ int main(int argc, char** argv) {
   add_chart_options(command.line(), own.charts);
   add_curves_option(command.line(), command.options().generators,
                     {"--count", "--radius", "--sampling", "--seed", "--generators", "--vertices", "--merge-coincident",
-                     "--within", "--mask", "--levels", "--balance", "--weights", "--disc", "--uv",
-                     "--verify"});
+                     "--within", "--mask", "--levels", "--balance", "--weights", "--disc", "--uv", "--verify"});
   command.add_target("--face-labels", "Write the label of each face, in the order of the faces in .ply (-1 for none)");
   command.add_target("--vertex-labels",
                      "Write the nearest generator of each vertex, in the order of the vertices in .ply (-1 for none)");

@@ -14,7 +14,8 @@
 
 namespace gvd {
 
-/// Curves as a file gives them: points, not yet of a mesh, and the segments between them.
+/// Curves as a file gives them: points, not yet of a mesh, and the segments between them. A point of no segment is a
+/// curve of its own.
 struct CurveList {
   GeneratorList points;
   std::vector<std::array<std::int32_t, 2>> segments;  ///< indices of points
@@ -29,6 +30,7 @@ struct CurveList {
 /// - text: a list of generators as text, in which a blank line begins another curve.
 /// Throws Error{unreadable_input} with name and line. Cost: O(length).
 CurveList parse_curves(std::string_view content, const std::string& name);
+/// The same for a file, also one that gzip packed. Throws Error{unreadable_input} if it can't be read, too.
 CurveList read_curves(const std::filesystem::path& path);
 
 /// The curves of a list on a mesh, with what became of the points in `snapped`. Points of a segment that no face

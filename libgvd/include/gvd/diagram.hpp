@@ -162,7 +162,8 @@ Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& gener
                         const DiagramOptions& options = {});
 
 /// The same for generators that are curves: a cell has the points that are nearest to one of them. It contains its
-/// curve, so that it may be an annulus or have more holes.
+/// curve, so that it may be an annulus or have more holes. Bisectors of two segments are straight or parabolas, and
+/// refined within the same chord tolerance.
 ///
 /// Throws what the other one and `check_curves` throw; Error{precondition} if two curves touch or cross (the message
 /// names both); Error{invalid_option} for another method than Method::exact, or if there are weights.

@@ -11,6 +11,11 @@ namespace gvd {
 
 /// A generator that is a curve: straight segments between surface points. Distances from it are those from the nearest
 /// of all its points. It is one connected piece: a polyline, open or closed, or several that meet.
+///
+/// Properties of what is computed from curves: (1) the distance is 0 on a curve, and nowhere else; (2) it is never
+/// longer than that from any set of points of the curves, and tends to it as the points become dense; (3) a curve lies
+/// in its own cell, so that the cell is connected, though it may have holes; (4) a curve of one point gives the bits of
+/// a generator at that point.
 struct GeneratorCurve {
   std::vector<SurfacePoint> points;                        ///< at least one; one alone is a generator as usual
   std::vector<std::array<std::int32_t, 2>> segments = {};  ///< two points each, that have a face in common

@@ -24,7 +24,8 @@ struct EdgeSource {
   double offset;      ///< distance from the generator to the image
   GeneratorId generator;
 
-  /// The parallel paths from a segment of a curve: lengths start + slope t.
+  /// The parallel paths from a segment of a curve: lengths start + slope t. A negative depth, which no image has, tells
+  /// them; `x` is the slope then.
   static EdgeSource parallel(double begin, double end, double slope, double start, GeneratorId g) {
     return {begin, end, slope, -1, start, g};
   }
@@ -80,6 +81,7 @@ struct FaceSource {
   }
   [[gnu::always_inline]] double distance(const Vec2& p) const { return shortest_path(p).distance; }
 
+  /// -infinity is the offset of no image; those of fast marching may be negative.
   bool is_parallel() const { return offset == -kInfinity; }
   /// Where the line of a straight path to p passes an end of the opening on its left, this cross product is > 0; < 0 on
   /// its right. Times the length of the path, unless paths are parallel.

@@ -24,7 +24,8 @@
 namespace gvd {
 namespace {
 
-/// The curves of edges between positions.
+/// The curves of edges between positions. Vertices that no edge has are those of the surface, or of nothing. An edge
+/// from a vertex to itself is none.
 CurveList connect_edges(const LineSoup& soup, const std::string& name) {
   UnionFind sets(soup.positions.size());
   std::vector<bool> is_used(soup.positions.size(), false);
@@ -67,7 +68,7 @@ void add_polyline(CurveList& list, const std::vector<GeneratorEntry>& points, bo
   if (closed && count > 2) list.segments.push_back({first + count - 1, first});
 }
 
-/// Adds a curve with its segments, as diagrams have it.
+/// Adds a curve with its segments, as diagrams have it. Segments are checked here: their numbers come from the file.
 void add_segments(CurveList& list, const std::vector<GeneratorEntry>& points, const nlohmann::json& segments,
                   const detail::ListLocation& location) {
   const auto first = std::int32_t(list.curve.size()), count = std::int32_t(points.size());
@@ -84,6 +85,7 @@ void add_segments(CurveList& list, const std::vector<GeneratorEntry>& points, co
   }
 }
 
+/// A blank line between two entries parts two curves; a comment does not.
 CurveList parse_text_curves(std::string_view content, const std::string& name) {
   CurveList list{{name, {}}, {}, {}};
   std::vector<bool> is_blank;  // [line]
@@ -104,6 +106,8 @@ CurveList parse_text_curves(std::string_view content, const std::string& name) {
   return list;
 }
 
+/// Reads the first of the arrays that is not empty. A diagram of curves has `curves` and `bisectors`: the generators
+/// are meant. Without lines for messages, since LineReader knows those of generators alone.
 CurveList parse_json_curves(std::string_view content, const std::string& name) {
   const nlohmann::json document = detail::parse_document(content, name);
   const detail::ListLocation location{name, 1};

@@ -1,5 +1,8 @@
 // Curves that can be generators: those of a mesh, and what all of them have to fulfil.
 //
+// A curve is checked before work begins, so that what inserts it may count on points in faces and on connected
+// segments.
+//
 // The curves of a mesh are connected sets of its edges: union-find over the vertices gives the sets, in the order of
 // their first vertices.
 #include "gvd/generator_curve.hpp"
@@ -15,6 +18,7 @@
 namespace gvd {
 namespace {
 
+/// Throws with the curve's number, which `element` of the error holds too.
 [[noreturn]] void refuse(std::size_t curve, const std::string& why) {
   throw Error(ErrorCode::precondition, fmt::format("curve {} {}", curve, why), std::int64_t(curve));
 }
@@ -45,7 +49,8 @@ void check_curve(const Mesh& mesh, const GeneratorCurve& curve, std::size_t numb
   if (parts > 1) refuse(number, fmt::format("has {} parts; make each one a curve of its own", parts));
 }
 
-/// The connected sets of some edges.
+/// The connected sets of some edges, each with its vertices in their order. So the first point of a curve is the vertex
+/// with the least number, whatever edges it has.
 std::vector<GeneratorCurve> collect_curves(const Mesh& mesh, const std::vector<EdgeId>& edges) {
   UnionFind sets(mesh.vertex_count());
   for (const EdgeId e : edges) {

@@ -41,7 +41,8 @@ struct Segment {
   GeneratorId generator;
 };
 
-/// The points of all curves, in their order, and their segments.
+/// The points of all curves, in their order, and their segments. Points where a curve crosses itself follow behind, so
+/// that those of the user keep their numbers.
 struct CurvePoints {
   std::vector<SurfacePoint> points;
   IdVector<PointId, GeneratorId> owner;
@@ -140,7 +141,8 @@ class CurveInsertion {
     }
   }
 
-  /// The edges of all curves.
+  /// Collects the edges of all curves. Only now: a flip gives the halfedges of two faces to other edges, so that until
+  /// then an edge is known by its ends.
   void finish() {
     CurveEdges& curves = working_.curves_;
     std::set<VertexId> vertices;
@@ -183,7 +185,8 @@ class CurveInsertion {
     return std::abs(cross(way, step)) <= kOnSegment * way.norm() && along > 0 && along < way.squaredNorm();
   }
 
-  /// The next vertex on the segment after `at`, joined to it by an edge.
+  /// The next vertex on the segment after `at`, joined to it by an edge: one that is there already, or one that flips
+  /// make. Of the faces round `at`, either one has a corner on the segment, or exactly one lies on both sides of it.
   VertexId step(const Segment& segment, VertexId at, VertexId target) {
     const Bary& to = segment.ends[1];
     std::optional<VertexId> next;
@@ -249,6 +252,7 @@ class CurveInsertion {
     return end;
   }
 
+  /// Collects the edges that the segment crosses, in its order, and returns the vertex where it leaves the last face.
   VertexId collect_crossed(const Segment& segment, const Bary& from, HalfedgeId h, VertexId target,
                            std::deque<Crossed>& crossed) const {
     const Bary& to = segment.ends[1];

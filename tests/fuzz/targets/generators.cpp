@@ -1,5 +1,5 @@
-// Feeds the readers of generator lists: text, CSV, JSON, and the detection of the format. The first byte chooses. All of
-// them may be curves, too, and OBJ and PLY as well.
+// Feeds the readers of generator lists: text, CSV, JSON, and the detection of the format. The first byte chooses. All
+// of them may be curves, too, and OBJ and PLY as well.
 #include <fmt/format.h>
 
 #include <algorithm>

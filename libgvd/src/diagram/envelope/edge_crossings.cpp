@@ -36,7 +36,8 @@ constexpr double kShortestExactInterval = 5 * kEndGap;
 /// of the edge is a point.
 constexpr double kEqual = 1e-14;
 
-/// `equidistant_positions` where the paths of the first source, or of both, are parallel.
+/// `equidistant_positions` where the paths of the first source, or of both, are parallel: a quadratic equation, since
+/// one side of the equation of lengths is linear, or a linear one.
 std::array<double, 2> equidistant_to_parallel(const EdgeSource& parallel, const EdgeSource& other, double unit) {
   if (other.is_parallel()) {
     const double t = (other.offset - parallel.offset) / (parallel.x - other.x);

@@ -76,7 +76,8 @@ struct Plane {
   }
 };
 
-/// Appends the point where the parallel paths of three sources are equally long.
+/// Appends the point where the parallel paths of three sources are equally long: the lengths are linear, so that it
+/// solves two linear equations. Nothing where two directions are the same.
 void append_parallel_point(const FaceSource& a, const FaceSource& b, const FaceSource& c, std::vector<Vec2>& points) {
   const auto start = [](const FaceSource& s) { return s.distance_begin - s.image.dot(s.begin); };
   const Vec2 first = a.image - b.image, second = a.image - c.image;

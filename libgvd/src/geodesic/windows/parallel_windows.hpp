@@ -13,8 +13,17 @@ namespace gvd {
 // grow linearly along an edge. What window_geometry.hpp and window_filters.hpp say of an image holds here for the
 // segment, with the direction of the paths in place of the ray from the image: no proof there uses more than that
 // paths are straight, and that none is shorter.
+//
+// Why a direction and not an image far away: an image at the distance D makes an arc of the straight front, which is
+// off by w^2 / (8 D) over a window of the width w, and sums of D and a length lose D / 2^52. Both together are never
+// below 1e-8 w. The direction is rotated by the angle of a corner for each face, so that its error grows as that of an
+// image does (kSameImage), and nothing is divided by a length that may vanish.
+//
+// All of them come from a segment itself: behind a vertex at which paths bend, windows have an image again. So there
+// are few, and none of the code here belongs to the innermost loop.
 
-/// The paths of a parallel window in its frame.
+/// The paths of a parallel window in its frame: at the point (x, y) their length is start + along x + across y, because
+/// it grows by the way in their direction, and not at right angles to it.
 struct ParallelPaths {
   double along, across;  ///< unit vector of their direction, across > 0
   double start;          ///< distance of the frame's origin
@@ -58,7 +67,9 @@ inline double hit_by_parallel(double u, double along, double across, const ExitS
   return u * across / (across * side.cosine - along * side.sine);
 }
 
-/// The sub-windows that leave a face by its left and by its right side, as cross_left and cross_right.
+/// The sub-windows that leave a face by its left and by its right side, as cross_left and cross_right. The new frame
+/// begins at the side's first corner for the left side, so that `start` stays; at the apex for the right one. Its axes
+/// are those of the old frame, turned by the angle at the corner that the side shares with the edge.
 inline Window cross_left_parallel(const Window& w, const ExitSide& side, const ParallelApexView& apex) {
   const ParallelPaths p(w);
   const double end =

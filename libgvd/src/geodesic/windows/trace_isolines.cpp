@@ -66,6 +66,7 @@ struct Reach {
 Reach reach_of(const EdgeSource& s, double level) {
   const double beyond_begin = level - s.straight(s.begin), beyond_end = level - s.straight(s.end);
   if (s.is_parallel()) {
+    // Linear lengths reach a level once. They are least at one end of the interval.
     if (beyond_begin < 0 && beyond_end < 0) return {1, 0};
     const double at = (level - s.offset) / s.x;
     return {beyond_begin < 0 ? at : s.begin - beyond_begin, beyond_end < 0 ? at : s.end + beyond_end};

@@ -126,7 +126,8 @@ class PathTracer {
     }
   }
 
-  /// Whether parallel paths begin on the edge of a halfedge, so far from which their beginning lies.
+  /// Whether parallel paths begin on the edge of a halfedge, so far from which their beginning lies. Rounding of a
+  /// path's direction over its faces leaves the beginning beside the edge.
   bool begins_at(HalfedgeId h, double outside) const {
     if (outside > kAtCorner * mesh_.length(h)) return false;
     bool begins = false;

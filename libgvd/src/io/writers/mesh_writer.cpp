@@ -262,6 +262,7 @@ void print_bisector(ByteWriter& out, const Mesh& mesh, const Bisector& bisector)
   out.text("}");
 }
 
+/// Points and segments apart, as curves may branch.
 void print_curve(ByteWriter& out, const Mesh& mesh, const GeneratorCurve& curve) {
   out.text("{\"points\":");
   print_array(out, curve.points, [&](const SurfacePoint& point) { print_point(out, mesh, point); });

@@ -99,6 +99,7 @@ class ObjParser {
     soup_.close_polygon();
   }
 
+  /// Reads `l v v v ...`: an edge from each vertex to the next one.
   void add_line() {
     std::int32_t last = -1;
     for (std::string_view token = text_.token(); !token.empty(); token = text_.token()) {

@@ -25,6 +25,7 @@ CurveSectors::CurveSectors(const Mesh& mesh, const FaceFrames& frames, const Cur
   for (const HalfedgeId h : curves.edges) is_curve_[mesh.edge(h).index()] = true;
 }
 
+/// Of a boundary vertex, the last edge has no halfedge that leaves it: it is the one before the last corner's.
 CurveSectors::Spokes CurveSectors::spokes(VertexId v) const {
   Spokes found;
   double angle = 0;

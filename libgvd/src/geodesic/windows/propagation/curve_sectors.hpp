@@ -9,7 +9,8 @@
 
 namespace gvd {
 
-/// Finds the sectors through which the vertices of curves send windows.
+/// Finds the sectors through which the vertices of curves send windows. Once for each vertex at the start: angles by
+/// arc tangents cost nothing there.
 class CurveSectors {
  public:
   /// Mesh and frames have to outlive this. Cost: O(n).

@@ -124,7 +124,8 @@ class FaceCrossing {
   }
 
   /// The same for a parallel window, with target.enqueue_parallel_on_edge. Curves have no departures. Rare enough for a
-  /// call.
+  /// call. Of several windows that cover the apex all split there: strips of one curve do not overlap, so that they do
+  /// not double from face to face.
   template <class Target>
   [[gnu::noinline]] void cross_parallel(const PropagatedWindow& entering, const FaceEntry& entry, Target& target) {
     const Window& w = entering.window;

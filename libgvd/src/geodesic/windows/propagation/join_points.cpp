@@ -15,6 +15,7 @@ constexpr double kFirstRadius = 1.5, kLastRadius = 4;
 
 }  // namespace
 
+// A field costs O(n) for its tables, so the radius is doubled and not raised by little: most points are joined at once.
 std::vector<SurfacePoint> join_points(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   if (find_common_view(mesh, a, b)) return {};
   const double last = kLastRadius * mesh.bbox_diagonal();

@@ -108,7 +108,7 @@ class PartitionPropagator {
   void send_from_curve(VertexCopyId v, std::span<const CurveSector> sectors) {
     sources_.send_from_curve(v, labels_.label[v], sectors, *this);
   }
-  /// From a segment, into the face of its halfedge.
+  /// From a segment, into the face of its halfedge: the window waits as if it had come to the edge, with key 0.
   void send_from_segment(HalfedgeId h) {
     const FaceFrame& f = frames_.frame[Mesh::face(h)];
     const std::size_t start = Mesh::corner(h);
@@ -170,7 +170,7 @@ class PartitionPropagator {
     if (has_needles_ && is_left_to_ends(w, edge)) return;
     enqueue(w, history, edge, w.offset + w.least_image_distance());
   }
-  /// The same for a parallel window.
+  /// The same for a parallel window. Its least distance is at one end of the interval, because distances are linear.
   void enqueue_parallel_on_edge(const Window& w, const WindowHistory& history, const WindowEdge& edge) {
     if (is_parallel_dropped(w, labels_.distance[edge.start], labels_.distance[edge.end], edge.length)) return;
     enqueue(w, history, edge, std::min(w.distance(w.begin), w.distance(w.end)));

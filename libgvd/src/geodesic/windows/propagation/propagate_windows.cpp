@@ -67,7 +67,8 @@ class Propagation {
     for_each_copy(v, [&](PartitionPropagator& partition, VertexCopyId copy) { partition.start_vertex(copy, g, d); });
   }
 
-  /// All vertices before the first window: their distances are known when windows meet them.
+  /// All vertices before the first window: their distances are known when windows meet them. Then the vertices send
+  /// windows before the segments do, in ascending order: what waits at the start is the same for any partitions.
   void start(const CurveEdges& curves) {
     for (const auto& [v, generator] : curves.vertices) {
       for_each_copy(v, [&, g = generator](PartitionPropagator& partition, VertexCopyId copy) {

@@ -57,7 +57,8 @@ class PseudoSources {
     }
   }
 
-  /// Sends windows from a vertex of a curve, with the paths along all edges there.
+  /// Sends windows from a vertex of a curve, with the paths along all edges there: so each edge that a window comes to
+  /// has distances at both ends, as FaceCrossing needs it.
   template <class Target>
   void send_from_curve(VertexCopyId v, GeneratorId g, std::span<const CurveSector> sectors, Target& target) const {
     const VertexEvent event{v, false, {0, g, {}}};
