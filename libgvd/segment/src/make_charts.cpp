@@ -220,7 +220,7 @@ std::int64_t euler_characteristic(const Mesh& mesh, const Island& island) {
     for (const HalfedgeId h : Mesh::halfedges(f)) border += !mesh.twin(h).valid();
   }
   std::ranges::sort(vertices);
-  const std::int64_t count = std::ranges::unique(vertices).begin() - vertices.begin();
+  const std::int64_t count = std::unique(vertices.begin(), vertices.end()) - vertices.begin();
   return count - (3 * std::ssize(island.faces) + border) / 2 + std::ssize(island.faces);
 }
 

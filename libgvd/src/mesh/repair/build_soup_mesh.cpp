@@ -182,7 +182,8 @@ void examine_appearance(const PolygonSoup& soup) {
   const bool is_whole = (texture.empty() || texture.size() == soup.corners.size()) &&
                         (material.empty() || material.size() == soup.polygon_count());
   if (!is_whole) refuse_soup("the soup has no texture coordinate for each corner, or no material for each face", -1);
-  const auto is_known = [&](std::int32_t m) { return m >= -1 && m < std::ssize(materials); };
+  const std::int64_t names = std::ssize(materials);
+  const auto is_known = [names](std::int32_t m) { return m >= -1 && m < names; };
   if (!std::all_of(material.begin(), material.end(), is_known)) refuse_soup("a material of the soup has no name", -1);
 }
 
