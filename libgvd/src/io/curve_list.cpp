@@ -152,12 +152,11 @@ SurfacePoint moved_to_side(const SurfacePoint& point) {
 }
 
 /// The number of each point's curve, where curves that have a point in common are one: the paths from one source, or
-/// the bisectors of a diagram.
-std::vector<std::int32_t> unite_touching(const Mesh& mesh, const std::vector<std::int32_t>& curve,
-                                         const std::vector<SurfacePoint>& points) {
+/// the bisectors of a diagram. `first`: of each point, the first one in its place.
+std::vector<std::int32_t> unite_touching(const std::vector<std::int32_t>& curve,
+                                         const std::vector<std::int32_t>& first) {
   UnionFind sets(curve.back() + 1);
-  const std::vector<std::int32_t> first = find_coincident(mesh, points);
-  for (std::size_t i = 0; i < points.size(); ++i) sets.unite(curve[i], curve[first[i]]);
+  for (std::size_t i = 0; i < first.size(); ++i) sets.unite(curve[i], curve[first[i]]);
   std::vector<std::int32_t> number(curve.back() + 1, -1), united;
   std::int32_t count = 0;
   for (std::int32_t c = 0; c <= curve.back(); ++c) {
@@ -195,17 +194,20 @@ std::vector<GeneratorCurve> resolve_curves(const Mesh& mesh, const CurveList& li
   options.keep_coincident = true;
   snapped = resolve_generators(mesh, list.points, options);
   for (SurfacePoint& point : snapped.points) point = moved_to_side(point);
-  const std::vector<std::int32_t> curve_of = unite_touching(mesh, list.curve, snapped.points);
+  const std::vector<std::int32_t> first = find_coincident(mesh, snapped.points);
+  const std::vector<std::int32_t> curve_of = unite_touching(list.curve, first);
   std::vector<GeneratorCurve> curves(*std::ranges::max_element(curve_of) + 1);
   std::vector<std::int32_t> number;  // of each point in its curve
   for (std::size_t i = 0; i < curve_of.size(); ++i) {
     GeneratorCurve& curve = curves[curve_of[i]];
-    number.push_back(std::int32_t(curve.points.size()));
-    curve.points.push_back(snapped.points[i]);
+    const bool is_first = first[i] == std::int32_t(i);
+    number.push_back(is_first ? std::int32_t(curve.points.size()) : number[first[i]]);
+    if (is_first) curve.points.push_back(snapped.points[i]);
   }
   for (const auto& [a, b] : list.segments) {
     GeneratorCurve& curve = curves[curve_of[a]];
     std::int32_t last = number[a];
+    if (last == number[b]) continue;  // two points in one place
     for (const SurfacePoint& p : join_points(mesh, snapped.points[a], snapped.points[b])) {
       curve.segments.push_back({last, std::int32_t(curve.points.size())});
       last = std::int32_t(curve.points.size());
