@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -82,7 +83,7 @@ struct FaceSource {
   [[gnu::always_inline]] double distance(const Vec2& p) const { return shortest_path(p).distance; }
 
   /// -infinity is the offset of no image; those of fast marching may be negative.
-  bool is_parallel() const { return offset == -kInfinity; }
+  bool is_parallel() const { return offset < std::numeric_limits<double>::lowest(); }
   /// Where the line of a straight path to p passes an end of the opening on its left, this cross product is > 0; < 0 on
   /// its right. Times the length of the path, unless paths are parallel.
   double beside(const Vec2& p, const Vec2& opening_end) const {
@@ -102,8 +103,8 @@ struct FaceSource {
     if (is_corner) return image;
     // Twice the areas between the line from the image to p and the two ends: >= 0 where the line crosses the opening.
     const double to_begin = beside(p, begin), to_end = -beside(p, end);
-    const double edge_on = kEdgeOn * (end - begin).norm() * (is_parallel() ? 1 : (p - image).norm());
-    if (to_begin <= 0 || to_end <= 0 || to_begin + to_end <= edge_on) {
+    const double sine = to_begin + to_end, square = is_parallel() ? 1 : (p - image).squaredNorm();  // times lengths
+    if (to_begin <= 0 || to_end <= 0 || sine * sine <= kEdgeOn * kEdgeOn * (end - begin).squaredNorm() * square) {
       return distance_begin + (p - begin).norm() < distance_end + (p - end).norm() ? begin : end;
     }
     return begin + to_begin / (to_begin + to_end) * (end - begin);
