@@ -5,6 +5,7 @@
 #include "gvd/sampling.hpp"
 #include "gvd/segment.hpp"
 #include "region_topology.hpp"
+#include "segment/plain_topology.hpp"
 #include "segment/restricted_voronoi.hpp"
 #include "support/cancelled.hpp"
 #include "support/catch.hpp"
