@@ -118,7 +118,8 @@ int require_equal_cells(const Diagram& whole, const LocalDual::Result& local, co
     if (!local.inner[cell.generator]) continue;
     ++inner;
     const Cell& other = whole.cells[ids[cell.generator.index()]];
-    CHECK(cell.area == Approx(other.area).epsilon(1e-7));
+    // Polylines of the two may differ within the chord tolerance, where rounding decides whether a point is added.
+    CHECK(cell.area == Approx(other.area).epsilon(1e-6));
     CHECK(cell.euler_characteristic == other.euler_characteristic);
     CHECK(cell.components == other.components);
     CHECK(cell.boundary_loops == other.boundary_loops);
