@@ -70,6 +70,7 @@ class PathTracer {
       for_each_outgoing(mesh_, v, [&](HalfedgeId h) { look_from(Mesh::face(h), edge_point(h, 0), v); });
       if (std::isinf(best_distance_)) return std::move(path_);  // rounding hides the continuation
       const VertexId nearer = follow_best();
+      if (!nearer.valid()) break;  // on a segment of a curve
       // Rounding again: the path would never end.
       if (!(field_.distance[nearer] < field_.distance[v])) return std::move(path_);
       v = nearer;
