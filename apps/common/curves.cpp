@@ -13,6 +13,7 @@
 
 #include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
+#include "gvd/constrained_start.hpp"
 #include "gvd/curve_list.hpp"
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
@@ -22,13 +23,9 @@ namespace {
 
 constexpr std::string_view kBoundary = "boundary", kCreases = "creases";
 
-/// Edges whose faces differ by more are creases, degrees: what gvd-lloyd and gvd-remesh take for one. On scans it
-/// leaves little but sharp rims.
-constexpr double kCreaseAngle = 40;
-
 /// The angle of "creases" or "creases:ANGLE", degrees; none where the text is neither.
 std::optional<double> parse_creases(const std::string& text) {
-  if (text == kCreases) return kCreaseAngle;
+  if (text == kCreases) return kUsualCreaseAngle;
   const std::string before = std::string(kCreases) + ':';
   if (!text.starts_with(before)) return std::nullopt;
   const std::optional<double> angle = parse_number<double>(text.substr(before.size()));
@@ -91,7 +88,7 @@ void add_curves_option(CLI::App& app, GeneratorOptions& generators, const std::v
       app, "--curves", "FILE|boundary|creases[:ANGLE]", store,
       fmt::format("Use curves as generators: polylines of a file (.obj, .ply, .json or text), the boundary loops, or "
                   "connected edges whose faces differ by more than ANGLE degrees (default: {})",
-                  kCreaseAngle));
+                  kUsualCreaseAngle));
   for (const std::string& name : excluded) option->excludes(name);
 }
 
