@@ -10,7 +10,6 @@
 #include "gvd/generator_curve.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/mesh.hpp"
-#include "gvd/progress.hpp"
 
 namespace gvd {
 

@@ -13,23 +13,23 @@ namespace gvd {
 /// of all its points. It is one connected piece: a polyline, open or closed, or several that meet.
 ///
 /// Properties of what is computed from curves: (1) the distance is 0 on a curve, and nowhere else; (2) it is never
-/// longer than that from any set of points of the curves, and tends to it as the points become dense; (3) a curve lies
-/// in its own cell, so that the cell is connected, though it may have holes; (4) a curve of one point gives the bits of
-/// a generator at that point.
+/// longer than that from any set of points of the curves; (3) a curve lies in its own cell, so that the cell is
+/// connected, though it may have holes.
 struct GeneratorCurve {
   std::vector<SurfacePoint> points;                        ///< at least one; one alone is a generator as usual
   std::vector<std::array<std::int32_t, 2>> segments = {};  ///< two points each, that have a face in common
 };
 
-/// The curve through points in their order. Cost: O(n).
+/// The curve through points in their order; closed from three points on. Cost: O(n).
 GeneratorCurve make_polyline(std::vector<SurfacePoint> points, bool closed);
 
 /// Positions along a curve, as polylines: one for a polyline, closed or not, and more where segments branch.
 /// Cost: O(n).
 std::vector<std::vector<Vec3>> polylines(const Mesh& mesh, const GeneratorCurve& curve);
 
-/// Throws Error{precondition}, with the number of the curve, if there is no curve, one has no point, a segment names a
-/// point that does not exist, its two points have no face in common, or a curve is not connected. Cost: O(n).
+/// Throws Error{precondition} if there is no curve. The number of the curve is the error's element if a curve has no
+/// point or is not connected. So it is if a segment names a point that does not exist, or no face contains both of its
+/// points. Cost: O(n).
 void check_curves(const Mesh& mesh, const std::vector<GeneratorCurve>& curves);
 
 /// The boundary loops of a mesh, by their first vertices. Cost: O(n).

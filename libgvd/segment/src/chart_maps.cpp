@@ -163,9 +163,9 @@ std::vector<double> find_angles(const IslandBorder& border, const FlatMap& map) 
   return angles;
 }
 
-/// Moves points at ascending angles outwards onto their convex hull, which holds the origin, and bends its sides. In
-/// polar coordinates a line is 1 / r = c cos(angle - a), and a convex curve has 1 / r at most as large between two
-/// points as their line; a constant added to 1 / r makes that strict.
+/// Moves points at ascending angles outwards onto their convex hull, which holds the origin, and bends its sides.
+/// In polar coordinates a line is 1 / r = c cos(angle - a). Between two of its points, a convex curve has 1 / r at most
+/// as large as their line. A constant added to 1 / r makes that strict.
 void make_convex(const std::vector<double>& angle, std::vector<double>& radius) {
   const std::size_t n = radius.size(), first = std::size_t(std::ranges::max_element(radius) - radius.begin());
   const auto point = [&](std::size_t i) -> Vec2 { return radius[i % n] * unit_vector(angle[i % n]); };

@@ -102,8 +102,9 @@ struct Packing {
   double side = 0;       ///< of the square
 };
 
-/// Puts boxes of these sizes on shelves, the highest first, in a square whose side is the least of a row of sides that
-/// grow by 1 %, with free space round each (kChartMargin). Ties keep the order. Cost: O(n log n) for each side.
+/// Puts boxes of these sizes on shelves, the highest first, with free space round each (kChartMargin). Sides of the
+/// square are tried in steps of 1 %, and the first that holds all is taken. Ties keep the order. Cost: O(n log n) for
+/// each side.
 Packing pack_boxes(const std::vector<Vec2>& sizes);
 
 }  // namespace gvd

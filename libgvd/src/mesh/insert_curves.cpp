@@ -4,7 +4,7 @@
 // generators do. At last each segment is walked through its face: it ends at a vertex on the way, or the edges that it
 // crosses are flipped until one edge joins its ends.
 // Source: S. W. Sloan, A fast algorithm for generating constrained Delaunay triangulations (1993).
-// Cost: O(k^2) for k segments in one face, and O(edges crossed) flips on average for each segment.
+// Cost: O(k^2) for k segments and crossings in one face, and O(edges crossed) flips on average for each segment.
 // Invariant: only edges inside a face of the input are flipped, and none that a curve has; the surface stays the same.
 #include <fmt/format.h>
 

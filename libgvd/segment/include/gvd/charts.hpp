@@ -73,7 +73,8 @@ inline constexpr double kTear = 4;
 /// curved parts, and flattens those behind saddles to lines. Torn faces are laid by their centre's path alone, so that
 /// each has its shape, and overlap others. Any region has one, discs or not.
 /// `flat`: a convex combination map with mean value weights. Its border is laid by the exact distances from the
-/// generator where that turns no face round, as is isometric for a flat region, and otherwise on a circle. Each island
+/// generator where that turns no face round, as is isometric for a flat region. Otherwise it is the convex hull of that
+/// shape, with sides bent outwards, or a circle. Each island
 /// has the area of its region. One-to-one: each face is counter-clockwise in the unit square, for certain. Where double
 /// precision can't keep that, `flipped_area` counts what is not: a limb many times longer than wide becomes too small.
 /// Islands are sorted by height and put on shelves.

@@ -87,8 +87,8 @@ class ComponentFinder {
     for (auto& [v, member] : unanchored_) member = add_member(traced_.labels.label[v], Mesh::face(mesh_.halfedge(v)));
   }
 
-  /// Whether v is its generator's vertex, or one of its vertices if it is a curve, or an uncrossed edge connects it to
-  /// an anchored vertex of its cell that is nearer to the generator.
+  /// Whether v is a vertex of its generator, of which a curve has several. Or else whether an uncrossed edge connects
+  /// it to an anchored vertex of its cell that is nearer to the generator.
   bool is_anchored(VertexId v) const {
     const NearestLabels& labels = traced_.labels;
     if (!labels.label[v].valid() || working_.generator(v) == labels.label[v]) return true;

@@ -14,16 +14,16 @@ namespace gvd {
 // segment, with the direction of the paths in place of the ray from the image: no proof there uses more than that
 // paths are straight, and that none is shorter.
 //
-// Why a direction and not an image far away: an image at the distance D makes an arc of the straight front, which is
-// off by w^2 / (8 D) over a window of the width w, and sums of D and a length lose D / 2^52. Both together are never
-// below 1e-8 w. The direction is rotated by the angle of a corner for each face, so that its error grows as that of an
-// image does (kSameImage), and nothing is divided by a length that may vanish.
+// Why a direction and not an image far away: an image at the distance D makes an arc of the straight front. Over a
+// window of the width w, the arc is off by w^2 / (8 D). Sums of D and a length lose D / 2^52. Both together are never
+// below 1e-8 w. The direction is rotated by the angle of a corner for each face, as an image is, so that its error
+// grows in the same way (kSameImage). Nothing is divided by a length that may vanish.
 //
 // All of them come from a segment itself: behind a vertex at which paths bend, windows have an image again. So there
 // are few, and none of the code here belongs to the innermost loop.
 
-/// The paths of a parallel window in its frame: at the point (x, y) their length is start + along x + across y, because
-/// it grows by the way in their direction, and not at right angles to it.
+/// The paths of a parallel window in its frame. At the point (x, y) their length is start + along x + across y: only
+/// the way in their direction makes them longer.
 struct ParallelPaths {
   double along, across;  ///< unit vector of their direction, across > 0
   double start;          ///< distance of the frame's origin
