@@ -42,10 +42,10 @@ double signed_area(const Bary& a, const Bary& b, const Bary& c) {
   return twice_signed_area({a[i], a[k]}, {b[i], b[k]}, {c[i], c[k]});
 }
 
-void check_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  if (generators.empty()) throw Error(ErrorCode::precondition, "there is no generator; give at least one");
-  for (std::size_t i = 0; i < generators.size(); ++i) {
-    const FaceId f = generators[i].face;
+void check_points(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  if (points.empty()) throw Error(ErrorCode::precondition, "there is no generator; give at least one");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const FaceId f = points[i].face;
     if (f.valid() && f.value() < mesh.face_count()) continue;
     throw Error(ErrorCode::precondition,
                 fmt::format("generator {} lies in face {}, and the mesh has {}", i, f.value(),
@@ -54,33 +54,32 @@ void check_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generat
   }
 }
 
-EdgeGenerator on_first_halfedge(const Mesh& mesh, const SurfacePoint& generator, GeneratorId g) {
-  const SurfacePoint point = canonical(mesh, generator);
+PointOnEdge on_first_halfedge(const Mesh& mesh, const SurfacePoint& p, PointId id) {
+  const SurfacePoint point = canonical(mesh, p);
   const HalfedgeId h = halfedge(point);
-  return {h, point.bary[Mesh::corner(Mesh::next(h))], g};
+  return {h, point.bary[Mesh::corner(Mesh::next(h))], id};
 }
 
 }  // namespace
 
-SortedGenerators sort_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators) {
-  check_generators(mesh, generators);
-  SortedGenerators sorted;
-  for (std::size_t i = 0; i < generators.size(); ++i) {
-    const GeneratorId g(i);
-    switch (generators[i].kind()) {
+SortedPoints sort_points(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  check_points(mesh, points);
+  SortedPoints sorted;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PointId id(i);
+    switch (points[i].kind()) {
       case SurfacePoint::Kind::vertex:
-        sorted.on_vertices.emplace_back(vertex(mesh, generators[i]), g);
+        sorted.on_vertices.emplace_back(vertex(mesh, points[i]), id);
         break;
       case SurfacePoint::Kind::edge:
-        sorted.on_edges.push_back(on_first_halfedge(mesh, generators[i], g));
+        sorted.on_edges.push_back(on_first_halfedge(mesh, points[i], id));
         break;
       case SurfacePoint::Kind::face:
-        sorted.in_faces[generators[i].face].push_back(g);
+        sorted.in_faces[points[i].face].push_back(id);
         break;
     }
   }
-  std::ranges::sort(sorted.on_edges, {},
-                    [](const EdgeGenerator& g) { return std::tuple(g.halfedge, g.t, g.generator); });
+  std::ranges::sort(sorted.on_edges, {}, [](const PointOnEdge& p) { return std::tuple(p.halfedge, p.t, p.point); });
   return sorted;
 }
 
@@ -95,7 +94,7 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
 
 /// Makes all points vertices.
 void WorkingMesh::insert(const std::vector<SurfacePoint>& points, const Progress& progress) {
-  const SortedGenerators sorted = sort_generators(*input_, points);
+  const SortedPoints sorted = sort_points(*input_, points);
   for (const auto& [v, point] : sorted.on_vertices) claim(v, point);
   if (sorted.on_edges.empty() && sorted.in_faces.empty()) return;
   report_progress(progress, steps::kWorkingMesh, 0);
@@ -121,7 +120,7 @@ void WorkingMesh::copy_input() {
 
 void WorkingMesh::claim(VertexId v, PointId point) {
   if (!point_vertex_.empty()) point_vertex_[point] = v;
-  claim_for(v, owner_.empty() ? point : owner_[point]);
+  claim_for(v, owner_.empty() ? GeneratorId(point.value()) : owner_[point]);
 }
 
 /// Points of one curve may coincide: they have owners. Of two generators that are points none do.
@@ -163,11 +162,11 @@ void WorkingMesh::set_corners(FaceId f, FaceId parent, const Corners& corners) {
   }
 }
 
-void WorkingMesh::insert_on_edges(const std::vector<EdgeGenerator>& generators, const Progress& progress) {
+void WorkingMesh::insert_on_edges(const std::vector<PointOnEdge>& points, const Progress& progress) {
   HalfedgeId current, rest;  // the input's halfedge at work, and the copy's for the part of it that is not split yet
   double done = 0;           // the parameter at which `rest` begins
   std::vector<FaceId> touched;
-  for (const auto& [h, t, g] : generators) {
+  for (const auto& [h, t, id] : points) {
     report_inserted(progress);
     if (h != current) {
       current = h;
@@ -178,7 +177,7 @@ void WorkingMesh::insert_on_edges(const std::vector<EdgeGenerator>& generators, 
     // The input's corners are tested too: after splits of other edges they need not be opposite to `rest` any more.
     const VertexId corner = vertex_at(copy_, p, rest), v = corner.valid() ? corner : vertex_at(*input_, p, h);
     if (v.valid()) {
-      claim(v, g);
+      claim(v, id);
       continue;
     }
     const auto parent_bary_at = [&](HalfedgeId side, double at) {
@@ -187,7 +186,7 @@ void WorkingMesh::insert_on_edges(const std::vector<EdgeGenerator>& generators, 
     const double local = (t - done) / (1 - done);
     const HalfedgeId twin = copy_.twin(rest);
     const auto changed =
-        split_edge(rest, g, p, parent_bary_at(rest, local), twin.valid() ? parent_bary_at(twin, 1 - local) : Bary{});
+        split_edge(rest, id, p, parent_bary_at(rest, local), twin.valid() ? parent_bary_at(twin, 1 - local) : Bary{});
     touched.insert(touched.end(), changed.begin(), changed.end());
     rest = Mesh::halfedge(changed[1], 0);
     done = t;
@@ -217,14 +216,14 @@ HalfedgeId WorkingMesh::find_copied(HalfedgeId h) const {
   return found;
 }
 
-/// Splits the edge of h for generator g at p. Its coordinates are `here` in the parent of h's face and `there` in that
+/// Splits the edge of h for a point at p. Its coordinates are `here` in the parent of h's face and `there` in that
 /// of its twin's. Returns h's face, the one appended beside it, and where there is a twin the same for its side.
-std::vector<FaceId> WorkingMesh::split_edge(HalfedgeId h, GeneratorId g, const Vec3& p, const Bary& here,
+std::vector<FaceId> WorkingMesh::split_edge(HalfedgeId h, PointId id, const Vec3& p, const Bary& here,
                                             const Bary& there) {
   std::vector<FaceId> changed;
   FaceId appended(copy_.face_count());
   const HalfedgeId twin = copy_.twin(h);
-  claim(MeshEditor(copy_).split_edge(h, p), g);
+  claim(MeshEditor(copy_).split_edge(h, p), id);
   for (const auto& [side, middle] : {std::pair(h, here), std::pair(twin, there)}) {
     if (!side.valid()) continue;
     const FaceId f = Mesh::face(side);
@@ -238,8 +237,8 @@ std::vector<FaceId> WorkingMesh::split_edge(HalfedgeId h, GeneratorId g, const V
   return changed;
 }
 
-void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<GeneratorId>& ids,
-                                 const std::vector<SurfacePoint>& generators, const Progress& progress) {
+void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<PointId>& ids,
+                                 const std::vector<SurfacePoint>& points, const Progress& progress) {
   std::vector<FaceId> children{parent_face};
   // Earlier splits of edges may have appended children: they are found across the edges inside the parent.
   for (std::size_t i = 0; i < children.size(); ++i) {
@@ -251,9 +250,9 @@ void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<Generator
       }
     }
   }
-  for (const GeneratorId g : ids) {
+  for (const PointId id : ids) {
     report_inserted(progress);
-    insert_point(children, g, generators[g.index()]);
+    insert_point(children, id, points[id.index()]);
   }
   make_delaunay(children);
 }
@@ -284,31 +283,31 @@ bool WorkingMesh::splits_edge(HalfedgeId side, const Vec3& p, const Bary& bary) 
   return signed_area(bary, beyond, to) > 0 && signed_area(bary, from, beyond) > 0;
 }
 
-void WorkingMesh::insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point) {
+void WorkingMesh::insert_point(std::vector<FaceId>& children, PointId id, const SurfacePoint& point) {
   const auto [child, local, smallest] = locate(children, point.bary);
   const Vec3 p = position(*input_, point);
   for (const VertexId v : copy_.vertices(child)) {
-    if ((copy_.position(v) - p).norm() <= coincidence_) return claim(v, g);
+    if ((copy_.position(v) - p).norm() <= coincidence_) return claim(v, id);
   }
   const auto thin = std::min_element(local.begin(), local.end()) - local.begin();
   const HalfedgeId side = Mesh::next(HalfedgeId(3 * child.value() + thin));
   // A face without area has all its points on its sides in space, but not in its own coordinates.
   if (smallest < kOnEdge && splits_edge(side, p, point.bary)) {
-    if (const VertexId v = vertex_at(copy_, p, side); v.valid()) return claim(v, g);
-    const auto changed = split_edge(side, g, p, point.bary, point.bary);
+    if (const VertexId v = vertex_at(copy_, p, side); v.valid()) return claim(v, id);
+    const auto changed = split_edge(side, id, p, point.bary, point.bary);
     children.insert(children.end(), {changed[1], changed[3]});
   } else {
-    const auto [second, third] = split_face(child, g, p, point.bary);
+    const auto [second, third] = split_face(child, id, p, point.bary);
     children.insert(children.end(), {second, third});
   }
 }
 
-/// Splits face f for generator g at p, which has the coordinates `bary` in its parent. Returns the two appended faces.
-std::pair<FaceId, FaceId> WorkingMesh::split_face(FaceId f, GeneratorId g, const Vec3& p, const Bary& bary) {
+/// Splits face f for a point at p, which has the coordinates `bary` in its parent. Returns the two appended faces.
+std::pair<FaceId, FaceId> WorkingMesh::split_face(FaceId f, PointId id, const Vec3& p, const Bary& bary) {
   const FaceId parent_face = parent(f);
   const Corners c = corners(f);
   const FaceId second(copy_.face_count()), third(second.value() + 1);
-  claim(MeshEditor(copy_).split_face(f, p), g);
+  claim(MeshEditor(copy_).split_face(f, p), id);
   set_corners(f, parent_face, {c[0], c[1], bary});
   set_corners(second, parent_face, {c[1], c[2], bary});
   set_corners(third, parent_face, {c[2], c[0], bary});

@@ -16,26 +16,26 @@
 
 namespace gvd {
 
-/// A generator on an edge: at (1 - t) from(halfedge) + t to(halfedge), where `halfedge` is the edge's first one.
-struct EdgeGenerator {
+/// A point that becomes a vertex: a generator, or one of a curve.
+using PointId = Id<struct PointTag>;
+
+/// A point on an edge: at (1 - t) from(halfedge) + t to(halfedge), where `halfedge` is the edge's first one.
+struct PointOnEdge {
   HalfedgeId halfedge;
   double t;  ///< in ]0, 1[
-  GeneratorId generator;
+  PointId point;
 };
 
-/// A point that becomes a vertex: a generator, or one of a curve.
-using PointId = GeneratorId;
-
-/// Generators by what they lie on.
-struct SortedGenerators {
-  std::vector<std::pair<VertexId, GeneratorId>> on_vertices;  ///< ascending by generator
-  std::vector<EdgeGenerator> on_edges;                        ///< ascending by (halfedge, t, generator)
-  std::map<FaceId, std::vector<GeneratorId>> in_faces;        ///< per face ascending by generator
+/// Points by what they lie on.
+struct SortedPoints {
+  std::vector<std::pair<VertexId, PointId>> on_vertices;  ///< ascending by point
+  std::vector<PointOnEdge> on_edges;                      ///< ascending by (halfedge, t, point)
+  std::map<FaceId, std::vector<PointId>> in_faces;        ///< per face ascending by point
 };
 
-/// The generators, sorted. Throws Error{precondition} where there is none or the face of one does not exist. Cost:
+/// The points, sorted. Throws Error{precondition} where there is none or the face of one does not exist. Cost:
 /// O(n log n).
-SortedGenerators sort_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators);
+SortedPoints sort_points(const Mesh& mesh, const std::vector<SurfacePoint>& points);
 
 /// The generators of a working mesh that are curves: chains of its edges.
 struct CurveEdges {
@@ -85,8 +85,8 @@ class WorkingMesh {
 
   void insert(const std::vector<SurfacePoint>& points, const Progress& progress);
   void copy_input();
-  void insert_on_edges(const std::vector<EdgeGenerator>& generators, const Progress& progress);
-  void insert_in_face(FaceId parent, const std::vector<GeneratorId>& ids, const std::vector<SurfacePoint>& generators,
+  void insert_on_edges(const std::vector<PointOnEdge>& points, const Progress& progress);
+  void insert_in_face(FaceId parent, const std::vector<PointId>& ids, const std::vector<SurfacePoint>& points,
                       const Progress& progress);
   /// A point in one of the children of its face.
   struct Location {
@@ -96,11 +96,11 @@ class WorkingMesh {
   };
   Location locate(const std::vector<FaceId>& children, const Bary& bary) const;
   bool splits_edge(HalfedgeId side, const Vec3& p, const Bary& bary) const;
-  void insert_point(std::vector<FaceId>& children, GeneratorId g, const SurfacePoint& point);
+  void insert_point(std::vector<FaceId>& children, PointId id, const SurfacePoint& point);
   VertexId vertex_at(const Mesh& mesh, const Vec3& p, HalfedgeId h) const;
   HalfedgeId find_copied(HalfedgeId h) const;
-  std::vector<FaceId> split_edge(HalfedgeId h, GeneratorId g, const Vec3& p, const Bary& here, const Bary& there);
-  std::pair<FaceId, FaceId> split_face(FaceId f, GeneratorId g, const Vec3& p, const Bary& bary);
+  std::vector<FaceId> split_edge(HalfedgeId h, PointId id, const Vec3& p, const Bary& here, const Bary& there);
+  std::pair<FaceId, FaceId> split_face(FaceId f, PointId id, const Vec3& p, const Bary& bary);
   void make_delaunay(const std::vector<FaceId>& children);
   struct Quadrilateral;
   std::optional<Quadrilateral> quadrilateral(HalfedgeId h) const;
