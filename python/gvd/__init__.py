@@ -13,8 +13,8 @@ from ._error import Error
 from ._gvd import version as __version__
 from ._mesh import Mesh, read, read_values
 from ._path import Path
-from ._points import Points
+from ._points import Curves, Points
 from ._remesh import Relaxation, Remesh, RemeshMap
 
-__all__ = ["Balanced", "Bisector", "BranchPoints", "Cell", "Cut", "Diagram", "Error", "Mesh", "Path", "Points",
-           "Relaxation", "Remesh", "RemeshMap", "Segmentation", "__version__", "read", "read_values"]
+__all__ = ["Balanced", "Bisector", "BranchPoints", "Cell", "Curves", "Cut", "Diagram", "Error", "Mesh", "Path",
+           "Points", "Relaxation", "Remesh", "RemeshMap", "Segmentation", "__version__", "read", "read_values"]

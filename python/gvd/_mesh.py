@@ -15,7 +15,7 @@ from ._error import refuse
 from ._files import PathLike, Writable, forward
 from ._options import checked
 from ._path import Path
-from ._points import Points, as_array, make_entries, one_of
+from ._points import Curves, Points, as_array, make_entries, one_of
 from ._progress import Callback, Progress, part_of, reporting
 from ._remesh import Relaxation, Remesh
 
@@ -110,6 +110,39 @@ class Mesh(Writable):
         return self._native.positions(self._resolve("points", points))
 
     @checked
+    def curves(self, curves: Union[PathLike, Sequence[Any]], *, closed: bool = False, angle: Optional[float] = None,
+               max_snap: Optional[float] = None) -> Curves:
+        """Curves as generators, which `voronoi`, `distances` and `nearest` take in place of points.
+
+        "boundary" or "creases", whose faces differ by more than `angle` degrees (default 40); the path of a file, as
+        --curves reads it; or a list of polylines, each of points in their order. Shortest paths join those that have no
+        face in common. `closed` joins the last point of each polyline to its first.
+
+        >>> import gvd
+        >>> mesh = gvd.read("data/half_sphere.off")
+        >>> rim, arch = mesh.curves("boundary"), mesh.curves([[0, 9, 40]])
+        >>> len(rim), float(mesh.distances(rim).max().round(2))
+        (1, 1.57)
+        """
+        if isinstance(curves, (str, os.PathLike)):
+            if closed:
+                refuse("closed: it is for polylines")
+            if angle is not None and curves != "creases":
+                refuse('angle: it is for "creases"')
+            if curves == "boundary":
+                return Curves(self._native, _gvd.CurveSet.boundary(self._native))
+            if curves == "creases":
+                return Curves(self._native, _gvd.CurveSet.creases(self._native, angle))
+            return Curves(self._native, _gvd.CurveSet.read(self._native, os.fspath(curves), max_snap))
+        polylines = [make_entries(f"curves[{i}]", line)[:3] for i, line in enumerate(curves)]
+        if not polylines:
+            refuse("curves: empty")
+        return Curves(self._native, _gvd.CurveSet.join(self._native, polylines, closed, max_snap))
+
+    def _sources(self, points: Any) -> Union[_gvd.PointList, _gvd.CurveSet]:
+        return points._native if isinstance(points, Curves) else self._resolve("points", points)
+
+    @checked
     def sample(self, n: Optional[int] = None, *, sampling: str = "farthest", seed: int = 0,
                radius: Optional[float] = None, progress: Progress = None) -> Points:
         """Points that are spread over the surface: `n` of them, or as many as leave no point farther than `radius`.
@@ -136,17 +169,16 @@ class Mesh(Writable):
     @checked
     def distances(self, points: Any, *, each: bool = False, at: Any = None, out: Any = None, threads: int = 0,
                   progress: Progress = None) -> Floats:
-        """Exact distances of all vertices (or of the points `at`) to the nearest of `points`: an array (n).
+        """Exact distances of all vertices (or of the points `at`) to the nearest of `points` or curves: an array (n).
 
         With `each`, one row for each point: an array (points, n). `out`: an array or numpy.memmap of this shape that
         gets the rows, so that memory holds a few of them only. What no point reaches is infinitely far.
         """
-        source, targets = self._resolve("points", points), None if at is None else self._resolve("at", at)
         if not each:
             if out is not None:
                 refuse("out: only rows are written to it; add each=True")
-            with reporting(progress) as callback:
-                return _gvd.nearest(self._native, source, targets, threads, callback)[0]
+            return self.nearest(points, at=at, threads=threads, progress=progress)[0]
+        source, targets = self._resolve("points", points), None if at is None else self._resolve("at", at)
         shape = (len(source), len(self.vertices) if targets is None else len(targets))
         if out is not None and getattr(out, "shape", None) != shape:
             refuse(f"out: an array {shape} is needed, not {getattr(out, 'shape', type(out).__name__)}")
@@ -193,8 +225,8 @@ class Mesh(Writable):
     @checked
     def nearest(self, points: Any, *, at: Any = None, threads: int = 0,
                 progress: Progress = None) -> tuple[Floats, NDArray[numpy.int32]]:
-        """Distances to the nearest of `points`, and which one it is (-1: none reaches), both (n)."""
-        source, targets = self._resolve("points", points), None if at is None else self._resolve("at", at)
+        """Distances to the nearest of `points` or curves, and which one it is (-1: none reaches), both (n)."""
+        source, targets = self._sources(points), None if at is None else self._resolve("at", at)
         with reporting(progress) as callback:
             return _gvd.nearest(self._native, source, targets, threads, callback)
 
@@ -242,19 +274,19 @@ class Mesh(Writable):
                 front: Optional[Literal["planar", "circle"]] = None, chord_tolerance: Optional[float] = None,
                 max_snap: Optional[float] = None, merge_coincident: bool = False, weights: Optional[ArrayLike] = None,
                 threads: int = 0, progress: Progress = None) -> Diagram:
-        """The geodesic Voronoi diagram of points. `weights` (m): distances count as longer by them, mesh units.
+        """The geodesic Voronoi diagram of points or curves. `weights` (m): distances count as longer by them, mesh units.
 
         >>> import gvd
         >>> diagram = gvd.read("data/figure.obj").voronoi([0, 1000, 2000])
         >>> len(diagram.cells), diagram.check()
         (3, [])
         """
-        generators = self._resolve("points", points, max_snap=max_snap,
-                                   coincident="merge" if merge_coincident else "refuse")
+        generators = points._native if isinstance(points, Curves) else self._resolve(
+            "points", points, max_snap=max_snap, coincident="merge" if merge_coincident else "refuse")
         compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
         return self._diagram(generators, compute, progress, weights)
 
-    def _diagram(self, generators: _gvd.PointList, compute: _gvd.ComputeOptions, progress: Progress,
+    def _diagram(self, generators: Union[_gvd.PointList, _gvd.CurveSet], compute: _gvd.ComputeOptions, progress: Progress,
                  weights: Optional[ArrayLike] = None) -> Diagram:
         with reporting(progress) as callback:
             return Diagram(self, _gvd.diagram(self._native, generators, _numbers("weights", weights), compute, callback))

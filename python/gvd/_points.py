@@ -7,6 +7,7 @@ from typing import Any, NamedTuple, Optional
 import numpy
 from numpy.typing import NDArray
 
+from . import _gvd
 from ._error import refuse
 
 _VERTEX, _FACE, _POSITION = range(3)
@@ -119,6 +120,20 @@ def make_entries(name: str, given: Any) -> Entries:
         kinds, ids, values = (numpy.concatenate(column) for column in list(zip(*parts))[:3])
         return Entries(kinds, ids, values, False)
     return _from_array(name, as_array(name, given))
+
+
+class Curves:
+    """Curves of a mesh as generators: `Mesh.curves` makes them. `positions`: for each its polylines, arrays (n, 3)."""
+
+    def __init__(self, mesh: Any, native: _gvd.CurveSet) -> None:
+        self._native = native
+        self.positions: list[list[NDArray[numpy.float64]]] = native.polylines(mesh)
+
+    def __len__(self) -> int:
+        return len(self._native)
+
+    def __repr__(self) -> str:
+        return f"gvd.Curves({len(self)})"
 
 
 def one_of(name: str, n: Optional[Any], generators: Optional[Any], radius: Optional[float], **others: Any) -> None:

@@ -11,11 +11,14 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "arrays.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/face_regions.hpp"
+#include "gvd/generator_list.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/sampling.hpp"
@@ -33,6 +36,17 @@ using SharedMesh = std::shared_ptr<CheckedMesh>;
 struct PointList {
   std::vector<SurfacePoint> points;
 };
+
+/// Curves of a mesh as generators.
+struct CurveSet {
+  std::vector<GeneratorCurve> curves;
+};
+
+/// What the entries of a list are, as the package's `_points.py` tells them apart: kinds, ids of vertices and faces,
+/// and coordinates.
+using Entries = std::tuple<Array<std::int8_t>, Array<std::int64_t>, Array<double>>;
+
+void append_entries(GeneratorList& list, const Entries& entries);
 
 /// The options of every diagram, by their names in Python.
 struct ComputeOptions {
@@ -101,6 +115,7 @@ void write_result(const std::filesystem::path& path, LabelledMesh mesh, const Ow
 std::string make_page(const LabelledMesh& mesh, const std::string& title);
 
 void bind_mesh(py::module_& module);
+void bind_curves(py::module_& module);
 void bind_distances(py::module_& module);
 void bind_diagram(py::module_& module);
 void bind_regions(py::module_& module);

@@ -53,15 +53,16 @@ LabelledMesh labelled(const Cut& c) {
   return mesh;
 }
 
-SharedDiagram make_diagram(const SharedMesh& input, const PointList& generators,
-                           std::optional<std::vector<double>> weights, const ComputeOptions& compute,
-                           const py::object& progress) {
+/// Of points or curves, the member `of` of a list.
+template <class List, auto of>
+SharedDiagram make_diagram(const SharedMesh& input, const List& generators, std::optional<std::vector<double>> weights,
+                           const ComputeOptions& compute, const py::object& progress) {
   DiagramOptions options = compute.make();
   options.weights = std::move(weights).value_or(std::vector<double>());
   return run_unlocked(progress, [&](const Progress& reported) {
     options.progress = reported;
     return std::make_shared<MeshDiagram>(
-        MeshDiagram{input, std::make_shared<const Diagram>(compute_diagram(input->mesh, generators.points, options))});
+        MeshDiagram{input, std::make_shared<const Diagram>(compute_diagram(input->mesh, generators.*of, options))});
   });
 }
 
@@ -283,7 +284,8 @@ void bind_diagram(py::module_& module) {
       });
   bind_files<MeshDiagram>(diagram);
   bind_results(module);
-  module.def("diagram", &make_diagram);
+  module.def("diagram", &make_diagram<PointList, &PointList::points>);
+  module.def("diagram", &make_diagram<CurveSet, &CurveSet::curves>);
 }
 
 }  // namespace gvd::python

@@ -22,7 +22,8 @@ namespace {
 constexpr std::size_t kPointsAtOnce = 256;  ///< points or vertices whose paths one thread traces before it reports
 
 /// Distances of points, or of all vertices where `at` is null, and which generator is nearest.
-VertexDistances measure(const Mesh& mesh, const std::vector<SurfacePoint>& from, const PointList* at,
+template <class Generator>
+VertexDistances measure(const Mesh& mesh, const std::vector<Generator>& from, const PointList* at,
                         const ExactFieldOptions& options) {
   if (at == nullptr) return compute_vertex_distances(mesh, from, options);
   const ExactField field(mesh, from, options);
@@ -35,10 +36,12 @@ VertexDistances measure(const Mesh& mesh, const std::vector<SurfacePoint>& from,
   return found;
 }
 
-py::tuple compute_nearest(const SharedMesh& input, const PointList& from, const PointList* at, int threads,
+/// Of points or curves, the member `of` of a list.
+template <class List, auto of>
+py::tuple compute_nearest(const SharedMesh& input, const List& from, const PointList* at, int threads,
                           const py::object& progress) {
   VertexDistances found = run_unlocked(progress, [&](const Progress& reported) {
-    return measure(input->mesh, from.points, at, {{}, reported, threads});
+    return measure(input->mesh, from.*of, at, {{}, reported, threads});
   });
   return py::make_tuple(take(std::move(found.distance)), take(std::move(found.label)));
 }
@@ -113,7 +116,8 @@ py::array compute_logs(const SharedMesh& input, const PointList& at, int threads
 }  // namespace
 
 void bind_distances(py::module_& module) {
-  module.def("nearest", &compute_nearest);
+  module.def("nearest", &compute_nearest<PointList, &PointList::points>);
+  module.def("nearest", &compute_nearest<CurveSet, &CurveSet::curves>);
   module.def("rows", &compute_rows);
   module.def("paths", &compute_paths);
   module.def("logs", &compute_logs);

@@ -70,22 +70,6 @@ py::dict summarize(const CheckedMesh& checked) {
                   py::arg("bbox_diagonal") = s.bbox_diagonal);
 }
 
-/// What the entries of a list are, as the package's `_points.py` tells them apart: kinds, ids of vertices and faces,
-/// and coordinates.
-using Entries = std::tuple<Array<std::int8_t>, Array<std::int64_t>, Array<double>>;
-
-GeneratorList make_list(const std::string& name, const Entries& entries) {
-  constexpr std::array<GeneratorEntry::Kind, 3> kKinds{GeneratorEntry::Kind::vertex, GeneratorEntry::Kind::face,
-                                                       GeneratorEntry::Kind::position};
-  GeneratorList list{name, {}};
-  const auto& [kinds, ids, values] = entries;
-  const auto at = values.unchecked<2>();
-  for (py::ssize_t i = 0; i < kinds.size(); ++i) {
-    list.entries.push_back({kKinds.at(kinds.at(i)), ids.at(i), {at(i, 0), at(i, 1), at(i, 2)}, 0});
-  }
-  return list;
-}
-
 /// The number of vertices of a mesh with edges of this mean length. Throws Error{invalid_option} for too many.
 std::int32_t count_for(const CheckedMesh& checked, double edge) {
   const double count = even_count(compute_area(checked.mesh), edge);
@@ -96,7 +80,8 @@ std::int32_t count_for(const CheckedMesh& checked, double edge) {
 
 PointList resolve(const CheckedMesh& checked, const std::string& name, const Entries& entries,
                   std::optional<double> max_snap, const std::string& coincident) {
-  const GeneratorList list = make_list(name, entries);
+  GeneratorList list{name, {}};
+  append_entries(list, entries);
   ResolveOptions options;
   options.max_snap = max_snap;
   options.merge_coincident = coincident == "merge";
@@ -130,6 +115,16 @@ void write(const CheckedMesh& checked, const std::filesystem::path& path, const 
 }
 
 }  // namespace
+
+void append_entries(GeneratorList& list, const Entries& entries) {
+  constexpr std::array<GeneratorEntry::Kind, 3> kKinds{GeneratorEntry::Kind::vertex, GeneratorEntry::Kind::face,
+                                                       GeneratorEntry::Kind::position};
+  const auto& [kinds, ids, values] = entries;
+  const auto at = values.unchecked<2>();
+  for (py::ssize_t i = 0; i < kinds.size(); ++i) {
+    list.entries.push_back({kKinds.at(kinds.at(i)), ids.at(i), {at(i, 0), at(i, 1), at(i, 2)}, 0});
+  }
+}
 
 Sampler::Sampler(const std::string& sampling, std::int64_t count, std::uint64_t seed, std::optional<double> radius,
                  const ComputeOptions& compute) {

@@ -42,6 +42,7 @@ PYBIND11_MODULE(_gvd, module) {
   module.attr("version") = gvd::version();
   bind_diagram(module);  // first: the others take its options
   bind_mesh(module);
+  bind_curves(module);
   bind_distances(module);
   bind_regions(module);
   bind_remesh(module);

@@ -1,0 +1,87 @@
+// Curves as generators: the boundary loops or the creases of a mesh, those of a file, or polylines through points.
+//
+// Polylines pass the same steps as files: entries of a list, which resolve_curves turns into curves of the surface.
+#include <numbers>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "calls.hpp"
+#include "gvd/constrained_start.hpp"
+#include "gvd/curve_list.hpp"
+#include "gvd/error.hpp"
+
+namespace gvd::python {
+namespace {
+
+/// Refuses an empty list: there would be no generator.
+CurveSet checked(std::vector<GeneratorCurve> curves, const char* reason) {
+  if (curves.empty()) throw Error(ErrorCode::precondition, fmt::format("curves: {}", reason));
+  return {std::move(curves)};
+}
+
+CurveSet find_boundary(const CheckedMesh& checked_mesh) {
+  return checked(boundary_curves(checked_mesh.mesh), "the mesh is closed");
+}
+
+/// `angle`: degrees.
+CurveSet find_creases(const CheckedMesh& checked_mesh, std::optional<double> angle) {
+  const double least = angle.value_or(kUsualCreaseAngle);
+  if (!(least > 0 && least < 180)) throw Error(ErrorCode::invalid_option, "angle: it is not above 0 and below 180");
+  return checked(crease_curves(checked_mesh.mesh, least * std::numbers::pi / 180),
+                 "no two faces meet at such an angle");
+}
+
+CurveSet resolve(const CheckedMesh& of, const CurveList& list, ResolveOptions options) {
+  return run_unlocked(py::none(), [&](const Progress& progress) {
+    options.progress = progress;
+    ResolvedGenerators snapped;
+    return CurveSet{resolve_curves(of.mesh, list, options, snapped)};
+  });
+}
+
+/// Numbers of vertices in a file are those of the mesh's own file.
+CurveSet read(const CheckedMesh& of, const std::filesystem::path& path, std::optional<double> max_snap) {
+  const CurveList list = run_unlocked(py::none(), [&](const Progress&) { return read_curves(path); });
+  return resolve(of, list, {.input_vertices = &of.mesh_vertex, .max_snap = max_snap});
+}
+
+/// One polyline for each element of `polylines`.
+CurveSet join(const CheckedMesh& of, const std::vector<Entries>& polylines, bool closed,
+              std::optional<double> max_snap) {
+  CurveList list;
+  list.points.name = "curves";
+  for (const Entries& entries : polylines) {
+    const auto first = std::int32_t(list.points.entries.size());
+    append_entries(list.points, entries);
+    const auto end = std::int32_t(list.points.entries.size());
+    list.curve.resize(std::size_t(end), std::int32_t(&entries - polylines.data()));
+    for (std::int32_t i = first + 1; i < end; ++i) list.segments.push_back({i - 1, i});
+    if (closed && end - first > 2) list.segments.push_back({end - 1, first});
+  }
+  return resolve(of, list, {.max_snap = max_snap});
+}
+
+/// For each curve its polylines, arrays of positions.
+py::list positions_of(const CheckedMesh& of, const CurveSet& set) {
+  py::list result;
+  for (const GeneratorCurve& curve : set.curves) {
+    py::list parts;
+    for (std::vector<Vec3>& line : polylines(of.mesh, curve)) parts.append(take(std::move(line)));
+    result.append(parts);
+  }
+  return result;
+}
+
+}  // namespace
+
+void bind_curves(py::module_& module) {
+  py::class_<CurveSet>(module, "CurveSet")
+      .def_static("boundary", &find_boundary)
+      .def_static("creases", &find_creases)
+      .def_static("read", &read)
+      .def_static("join", &join)
+      .def("__len__", [](const CurveSet& set) { return set.curves.size(); })
+      .def("polylines", [](const CurveSet& set, const CheckedMesh& of) { return positions_of(of, set); });
+}
+
+}  // namespace gvd::python
