@@ -31,7 +31,7 @@ MOST_READMES = 26
 # Lines of C++ below these folders: what stands today. A feature may raise them, by what its commit says. The aims for the last
 # two are 4300 and 2800.
 MOST_LINES = {("libgvd", "apps", "bench"): 61930, ("apps",): 6595, ("apps/common",): 4270,
-              ("python",): 1326}
+              ("python",): 1435}
 SHARE_OF_COMMENTS = 0.15
 CASTS_PER_THOUSAND_LINES = 6
 

@@ -134,13 +134,13 @@ class Mesh(Writable):
             if curves == "creases":
                 return Curves(self._native, _gvd.CurveSet.creases(self._native, angle))
             return Curves(self._native, _gvd.CurveSet.read(self._native, os.fspath(curves), max_snap))
-        polylines = [make_entries(f"curves[{i}]", line)[:3] for i, line in enumerate(curves)]
+        polylines: list[Any] = [make_entries(f"curves[{i}]", line)[:3] for i, line in enumerate(curves)]
         if not polylines:
             refuse("curves: empty")
         return Curves(self._native, _gvd.CurveSet.join(self._native, polylines, closed, max_snap))
 
-    def _sources(self, points: Any) -> Union[_gvd.PointList, _gvd.CurveSet]:
-        return points._native if isinstance(points, Curves) else self._resolve("points", points)
+    def _sources(self, points: Any, **options: Any) -> Union[_gvd.PointList, _gvd.CurveSet]:
+        return points._native if isinstance(points, Curves) else self._resolve("points", points, **options)
 
     @checked
     def sample(self, n: Optional[int] = None, *, sampling: str = "farthest", seed: int = 0,
@@ -281,8 +281,7 @@ class Mesh(Writable):
         >>> len(diagram.cells), diagram.check()
         (3, [])
         """
-        generators = points._native if isinstance(points, Curves) else self._resolve(
-            "points", points, max_snap=max_snap, coincident="merge" if merge_coincident else "refuse")
+        generators = self._sources(points, max_snap=max_snap, coincident="merge" if merge_coincident else "refuse")
         compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
         return self._diagram(generators, compute, progress, weights)
 

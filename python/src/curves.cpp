@@ -1,6 +1,7 @@
 // Curves as generators: the boundary loops or the creases of a mesh, those of a file, or polylines through points.
 //
-// Polylines pass the same steps as files: entries of a list, which resolve_curves turns into curves of the surface.
+// Polylines pass the same steps as files: entries of a list, which resolve_curves turns into curves of the surface. So
+// a point is moved to the surface here as it is there, and curves that meet are one.
 #include <numbers>
 
 #include "arrays.hpp"
@@ -23,7 +24,7 @@ CurveSet find_boundary(const CheckedMesh& checked_mesh) {
   return checked(boundary_curves(checked_mesh.mesh), "the mesh is closed");
 }
 
-/// `angle`: degrees.
+/// Edges whose faces differ by more than `angle`, degrees; by default as --curves creases.
 CurveSet find_creases(const CheckedMesh& checked_mesh, std::optional<double> angle) {
   const double least = angle.value_or(kUsualCreaseAngle);
   if (!(least > 0 && least < 180)) throw Error(ErrorCode::invalid_option, "angle: it is not above 0 and below 180");
@@ -31,6 +32,7 @@ CurveSet find_creases(const CheckedMesh& checked_mesh, std::optional<double> ang
                  "no two faces meet at such an angle");
 }
 
+/// How far points were moved is known to `max_snap` only: no note is written.
 CurveSet resolve(const CheckedMesh& of, const CurveList& list, ResolveOptions options) {
   return run_unlocked(py::none(), [&](const Progress& progress) {
     options.progress = progress;

@@ -52,12 +52,12 @@ class Curves(unittest.TestCase):
         mesh = gvd.read(meshes.FIGURE)
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "curves.json")
-            file.write_text(json.dumps({"curves": [{"points": [3, 900]}, {"points": [1500, 1700, 2000]}]}))
+            file.write_text(json.dumps({"curves": [{"points": [{"vertex": v} for v in line]} for line in ([3, 40, 300], [1700, 2000])]}))
             table = pathlib.Path(folder, "distances.csv")
             for given, curves in ((str(file), mesh.curves(file)), ("creases", mesh.curves("creases"))):
                 subprocess.run([BIN / "gvd-distance", meshes.FIGURE, "--curves", given, "-q", "-o", table],
                                check=True)
-                written = numpy.loadtxt(table, delimiter=",", skiprows=1, usecols=1)
+                written = numpy.loadtxt(table, delimiter=",", skiprows=1, usecols=2)
                 numpy.testing.assert_array_equal(mesh.distances(curves), written)
 
     def test_what_is_no_curve_is_refused(self):

@@ -16,7 +16,8 @@
 
 namespace gvd {
 
-/// A point that becomes a vertex: a generator, or one of a curve.
+/// A point that becomes a vertex: a generator, or one of the points of a curve. Without curves they have the same
+/// numbers.
 using PointId = Id<struct PointTag>;
 
 /// A point on an edge: at (1 - t) from(halfedge) + t to(halfedge), where `halfedge` is the edge's first one.
