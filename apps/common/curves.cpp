@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "common/options/typed_options.hpp"
+#include "common/process.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/constrained_start.hpp"
 #include "gvd/curve_list.hpp"
@@ -35,10 +36,11 @@ std::optional<double> parse_creases(const std::string& text) {
 /// Notes and limits are those of a list of generators (run_parts.cpp).
 std::vector<GeneratorCurve> read(Run& run, const CheckedMesh& input, const std::string& file) {
   const GeneratorOptions& asked = run.options().generators;
+  const CurveList list = file == "-" ? parse_curves(read_standard_input(), kStandardInput) : read_curves(file);
   ResolvedGenerators snapped;
   const std::vector<GeneratorCurve> curves = resolve_curves(
-      input.mesh, read_curves(file),
-      {.input_vertices = &input.mesh_vertex, .max_snap = asked.max_snap, .progress = run.progress()}, snapped);
+      input.mesh, list, {.input_vertices = &input.mesh_vertex, .max_snap = asked.max_snap, .progress = run.progress()},
+      snapped);
   if (!asked.max_snap) note_far_entry(run, snapped, input.mesh.bbox_diagonal());
   if (snapped.longest_snap) {
     run.console().note(fmt::format("points of curves: moved to the surface, by at most {:.4g}", *snapped.longest_snap));

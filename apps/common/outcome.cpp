@@ -27,7 +27,7 @@ namespace gvd::app {
 namespace {
 
 struct CodeWords {
-  ExitCode exit_code;
+  int exit_code;
   const char* words;
 };
 

@@ -10,16 +10,14 @@
 namespace gvd::app {
 
 /// The exit codes of the commands, as docs/guide/commands.md lists them.
-enum ExitCode : int {
-  kDone = 0,
-  kUsage = 2,
-  kUnreadableInput = 3,
-  kPreconditionNotMet = 4,
-  kNoResult = 5,
-  kNotWritten = 6,
-  kInterrupted = 130,  ///< what shells give for SIGINT
-  kReaderGone = 141,   ///< what shells give for SIGPIPE
-};
+inline constexpr int kDone = 0;
+inline constexpr int kUsage = 2;
+inline constexpr int kUnreadableInput = 3;
+inline constexpr int kPreconditionNotMet = 4;
+inline constexpr int kNoResult = 5;
+inline constexpr int kNotWritten = 6;
+inline constexpr int kInterrupted = 130;  ///< what shells give for SIGINT
+inline constexpr int kReaderGone = 141;   ///< what shells give for SIGPIPE
 
 struct Outcome {
   int exit_code = kDone;

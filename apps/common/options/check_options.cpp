@@ -82,6 +82,7 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
   for (const GeneratorOptions* list : {&options.generators, &options.targets}) {
     if (list->file == "-") piped.push_back(list->names.file);
   }
+  if (options.generators.curves == "-") piped.emplace_back("--curves");
   const bool into_folder = !options.output.folder.empty();
   check_commands(options.input.path);
   if (options.input.path == "-" && !options.input.format) {

@@ -344,6 +344,11 @@ TEST_CASE("gvd-distance: lists come from standard input, files of options and se
       run_command("gvd-distance", mesh + " -q --from 0 --to - -o - --output-format csv < " + list);
   CHECK(piped.out == "source,target,distance\n0,0,4.242640687119285\n0,1,4.242640687119285\n");
   write_text(toml, "from = [0]\nto = [24, 24]\n");
+  write_text(list, "48\n\np 3 1 0\np 5 1 0\n");
+  const std::string to_vertex_0 = " -q --to 0 -o - --output-format csv --curves ";
+  const CommandResult curve = run_command("gvd-distance", mesh + to_vertex_0 + "- < " + list);
+  CHECK_THAT(curve.out, Contains("distance\n1,0,3.16227766"));
+  CHECK(curve.out == run_command("gvd-distance", mesh + to_vertex_0 + list).out);
   const CommandResult configured =
       run_command("gvd-distance", mesh + " -q --config " + toml + " -o - --output-format csv");
   CHECK(configured.out == piped.out);
@@ -371,6 +376,8 @@ TEST_CASE("gvd-distance: bad lists and contradictory options are refused in one 
   refused("--from 99999" + out, 4, "there is no vertex 99999");
   refused("--from 3,3" + out, 4, "--merge-coincident");
   refused("--from - --to -" + out + " < /dev/null", 2, "--from and --to are both standard input");
+  refused("--curves - --to -" + out + " < /dev/null", 2, "--to and --curves are both standard input");
+  refused("--curves -" + out + " < /dev/null", 3, "standard input: the file holds no curve");
   refused("--from 3 --paths" + out, 2, "add --to");
   refused("--from 3 --each --isolines 1 -o " + scratch / "a.json", 2, "--each and --isolines exclude each other");
   refused("--from 3 --each -o " + scratch / "a.ply", 2, "hold one distance for each vertex");
