@@ -190,8 +190,8 @@ RelaxationStartOptions start_options(const Mesh& mesh, const gvd_point* listed, 
 const char* gvd_last_error(void) { return last_error.c_str(); }
 
 const char* gvd_version(void) {
-  static const std::string text(gvd::version());
-  return text.c_str();
+  static const std::string kText(gvd::version());
+  return kText.c_str();
 }
 
 gvd_status gvd_mesh_read(const char* path, int repair, gvd_mesh** mesh) {

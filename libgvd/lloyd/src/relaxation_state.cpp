@@ -193,9 +193,9 @@ VertexSlope::Least VertexSlope::least() const {
   }
   double begin = best - step, end = best + step;
   if (!is_closed_) std::tie(begin, end) = std::pair(std::max(0.0, begin), std::min(total_, end));
-  constexpr double golden = 2 - std::numbers::phi;
+  constexpr double kGolden = 2 - std::numbers::phi;
   for (int k = 0; k < kSearchSteps; ++k) {
-    const double p = begin + golden * (end - begin), q = end - golden * (end - begin);
+    const double p = begin + kGolden * (end - begin), q = end - kGolden * (end - begin);
     (at(p) < at(q) ? end : begin) = at(p) < at(q) ? q : p;
   }
   const double middle = 0.5 * (begin + end), slope = at(middle);

@@ -104,7 +104,8 @@ using Cube = std::array<std::int64_t, 3>;
 struct Polar {
   double radius, angle;
   Polar(const Mesh& mesh, HalfedgeId outgoing, const Vec3& p) {
-    const Vec3 apex = mesh.position(mesh.from(outgoing)), side = mesh.position(mesh.to(outgoing)) - apex;
+    const Vec3& apex = mesh.position(mesh.from(outgoing));
+    const Vec3 side = mesh.position(mesh.to(outgoing)) - apex;
     radius = (p - apex).norm();
     angle = std::atan2(side.cross(p - apex).norm(), side.dot(p - apex));
   }

@@ -31,7 +31,7 @@ using Transform = Eigen::Matrix4d;
 
 constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
-enum Mode { kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6 };  // primitive.mode
+constexpr std::size_t kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6;  // primitive.mode
 
 /// Extensions without which the triangles can't be read.
 constexpr std::array<std::string_view, 3> kUnreadable{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
@@ -282,7 +282,7 @@ class GlbParser {
       std::vector<double> corners = read_indices(primitive, count);
       for (double& corner : corners) corner = require_vertex(corner, count) + double(known->second);
       const std::size_t begin = soup_.corners.size();
-      add_triangles(corners, Mode(mode), transform.topLeftCorner<3, 3>().determinant() < 0);
+      add_triangles(corners, mode, transform.topLeftCorner<3, 3>().determinant() < 0);
       add_texture(primitive.at("attributes"), begin, {known->second, count});
     }
   }
@@ -356,7 +356,7 @@ class GlbParser {
   }
 
   /// Triangle i of a list, a strip or a fan. A transform that mirrors turns the triangles round.
-  void add_triangles(const std::vector<double>& corners, Mode mode, bool is_mirrored) {
+  void add_triangles(const std::vector<double>& corners, std::size_t mode, bool is_mirrored) {
     const std::size_t step = mode == kTriangleList ? 3 : 1;
     for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
       const bool is_turned = mode == kTriangleStrip && i % 2 == 1;
