@@ -21,6 +21,9 @@ inline bool is_finite(const Uv& uv) { return std::isfinite(uv[0]) && std::isfini
 /// The name in OBJ of no material, as Blender writes it: a face can't take back the one of the face before it.
 inline constexpr std::string_view kNoMaterial = "(null)";
 
+/// What Appearance::unread calls these, wherever a reader finds them.
+inline constexpr const char *kUnreadTexture = "texture coordinates", *kUnreadImages = "texture images";
+
 /// How polygons or faces are painted, as an OBJ says by `vt`, `mtllib` and `usemtl`. What there is none of is empty.
 struct Appearance {
   std::vector<Uv> texture;                  ///< per corner, of all polygons in order; not finite where it has none

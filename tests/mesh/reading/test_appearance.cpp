@@ -173,4 +173,21 @@ TEST_CASE("appearance: what a GLB has besides is named, and wrong texture coordi
   require_refused(textured_glb(replaced(kPairs, "VEC2", "VEC4")), MeshFormat::glb, "accessor 4 has the type 'VEC4'");
 }
 
+TEST_CASE("appearance: texture coordinates of formats that are read without are named, and images of a PLY") {
+  const auto unread = [](const std::string& bytes, MeshFormat format) {
+    return parse_soup(bytes, format, "file").appearance.unread;
+  };
+  const std::vector<std::string> coordinates{"texture coordinates"}, images{"texture images"}, nothing;
+  CHECK(unread("STOFF\n3 1 0\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n", MeshFormat::off) == coordinates);
+  CHECK(unread("COFF\n3 1 0\n0 0 0 0 0 0 1\n1 0 0 0 0 0 1\n0 1 0 0 0 0 1\n3 0 1 2\n", MeshFormat::off) == nothing);
+  const std::string data = "POINT_DATA 4\nSCALARS a float\nLOOKUP_TABLE default\n0 0 0 0\n";
+  CHECK(unread(kVtk + data, MeshFormat::vtk) == nothing);
+  CHECK(unread(kVtk + data + "TEXTURE_COORDINATES t 2 float\n0 0 1 0 0 1 1 1\n", MeshFormat::vtk) == coordinates);
+  CHECK(unread(kVtp, MeshFormat::vtp) == nothing);
+  CHECK(unread(replaced(kVtp, "<Points>", "<PointData TCoords=\"t\"/><Points>"), MeshFormat::vtp) == coordinates);
+  CHECK(unread(kPly, MeshFormat::ply) == nothing);
+  CHECK(unread(replaced(kPly, "element vertex", "comment TextureFile a.png\nelement vertex"), MeshFormat::ply) ==
+        images);
+}
+
 }  // namespace gvd::test_appearance

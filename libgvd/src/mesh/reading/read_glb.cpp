@@ -322,7 +322,7 @@ class GlbParser {
     std::vector<std::string>& unread = soup_.appearance.unread;
     if (has_sparse_) unread.emplace_back("sparse texture coordinates");
     if (has_second_set_) unread.emplace_back("the second texture coordinates");
-    if (!file_.array("images").empty()) unread.emplace_back("texture images");
+    if (!file_.array("images").empty()) unread.emplace_back(kUnreadImages);
     if (file_.array("materials").size() > 1) unread.emplace_back("materials");
   }
 

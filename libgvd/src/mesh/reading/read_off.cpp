@@ -39,6 +39,7 @@ class OffParser {
     const std::string_view word = text_.token();
     if (is_off_keyword(word)) {
       check_keyword(word);
+      if (word.starts_with("ST")) soup_.appearance.unread.emplace_back(kUnreadTexture);
       const std::string_view rest = text_.line();
       const std::string_view next = text_.token();
       if (next == "BINARY") text_.refuse("binary OFF is not supported; convert the file to text");

@@ -449,6 +449,7 @@ PolygonSoup parse_ply(std::string_view bytes, std::string_view name) {
   const PlyHeader header = parse_ply_header(bytes, name);
   PolygonSoup soup = read_body(bytes, name, header, [](auto parser) { return parser.parse(); });
   if (has_texture(header)) read_texture(bytes, name, header, soup);
+  if (header.has_images) soup.appearance.unread.emplace_back(kUnreadImages);
   return soup;
 }
 

@@ -74,7 +74,9 @@ class HeaderParser {
       parse_element();
     } else if (word == "property") {
       parse_property();
-    } else if (word != "comment" && word != "obj_info" && !word.empty()) {
+    } else if (word == "comment") {
+      header_.has_images |= text_.token() == "TextureFile";
+    } else if (word != "obj_info" && !word.empty()) {
       text_.refuse(fmt::format("{} is no statement of a PLY header", quoted(word)));
     }
     return false;

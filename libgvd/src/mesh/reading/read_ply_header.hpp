@@ -43,8 +43,9 @@ inline int find_corner_list(const PlyElement& element) {
 struct PlyHeader {
   PlyEncoding encoding{};
   std::vector<PlyElement> elements;
-  std::size_t bytes = 0;   ///< length of the header: the data begin there
-  std::int64_t lines = 0;  ///< number of lines of the header
+  std::size_t bytes = 0;    ///< length of the header: the data begin there
+  std::int64_t lines = 0;   ///< number of lines of the header
+  bool has_images = false;  ///< a comment names the image of a texture, as MeshLab writes it
 };
 
 /// What is read from a PLY.

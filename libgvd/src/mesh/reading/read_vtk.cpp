@@ -29,6 +29,8 @@ class VtkParser {
   PolygonSoup parse() {
     read_header();
     for (std::string word = keyword(); !word.empty() && !is_data_section(word); word = keyword()) read_section(word);
+    // Data are not parsed: their sections begin lines of their own.
+    if (bytes_.find("\nTEXTURE_COORDINATES ", at_) != bytes_.npos) soup_.leave_out_texture();
     if (!cells_.ends.empty()) soup_.add_cells(cells_, cell_types_);
     return soup_.take();
   }

@@ -75,6 +75,7 @@ class VtpParser {
       soup_.refuse(fmt::format("a piece of {} points has {} coordinates", points, coordinates.size()));
     }
     soup_.add_points(coordinates);
+    if (piece.child("PointData").attribute("TCoords")) soup_.leave_out_texture();
     if (count("NumberOfVerts") > 0) soup_.leave_out(read_cells(piece, "Verts", count("NumberOfVerts")));
     if (count("NumberOfLines") > 0) soup_.leave_out(read_cells(piece, "Lines", count("NumberOfLines")));
     if (count("NumberOfStrips") > 0) soup_.add_strips(read_cells(piece, "Strips", count("NumberOfStrips")));

@@ -35,6 +35,8 @@ class VtkSoup {
   void add_strips(const VtkCells& cells) { for_each_cell(cells, &VtkSoup::add_strip); }
   /// Leaves out vertices and lines, and at the end the points that only they have.
   void leave_out(const VtkCells& cells) { for_each_cell(cells, &VtkSoup::leave_out_cell); }
+  /// Says that the file has texture coordinates, which are not read.
+  void leave_out_texture() { soup_.appearance.unread.assign(1, kUnreadTexture); }
   /// Cells of an unstructured grid: `types` says what each one is. Those with a volume are refused.
   void add_cells(const VtkCells& cells, const std::vector<double>& types);
 
