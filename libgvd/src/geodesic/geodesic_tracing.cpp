@@ -156,6 +156,13 @@ TangentFan::TangentFan(const Mesh& mesh, const SurfacePoint& point) {
     total_ = 2 * kPi;
     sectors_.push_back({point, 0, total_, Vec2(1, 0)});
   }
+  for (const TangentSector& s : sectors_) by_face_.emplace_back(s.point.face, by_face_.size());
+  std::ranges::sort(by_face_);
+}
+
+const TangentSector* TangentFan::sector_in(FaceId face) const {
+  const auto found = std::ranges::lower_bound(by_face_, std::pair(face, std::size_t{0}));
+  return found != by_face_.end() && found->first == face ? &sectors_[found->second] : nullptr;
 }
 
 void TangentFan::add_edge(const Mesh& mesh, const SurfacePoint& point) {
@@ -207,9 +214,8 @@ std::optional<FaceDirection> TangentFan::face_direction(double angle) const {
 }
 
 double TangentFan::angle(FaceId face, const Vec2& direction) const {
-  std::size_t i = 0;
-  while (i + 1 < sectors_.size() && sectors_[i].point.face != face) ++i;
-  const TangentSector& s = sectors_[i];
+  const TangentSector* found = sector_in(face);
+  const TangentSector& s = found != nullptr ? *found : sectors_.back();
   // Measured from the middle of the sector, so that rounding at a side of the sector can't change it by 2 pi.
   const Vec2 middle = unit_vector(0.5 * s.width / scale_);
   const Vec2 turned(direction.dot(s.reference), cross(s.reference, direction));

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/plane.hpp"
@@ -28,7 +30,7 @@ struct FaceDirection {
 /// The faces round a surface point, and their sectors of its tangent plane (see geodesic_tracing.hpp).
 class TangentFan {
  public:
-  /// Cost: O(degree of the vertex).
+  /// Cost: O(degree of the vertex), and sorting its faces.
   TangentFan(const Mesh& mesh, const SurfacePoint& point);
 
   const std::vector<TangentSector>& sectors() const { return sectors_; }
@@ -39,6 +41,8 @@ class TangentFan {
   /// Ratio of tangent angles to angles on the surface: 1 except at a vertex.
   double scale() const { return scale_; }
 
+  /// The sector in a face; null if there is none. Cost: O(log degree).
+  const TangentSector* sector_in(FaceId face) const;
   /// The face and direction of a tangent angle. Without a value if it leads off the surface.
   std::optional<FaceDirection> face_direction(double angle) const;
   /// The tangent angle, in [0, 2 pi), of a direction in the layout of one of the fan's faces.
@@ -49,7 +53,8 @@ class TangentFan {
   void add_vertex(const Mesh& mesh, VertexId v);
 
   std::vector<TangentSector> sectors_;
-  double scale_ = 1;  // ratio of tangent angles to angles on the surface
+  std::vector<std::pair<FaceId, std::size_t>> by_face_;  // ascending; indices of sectors
+  double scale_ = 1;                                     // ratio of tangent angles to angles on the surface
   double total_ = 0;
   bool closed_ = true;
 };

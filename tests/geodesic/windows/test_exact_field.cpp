@@ -1,5 +1,7 @@
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "gvd/error.hpp"
 #include "gvd/exact_field.hpp"
@@ -8,6 +10,7 @@
 #include "support/generators.hpp"
 #include "support/many_threads.hpp"
 #include "support/meshes.hpp"
+#include "support/tiny_meshes.hpp"
 
 namespace gvd::test_exact_field {
 
@@ -39,6 +42,37 @@ TEST_CASE("at a generator everything is zero") {
     CHECK(field.path(generators[g]).length < 1e-12);
     CHECK(field.departure(generators[g]).norm() < 1e-12);
   }
+}
+
+TEST_CASE("paths round a saddle of many faces are as long as their distances, each time they are asked for") {
+  // Round the middle the angles sum to more than a full turn: paths to the other side bend there.
+  constexpr int kSides = 300;
+  std::vector<Vec3> positions{Vec3::Zero()};
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i < kSides; ++i) {
+    const double turn = 2 * std::numbers::pi * i / kSides;
+    positions.emplace_back(std::cos(turn), std::sin(turn), std::sin(3 * turn));
+    faces.push_back({0, 1 + i, 1 + (i + 1) % kSides});
+  }
+  const Mesh mesh = test::make_mesh(std::move(positions), faces);
+  const ExactField field(mesh, {vertex_point(mesh, VertexId(1)), vertex_point(mesh, VertexId(101))});
+  int bent = 0;
+  for (int round = 0; round < 2; ++round) {
+    for (const VertexId v : mesh.vertices()) {
+      for (const GeneratorId g : {GeneratorId(0), GeneratorId(1)}) {
+        const GeodesicPath path = field.path(vertex_point(mesh, v), g);
+        if (g != field.label(v)) continue;
+        double length = 0;
+        for (std::size_t i = 1; i < path.points.size(); ++i) {
+          length += (position(mesh, path.points[i]) - position(mesh, path.points[i - 1])).norm();
+        }
+        CHECK(path.complete);
+        CHECK(length == Approx(field.distance(v)).epsilon(1e-12).margin(1e-14));
+        bent += bends(path);
+      }
+    }
+  }
+  CHECK(bent > 50);
 }
 
 TEST_CASE("a geodesic traced in the direction of departure arrives") {

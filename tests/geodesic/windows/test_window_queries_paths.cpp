@@ -69,14 +69,15 @@ TEST_CASE("a path that can't be continued from a vertex is not complete") {
   const Mesh mesh = make_crown(8, 0.4);
   const VertexId saddle(0), start(5), generator(1);
   WindowField field = propagate(mesh, {generator});
-  const GeodesicPath path = trace_shortest_path(mesh, field, {generator}, vertex_point(mesh, start));
+  PathMemo memo({generator});
+  const GeodesicPath path = trace_shortest_path(mesh, field, memo, vertex_point(mesh, start));
   REQUIRE(path.complete);
   REQUIRE(path.points.size() == 3);
   CHECK(vertex(mesh, path.points[1]) == saddle);
   CHECK(vertex(mesh, path.points[2]) == generator);
   // Rounding may cause this: the saddle is nearer than all paths to it.
   field.distance[saddle] = -1;
-  const GeodesicPath broken = trace_shortest_path(mesh, field, {generator}, vertex_point(mesh, start));
+  const GeodesicPath broken = trace_shortest_path(mesh, field, memo, vertex_point(mesh, start));
   CHECK_FALSE(broken.complete);
   CHECK(broken.generator.value() == 0);
   CHECK(vertex(mesh, broken.points.back()) == saddle);

@@ -46,6 +46,9 @@ double least_distance(const std::vector<FaceSource>& sources, GeneratorId g, con
 /// window ends. Far above the rounding error of an image (1e-13), far below the angle to another corner.
 constexpr double kAtCorner = 1e-9;
 
+/// Vertices with more faces keep the way on from them. Few meshes have any, so that the memo is mostly empty.
+constexpr int kManyFaces = 64;
+
 /// A straight line towards an image, at the point where it crosses a halfedge into the halfedge's face.
 struct Step {
   HalfedgeId halfedge;
@@ -55,8 +58,7 @@ struct Step {
 
 class PathTracer {
  public:
-  PathTracer(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators)
-      : mesh_(mesh), field_(field), generators_(generators) {}
+  PathTracer(const Mesh& mesh, const WindowField& field, PathMemo& memo) : mesh_(mesh), field_(field), memo_(memo) {}
 
   GeodesicPath trace(const SurfacePoint& start, GeneratorId only) {
     path_.points.push_back(start);
@@ -66,8 +68,7 @@ class PathTracer {
     path_.generator = std::isinf(best_distance_) ? GeneratorId() : best_.generator;
     if (!path_.generator.valid()) return std::move(path_);
     for (VertexId v = follow_best(); v.valid() && !is_on_generator(v);) {
-      best_distance_ = kInfinity;
-      for_each_outgoing(mesh_, v, [&](HalfedgeId h) { look_from(Mesh::face(h), edge_point(h, 0), v); });
+      look_from(v);
       if (std::isinf(best_distance_)) return std::move(path_);  // rounding hides the continuation
       const VertexId nearer = follow_best();
       if (!nearer.valid()) break;  // on a segment of a curve
@@ -81,9 +82,7 @@ class PathTracer {
 
  private:
   /// Whether a path ends at a vertex: the generator, or a vertex of it if it is a curve.
-  bool is_on_generator(VertexId v) const {
-    return v == generators_[path_.generator.index()] || field_.distance[v] == 0;
-  }
+  bool is_on_generator(VertexId v) const { return v == memo_.end(path_.generator) || field_.distance[v] == 0; }
 
   /// Looks for a shorter path to p through face f. If p is the vertex `reached`, the path must continue from there: it
   /// must come from a vertex nearer to the generator, and across the opposite edge or along a side.
@@ -100,6 +99,24 @@ class PathTracer {
       best_distance_ = d;
       best_point_ = at;
     }
+  }
+
+  /// Looks for the way on from a vertex.
+  void look_from(VertexId v) {
+    const PathMemo::Key key(v, path_.generator);
+    if (const auto known = memo_.find(key)) {
+      best_ = known->source;
+      best_distance_ = known->distance;
+      best_point_ = known->at;
+      return;
+    }
+    best_distance_ = kInfinity;
+    int faces = 0;
+    for_each_outgoing(mesh_, v, [&](HalfedgeId h) {
+      ++faces;
+      look_from(Mesh::face(h), edge_point(h, 0), v);
+    });
+    if (faces > kManyFaces) memo_.add(key, {best_, best_distance_, best_point_});
   }
 
   /// Follows the best path to the vertex from which it comes; to none if it comes from a segment of a curve, where it
@@ -190,7 +207,7 @@ class PathTracer {
 
   const Mesh& mesh_;
   const WindowField& field_;
-  const std::vector<VertexId>& generators_;
+  PathMemo& memo_;
   GeodesicPath path_;
   std::vector<FaceSource> sources_;
   FaceSource best_{};
@@ -309,9 +326,9 @@ GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, 
   return table;
 }
 
-GeodesicPath trace_shortest_path(const Mesh& mesh, const WindowField& field, const std::vector<VertexId>& generators,
-                                 const SurfacePoint& start, GeneratorId only) {
-  return PathTracer(mesh, field, generators).trace(start, only);
+GeodesicPath trace_shortest_path(const Mesh& mesh, const WindowField& field, PathMemo& memo, const SurfacePoint& start,
+                                 GeneratorId only) {
+  return PathTracer(mesh, field, memo).trace(start, only);
 }
 
 Departures::Departures(const WorkingMesh& working, const std::vector<SurfacePoint>& generators) {

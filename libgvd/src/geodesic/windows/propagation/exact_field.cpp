@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -94,7 +95,8 @@ struct ExactField::State {
             options.progress)),
         offsets(options.offsets),
         max_distance(options.max_distance),
-        split(working) {}
+        split(working),
+        memo(working.generator_vertices().raw()) {}
 
   /// The same point on the working mesh.
   SurfacePoint to_working(const SurfacePoint& point) const {
@@ -108,6 +110,13 @@ struct ExactField::State {
     if (!working.is_split(point.face)) return point;
     return make_surface_point(working.parent(point.face), working.parent_bary(point.face, point.bary));
   }
+  /// The tangent plane of a generator. All are made for the first one that is asked for.
+  const TangentFan& fan(GeneratorId g) {
+    std::call_once(fans_made, [this] {
+      for (const SurfacePoint& generator : generators) fans.emplace_back(working.input(), generator);
+    });
+    return fans[g.index()];
+  }
   double offset(GeneratorId g) const { return offsets.empty() ? 0 : offsets[g.index()]; }
 
   std::vector<SurfacePoint> generators;  // empty if they are curves
@@ -116,6 +125,9 @@ struct ExactField::State {
   std::vector<double> offsets;
   double max_distance;
   SplitFaces split;
+  PathMemo memo;
+  std::once_flag fans_made;
+  std::vector<TangentFan> fans;
 };
 
 ExactField::ExactField(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const ExactFieldOptions& options)
@@ -157,8 +169,7 @@ ExactField::Nearest ExactField::nearest(const SurfacePoint& point) const {
 
 GeodesicPath ExactField::path(const SurfacePoint& point, GeneratorId only) const {
   const WorkingMesh& working = state_->working;
-  GeodesicPath path = trace_shortest_path(working.mesh(), state_->field, working.generator_vertices().raw(),
-                                          state_->to_working(point), only);
+  GeodesicPath path = trace_shortest_path(working.mesh(), state_->field, state_->memo, state_->to_working(point), only);
   if (!path.generator.valid() || path.length > state_->max_distance) return {{}, GeneratorId(), kInfinity, false};
   path.length -= state_->offset(path.generator);
   for (SurfacePoint& p : path.points) p = state_->to_input(p);
@@ -184,18 +195,22 @@ std::vector<Isoline> ExactField::isolines(const std::vector<double>& levels, con
 Vec2 ExactField::departure(const GeodesicPath& path) const {
   const Mesh& mesh = state_->working.input();
   if (!path.complete || path.points.size() < 2 || state_->generators.empty()) return Vec2::Zero();
-  const SurfacePoint& generator = state_->generators[path.generator.index()];
-  const TangentFan fan(mesh, generator);
-  // The last piece of the path lies in one face; the fan knows the generator in each of its faces.
+  const TangentFan& fan = state_->fan(path.generator);
+  // The last piece of the path lies in one face, mostly that of its end. The fan knows the generator in each of its
+  // faces.
   const SurfacePoint& before = path.points[path.points.size() - 2];
-  for (const TangentSector& sector : fan.sectors()) {
-    const FaceId f = sector.point.face;
-    const std::optional<Vec2> at = locate_in_face(mesh, f, before);
-    if (!at) continue;
-    const Vec2 direction = *at - FaceLayout(mesh, f).at(sector.point.bary);
-    return path.length * unit_vector(fan.angle(f, direction));
+  const auto holds_piece = [&](const TangentSector& s) {
+    return locate_in_face(mesh, s.point.face, before).has_value();
+  };
+  const TangentSector* sector = fan.sector_in(path.points.back().face);
+  if (sector == nullptr || !holds_piece(*sector)) {
+    const auto found = std::ranges::find_if(fan.sectors(), holds_piece);
+    if (found == fan.sectors().end()) return Vec2::Zero();
+    sector = &*found;
   }
-  return Vec2::Zero();
+  const FaceId f = sector->point.face;
+  const Vec2 direction = *locate_in_face(mesh, f, before) - FaceLayout(mesh, f).at(sector->point.bary);
+  return path.length * unit_vector(fan.angle(f, direction));
 }
 
 VertexDistances compute_vertex_distances(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
