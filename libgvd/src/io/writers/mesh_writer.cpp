@@ -50,6 +50,9 @@ namespace {
 
 void print_vertex(ByteWriter& out, const Vec3& p) { out.print("v {} {} {}\n", p.x(), p.y(), p.z()); }
 
+/// Texture coordinates of a vertex that another one is compared with, the last ones: the tip of a cone may have many.
+constexpr std::ptrdiff_t kComparedTexture = 64;
+
 /// Writes the coordinates of corners, equal ones of a vertex once. Gives their number for each corner, from 1; none
 /// without a texture.
 std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh) {
@@ -61,7 +64,8 @@ std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh
   for (const HalfedgeId h : mesh.mesh.halfedges()) {
     const Uv& uv = mesh.appearance->texture[h.index()];
     std::vector<Numbered>& at = known[mesh.mesh.from(h)];
-    auto found = std::find_if(at.begin(), at.end(), [&](const Numbered& n) { return n.first == uv; });
+    auto found = std::find_if(at.end() - std::min(std::ssize(at), kComparedTexture), at.end(),
+                              [&](const Numbered& n) { return n.first == uv; });
     if (found == at.end() && std::isfinite(uv[0]) && std::isfinite(uv[1])) {
       out.print("vt {} {}\n", uv[0], uv[1]);
       found = at.insert(at.end(), {uv, ++count});
