@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "base/plane.hpp"
@@ -52,11 +53,11 @@ bool is_torn(const Mesh& mesh, FaceId f, const PlaneCorners& corners) {
 }
 
 /// The corners of a face by the path to its centre. At the centre, the logarithm turns directions by the angle from
-/// that in which the path arrives to that in which it departs.
-PlaneCorners lay_by_centre(const ChartSurface& surface, FaceId f) {
+/// that in which the path arrives to that in which it departs. Nothing where rounding hides one of the two.
+std::optional<PlaneCorners> lay_by_centre(const ChartSurface& surface, FaceId f) {
   const FaceId parent = surface.parent(f);
   const FaceLayout layout(surface.surface(), parent);
-  PlaneCorners corners{kNowhere, kNowhere, kNowhere};
+  PlaneCorners corners;
   std::array<Vec2, 3> in_parent;
   Bary centre{0, 0, 0};
   for (int i = 0; i < 3; ++i) {
@@ -66,9 +67,9 @@ PlaneCorners lay_by_centre(const ChartSurface& surface, FaceId f) {
   }
   const GeodesicPath path = surface.field().path(make_surface_point(parent, centre), surface.label(f));
   const Vec2 log = surface.field().departure(path), at = layout.at(centre);
-  if (!path.complete || path.points.size() < 2 || !(log.norm() > 0)) return corners;
+  if (!path.complete || path.points.size() < 2 || !(log.norm() > 0)) return std::nullopt;
   const auto before = locate_in_face(surface.surface(), parent, path.points[1]);
-  if (!before || *before == at) return corners;
+  if (!before || *before == at) return std::nullopt;
   const Vec2 arrival = (at - *before).normalized(), departure = log.normalized();
   const double cosine = arrival.dot(departure), sine = cross(arrival, departure);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -93,7 +94,10 @@ std::vector<PlaneCorners> map_by_logarithms(const ChartSurface& surface, IdVecto
       for (std::size_t c = 0; c < 3; ++c) corners[i][c] = logs[mesh.vertices(f)[c]];
       if (!is_torn(mesh, f, corners[i])) continue;
       torn[f] = 1;
-      corners[i] = lay_by_centre(surface, f);
+      const bool all_known = std::ranges::all_of(corners[i], [](const Vec2& p) { return p.allFinite(); });
+      // Where the centre tells nothing, the face is about as small as rounding, and its logarithms serve.
+      const PlaneCorners otherwise = all_known ? corners[i] : PlaneCorners{kNowhere, kNowhere, kNowhere};
+      corners[i] = lay_by_centre(surface, f).value_or(otherwise);
     }
   });
   return corners;
