@@ -37,7 +37,11 @@ void report_charts(Run& run, const Charts& charts, ChartMap map) {
     Json& one = listed.emplace_back(Json{{"label", chart.generator.value()},
                                          {"faces", chart.faces},
                                          {"area", chart.area},
-                                         {"flipped_share", share(chart.flipped_area)}});
+                                         {"flipped_share", share(chart.flipped_area)},
+                                         {"stretch", chart.stretch}});
+    if (const auto& box = chart.box; !box.isEmpty()) {
+      one["box"] = {box.min().x(), box.min().y(), box.max().x(), box.max().y()};
+    }
     if (map == ChartMap::flat) continue;
     one["torn_share"] = share(chart.torn_area);
     one["origin"] = {chart.origin.x(), chart.origin.y()};

@@ -214,9 +214,10 @@ void write_whole_faces(Run& run, const PartedSurface& surface, const CheckedMesh
   write_diagram_file(run, input, written);
 }
 
-/// Cuts the input and not the diagram's surface: both sides of a border keep their vertices in common.
-void write_cut_faces(Run& run, const PartedSurface& surface, const CheckedMesh& checked, const Diagram& diagram,
-                     const ChartRequest& charts) {
+/// Cuts the input and not the diagram's surface: both sides of a border keep their vertices in common. Returns the
+/// charts, if they are asked for.
+std::optional<Charts> write_cut_faces(Run& run, const PartedSurface& surface, const CheckedMesh& checked,
+                                      const Diagram& diagram, const ChartRequest& charts) {
   const Mesh& input = checked.mesh;
   CutMesh cut = run.timed("cut", [&] { return cut_faces(input, diagram, run.progress()); });
   const CutVertices vertices = carry_to_cut_vertices(surface.mesh(), diagram, cut);
@@ -231,12 +232,19 @@ void write_cut_faces(Run& run, const PartedSurface& surface, const CheckedMesh& 
   LabelledMesh output{cut.mesh,           &cut.label, &cut.parent,    &vertices.label,
                       &vertices.distance, &diagram,   &surface.mesh()};
   output.face_numbers = &cut.numbers;
-  if (charts.uv) appearance.texture = chart_regions(run, surface.mesh(), diagram, cut, charts).texture;
+  std::optional<Charts> made;
+  if (charts.uv) {
+    if (!appearance.texture.empty())
+      appearance.unread.emplace_back("texture coordinates of the input, for those of --uv");
+    made = chart_regions(run, surface.mesh(), diagram, cut, charts);
+    appearance.texture = made->texture;
+  }
   output.appearance = &appearance;
   Diagram restricted;
   const Diagram& written = surface.restrict(diagram, restricted);
   write_files(run, output, [&](std::ostream& out) { write_cut_json(out, input, written, cut, vertices); });
   write_diagram_file(run, input, written);
+  return made;
 }
 
 void segment(Run& run, const OwnOptions& own) {
@@ -259,13 +267,15 @@ void segment(Run& run, const OwnOptions& own) {
     diagram = make_cells_discs(run, mesh, diagram);
     run.report().set_generators(input.mesh, diagram.generators);
   }
+  std::optional<Charts> charts;
   if (own.is_cut()) {
-    write_cut_faces(run, surface, input, diagram, own.charts);
+    charts = write_cut_faces(run, surface, input, diagram, own.charts);
   } else {
     write_whole_faces(run, surface, input, diagram, own);
   }
-  write_own_file(run, "--stats",
-                 [&](std::ostream& out) { write_statistics_csv(out, compute_region_statistics(mesh, diagram)); });
+  write_own_file(run, "--stats", [&](std::ostream& out) {
+    write_statistics_csv(out, compute_region_statistics(mesh, diagram), charts ? &*charts : nullptr);
+  });
   write_own_file(run, "--adjacency", [&](std::ostream& out) {
     write_adjacency_graphml(out, mesh, diagram.generators, compute_region_statistics(mesh, diagram));
   });

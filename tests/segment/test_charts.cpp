@@ -175,6 +175,50 @@ TEST_CASE("charts: round the apex of a cone, logarithms have the lengths of unfo
   CHECK(chart.unplaced_area == 0);
 }
 
+TEST_CASE("charts: at the tip of a cone of many faces, no work is repeated for each of them") {
+  // Each step that looked at all faces round the tip for each vertex took half a minute and more.
+  constexpr int kSides = 20000;
+  const Mesh mesh = make_cone(6, kSides, 1);
+  const VertexId tip(0), rim(1);
+  const Made at_tip = make(mesh, {vertex_point(mesh, tip)}, ChartMap::logmap);
+  CHECK(at_tip.charts.charts.front().flipped_area == 0);
+  CHECK(at_tip.charts.charts.front().unplaced_area == 0);
+  for (const FaceId f : at_tip.cut.mesh.faces()) {
+    for (int c = 0; c < 3; ++c) {
+      const double expected = at_tip.cut.mesh.vertices(f)[std::size_t(c)] == tip ? 0 : 1;
+      REQUIRE(at_tip.log(at_tip.charts.charts.front(), f, c).norm() == Approx(expected).margin(1e-12));
+    }
+  }
+  // Three cells meet near the tip, and thousands of paths begin there.
+  const Made three =
+      make(mesh, {vertex_point(mesh, rim), vertex_point(mesh, VertexId(6000)), vertex_point(mesh, VertexId(13000))},
+           ChartMap::logmap);
+  CHECK(three.charts.charts.size() == 3);
+  CHECK(three.charts.share(&Chart::flipped_area) < 1e-9);
+  CHECK(three.charts.share(&Chart::unplaced_area) == 0);
+}
+
+TEST_CASE("charts: the stretch is that of a known map, and 1 where the map is isometric") {
+  constexpr int kSides = 12;
+  constexpr double kTotal = 4;
+  const Mesh cone = make_cone(kTotal, kSides, 1), grid = test::make_grid(6, 4), sphere = test::make_sphere(3);
+  // The sectors are laid with a full turn in place of kTotal: their bases and heights grow by these factors.
+  const double half = std::numbers::pi / kSides, was = kTotal / 2 / kSides;
+  const double expected = std::hypot(std::sin(half) / std::sin(was), std::cos(half) / std::cos(was)) / std::sqrt(2);
+  const Made laid = make(cone, {vertex_point(cone, VertexId(0))}, ChartMap::logmap);
+  CHECK(laid.charts.charts.front().stretch == Approx(expected).epsilon(1e-12));
+  for (const ChartMap map : {ChartMap::logmap, ChartMap::flat}) {
+    const Made flat = make(grid, {make_surface_point(FaceId(20), {0.2, 0.3, 0.5})}, map);
+    CHECK(flat.charts.charts.front().stretch == Approx(1).epsilon(1e-4));
+    const Made made = make(sphere, test::random_generators(sphere, 12, 2), map);
+    const std::vector<Box2> boxes = boxes_of(made);
+    for (const Chart& chart : made.charts.charts) {
+      CHECK(chart.box.isApprox(boxes[chart.generator.index()], 0));
+      CHECK(std::abs(chart.stretch - 1) < 0.1);
+    }
+  }
+}
+
 TEST_CASE("charts: on a sphere the logarithm has the exact distance, and torn faces have their shapes") {
   const Mesh mesh = test::make_sphere(3);
   const auto generators = test::random_generators(mesh, 1, 2);

@@ -132,6 +132,19 @@ TEST_CASE("statistics as CSV: a line for each region, with the shortest numbers"
   CHECK(to_csv(regions) == kHeader + "0,0.1,0.3333333333333333,2,1e-300,0.5,1,1=0.25 7=1.5\r\n1,0,0,0,0,,0,\r\n");
 }
 
+TEST_CASE("statistics as CSV: charts add columns, those of one region together") {
+  const Chart first{
+      .generator = GeneratorId(1), .area = 3, .flipped_area = 1, .stretch = 1, .box = {Vec2(0, 0.5), Vec2(0.25, 1)}};
+  const Chart second{.generator = GeneratorId(1), .area = 1, .stretch = 3, .box = {Vec2(0.5, 0), Vec2(0.75, 0.25)}};
+  Charts charts;
+  charts.charts = {first, second};
+  std::ostringstream out;
+  write_statistics_csv(out, IdVector<GeneratorId, RegionStatistics>(2), &charts);
+  const std::string header =
+      kHeader.substr(0, kHeader.size() - 2) + ",flipped_share,stretch,u_min,v_min,u_max,v_max\r\n";
+  CHECK(out.str() == header + "0,0,0,0,0,0,0,,,,,,,\r\n1,0,0,0,0,0,0,,0.25,1.5,0,0,0.75,1\r\n");
+}
+
 TEST_CASE("the sizes of regions count faces and add areas, unlabelled faces left out") {
   const Mesh mesh = test::make_grid(2, 2);  // eight faces of area 1/2
   IdVector<FaceId, GeneratorId> label(8, GeneratorId(0));

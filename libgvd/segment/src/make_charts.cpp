@@ -4,31 +4,28 @@
 // without a vertex twice. Islands keep their size in mesh units until all are packed; then one scale takes them into
 // the square. Faces are judged by their final coordinates, rounding included. A flat map that turns a face round there
 // is replaced by its next one, and all islands are packed again.
+// The stretch is measured there, too, and divided by the scale. It is a mean of lengths and not of their squares: a
+// face as thin as rounding adds its small area times a large factor, and squares of that would outweigh all others.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
 #include "base/plane.hpp"
 #include "chart_steps.hpp"
+#include "diagram/diagram_windows.hpp"
 #include "face_shares.hpp"
+#include "geodesic/face_layout.hpp"
 #include "gvd/charts.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
 namespace {
-
-/// Weights as distances at which the generators start: only differences matter.
-std::vector<double> to_offsets(std::vector<double> weights) {
-  if (weights.empty()) return weights;
-  const double least = *std::ranges::min_element(weights);
-  for (double& w : weights) w -= least;
-  return weights;
-}
 
 void check_cut(const Mesh& mesh, const CutMesh& cut) {
   const bool fits = cut.parent.count() == cut.mesh.face_count() && cut.label.count() == cut.mesh.face_count() &&
@@ -97,12 +94,12 @@ class ChartMaker {
   }
 
   /// 1 if counter-clockwise in the square, for certain.
-  int orientation_of(FaceId f) const {
-    const auto corner = [&](std::size_t c) {
-      const auto& [u, v] = charts_.texture[3 * f.index() + c];
-      return Vec2(u, v);
-    };
-    return orientation(corner(0), corner(1), corner(2));
+  int orientation_of(FaceId f) const { return orientation(corner_of(f, 0), corner_of(f, 1), corner_of(f, 2)); }
+
+  /// In the square.
+  Vec2 corner_of(FaceId f, std::size_t c) const {
+    const auto& [u, v] = charts_.texture[3 * f.index() + c];
+    return Vec2(u, v);
   }
 
   /// Packs the islands and sets the texture coordinates.
@@ -150,7 +147,19 @@ class ChartMaker {
       } else if (orientation_of(f) <= 0) {
         chart.flipped_area += area;
       }
+      if (is_finite(charts_.texture[3 * f.index()])) add_stretch(f, area, chart);
     }
+    if (const double placed = chart.area - chart.unplaced_area; placed > 0) chart.stretch /= placed;
+  }
+
+  /// Adds the root mean square of the singular values of the face's map, by its area.
+  void add_stretch(FaceId f, double area, Chart& chart) const {
+    const FaceLayout layout(mesh(), f);
+    Eigen::Matrix2d sides, laid;
+    sides << layout.corner[1] - layout.corner[0], layout.corner[2] - layout.corner[0];
+    laid << corner_of(f, 1) - corner_of(f, 0), corner_of(f, 2) - corner_of(f, 0);
+    chart.stretch += area * (laid * sides.inverse()).norm() / (std::numbers::sqrt2 * charts_.scale);
+    for (std::size_t c = 0; c < 3; ++c) chart.box.extend(corner_of(f, c));
   }
 
   ChartSurface surface_;
@@ -193,7 +202,7 @@ ChartSurface::ChartSurface(const Mesh& mesh, const Diagram& diagram, const CutMe
       separated_(separate_regions(cut.mesh, to_regions(cut.label))),
       parallel_(options.threads, options.progress),
       field_(mesh, diagram.generators,
-             {.offsets = to_offsets(diagram.weights), .progress = options.progress, .threads = options.threads}) {
+             {.offsets = from_zero(diagram.weights), .progress = options.progress, .threads = options.threads}) {
   islands_ = find_islands(separated_.mesh, cut.label);
 }
 

@@ -3,7 +3,8 @@
 // Area and Euler characteristic are the diagram's own; lengths are those of its polylines. A bisector counts in the
 // perimeter of both of its cells, and so twice where both are the same cell. The mesh's boundary counts where a cell's
 // faces and pieces lie on it. The radius is the largest distance that is known: at vertices, at branch points, and at
-// the corners of pieces in the faces of the generator. Sums run over bisectors, halfedges and pieces in their order.
+// the corners of pieces in the faces of the generator. Charts belong to the pieces of a cut mesh, and are joined by the
+// labels of these. Sums run over bisectors, halfedges and pieces in their order.
 #include "gvd/region_statistics.hpp"
 
 #include <algorithm>
@@ -132,7 +133,8 @@ class RegionMeter {
   IdVector<GeneratorId, RegionStatistics> regions_;
 };
 
-constexpr const char* kHeader = "label,area,share,perimeter,radius,compactness,euler_characteristic,neighbours\r\n";
+constexpr const char *kHeader = "label,area,share,perimeter,radius,compactness,euler_characteristic,neighbours",
+                     *kChartsHeader = ",flipped_share,stretch,u_min,v_min,u_max,v_max";
 
 /// The fewest digits that read back as the same double; nothing for a value that is not finite.
 std::string shortest(double value) {
@@ -147,6 +149,34 @@ std::string list_neighbours(const std::vector<RegionNeighbour>& neighbours) {
   for (const RegionNeighbour& n : neighbours) {
     if (!text.empty()) text += ' ';
     text += std::to_string(n.region.value()) + '=' + shortest(n.border_length);
+  }
+  return text;
+}
+
+/// The charts of each region as one: a region has several where it is not connected. The stretch is their mean by the
+/// area that is placed.
+IdVector<GeneratorId, Chart> join_charts(const std::vector<Chart>& charts, std::size_t regions) {
+  IdVector<GeneratorId, Chart> joined(regions);
+  for (const Chart& chart : charts) {
+    Chart& all = joined[chart.generator];
+    const double before = all.area - all.unplaced_area, own = chart.area - chart.unplaced_area;
+    if (own > 0) all.stretch = (before * all.stretch + own * chart.stretch) / (before + own);
+    all.area += chart.area;
+    all.flipped_area += chart.flipped_area;
+    all.unplaced_area += chart.unplaced_area;
+    all.box.extend(chart.box);
+  }
+  return joined;
+}
+
+/// The further fields of a region with charts; empty ones without.
+std::string list_chart(const Chart& chart) {
+  if (chart.box.isEmpty()) return ",,,,,,";
+  const Vec2 &least = chart.box.min(), &most = chart.box.max();
+  std::string text;
+  for (const double value :
+       {chart.flipped_area / chart.area, chart.stretch, least.x(), least.y(), most.x(), most.y()}) {
+    text += ',' + shortest(value);
   }
   return text;
 }
@@ -179,14 +209,17 @@ IdVector<GeneratorId, RegionStatistics> compute_region_statistics(const Mesh& me
   return RegionMeter(mesh, diagram).run();
 }
 
-void write_statistics_csv(std::ostream& out, const IdVector<GeneratorId, RegionStatistics>& regions) {
-  out << kHeader;
+void write_statistics_csv(std::ostream& out, const IdVector<GeneratorId, RegionStatistics>& regions,
+                          const Charts* charts) {
+  out << kHeader << (charts != nullptr ? kChartsHeader : "") << "\r\n";
+  IdVector<GeneratorId, Chart> of_region;
+  if (charts != nullptr) of_region = join_charts(charts->charts, regions.size());
   for (const GeneratorId g : regions.ids()) {
     const RegionStatistics& r = regions[g];
     std::string line = std::to_string(g.value());
     for (const double value : {r.area, r.share, r.perimeter, r.radius, r.compactness}) line += ',' + shortest(value);
-    line += ',' + std::to_string(r.euler_characteristic) + ',' + list_neighbours(r.neighbours) + "\r\n";
-    out << line;
+    line += ',' + std::to_string(r.euler_characteristic) + ',' + list_neighbours(r.neighbours);
+    out << line << (charts != nullptr ? list_chart(of_region[g]) : "") << "\r\n";
   }
 }
 

@@ -129,6 +129,24 @@ TEST_CASE("gvd-segment --uv: the same bytes on any number of threads, and inside
   }
 }
 
+TEST_CASE("gvd-segment --uv: --stats has the charts' columns, and a line says that the input's texture is replaced") {
+  const ScratchFolder scratch;
+  write_text(scratch / "in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+  const std::string notes = run(scratch / "in.obj" + " -n 1 --uv logmap -o " + scratch / "a.obj --stats " +
+                                scratch / "s.csv --report " + scratch / "r.json");
+  CHECK_THAT(notes, Contains("in.obj: left out: texture coordinates of the input, for those of --uv\n"));
+  std::istringstream rows(read_text(scratch / "s.csv"));
+  std::string header, row;
+  std::getline(rows, header);
+  std::getline(rows, row);
+  CHECK_THAT(header, Contains(",neighbours,flipped_share,stretch,u_min,v_min,u_max,v_max"));
+  const auto chart = read_json(scratch / "r.json")["results"]["charts"]["charts"][0];
+  CHECK(chart["stretch"].get<double>() == Approx(1));
+  std::string box;
+  for (const auto& number : chart["box"]) box += "," + number.dump();
+  CHECK_THAT(row, Contains(box));
+}
+
 TEST_CASE("gvd-segment --disc and --uv: refusals name what helps") {
   const std::string name = "gvd-segment", figure = data_file("figure.obj") + " -n 6 ";
   require_error(name, figure + "-q --uv flat", 5, "--disc adds generators until every region is a disc");

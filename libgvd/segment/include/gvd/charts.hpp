@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
@@ -40,7 +41,12 @@ struct Chart {
   double flipped_area = 0;   ///< of faces that are not counter-clockwise for certain, without those that are not placed
   double torn_area = 0;      ///< logmap: of faces between corners whose shortest paths come from different sides
   double unplaced_area = 0;  ///< logmap: of faces without texture coordinates, where no path was found
-  Vec2 origin;               ///< logmap: texture coordinates of the generator; the x axis is that of its tangent plane
+  /// How much longer lengths are in the chart than on the surface, the scale apart: the root mean square over all
+  /// directions in a face, and its mean over the area of the placed faces. 1 if the map is isometric.
+  double stretch = 0;
+  Eigen::AlignedBox2d box;  ///< of its texture coordinates; empty without any
+  /// logmap: texture coordinates of the generator; the x axis is that of its tangent plane.
+  Vec2 origin = Vec2::Zero();
 };
 
 /// Texture coordinates of a cut mesh.

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <vector>
 
+#include "gvd/charts.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
@@ -38,8 +39,10 @@ struct RegionStatistics {
 IdVector<GeneratorId, RegionStatistics> compute_region_statistics(const Mesh& mesh, const Diagram& diagram);
 
 /// Writes CSV after RFC 4180: a header, then a line for each region, ended by CR LF. Numbers have the fewest digits
-/// that read back as the same double, in any locale. What is not finite is an empty field.
-void write_statistics_csv(std::ostream& out, const IdVector<GeneratorId, RegionStatistics>& regions);
+/// that read back as the same double, in any locale. What is not finite is an empty field. `charts`: of these regions,
+/// for six more columns: the share of the area that is flipped, the stretch, and the box of the texture coordinates.
+void write_statistics_csv(std::ostream& out, const IdVector<GeneratorId, RegionStatistics>& regions,
+                          const Charts* charts = nullptr);
 
 /// Writes the adjacency of the regions as GraphML: an undirected graph with a node for each region and an edge for each
 /// two that share bisectors. A node has the label as its id, and `label`, `area`, `x`, `y` and `z`, the position of the
