@@ -113,13 +113,15 @@ LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh) {
   return mesh;
 }
 
+/// The folder of a file, without links.
+std::filesystem::path folder(const std::filesystem::path& file) {
+  std::error_code failed;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file, failed).parent_path(), failed);
+}
+
 /// Notes that an OBJ in another folder than INPUT names files beside INPUT.
 void note_material_files(Run& run, const std::string& path, const Appearance& appearance) {
   const std::string& input = run.options().input.path;
-  std::error_code failed;
-  const auto folder = [&](const std::string& file) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, failed).parent_path(), failed);
-  };
   if (appearance.material_files.empty() || input == "-" || folder(path) == folder(input)) return;
   run.console().note(fmt::format("{} names the materials of {}, which is beside {}: copy it, with its images", path,
                                  printable(fmt::format("{}", fmt::join(appearance.material_files, ", "))), input));
@@ -232,6 +234,25 @@ CheckedMesh load_input(Run& run, std::string* standard_input) {
                                    counted(summary.components, "component", "components"),
                                    counted(summary.boundary_loops, "boundary loop", "boundary loops")));
   return checked;
+}
+
+void check_material_files(Run& run, const Appearance& appearance) {
+  const OutputOptions& output = run.options().output;
+  if (!appearance.material.empty() && !output.region_materials) return;  // no .mtl is written
+  const std::string& input = run.options().input.path;
+  for (const std::string& path : output.files) {
+    const std::filesystem::path made = std::filesystem::path(path).replace_extension(".mtl");
+    // Relative to the input. Several names on one line count as one with blanks, as most programs write a single one.
+    for (const std::filesystem::path name : appearance.material_files) {
+      const std::filesystem::path read = std::filesystem::path(input).replace_filename(name);
+      if (format_of(output, path) != "obj" || made.filename() != read.filename() || folder(made) != folder(read))
+        continue;
+      throw Error(ErrorCode::invalid_option,
+                  fmt::format("-o {}: its materials would replace {}, which {} names; choose "
+                              "another name",
+                              path, printable(name.string()), input));
+    }
+  }
 }
 
 SamplingOptions make_sampling_options(Run& run) {

@@ -345,6 +345,7 @@ void write_points_file(Run& run, const Mesh& mesh, const LloydResult& relaxed) {
 void lloyd(Run& run, const OwnOptions& own) {
   report_own_options(run.report().options(), own);
   const CheckedMesh input = load_input(run);
+  check_material_files(run, input.appearance);
   const Mesh& mesh = input.mesh;
   ConstraintOptions constraints = own.constraints;
   CopyOptions copy;

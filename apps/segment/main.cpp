@@ -258,6 +258,7 @@ void segment(Run& run, const OwnOptions& own) {
                 "--region-materials: only .obj names materials; write one, as in -o FILE.obj, or leave it out");
   }
   const CheckedMesh input = load_input(run);
+  check_material_files(run, input.appearance);
   const PartedSurface surface(run, input, own.regions, options);
   const Mesh& mesh = surface.mesh();
   Diagram diagram = run.options().generators.curves.empty()

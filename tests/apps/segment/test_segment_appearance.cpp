@@ -130,6 +130,25 @@ TEST_CASE("gvd-segment: one line says what of the appearance is left out") {
   CHECK_THAT(idle.err, Contains("--region-materials: only .obj names materials; write one"));
 }
 
+TEST_CASE("gvd-segment: materials of regions do not replace those that the input names") {
+  const ScratchFolder scratch;
+  write_text(scratch / "paint box.mtl", "newmtl blue\n");
+  write_text(scratch / "in.obj", textured_torus());
+  for (const std::string command : {"gvd-segment", "gvd-lloyd"}) {
+    const std::vector<std::string> built = built_commands();
+    if (std::find(built.begin(), built.end(), command) == built.end()) continue;
+    write_text(scratch / "bare.obj", "mtllib paint box.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\nf 2 4 3\n");
+    const CommandResult result = run_command(command, scratch / "bare.obj" + " -n 2 -o '" + scratch / "paint box.obj'");
+    CHECK(result.exit_code == 2);
+    CHECK_THAT(result.err, Contains("its materials would replace paint box.mtl"));
+  }
+  const std::string painted = scratch / "in.obj" + " -n 3 -o '" + scratch / "paint box.obj'";
+  CHECK(run_command("gvd-segment", painted + " --region-materials").exit_code == 2);
+  CHECK(read_text(scratch / "paint box.mtl") == "newmtl blue\n");
+  CHECK(run_command("gvd-segment", painted).exit_code == 0);
+  CHECK(read_text(scratch / "paint box.mtl") == "newmtl blue\n");
+}
+
 TEST_CASE("gvd-segment: a file with bad texture coordinates gets one line") {
   const ScratchFolder scratch;
   write_text(scratch / "in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/7 3/-5\n");
