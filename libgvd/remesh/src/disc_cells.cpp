@@ -2,7 +2,8 @@
 //
 // A disc needs less than the dual of a remesh: two cells round a loop may do, not three. But both have to reach as far
 // along a limb, or one of them surrounds it beyond the other. So candidates are tried on the part of the mesh round the
-// cell, until one leaves nothing to do. The search of a remesh then finds what was added in vain, with discs as the one
+// cell. With few given generators that part is the whole mesh, and each trial a diagram of it, so few follow on one
+// that mends the cell. The search of a remesh then finds what was added in vain, with discs as the one
 // property that counts.
 // A closed component takes two generators, a handle three: two cells meet in closed curves only, and leave annuli.
 #include "gvd/disc_cells.hpp"
@@ -31,6 +32,10 @@ int count_defects(const Cell& cell) { return std::abs(cell.euler_characteristic 
 
 /// Candidates that are tried in one cell.
 constexpr std::size_t kCandidates = 24;
+
+/// The share of the trials left that may follow on a success. With none, three of 54 runs added one generator more;
+/// with all, the first of several cells takes all trials on a large mesh.
+constexpr double kTrialsAfterSuccess = 1.0 / 8;
 
 /// A cell is divided in the same round as another one that is farther than so many bisectors: the cells that the two
 /// changes alter, one ring round each, do not meet.
@@ -82,26 +87,35 @@ class DiscMaker {
     ++result_.rounds;
   }
 
-  /// The candidate that leaves the fewest defects, as far as trials are allowed.
+  /// The candidate that takes away most defects, as far as trials are allowed. Where it takes away as many as the cell
+  /// has, few more are tried: one may mend other cells, too.
   SurfacePoint choose_point(GeneratorId cell, const std::vector<SurfacePoint>& candidates) {
     const LocalDual local(mesh_, result_.diagram, {cell}, {}, options_.diagram);
+    const int own = count_defects(result_.diagram.cells[cell]);
+    int all = 0;
+    for (const Cell& each : result_.diagram.cells) all += count_defects(each);
     Least<SurfacePoint, int> best{candidates.front(), std::numeric_limits<int>::max()};
-    for (std::size_t i = 0; i < candidates.size() && best.rank > 0 && events_ < most_events_; ++i) {
-      if (const auto defects = try_point(local, candidates[i])) best.offer(*defects, candidates[i]);
+    const double few = events_ + (most_events_ - events_) * kTrialsAfterSuccess;
+    for (std::size_t i = 0; i < candidates.size() && best.rank > -all; ++i) {
+      if (events_ >= (best.rank > -own ? most_events_ : few)) break;
+      if (const auto change = try_point(local, candidates[i])) best.offer(*change, candidates[i]);
     }
     return best.value;
   }
 
-  /// The defects round the cell with one more generator; nothing where the part can't tell.
+  /// How many more defects there are with one more generator, below 0 for fewer; nothing where the part can't tell.
   std::optional<int> try_point(const LocalDual& local, const SurfacePoint& point) {
     const auto with = local.compute({point});
     events_ += double(with ? with->diagram.report.propagation_events : 0);
     if (!with) return std::nullopt;
-    int defects = 0;
+    int change = 0;
     for (const Cell& cell : with->diagram.cells) {
-      if (with->inner[cell.generator]) defects += count_defects(cell);
+      if (!with->inner[cell.generator]) continue;
+      const std::size_t i = cell.generator.index();
+      const bool is_new = i >= local.kept().size();
+      change += count_defects(cell) - (is_new ? 0 : count_defects(result_.diagram.cells[local.kept()[i]]));
     }
-    return defects;
+    return change;
   }
 
   [[noreturn]] void refuse(const std::vector<GeneratorId>& cells, const std::string& why) const {
@@ -119,6 +133,7 @@ class DiscMaker {
   void search_fewer() {
     GeneratorSearch search;
     search.kept = given_;
+    search.least = given_ + 1;  // the given cells alone are no discs
     search.most_events = std::int64_t(most_events_);
     search.diagram = options_.diagram;
     search.only = DualProperty::cell_is_disc;
