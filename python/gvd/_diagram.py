@@ -113,10 +113,12 @@ class Diagram(Writable):
         with reporting(progress) as callback:
             return Segmentation(self, self._native.segment(labels, callback))
 
-    def cut(self, *, progress: Progress = None) -> Cut:
-        """The mesh with its faces split along the bisectors, so that each lies in one cell."""
+    @checked
+    def cut(self, *, uv: Optional[Literal["logmap", "flat"]] = None, progress: Progress = None) -> Cut:
+        """The mesh with its faces split along the bisectors, so that each lies in one cell. `uv` gives it texture
+        coordinates, as gvd-segment --uv does: see Cut.charts. "flat" needs cells that are discs."""
         with reporting(progress) as callback:
-            return Cut(self, self._native.cut(callback))
+            return Cut(self, self._native.cut(uv, callback))
 
     def to_vtk(self) -> Any:
         """The surface as vtkPolyData, with Label and Distance of its vertices."""
@@ -177,6 +179,20 @@ class Segmentation(Writable):
                             cells={"Label": self.labels})
 
 
+class Chart(NamedTuple):
+    """A connected part of a region in the unit square. Areas are those of faces on the surface, square mesh units."""
+
+    label: int
+    faces: int
+    area: float
+    flipped_area: float
+    torn_area: float
+    unplaced_area: float
+    stretch: float
+    box: tuple[tuple[float, float], tuple[float, float]]
+    origin: tuple[float, float]
+
+
 class Cut(Writable):
     """A mesh that was split along bisectors. `to_file` writes what gvd-segment --cut writes, .json included."""
 
@@ -198,6 +214,13 @@ class Cut(Writable):
     parents = forward(_gvd.Cut.parents, "The face of the input that each face is a part of; a view.")
     vertex_labels = forward(_gvd.Cut.vertex_labels, "A nearest generator of each vertex; a view.")
     distances = forward(_gvd.Cut.distances, "The distance of each vertex to its generator, mesh units; a view.")
+
+    scale = forward(_gvd.Cut.scale, "Texture units per mesh unit, the same for all charts; 0 without `uv`.")
+
+    @property
+    def charts(self) -> list[Chart]:
+        """The charts whose texture coordinates `mesh` has, by their first face (see gvd/charts.hpp); none without `uv`."""
+        return [Chart(*chart) for chart in self._native.charts()]
 
     def to_vtk(self) -> Any:
         """The mesh as vtkPolyData, with Label and Parent of its faces and Distance of its vertices."""

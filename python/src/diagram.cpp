@@ -6,6 +6,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
+#include "gvd/charts.hpp"
 #include "gvd/check.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
@@ -27,6 +28,7 @@ struct Cut {
   CutMesh cut;
   CutVertices vertices;
   Appearance appearance;
+  Charts charts = {};  // without their texture, which the appearance has
 };
 
 /// The labels and distances of a diagram, and the bisectors on the surface that it was made on.
@@ -79,7 +81,8 @@ Segmented segment(const SharedDiagram& of, const std::string& labels, const py::
   });
 }
 
-Cut cut(const SharedDiagram& of, const py::object& progress) {
+Cut cut(const SharedDiagram& of, const std::optional<std::string>& uv, const py::object& progress) {
+  const auto map = uv ? std::optional(choose("uv", *uv, kChartMapNames)) : std::nullopt;
   return run_unlocked(progress, [&](const Progress& reported) {
     CutMesh faces = cut_faces(of->mesh(), of->surface_diagram(), reported);
     CutVertices vertices = carry_to_cut_vertices(of->surface(), of->surface_diagram(), faces);
@@ -88,7 +91,12 @@ Cut cut(const SharedDiagram& of, const py::object& progress) {
       of->parted->add_labels(faces.label, faces.numbers);
     }
     Appearance appearance = carry_to_cut_faces(of->mesh(), of->input->appearance, faces);
-    return Cut{of, std::move(faces), std::move(vertices), std::move(appearance)};
+    Charts charts;
+    if (map) {
+      charts = make_charts(of->surface(), of->surface_diagram(), faces, {.map = *map, .progress = reported});
+      appearance.texture = std::exchange(charts.texture, {});
+    }
+    return Cut{of, std::move(faces), std::move(vertices), std::move(appearance), std::move(charts)};
   });
 }
 
@@ -123,6 +131,17 @@ py::list cells(const MeshDiagram& of) {
     for (const GeneratorId g : cell.neighbours) neighbours.append(g.value());
     result.append(py::make_tuple(cell.generator.value(), cell.area, cell.euler_characteristic, cell.components,
                                  cell.boundary_loops, py::tuple(neighbours)));
+  }
+  return result;
+}
+
+py::list charts(const Cut& made) {
+  py::list result;
+  const auto pair = [](const Vec2& p) { return py::make_tuple(p.x(), p.y()); };
+  for (const Chart& chart : made.charts.charts) {
+    result.append(py::make_tuple(chart.generator.value(), chart.faces, chart.area, chart.flipped_area, chart.torn_area,
+                                 chart.unplaced_area, chart.stretch,
+                                 py::make_tuple(pair(chart.box.min()), pair(chart.box.max())), pair(chart.origin)));
   }
   return result;
 }
@@ -192,6 +211,8 @@ void bind_results(py::module_& module) {
              mesh->appearance = c.appearance;
              return mesh;
            })
+      .def("charts", &charts)
+      .def("scale", [](const Cut& c) { return c.charts.scale; })
       .def("labels", member_view<Cut>([](const Cut& c) -> auto& { return c.cut.label; }))
       .def("parents", member_view<Cut>([](const Cut& c) -> auto& { return c.cut.parent; }))
       .def("vertex_labels", member_view<Cut>([](const Cut& c) -> auto& { return c.vertices.label; }))

@@ -1,5 +1,6 @@
 """Files are those of the commands, byte by byte. GVD_BIN names the folder of the commands."""
 import html
+import json
 import os
 import pathlib
 import pickle
@@ -65,6 +66,21 @@ class SameBytes(unittest.TestCase):
         self.assertEqual(cut.mesh.texture_coordinates.shape, (len(cut.mesh.faces), 3, 2))
         cut.mesh.to_file(self.folder / "plain.obj")
         self.assertIn("usemtl blue", (self.folder / "plain.obj").read_text())
+
+    def test_charts(self):
+        extensions = ["obj", "ply", "glb"]
+        outputs = [part for e in extensions for part in ("-o", f"c.{e}")]
+        self.run_command("gvd-segment", meshes.FIGURE, "-n", 30, "--uv", "logmap", *outputs, "--report", "c.json")
+        diagram = gvd.read(meshes.FIGURE).segment(30).diagram
+        cut = diagram.cut(uv="logmap")
+        self.assert_same_files(cut, "c", extensions)
+        told = json.loads((self.folder / "c.json").read_text())["results"]["charts"]
+        self.assertEqual(cut.scale, told["scale"])
+        self.assertEqual([(c.label, c.faces, c.area, c.stretch, [*c.box[0], *c.box[1]], list(c.origin)) for c in cut.charts],
+                         [(c["label"], c["faces"], c["area"], c["stretch"], c["box"], c["origin"]) for c in told["charts"]])
+        self.assertEqual(diagram.cut().charts, [])
+        with self.assertRaisesRegex(gvd.Error, "is no disc"):
+            gvd.read(meshes.FIGURE).segment(6).diagram.cut(uv="flat")
 
     def test_formats_of_brains(self):
         extensions = ["surf.gii", "label.gii", "shape.gii", "fs", "annot", "curv"]
