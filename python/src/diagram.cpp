@@ -82,7 +82,8 @@ Segmented segment(const SharedDiagram& of, const std::string& labels, const py::
 }
 
 Cut cut(const SharedDiagram& of, const std::optional<std::string>& uv, const py::object& progress) {
-  const auto map = uv ? std::optional(choose("uv", *uv, kChartMapNames)) : std::nullopt;
+  ChartOptions options;
+  if (uv) options.map = choose("uv", *uv, kChartMapNames);
   return run_unlocked(progress, [&](const Progress& reported) {
     CutMesh faces = cut_faces(of->mesh(), of->surface_diagram(), reported);
     CutVertices vertices = carry_to_cut_vertices(of->surface(), of->surface_diagram(), faces);
@@ -92,8 +93,9 @@ Cut cut(const SharedDiagram& of, const std::optional<std::string>& uv, const py:
     }
     Appearance appearance = carry_to_cut_faces(of->mesh(), of->input->appearance, faces);
     Charts charts;
-    if (map) {
-      charts = make_charts(of->surface(), of->surface_diagram(), faces, {.map = *map, .progress = reported});
+    if (uv) {
+      options.progress = reported;
+      charts = make_charts(of->surface(), of->surface_diagram(), faces, options);
       appearance.texture = std::exchange(charts.texture, {});
     }
     return Cut{of, std::move(faces), std::move(vertices), std::move(appearance), std::move(charts)};
