@@ -20,7 +20,7 @@ struct LabelledMesh;
 
 /// The colour of each label up to the largest one, the same in every file of the mesh and on its page.
 ///
-/// Properties: (1) labels that meet along an edge differ by at least 20 in CIEDE2000, also for the colour-blind, on
+/// Properties: (1) labels that meet along an edge differ by at least 14 in CIEDE2000, also for the colour-blind, on
 /// surfaces with up to three handles; (2) so do labels with a common bisector, unless (1) forbids it; (3) colours are
 /// few: labels that do not meet may share one; (4) they depend on the labels alone and are the same on every machine.
 /// Cost: O(n log n) time, O(n + largest label) memory.

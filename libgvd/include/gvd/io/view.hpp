@@ -118,7 +118,7 @@ bool has_viewer();
 /// Properties: (1) the page needs no file and no network when it is opened; (2) the same input gives the same bytes;
 /// (3) the borders of regions follow the pieces inside the cut faces; (4) an array that several scenes share is stored
 /// once; (5) a large mesh takes less than 40 bytes a face, beside 650 kB for the page itself; (6) regions with a common
-/// border differ by at least 20 in CIEDE2000, for the colour-blind too, on surfaces of genus 3 and less;
+/// border differ by at least 14 in CIEDE2000, for the colour-blind too, on surfaces of genus 3 and less;
 /// (7) from one iteration of the slider to the next, regions keep their colours as far as that allows.
 /// Throws Error{invalid_option} where the library was built without the viewer; Error{interrupted} if the progress
 /// callback cancels; Error{precondition} where a scene has no mesh, an array has not the size of the mesh, or a value

@@ -13,21 +13,22 @@
 // Colours of regions, for files and pages.
 namespace gvd::io {
 
-/// Colours of regions. Any two of them, and each one and kUnlabelledColor, differ by at
-/// least 20 in CIEDE2000: for full colour vision, and simulated for protanopia, deuteranopia and tritanopia by the
-/// matrices of Machado et al. 2009, and of Vienot et al. 1999 and Brettel et al. 1997. The usual ones were found by
-/// simulated annealing of the smallest of these differences, which is 21.2, with lightnesses from 42 to 90. Of all
-/// colours that differ from them as much, which have lightnesses below 20, the other two are the lightest pair.
-inline constexpr std::array<Rgb, 9> kRegionPalette{{{0x3b, 0x64, 0xa0},
-                                                    {0xe5, 0x85, 0x13},
-                                                    {0xc5, 0xee, 0xb8},
-                                                    {0x5d, 0x9b, 0xfe},
-                                                    {0x9a, 0x4f, 0x06},
-                                                    {0xff, 0xd7, 0xf7},
-                                                    {0x66, 0x62, 0x60},
-                                                    {0x3c, 0x23, 0x14},
-                                                    {0x1e, 0x28, 0x3c}}};
-inline constexpr std::size_t kUsualColors = 7;  ///< of the palette, at its start; dark lines do not show on the others
+/// Colours of regions. Any two of them, and each one and kUnlabelledColor, differ by at least 14.6 in CIEDE2000: for
+/// full colour vision, and simulated for protanopia, deuteranopia and tritanopia by the matrices of Machado et al.
+/// 2009, and the first two by those of Vienot et al. 1999. Simulated annealing of the smallest of these differences
+/// found them. The usual ones have lightnesses from 60 to 93, and neither brown nor olive; they were chosen among 24
+/// such palettes by pictures of two meshes. A floor of 42 in place of 60 would allow differences of 20, with brown,
+/// charcoal and navy. The other three have a lightness of 38, since no lighter ones differ as much.
+inline constexpr std::array<Rgb, 9> kRegionPalette{{{0x5f, 0xc1, 0xd9},
+                                                    {0xfd, 0xec, 0x8f},
+                                                    {0xde, 0x72, 0x4b},
+                                                    {0xbf, 0xf5, 0xf9},
+                                                    {0x78, 0x89, 0xed},
+                                                    {0xd5, 0xe4, 0xcb},
+                                                    {0x49, 0x51, 0xb8},
+                                                    {0xae, 0x1b, 0x37},
+                                                    {0x7b, 0x4a, 0x65}}};
+inline constexpr std::size_t kUsualColors = 6;  ///< of the palette, at its start; dark lines show less on the others
 
 using RegionPair = std::pair<GeneratorId, GeneratorId>;
 
@@ -45,8 +46,8 @@ void sort_pairs(std::vector<RegionPair>& pairs);
 /// Each label in turn takes, of the usual colours that no neighbour has yet, the one that the fewest labels have; of
 /// the others where there is none. In the order (smallest-last, Matula and Beck 1983) each label has at most d
 /// neighbours before it, d being the degeneracy of the graph. For connected regions d is at most 5 on a surface of
-/// genus 0. For genus g > 0 it is at most (5 + sqrt(1 + 48 g)) / 2 (Heawood 1890). So the usual colours suffice up to
-/// genus 1, and the palette up to genus 3. Elsewhere, a label with all colours round it takes that of the fewest
+/// genus 0. For genus g > 0 it is at most (5 + sqrt(1 + 48 g)) / 2 (Heawood 1890). So the usual colours suffice for
+/// genus 0, and the palette up to genus 3. Elsewhere, a label with all colours round it takes that of the fewest
 /// neighbours.
 /// Cost: O(n log n) for n labels and pairs.
 std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<RegionPair>& adjacent);
