@@ -57,7 +57,7 @@ function choose_triangles(cube) {
   return kept;
 }
 
-// Of {positions, normals, codes, distances, parents} the same with fewer triangles, or null where that gains little.
+// Of {positions, normals, codes, distances, parents, barys} the same with fewer triangles, or null where that gains little.
 // Positions are means of their cubes, all else is that of a triangle that was there.
 export function make_coarse(triangles, cubes = kCubes) {
   const { cube, size } = number_cubes(triangles.positions, cubes);
@@ -70,12 +70,14 @@ export function make_coarse(triangles, cubes = kCubes) {
     codes: new Float32Array(3 * kept.length),
     distances: new Float32Array(3 * kept.length),
     parents: new Uint32Array(kept.length),
+    barys: new Float32Array(9 * kept.length),
   };
   kept.forEach((first, t) => {
     coarse.normals.set(triangles.normals.subarray(4 * first, 4 * first + 12), 12 * t);
     coarse.codes.set(triangles.codes.subarray(first, first + 3), 3 * t);
     coarse.distances.set(triangles.distances.subarray(first, first + 3), 3 * t);
     coarse.parents[t] = triangles.parents[first / 3];
+    coarse.barys.set(triangles.barys.subarray(3 * first, 3 * first + 9), 9 * t);
     for (let k = 0; k < 3; ++k) {
       coarse.positions.set(means.subarray(3 * cube[first + k], 3 * cube[first + k] + 3), 9 * t + 3 * k);
     }

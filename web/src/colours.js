@@ -6,14 +6,14 @@ import { ramp } from './ramp.js';
 export const kTextureWidth = 256;
 export const kLatticeWidth = 1024;
 
-export const kUnlabelled = new Color('#c9d1d8');
+export const kUnlabelled = new Color('#c3d5e3');
 export const kUnreachedFill = [156, 154, 151];  // kUnlabelledColor of gvd/io/label_color.hpp
 
 // Added generators are red, brighter than any region. Their lightness differs from that of given generators too, so
 // they differ without hue.
 export const kThemes = {
   light: {
-    page: '#f3f4f2',
+    page: '#eceeee',
     line: '#20262e',
     isoline: '#ffffff',
     path: '#e8112d',

@@ -48,7 +48,19 @@ export class IdMap {
   // The code at a pixel, which must be in the canvas; -1 where there is no surface.
   code(x, y) {
     const at = this.index(x, y);
-    return this.pixels[at] === 1 ? this.pixels[at + 1] : -1;
+    return this.pixels[at] !== 0 ? this.pixels[at + 1] : -1;
+  }
+
+  // The largest distance of the surface from the eye's plane at a point of the canvas and the pixels round it.
+  depth(x, y) {
+    const depths = new Float32Array(this.pixels.buffer), { width, height } = this;
+    let most = 0;
+    for (let i = Math.max(0, Math.floor(x) - 1); i <= Math.min(width - 1, Math.floor(x) + 1); ++i) {
+      for (let j = Math.max(0, Math.floor(y) - 1); j <= Math.min(height - 1, Math.floor(y) + 1); ++j) {
+        most = Math.max(most, depths[this.index(i, j)] || Infinity);  // beside the surface nothing is hidden
+      }
+    }
+    return most;
   }
 
   // The surface at a point of the canvas in CSS pixels: {code, distance}, or null where there is none.

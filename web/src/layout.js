@@ -3,7 +3,7 @@
 const phone = matchMedia('(max-width: 720px), (max-height: 480px)');
 
 const box_of = (element) => element.getBoundingClientRect();
-const panels = () => [...document.querySelectorAll('details')];
+const panels = () => [...document.querySelectorAll('aside > details')];
 
 // Pixels at each side of the picture that panels cover: at the right, or on a phone above and below.
 export function covered() {

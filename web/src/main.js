@@ -2,16 +2,18 @@ import { Sphere, Vector3 } from 'three';
 import { kThemes, kUnreachedFill } from './colours.js';
 import { read_array, read_manifest } from './data.js';
 import { describe_element, locate } from './element_card.js';
+import { choose_first_view } from './first_view.js';
 import { HoverMark } from './hover_mark.js';
 import { IdMap } from './id_map.js';
 import { arrange_panels, covered, open_first_panels } from './layout.js';
-import { draw_legend, show_legend } from './legend.js';
+import { show_legend } from './legend.js';
 import { bisector_width, make_mark_materials } from './marks.js';
 import { make_overlay_material, make_surface_materials } from './materials.js';
 import * as panel from './panel.js';
 import { has_light_overlay, Picture } from './picture.js';
+import { Pictures } from './pictures.js';
 import { RegionTable } from './region_table.js';
-import { save_canvas } from './save_picture.js';
+import { Shading } from './shading.js';
 import { Stage } from './stage.js';
 import { kFirstLabel } from './surface.js';
 
@@ -36,10 +38,11 @@ const kToggles = [
   ['branch_points', 'Branch points'],
   ['wireframe', 'Wireframe'],
   ['smooth', 'Smooth shading'],
+  ['shadow', 'Shade and shadow'],
   ['overlay', 'Other surface'],  // the scene names it
 ];
 // What a scene is coloured by where it does not offer what was chosen, the first that it offers.
-const kUsual = ['regions', 'surface_distance', 'distance', 'plain'];
+const kUsual = ['regions', 'distance', 'plain'];
 const kMarks = ['bisectors', 'isolines', 'paths', 'generators', 'added_generators', 'branch_points'];
 const dark_scheme = matchMedia('(prefers-color-scheme: dark)');
 
@@ -64,9 +67,11 @@ class Viewer {
   constructor(manifest) {
     this.manifest = manifest;
     this.canvas = panel.by_id('canvas');
-    const points = all_positions(manifest);
-    this.stage = new Stage(this.canvas, bounding_sphere(points), manifest.up, { points, insets: covered });
+    const points = all_positions(manifest), first = manifest.scenes[0];
+    const first_view = (axes) => choose_first_view(read_array(first.positions), read_array(first.faces), axes);
+    this.stage = new Stage(this.canvas, bounding_sphere(points), manifest.up, { points, insets: covered, first_view });
     this.id_map = new IdMap(this.stage);
+    this.shading = new Shading(this.stage);
     this.hover_mark = new HoverMark(panel.by_id('mark'));
     this.materials = { ...make_surface_materials(), ...make_mark_materials(), overlay: make_overlay_material() };
     this.pictures = manifest.scenes.map(() => null);
@@ -74,24 +79,41 @@ class Viewer {
     this.set_defaults();
     this.stage.before_draw = (moving) => this.prepare(moving);
     this.stage.at_rest = () => this.pick();  // the surface has moved under the pointer
+    panel.by_id('up').value = manifest.up;
     this.inputs = panel.make_toggles(kToggles, (key, value) => this.toggle(key, value));
     this.colours = panel.make_colour_choice(kColourings, (key) => this.colour_by(key));
     this.mark_scene = panel.make_scene_switch(manifest.scenes, (i) => this.choose(i));
     this.mark_iteration = panel.make_iteration_slider(manifest.scenes, (i) => this.choose(i));
     this.listen();
+    this.pictures_of = new Pictures(this);
     this.choose(0);
     this.follow_theme();
     this.stage.start();
-    setTimeout(() => this.picture.need_coarse(), 100);
+    this.shown = true;
+    setTimeout(() => this.shade(), 100);
+  }
+
+  // Makes the shade of the picture, if it is wanted and not there. Until then the page is marked as busy.
+  async shade() {
+    const { picture } = this, busy = document.documentElement.dataset;
+    picture.need_coarse();
+    if (!this.on.shadow) return;
+    busy.shading = 'true';
+    const shading = await this.shading.of(picture);
+    if (picture.marks.shadow !== shading.shadow) picture.set_shading(shading);
+    if (picture !== this.picture) return;
+    delete busy.shading;
+    this.apply();
+    this.stage.request_draw();
   }
 
   set_defaults() {
-    this.on = { lines: false };
+    this.on = { lines: false, shadow: true };
     for (const key of kMarks) this.on[key] = true;
     this.own = this.manifest.scenes.map((scene) => ({
       wireframe: scene.wireframe,
       smooth: scene.smooth,
-      overlay: has_light_overlay(scene),
+      overlay: false,
       ...(scene.vertex_generators && { generators: false }),  // dots on all vertices would hide the colours
     }));
     this.wanted = 'regions';
@@ -102,12 +124,13 @@ class Viewer {
     const { canvas } = this;
     canvas.addEventListener('pointermove', (event) => event.buttons === 0 && this.point_at(event));
     canvas.addEventListener('pointerdown', (event) => (this.pressed = event));
+    for (const type of ['pointerdown', 'wheel']) canvas.addEventListener(type, () => document.body.classList.add('used'));
     canvas.addEventListener('pointerup', (event) => this.release(event));
     canvas.addEventListener('pointerleave', ({ pointerType }) => pointerType === 'mouse' && this.point_at(null));
     document.addEventListener('keydown', (event) => event.key === 'Escape' && this.pin(null));
     dark_scheme.addEventListener('change', () => this.follow_theme());
     panel.by_id('unpin').addEventListener('click', () => this.pin(null));
-    panel.by_id('save').addEventListener('click', () => this.save_picture());
+    panel.by_id('up').addEventListener('change', ({ target }) => this.set_up(target.value));
     panel.by_id('reset').addEventListener('click', () => this.reset());
   }
 
@@ -150,6 +173,14 @@ class Viewer {
     this.stage.scene.add(this.picture.group);
     panel.show_figures(this.manifest.scenes[i].figures);
     this.apply();
+    if (this.shown) this.shade();
+  }
+
+  set_up(axis) {
+    panel.by_id('up').value = axis;
+    this.stage.set_up(axis);
+    this.stage.show_all();
+    this.shade();
   }
 
   toggle(key, value) {
@@ -172,6 +203,7 @@ class Viewer {
     }
     for (const [key, option] of Object.entries(this.colours)) option.hidden = option.disabled = !picture.offers(key);
     this.inputs.generators.text.textContent = picture.vertex_paths ? 'Sources' : 'Generators';
+    this.inputs.paths.text.textContent = picture.entry.cells.length ? 'Curves' : 'Paths';
     if (picture.entry.overlay) this.inputs.overlay.text.textContent = picture.entry.overlay.name;
     this.colour = [this.wanted, ...kUsual].find((key) => picture.offers(key));
     panel.by_id('colour').value = this.colour;
@@ -269,17 +301,10 @@ class Viewer {
     }
   }
 
-  save_picture() {
-    const canvas = this.stage.take_picture(), range = this.picture.range(this.colour);
-    const ink = kThemes[dark_scheme.matches ? 'dark' : 'light'].line;
-    const legend = { title: this.legend_title(), range, exceeded: this.picture.exceeds(this.colour), ink };
-    if (range) draw_legend(canvas, canvas.width / this.stage.width, legend);
-    save_canvas(canvas, this.manifest.title);
-  }
-
   reset() {
     this.set_defaults();
     this.table.reset();
+    this.set_up(this.manifest.up);
     this.choose(0);
     open_first_panels();
     this.stage.reset();
@@ -293,7 +318,7 @@ class Viewer {
 
   follow_theme() {
     const theme = kThemes[dark_scheme.matches ? 'dark' : 'light'];
-    this.stage.renderer.setClearColor(theme.page);
+    this.stage.renderer.setClearColor(theme.page, 0);
     this.materials.line.color.set(theme.line);
     this.materials.isoline.color.set(theme.isoline);
     this.materials.path.color.set(theme.path);

@@ -11,12 +11,14 @@ attribute float code;
 attribute float distance;
 attribute float value;
 attribute float share;
+attribute float open;
 attribute vec2 lattice;
 flat varying float v_code;
 flat varying vec2 v_lattice;
 varying float v_distance;
 varying float v_value;
 varying float v_share;
+varying float v_open;
 varying vec2 v_bary;
 varying vec3 v_normal;
 varying vec3 v_view;
@@ -25,6 +27,7 @@ void main() {
   v_distance = distance;
   v_value = value;
   v_share = share;
+  v_open = open;
   v_lattice = lattice;
   int corner = gl_VertexID % 3;
   v_bary = vec2(corner == 0, corner == 2);
@@ -39,13 +42,14 @@ uniform sampler2D fills, ramp;
 uniform highp sampler2D lattices;
 uniform vec3 plain;
 uniform int source;
-uniform bool show_lines, smooth_normals;
+uniform bool show_lines, smooth_normals, shaded;
 uniform float largest_distance, line_spacing, pinned;
 flat varying float v_code;
 flat varying vec2 v_lattice;
 varying float v_distance;
 varying float v_value;
 varying float v_share;
+varying float v_open;
 varying vec2 v_bary;
 varying vec3 v_normal;
 varying vec3 v_view;
@@ -83,12 +87,14 @@ vec3 base_colour(bool reached) {
   return plain;
 }
 
-vec3 light(vec3 base, vec3 n, vec3 eye) {
-  vec3 key = normalize(vec3(-0.45, 0.65, 0.75)), fill = normalize(vec3(0.7, -0.1, 0.6));
-  float sky = 0.5 + 0.5 * n.y;
-  float diffuse = 0.42 + 0.18 * sky + 0.52 * max(dot(n, key), 0.0) + 0.16 * max(dot(n, fill), 0.0);
-  float gloss = pow(max(dot(n, normalize(key + eye)), 0.0), 36.0);
-  return base * diffuse + vec3(0.05 * gloss);
+// Light from the camera's upper left and from the sky, of which the point sees the share open.
+vec3 light(vec3 base, vec3 n, vec3 eye, float open) {
+  vec3 key = normalize(vec3(-0.45, 0.7, 0.7)), fill = normalize(vec3(0.8, -0.05, 0.5));
+  float shade = pow(open, 1.8), direct = mix(0.55, 1.0, shade);
+  vec3 sky = mix(vec3(0.50, 0.47, 0.46), vec3(0.66, 0.67, 0.69), 0.5 + 0.5 * n.y) * mix(0.3, 1.0, shade);
+  float diffuse = 0.52 * direct * max(dot(n, key), 0.0) + 0.14 * max(dot(n, fill), 0.0);
+  float gloss = pow(max(dot(n, normalize(key + eye)), 0.0), 28.0);
+  return base * (sky + diffuse) + vec3(0.045 * direct * gloss);
 }
 
 void main() {
@@ -105,7 +111,7 @@ void main() {
     base *= 1.0 - 0.45 * (1.0 - smoothstep(0.4, 1.3, gap)) * (1.0 - smoothstep(0.15, 0.5, width));
   }
   if (kSide < 0.0) base *= 0.55;
-  gl_FragColor = vec4(light(base, n, eye), 1.0);
+  gl_FragColor = vec4(light(base, n, eye, shaded ? v_open : 1.0), 1.0);
   #include <colorspace_fragment>
 }`;
 
@@ -140,6 +146,7 @@ function make_uniforms() {
     source: { value: kSources.regions },
     show_lines: { value: false },
     smooth_normals: { value: true },
+    shaded: { value: false },
     largest_distance: { value: 1 },
     line_spacing: { value: 1 },
     pinned: { value: -1 },
@@ -176,7 +183,7 @@ export function make_overlay_material() {
   });
 }
 
-// Writes (1, code, the distance's bits, the triangle): integers, because every WebGL 2 device can draw into these.
+// Writes (the depth's bits, code, the distance's bits, the triangle): integers, because every WebGL 2 device can draw into these.
 export function make_pick_material() {
   return new ShaderMaterial({
     glslVersion: GLSL3,
@@ -188,18 +195,21 @@ export function make_pick_material() {
       flat out float v_code;
       flat out int v_triangle;
       out float v_distance;
+      out float v_depth;
       void main() {
         v_triangle = gl_VertexID / 3;
         v_code = code;
         v_distance = distance;
         gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+        v_depth = gl_Position.w;
       }`,
     fragmentShader: /* glsl */ `
       flat in float v_code;
       flat in int v_triangle;
       in float v_distance;
+      in float v_depth;
       layout(location = 0) out highp uvec4 picked;
-      void main() { picked = uvec4(1u, uint(v_code + 0.5), floatBitsToUint(v_distance), uint(v_triangle)); }`,
+      void main() { picked = uvec4(floatBitsToUint(v_depth), uint(v_code + 0.5), floatBitsToUint(v_distance), uint(v_triangle)); }`,
   });
 }
 
@@ -243,7 +253,7 @@ export function make_wire_material() {
 }
 
 // Round dots that grow with the picture. Their diameter is `size` in the page's coordinates, but at least `least` and at
-// most `most` pixels. They fade where they become smaller than that, because they are dense.
+// most `most` pixels. They fade where they become nearly as small as that, because they are dense.
 export function make_dot_material(least, most) {
   return new ShaderMaterial({
     vertexShader: /* glsl */ `
@@ -254,7 +264,7 @@ export function make_dot_material(least, most) {
         gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
         float pixels = 0.5 * size * projectionMatrix[1][1] * viewport_height / gl_Position.w;
         v_diameter = clamp(pixels, least, most);
-        v_fade = smoothstep(0.3 * least, 1.3 * least, pixels);
+        v_fade = smoothstep(2.0 * least, 3.2 * least, pixels);
         pull(v_diameter);
         gl_PointSize = (v_diameter + 1.0) * pixel_ratio;
       }`,

@@ -1,5 +1,17 @@
 // The text beside the picture: switches, figures, and the card of the region under the pointer.
 
+// What figures mean.
+const kWords = {
+  'Euler characteristic': 'Vertices - edges + faces: 2 for a closed surface like a sphere, 2 less for each handle, 1 less for each hole.',
+  'Euler count': 'The branch points that were found, of those that the topology of the surface and its regions demands. Equal: no bisector is missing.',
+  'Disc regions': 'Regions in one piece and without holes. Others reach round a handle or meet themselves.',
+  'Branch points': 'Where three or more regions meet: points with three or more nearest generators.',
+  Bisectors: 'Curves between two regions: points with two nearest generators.',
+  Energy: 'The integral of the squared distance to the generator: the smaller, the more compact.',
+  Q: 'Quality of triangles: 1 for an equilateral one, 0 for one without area.',
+  'Regular vertices': 'Vertices with 6 edges, or 4 on the boundary.',
+};
+
 export const by_id = (id) => document.getElementById(id);
 
 export function element(tag, properties = {}, ...children) {
@@ -8,11 +20,14 @@ export function element(tag, properties = {}, ...children) {
   return made;
 }
 
+// The text with commas between thousands, but for digits after a point.
+export const group_digits = (text) => String(text).replace(/(?<![.\d])\d{4,}/g, (digits) => Number(digits).toLocaleString('en-US'));
+
 // Six significant digits, without trailing zeros.
 export function format_number(value) {
   if (value === 0) return '0';
   const size = Math.abs(value);
-  return size >= 1e-4 && size < 1e7 ? String(Number(value.toPrecision(6))) : value.toExponential(4);
+  return size >= 1e-4 && size < 1e7 ? group_digits(Number(value.toPrecision(6))) : value.toExponential(4);
 }
 
 // A share in percent: one digit after the point, or two significant ones.
@@ -21,10 +36,16 @@ export function format_share(share) {
   return percent >= 1 ? percent.toFixed(1) : String(Number(percent.toPrecision(2)));
 }
 
+// The name of a figure, with a text that a click on it shows, if there is one.
+function explain(name) {
+  const words = kWords[name.replace(/,.*/, '')];
+  return words ? element('details', { className: 'words' }, element('summary', { textContent: name, title: words }), words) : name;
+}
+
 function fill_rows(body, rows) {
   body.replaceChildren(
     ...rows.map(([name, value]) =>
-      element('tr', {}, element('th', { scope: 'row', textContent: name }), element('td', { textContent: value })),
+      element('tr', {}, element('th', { scope: 'row' }, explain(name)), element('td', { textContent: value })),
     ),
   );
 }
@@ -93,7 +114,7 @@ export function make_toggles(entries, change) {
 
 export function show_figures(figures) {
   by_id('figures').hidden = figures.length === 0;
-  fill_rows(by_id('figures').querySelector('tbody'), figures);
+  fill_rows(by_id('figures').querySelector('tbody'), figures.map(([name, value]) => [name, group_digits(value)]));
 }
 
 // The first neighbours, and the number of the others.

@@ -6,22 +6,17 @@ import { read_array } from './data.js';
 import { dot_sizes, make_dots, make_lines, make_wireframe, read_lines } from './marks.js';
 import { kSources } from './materials.js';
 import { make_overlay } from './overlay.js';
+import { group_digits } from './panel.js';
 import { ramp } from './ramp.js';
-import { add_distances, make_geometry, make_surface, set_face_values } from './surface.js';
+import { add_distances, make_geometry, make_surface, set_face_values, set_open_shares } from './surface.js';
 import { SurfaceDistance } from './surface_distance.js';
 import { VertexPaths } from './vertex_paths.js';
-import { face_angle, face_quality, face_values, position_in, triangles_area, value_range } from './values.js';
+import { face_angle, face_quality, face_values, position_in, round_step, triangles_area, usual_range, value_range } from './values.js';
 
 const kManyTriangles = 300000;  // with more, fewer are drawn while the surface turns
-// Ways of colouring by a value of each face, and the largest value.
-const kFaceValues = { quality: { value: face_quality, end: 1 }, angle: { value: face_angle, end: 60 } };
+// Ways of colouring by a value of each face, and the steps by which the ends of its scale are rounded.
+const kFaceValues = { quality: { value: face_quality, step: 0.05 }, angle: { value: face_angle, step: 5 } };
 const kCoarseStep = 0.012;      // shortest segment of bisectors then, in half diagonals of the box
-
-// A round number (1, 2, 5 or 10 times a power of ten) that divides `range` into about `parts` steps.
-function round_step(range, parts) {
-  const rough = range / parts, power = 10 ** Math.floor(Math.log10(rough));
-  return power * [1, 2, 5, 10].find((factor) => factor * power >= rough);
-}
 
 // Whether the scene's overlay has so few triangles that it is shown from the start, and while the surface turns.
 export function has_light_overlay({ overlay }) {
@@ -41,6 +36,7 @@ export class Picture {
     this.textures = { regions: fill_texture(this.fills) };
     this.total_area = entry.cells.reduce((sum, cell) => sum + cell.area, 0);
     this.materials = materials;
+    this.scales = {};
     this.make_meshes();
     this.make_marks();
   }
@@ -85,28 +81,35 @@ export class Picture {
     if (key === 'area' || key === 'energy') return this.surface.labelled && this.range(key) !== null;
     if (key === 'surface_distance') return Boolean(this.distance);
     if (key === 'overlay') return Boolean(this.entry.overlay);
-    if (['quality', 'angle', 'plain', 'wireframe', 'smooth'].includes(key)) return true;
+    if (['quality', 'angle', 'plain', 'wireframe', 'smooth', 'shadow'].includes(key)) return true;
     return Boolean(this.marks[key]);
   }
 
   // The number of dots that a switch shows; empty if it shows something else.
   count(key) {
     const mark = this.marks[key];
-    return mark?.isPoints ? String(mark.geometry.getAttribute('position').count) : '';
+    return mark?.isPoints ? group_digits(mark.geometry.getAttribute('position').count) : '';
   }
 
   // The values at both ends of the legend of a way of colouring, in the units of its title; null where it has none.
   range(key) {
     if (key === 'distance') return [0, this.surface.largest_distance * this.scale];
     if (key === 'surface_distance') return [0, (100 * this.distance.scale_end) / this.distance.reference];
-    if (kFaceValues[key]) return [0, kFaceValues[key].end];
+    if (kFaceValues[key]) return this.face_scale(key).range;
     if (key === 'area' || key === 'energy') return value_range(this.entry.cells.map((cell) => cell[key] ?? NaN));
     return null;
   }
 
-  // Whether there are values beyond the end of the range, which have its last colour.
+  // Whether there are values beyond the ends of the range, which have their colours: {below, above}.
   exceeds(key) {
-    return key === 'surface_distance' && this.distance.exceeds;
+    return kFaceValues[key] ? this.face_scale(key) : { above: key === 'surface_distance' && this.distance.exceeds };
+  }
+
+  // Of a way of colouring by faces {values, range, below, above}.
+  face_scale(key) {
+    const { value, step } = kFaceValues[key], { positions, faces } = this.surface;
+    const make = (values) => ({ values, ...usual_range(values, step) });
+    return (this.scales[key] ??= make(face_values(positions, faces, value)));
   }
 
   // The colour of a label, [red, green, blue], in a way of colouring by region.
@@ -125,11 +128,9 @@ export class Picture {
   // Gives each triangle the value of its face, for a way of colouring that needs it.
   need_face_values(key) {
     if (!kFaceValues[key] || this.valued === key) return;
-    const { value, end } = kFaceValues[key];
     this.valued = key;
-    this.values = face_values(this.surface.positions, this.surface.faces, value);
-    set_face_values(this.geometry, this.surface.triangles, this.values, end);
-    if (this.coarse) set_face_values(this.coarse.geometry, this.coarse.triangles, this.values, end);
+    set_face_values(this.geometry, this.surface.triangles, this.face_scale(key));
+    if (this.coarse) set_face_values(this.coarse.geometry, this.coarse.triangles, this.face_scale(key));
   }
 
   // Makes what is drawn while the surface turns, if that is less than the whole.
@@ -139,7 +140,7 @@ export class Picture {
     const triangles = many ? make_coarse(this.surface.triangles) : null;
     this.coarse = triangles && { triangles, geometry: this.dress(triangles) };
     if (many) this.add_coarse_bisectors();
-    if (this.coarse && this.valued) set_face_values(this.coarse.geometry, triangles, this.values, kFaceValues[this.valued].end);
+    if (this.coarse && this.valued) set_face_values(this.coarse.geometry, triangles, this.face_scale(this.valued));
   }
 
   add_coarse_bisectors() {
@@ -161,6 +162,17 @@ export class Picture {
     this.group.remove(this.path);
     this.path.geometry.dispose();
     this.path = null;
+  }
+
+  // Takes what `Shading` has made of the surface.
+  set_shading({ shares, shadow }) {
+    if (this.marks.shadow) this.group.remove(this.marks.shadow);
+    this.marks.shadow = shadow;
+    this.group.add(shadow);
+    if (!shares) return;
+    set_open_shares(this.geometry, this.surface.triangles, shares);
+    if (this.coarse) set_open_shares(this.coarse.geometry, this.coarse.triangles, shares);
+    this.has_shares = true;
   }
 
   // Whether everything is drawn, or fewer triangles and segments where the surface has many.
@@ -202,6 +214,7 @@ export class Picture {
     if (this.distance) uniforms.lattices.value = this.textures.lattices ??= lattice_texture(this.distance);
     uniforms.show_lines.value = on.lines && this.offers('lines');
     uniforms.smooth_normals.value = on.smooth;
+    uniforms.shaded.value = on.shadow && Boolean(this.has_shares);
     uniforms.largest_distance.value = largest;
     uniforms.line_spacing.value = round_step(largest * this.scale, 12) / this.scale;
     generator.uniforms.size.value = added_generator.uniforms.size.value = this.dot_sizes.generator;

@@ -1,5 +1,5 @@
 // The table of all regions. Only the rows in view are made, so a hundred thousand of them cost nothing.
-import { by_id, element, format_number } from './panel.js';
+import { by_id, element, format_number, group_digits } from './panel.js';
 
 const kRowHeight = 24;  // pixels, as in style.css
 const kSpare = 6;       // rows above and below those in view
@@ -62,7 +62,7 @@ export class RegionTable {
   show(cells, colour) {
     [this.cells, this.colour] = [cells, colour];
     by_id('regions').hidden = cells.length === 0;
-    by_id('regions').querySelector('small').textContent = cells.length;
+    by_id('regions').querySelector('small').textContent = group_digits(cells.length);
     this.sort();
   }
 

@@ -1,13 +1,13 @@
 // Camera, controls and drawing. Draws only when something has changed.
-import { PerspectiveCamera, Quaternion, Scene, Spherical, Vector3, WebGLRenderer } from 'three';
+import { PerspectiveCamera, Quaternion, Scene, Spherical, Vector2, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { fit_points } from './fit.js';
 
 const kFieldOfView = 30;                                 // degrees
-const kFirstView = new Vector3(0.62, 0.42, 1);           // from the centre to the eye, where y is up
 const kBorder = 0.06;                                    // of the free area, round the picture
 const kKeyTurn = Math.PI / 24;                           // per key press
 const kKeyZoom = 1.15;
+const kReach = 2.5;                                      // of the ground, in radii of everything
 const kSlow = 100;                                       // milliseconds a frame, beyond which motion has no damping
 const kRest = 150;                                       // milliseconds without motion, after which details are drawn
 
@@ -20,22 +20,33 @@ function axis_vector(name) {
 
 export class Stage {
   // `bounds` is the sphere round everything, `points` the positions that show_all fits into the view; `insets()` gives
-  // the pixels at each side that panels cover: {left, right, top, bottom}.
-  constructor(canvas, bounds, up, { points, insets }) {
+  // the pixels at each side that panels cover: {left, right, top, bottom}; `first_view({up, ahead, side})` the direction to
+  // the eye at the start, for three unit vectors.
+  constructor(canvas, bounds, up, { points, insets, first_view }) {
     this.bounds = bounds;
     this.points = points;
     this.insets = insets;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.first_view = first_view;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(kFieldOfView, 1, 0.01, 100);
-    this.camera.up.copy(axis_vector(up));
-    this.to_y_up = new Quaternion().setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0));
-    this.from_y_up = this.to_y_up.clone().invert();
     this.before_draw = () => {};  // called with whether the surface moves
     this.at_rest = () => {};
     this.scheduled = this.moving = this.held = false;
-    this.make_controls(canvas);
+    this.set_up(up);
     canvas.addEventListener('keydown', (event) => this.on_key(event));
+  }
+
+  // The axis that points up from now on; everything is to be shown anew.
+  set_up(axis) {
+    const turned = (x, y, z) => new Vector3(x, y, z).applyQuaternion(this.from_y_up);
+    this.camera.up.copy(axis_vector(axis));
+    this.to_y_up = new Quaternion().setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0));
+    this.from_y_up = this.to_y_up.clone().invert();
+    const axes = { up: this.camera.up.toArray(), ahead: turned(0, 0, 1).toArray(), side: turned(1, 0, 0).toArray() };
+    this.back = new Vector3(...this.first_view(axes));
+    this.controls?.dispose();
+    this.make_controls(this.renderer.domElement);
   }
 
   // To be called once there is something to see: from now on the canvas is never without it.
@@ -68,7 +79,7 @@ export class Stage {
     const { left, right, top, bottom } = insets;
     this.centre(insets);
     const free = (1 - 2 * kBorder) / this.height;
-    const back = kFirstView.clone().normalize().applyQuaternion(this.from_y_up);
+    const { back } = this;
     const side = new Vector3().crossVectors(this.camera.up, back).normalize();
     const above = new Vector3().crossVectors(back, side);
     const axes = { right: side.toArray(), up: above.toArray(), back: back.toArray() };
@@ -96,6 +107,7 @@ export class Stage {
     const same = this.width === width && this.height === height && this.renderer.getPixelRatio() === ratio;
     if (!width || !height || same) return false;
     [this.width, this.height] = [width, height];
+    this.ratio = ratio;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
@@ -201,24 +213,33 @@ export class Stage {
   // Depths range over the bounding sphere only: lines stay apart from the surface only if depths are precise.
   fit_depth() {
     const distance = this.camera.position.distanceTo(this.bounds.center), radius = this.bounds.radius;
-    this.camera.near = Math.max(distance - 1.05 * radius, 0.002 * radius);
-    this.camera.far = distance + 1.05 * radius;
+    this.camera.near = Math.max(distance - kReach * radius, 0.002 * radius);
+    this.camera.far = distance + kReach * radius;
     this.camera.updateProjectionMatrix();
   }
 
-  // The picture alone, without the room for panels, at twice the pixels of CSS or more: a canvas.
-  take_picture() {
-    const ratio = this.renderer.getPixelRatio();
-    this.renderer.setPixelRatio(Math.max(2, ratio));
+  // The picture alone, without the room for panels, `ratio` times as large as on the page: a canvas with a clear ground.
+  // `turn`: of the camera, in radians. `end_pictures` has to follow the last one.
+  take_picture(ratio, turn = 0) {
+    const { renderer, camera, controls } = this, { x: width, y: height } = renderer.getSize(new Vector2());
+    const offset = camera.position.clone().sub(controls.target).applyAxisAngle(camera.up, turn);
+    const eye = camera.position.clone();
+    renderer.setPixelRatio(ratio);
     this.centre({ left: 0, right: 0, top: 0, bottom: 0 });
     this.moving = false;
+    camera.position.copy(controls.target).add(offset);
+    camera.lookAt(controls.target);
     this.draw();
-    const source = this.renderer.domElement;
-    const picture = Object.assign(document.createElement('canvas'), { width: source.width, height: source.height });
-    picture.getContext('2d').drawImage(source, 0, 0);
-    this.renderer.setPixelRatio(ratio);
+    camera.position.copy(eye);
+    camera.lookAt(controls.target);
+    const picture = Object.assign(document.createElement('canvas'), { width: width * ratio, height: height * ratio });
+    picture.getContext('2d').drawImage(renderer.domElement, 0, 0);
+    return picture;
+  }
+
+  end_pictures() {
+    this.renderer.setPixelRatio(this.ratio);
     this.centre(this.insets());
     this.draw();
-    return picture;
   }
 }

@@ -2,6 +2,7 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 import { read_array } from './data.js';
 import { corner_normals } from './normals.js';
+import { position_in } from './values.js';
 
 export const kUnreached = 0;
 const kCut = 1;
@@ -21,6 +22,7 @@ class Triangles {
     this.codes = new Float32Array(3 * count);
     this.distances = new Float32Array(3 * count);
     this.parents = new Uint32Array(count);  // the face of each triangle
+    this.barys = new Float32Array(9 * count);
     this.size = 0;
   }
 
@@ -35,6 +37,7 @@ class Triangles {
       const normal = b0 * mesh.normals[n] + b1 * mesh.normals[n + 3] + b2 * mesh.normals[n + 6];
       this.normals[4 * i + k] = Math.round(32767 * normal);
     }
+    this.barys.set([b0, b1, b2], 3 * i);
     this.codes[i] = code;
     this.parents[Math.floor(i / 3)] = f;
     const d = mesh.distances;
@@ -53,6 +56,16 @@ export function make_geometry(triangles) {
   return geometry;
 }
 
+// Sets the attribute `open`: at each corner of the triangles the share of the sky, 0 to 255, given for corners of faces.
+export function set_open_shares(geometry, { parents, barys }, shares) {
+  const bytes = new Uint8Array(barys.length / 3);
+  for (let i = 0; i < bytes.length; ++i) {
+    const f = 3 * parents[Math.floor(i / 3)];
+    bytes[i] = barys[3 * i] * shares[f] + barys[3 * i + 1] * shares[f + 1] + barys[3 * i + 2] * shares[f + 2];
+  }
+  geometry.setAttribute('open', new BufferAttribute(bytes, 1, true));
+}
+
 // Adds the attributes `share` and `lattice`, by which the shader knows the distances of the triangles' points.
 export function add_distances(geometry, { parents }, distance) {
   const { shares, lattices } = distance.corner_values(parents);
@@ -60,10 +73,10 @@ export function add_distances(geometry, { parents }, distance) {
   geometry.setAttribute('lattice', new BufferAttribute(lattices, 2));
 }
 
-// Sets the attribute `value`: of each face of the triangles a value, as a share of `end`.
-export function set_face_values(geometry, { parents }, values, end) {
+// Sets the attribute `value`: where the value of the face of each triangle lies in the range.
+export function set_face_values(geometry, { parents }, { values, range }) {
   const bytes = new Uint8Array(3 * parents.length);
-  parents.forEach((f, t) => bytes.fill(Math.round((255 * Math.min(values[f], end)) / end), 3 * t, 3 * t + 3));
+  parents.forEach((f, t) => bytes.fill(Math.round(255 * position_in(range, values[f])), 3 * t, 3 * t + 3));
   geometry.setAttribute('value', new BufferAttribute(bytes, 1, true));
 }
 
@@ -108,6 +121,7 @@ export function make_surface(scene) {
     triangles,
     positions: mesh.positions,
     faces: mesh.faces,
+    normals: mesh.normals,
     largest_distance: largest_finite(mesh.distances),
     distances: mesh.distances,
     labelled: codes.length > 0,

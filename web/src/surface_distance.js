@@ -1,5 +1,6 @@
 // Distances of a scene's surface from another one: per vertex and, in large faces, on a lattice.
 import { read_array } from './data.js';
+import { round_up } from './values.js';
 
 // Where a point with the weights b0 and b2 of corners 0 and 2 lies in a lattice of k steps: the numbers of the three
 // points of its triangle, and their weights. The shader of materials.js does the same.
@@ -17,7 +18,7 @@ export class SurfaceDistance {
   constructor(entry, scale, faces) {
     this.other = entry.other;
     this.reference = entry.reference;
-    this.scale_end = entry.scale_end;
+    this.scale_end = (round_up((100 * entry.scale_end) / entry.reference) * entry.reference) / 100;  // a round percentage
     this.faces = faces;
     this.vertices = read_array(entry.vertices).map((distance) => distance * scale);
     this.steps = read_array(entry.steps);  // empty where no face has a lattice

@@ -1,5 +1,7 @@
 // The numbers behind the colours: per region, and per face.
 
+const kOutliers = 0.01;  // share of values on either side that are left out of a range
+
 // The smallest and the largest finite value; null where there is none.
 export function value_range(values) {
   let low = Infinity, high = -Infinity;
@@ -9,6 +11,27 @@ export function value_range(values) {
     if (value > high) high = value;
   }
   return low <= high ? [low, high] : null;
+}
+
+// A round number (1, 2, 5 or 10 times a power of ten) that divides `range` into about `parts` steps.
+export function round_step(range, parts) {
+  const rough = range / parts, power = 10 ** Math.floor(Math.log10(rough));
+  return power * [1, 2, 5, 10].find((factor) => factor * power >= rough * (1 - 1e-9));
+}
+
+// The least round number from `value` on with two digits.
+export function round_up(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return Number((power * [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find((factor) => factor * power >= value * (1 - 1e-9))).toPrecision(6));
+}
+
+// The range that nearly all of `values` have, with multiples of `step` as ends: outliers would leave the others with
+// similar colours. {range, below, above}: whether there are some on either side.
+export function usual_range(values, step) {
+  const sorted = Float32Array.from(values).sort(), at = (share) => sorted[Math.round(share * (sorted.length - 1))];
+  const first = Math.floor(at(kOutliers) / step + 1e-4), last = Math.max(Math.ceil(at(1 - kOutliers) / step - 1e-4), first + 1);
+  const [low, high] = [first, last].map((k) => Number((k * step).toFixed(6)));
+  return { range: [low, high], below: sorted[0] < low - 1e-6, above: sorted.at(-1) > high + 1e-6 };
 }
 
 // Where `value` lies in `range`, from 0 to 1; 0.5 in a range without length.

@@ -1,17 +1,19 @@
 // The modules of the page that need no browser: node --test modules.test.mjs.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { animate_webp } from '../src/animated_webp.js';
 import { make_coarse } from '../src/coarse.js';
+import { choose_first_view } from '../src/first_view.js';
 import { fit_points } from '../src/fit.js';
-import { tick_texts } from '../src/legend.js';
-import { format_share } from '../src/panel.js';
+import { make_ticks } from '../src/legend.js';
+import { format_share, group_digits } from '../src/panel.js';
 import { ramp, ramp_gradient } from '../src/ramp.js';
 import { cross_plane } from '../src/ray.js';
 import { sort_labels } from '../src/region_table.js';
 import { file_name } from '../src/save_picture.js';
 import { locate_in_lattice, SurfaceDistance } from '../src/surface_distance.js';
 import { VertexPaths } from '../src/vertex_paths.js';
-import { count_edges, face_angle, face_quality, face_values, position_in, triangles_area, value_range } from '../src/values.js';
+import { count_edges, face_angle, face_quality, face_values, position_in, round_up, triangles_area, usual_range, value_range } from '../src/values.js';
 
 const kAxes = { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] };
 const near = (value, wanted, tolerance = 1e-6) => assert.ok(Math.abs(value - wanted) <= tolerance, `${value}, not ${wanted}`);
@@ -74,6 +76,7 @@ function make_square(n) {
     codes: new Float32Array(codes),
     distances: new Float32Array(codes.length).fill(0.5),
     parents: Uint32Array.from({ length: codes.length / 3 }, (_, t) => t),
+    barys: new Float32Array(3 * codes.length),
   };
 }
 
@@ -170,9 +173,53 @@ test('distances of a surface come from its lattices, and from its vertices where
   });
 });
 
-test('the last tick of a scale says where larger values have its colour', () => {
-  assert.deepEqual(tick_texts([0, 0.123456], true), ['0', '0.06173', '≥ 0.1235']);
-  assert.deepEqual(tick_texts([0, 60], false), ['0', '30', '60']);
+test('ticks are round numbers at their places, and those at the ends say where other values have their colours', () => {
+  const ticks = (range, exceeded) => make_ticks(range, exceeded).map(({ text, share }) => `${text} at ${Number(share.toFixed(3))}`);
+  assert.deepEqual(ticks([0, 0.123456]), ['0 at 0', '0.05 at 0.405', '0.1 at 0.81']);
+  assert.deepEqual(ticks([0.06373, 0.2]), ['0.1 at 0.266', '0.15 at 0.633', '0.2 at 1']);
+  assert.deepEqual(ticks([0, 5], { above: true }), ['0 at 0', '2 at 0.4', '4 at 0.8']);
+  assert.deepEqual(ticks([0.7, 1], { below: true }).at(0), '≤ 0.7 at 0');
+  assert.deepEqual(ticks([0, 12000], { above: true }).at(-1), '10,000 at 0.833');
+  assert.deepEqual(ticks([3, 3]), ['3 at 0.5']);
+  assert.deepEqual([0.123, 4.7, 5, 1300].map(round_up), [0.15, 5, 5, 1500]);
+});
+
+test('the range of values of faces leaves out outliers, and has round ends', () => {
+  const values = Array.from({ length: 1000 }, (_, i) => 0.62 + (0.33 * i) / 999), range = (list) => usual_range(list, 0.05);
+  assert.deepEqual(range(values), { range: [0.6, 0.95], below: false, above: false });
+  assert.deepEqual(range([0.01, ...values, 0.97]), { range: [0.6, 0.95], below: true, above: true });
+  assert.deepEqual(range([0.7, 0.7]).range, [0.7, 0.75]);
+});
+
+test('thousands have commas, but not digits after a point', () => {
+  assert.deepEqual(['5876', '999', '2000 of 12345678', '14266.3', '0.123456', '1.51 %'].map(group_digits),
+                   ['5,876', '999', '2,000 of 12,345,678', '14,266.3', '0.123456', '1.51 %']);
+});
+
+test('a film of WebP pictures has the parts that the format demands', () => {
+  const chunk = (name, size) => Buffer.concat([Buffer.from(name), Buffer.from([size, 0, 0, 0]), Buffer.alloc(size + (size % 2), 7)]);
+  const still = Buffer.concat([Buffer.from('RIFF____WEBP'), chunk('VP8X', 10), chunk('ALPH', 3), chunk('VP8 ', 6)]);
+  const film = Buffer.from(animate_webp([still, still], { width: 300, height: 20, pause: 50 })), names = [];
+  assert.equal(film.readUInt32LE(4), film.length - 8);
+  for (let at = 12; at < film.length; at += 8 + film.readUInt32LE(at + 4)) names.push(film.toString('latin1', at, at + 4));
+  assert.deepEqual(names, ['VP8X', 'ANIM', 'ANMF', 'ANMF']);
+  assert.deepEqual([film.readUIntLE(24, 3), film.readUIntLE(27, 3)], [299, 19]);
+  const frame = film.subarray(film.indexOf('ANMF'));
+  assert.deepEqual([frame.readUIntLE(20, 3), frame.indexOf('ALPH'), frame.indexOf('VP8 ')], [50, 24, 36]);
+});
+
+test('a surface is seen first from the side with its shape, unless the usual side is as good', () => {
+  const axes = { up: [0, 1, 0], ahead: [0, 0, 1], side: [1, 0, 0] }, positions = [], faces = [], n = 24;
+  for (let i = 0; i <= n; ++i) for (let j = 0; j < 2 * n; ++j) {
+    const a = (Math.PI * i) / n, b = (Math.PI * j) / n, bump = 1 + (Math.cos(b) < -0.3 ? 0.1 * Math.sin(12 * a) * Math.sin(12 * b) : 0);
+    positions.push(bump * Math.sin(a) * Math.sin(b), bump * Math.cos(a), bump * Math.sin(a) * Math.cos(b));  // bumps towards -z
+    const u = 2 * n * i + j, v = 2 * n * i + ((j + 1) % (2 * n));
+    if (i < n) faces.push(u, u + 2 * n, v, v, u + 2 * n, v + 2 * n);
+  }
+  const view = (points) => choose_first_view(points, faces, axes);
+  assert.ok(view(positions)[2] < -0.8, `${view(positions)}`);
+  const smooth = positions.map((value, i) => value / Math.hypot(...positions.slice(i - (i % 3), i - (i % 3) + 3)));
+  assert.ok(view(smooth)[2] > 0.7 && view(smooth)[0] > 0.4, `${view(smooth)}`);
 });
 
 test('a ray through the canvas finds its point of a face', () => {
