@@ -4,6 +4,7 @@ import json
 import pathlib
 import re
 import sys
+import zlib
 
 import files
 import numpy
@@ -36,7 +37,7 @@ def page_colors(name):
     manifest = json.loads(re.search('id="manifest">(.*?)</script>', page, re.DOTALL).group(1))
     fills = max(manifest["scenes"], key=lambda scene: scene.get("iteration", 0))["fills"]
     assert fills["type"] == "u8"
-    data = base64.b64decode(re.search(f'id="blob-{fills["blob"]}">(.*?)</script>', page, re.DOTALL).group(1))
+    data = zlib.decompress(base64.b64decode(re.search(f'id="blob-{fills["blob"]}">(.*?)</script>', page, re.DOTALL).group(1)))
     return numpy.frombuffer(data, "u1").reshape(-1, 3).tolist()
 
 

@@ -1,22 +1,53 @@
-// The page's own data: a manifest, and arrays in base64 that it refers to.
+// The page's own data: a manifest, and arrays that it refers to, deflated and in base64.
 
 const kTypes = { f32: Float32Array, u8: Uint8Array, u16: Uint16Array, u32: Uint32Array };
+const blobs = new Map();  // bytes, by id of the element
 
 export function read_manifest() {
   return JSON.parse(document.getElementById('manifest').textContent);
 }
 
-function decode_base64(text) {
+// Unpacks the arrays of all elements whose id starts with `blob-`, which are empty then.
+export async function load_arrays() {
+  const unpack = async (element) => {
+    const packed = await fetch_base64(element.textContent);
+    element.textContent = '';
+    const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
+    blobs.set(element.id, new Uint8Array(await new Response(unpacked).arrayBuffer()));
+  };
+  await Promise.all(Array.from(document.querySelectorAll('[id^="blob-"]'), unpack));
+}
+
+function fetch_base64(text) {
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
-  const binary = atob(text);
-  const bytes = new Uint8Array(binary.length);
+  const binary = atob(text), bytes = new Uint8Array(binary.length);
   for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
   return bytes;
 }
 
-// The array that a manifest entry {blob, type, count} refers to; empty where there is none.
+// Numbers that are stored as differences from the number `step` before, with the sign in the lowest bit: all lowest bytes
+// first, then the next ones.
+export function sum_steps(bytes, { count, step, unit }) {
+  const sums = new Float32Array(count), before = new Array(step).fill(0), width = count ? bytes.length / count : 0;
+  for (let i = 0; i < count; ++i) {
+    let value = 0;
+    for (let k = width - 1; k >= 0; --k) value = 256 * value + bytes[k * count + i];
+    before[i % step] += value % 2 ? -(value + 1) / 2 : value / 2;
+    sums[i] = before[i % step] * unit;
+  }
+  return sums;
+}
+
+// The array that a manifest entry {blob, type, count, unit, step} refers to, or that is given in its place; empty where
+// there is none.
 export function read_array(reference) {
   if (!reference) return new Float32Array(0);
-  const bytes = decode_base64(document.getElementById(`blob-${reference.blob}`).textContent);
-  return new kTypes[reference.type](bytes.buffer, bytes.byteOffset, reference.count);
+  if (ArrayBuffer.isView(reference)) return reference;
+  const { blob, type, count, unit, step } = reference, bytes = blobs.get(`blob-${blob}`);
+  if (step) return sum_steps(bytes, reference);
+  const numbers = new kTypes[type](bytes.buffer, 0, count);
+  return unit ? Float32Array.from(numbers, (value) => value * unit) : numbers;
 }
+
+// The length of that array.
+export const count_of = (reference) => reference?.count ?? reference?.length ?? 0;

@@ -1,6 +1,6 @@
 import { Sphere, Vector3 } from 'three';
 import { kThemes, kUnreachedFill } from './colours.js';
-import { read_array, read_manifest } from './data.js';
+import { load_arrays, read_array, read_manifest } from './data.js';
 import { describe_element, locate } from './element_card.js';
 import { choose_first_view } from './first_view.js';
 import { HoverMark } from './hover_mark.js';
@@ -333,11 +333,12 @@ class Viewer {
   }
 }
 
-function start() {
+async function start() {
   const manifest = read_manifest();
   panel.by_id('title').textContent = manifest.title;
   arrange_panels();
   try {
+    await load_arrays();
     new Viewer(manifest);
   } catch (error) {
     panel.show_failure(`The surface can't be drawn: ${error.message}`);

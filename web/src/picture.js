@@ -2,7 +2,7 @@
 import { Group, Mesh } from 'three';
 import { make_coarse } from './coarse.js';
 import { fill_texture, kUnreachedFill, lattice_texture, read_fills } from './colours.js';
-import { read_array } from './data.js';
+import { count_of, read_array } from './data.js';
 import { dot_sizes, make_dots, make_lines, make_wireframe, read_lines } from './marks.js';
 import { kSources } from './materials.js';
 import { make_overlay } from './overlay.js';
@@ -20,7 +20,7 @@ const kCoarseStep = 0.012;      // shortest segment of bisectors then, in half d
 
 // Whether the scene's overlay has so few triangles that it is shown from the start, and while the surface turns.
 export function has_light_overlay({ overlay }) {
-  return Boolean(overlay) && overlay.faces.count / 3 <= kManyTriangles;
+  return Boolean(overlay) && count_of(overlay.faces) / 3 <= kManyTriangles;
 }
 
 export class Picture {
@@ -31,7 +31,7 @@ export class Picture {
     this.distance = entry.surface_distance && new SurfaceDistance(entry.surface_distance, scale, this.surface.faces);
     this.vertex_paths = entry.vertex_paths && new VertexPaths(entry, this.surface, scale);
     this.generators = read_array(entry.vertex_generators);
-    this.given = (entry.generators?.count ?? 0) / 3;
+    this.given = count_of(entry.generators) / 3;
     this.fills = read_fills(entry);
     this.textures = { regions: fill_texture(this.fills) };
     this.total_area = entry.cells.reduce((sum, cell) => sum + cell.area, 0);
@@ -69,7 +69,7 @@ export class Picture {
       overlay: null,
     };
     for (const mark of Object.values(this.marks)) if (mark) this.group.add(mark);
-    const generators = ((entry.generators?.count ?? 0) + (entry.added_generators?.count ?? 0)) / 3;
+    const generators = (count_of(entry.generators) + count_of(entry.added_generators)) / 3;
     this.spacing = Math.sqrt(triangles_area(this.surface.triangles.positions) / Math.max(1, generators));
     this.dot_sizes = dot_sizes(this.spacing);
   }

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { animate_webp } from '../src/animated_webp.js';
 import { make_coarse } from '../src/coarse.js';
+import { sum_steps } from '../src/data.js';
 import { choose_first_view } from '../src/first_view.js';
 import { fit_points } from '../src/fit.js';
 import { make_ticks } from '../src/legend.js';
@@ -142,18 +143,11 @@ test('lattices have their values at their points, and are linear between them', 
   }
 });
 
-// In place of the page's elements: arrays by their number, in base64.
-function with_arrays(arrays, run) {
-  const texts = arrays.map((array) => Buffer.from(array.buffer).toString('base64'));
-  globalThis.document = { getElementById: (id) => ({ textContent: texts[Number(id.slice(5))] }) };
-  run(arrays.map((array, blob) => ({ blob, type: array instanceof Float32Array ? 'f32' : array instanceof Uint16Array ? 'u16' : 'u8', count: array.length })));
-  delete globalThis.document;
-}
-
 test('distances of a surface come from its lattices, and from its vertices where a face has none', () => {
   const faces = Uint32Array.from([0, 1, 2, 1, 3, 2]);
   const bump = make_lattice(4, (a, b, c) => (Math.min(a, b, c) >= 0.25 ? 1000 : 0));  // the three inner points
-  with_arrays([Float32Array.from([1, 2, 3, 4]), Uint8Array.from([1, 4]), Uint16Array.from(bump)], ([vertices, steps, lattice]) => {
+  {
+    const [vertices, steps, lattice] = [Float32Array.from([1, 2, 3, 4]), Uint8Array.from([1, 4]), Uint16Array.from(bump)];
     const entry = { other: 'it', reference: 8, scale_end: 2, vertices, steps, lattice, lattice_unit: 0.01 };
     const distance = new SurfaceDistance(entry, 0.5, faces);
     near(distance.at(0, [0.2, 0.3, 0.5]), 0.5 * (0.2 + 0.6 + 1.5));
@@ -165,12 +159,10 @@ test('distances of a surface come from its lattices, and from its vertices where
     const { shares, lattices } = distance.corner_values([1, 0]);
     assert.deepEqual([...shares], [0.5, 1, 0.75, 0.25, 0.5, 0.75]);
     assert.deepEqual([...lattices], [0, 4, 0, 4, 0, 4, 0, 0, 0, 0, 0, 0]);
-  });
-  with_arrays([Float32Array.from([1, 2, 3, 4])], ([vertices]) => {
-    const distance = new SurfaceDistance({ other: 'it', reference: 8, scale_end: 2, vertices }, 0.5, faces);
-    near(distance.at(1, [1, 0, 0]), 1);
-    assert.equal(distance.exceeds, false);
-  });
+  }
+  const distance = new SurfaceDistance({ other: 'it', reference: 8, scale_end: 2, vertices: Float32Array.from([1, 2, 3, 4]) }, 0.5, faces);
+  near(distance.at(1, [1, 0, 0]), 1);
+  assert.equal(distance.exceeds, false);
 });
 
 test('ticks are round numbers at their places, and those at the ends say where other values have their colours', () => {
@@ -189,6 +181,12 @@ test('the range of values of faces leaves out outliers, and has round ends', () 
   assert.deepEqual(range(values), { range: [0.6, 0.95], below: false, above: false });
   assert.deepEqual(range([0.01, ...values, 0.97]), { range: [0.6, 0.95], below: true, above: true });
   assert.deepEqual(range([0.7, 0.7]).range, [0.7, 0.75]);
+});
+
+test('coordinates are sums of differences with the sign in the lowest bit, lowest bytes first', () => {
+  const bytes = Uint8Array.of(6, 5, 0, 0, 1, 44, 0, 0, 0, 0, 0, 1);  // 6, 5, 0, 0, 1, 300
+  assert.deepEqual([...sum_steps(bytes, { count: 6, step: 3, unit: 0.5 })], [1.5, -1.5, 0, 1.5, -2, 75]);
+  assert.equal(sum_steps(new Uint8Array(0), { count: 0, step: 3, unit: 1 }).length, 0);
 });
 
 test('thousands have commas, but not digits after a point', () => {
@@ -230,16 +228,13 @@ test('a ray through the canvas finds its point of a face', () => {
 });
 
 test('a click shows the stored path of the nearest vertex that has one', () => {
-  const blobs = [], element = globalThis.document;
-  const put = (type, array) => (blobs.push(Buffer.from(array.buffer).toString('base64')), { blob: blobs.length - 1, type, count: array.length });
-  globalThis.document = { getElementById: (id) => ({ textContent: blobs[Number(id.slice(5))] }) };
   const entry = {
     vertex_paths: {
-      vertices: put('u8', Uint8Array.of(0, 3)),
-      counts: put('u8', Uint8Array.of(1, 3)),
-      points: put('f32', Float32Array.of(0, 0, 0, 1, 1, 0, 0.5, 0.5, 0, 0, 0, 0)),
+      vertices: Uint8Array.of(0, 3),
+      counts: Uint8Array.of(1, 3),
+      points: Float32Array.of(0, 0, 0, 1, 1, 0, 0.5, 0.5, 0, 0, 0, 0),
     },
-    generators: put('f32', Float32Array.of(9, 9, 9, 0, 0, 0)),
+    generators: Float32Array.of(9, 9, 9, 0, 0, 0),
   };
   const surface = {
     positions: Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0),
@@ -247,7 +242,6 @@ test('a click shows the stored path of the nearest vertex that has one', () => {
     distances: Float32Array.of(0, 1, 1, Math.SQRT2),
   };
   const paths = new VertexPaths(entry, surface, 10), found = paths.from(1, [0.3, 0.5, 0.2]);
-  globalThis.document = element;
   assert.deepEqual([...found.points], [1, 1, 0, 0.5, 0.5, 0, 0, 0, 0]);
   assert.deepEqual(found.counts, [3]);
   assert.equal(found.card.title, 'Path from vertex 3');

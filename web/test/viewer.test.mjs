@@ -5,6 +5,7 @@ import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { deflateSync } from 'node:zlib';
 
 const kSkipped = 77;
 const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
@@ -146,7 +147,7 @@ async function find_bright_spots(source) {
 function write_page(name, { positions, faces, points = [], up = 'y', iterations = [] }) {
   const arrays = [Float32Array.from(positions), Uint32Array.from(faces), Float32Array.from(points)];
   const blobs = arrays.map((array, k) => {
-    const text = Buffer.from(array.buffer).toString('base64');
+    const text = deflateSync(Buffer.from(array.buffer)).toString('base64');
     return `<script type="application/octet-stream" id="blob-${k}">${text}</script>`;
   });
   const scene = { name, wireframe: false, smooth: true, cells: [], figures: [] };

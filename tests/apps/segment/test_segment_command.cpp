@@ -8,6 +8,7 @@
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
+#include "mesh/reading/array_bytes.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_segment_command {
@@ -177,21 +178,6 @@ TEST_CASE("gvd-segment: generators without a face are named in one line, all of 
   CHECK(line_count(result.err) < 8);
 }
 
-std::vector<int> decode_bytes(const std::string& base64) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::vector<int> bytes;
-  unsigned bits = 0;
-  int known = 0;
-  for (const char c : base64) {
-    if (c == '=') break;
-    bits = bits << 6 | static_cast<unsigned>(digits.find(c));
-    if ((known += 6) < 8) continue;
-    known -= 8;
-    bytes.push_back(static_cast<int>(bits >> known & 0xFF));
-  }
-  return bytes;
-}
-
 /// The text of the page's element with this id.
 std::string element_text(const std::string& page, const std::string& id) {
   const std::size_t at = page.find("id=\"" + id + "\">");
@@ -205,9 +191,14 @@ std::vector<int> labels_on_page(const std::string& page) {
   const auto scene = nlohmann::json::parse(element_text(page, "manifest"))["scenes"].back();
   CHECK_FALSE(scene.contains("pieces"));
   CHECK(scene["codes"]["type"] == "u8");
-  std::vector<int> codes = decode_bytes(element_text(page, "blob-" + scene["codes"]["blob"].dump()));
-  for (int& code : codes) code = code == 0 ? -1 : code - 2;
-  return codes;
+  const std::string text = element_text(page, "blob-" + scene["codes"]["blob"].dump());
+  ArrayBytes packed(text, true);
+  std::string codes;
+  ExpansionLimit limit(text.size(), "page");
+  REQUIRE(append_inflated(codes, packed.take(packed.most()), scene["codes"]["count"], limit));
+  std::vector<int> labels;
+  for (const char code : codes) labels.push_back(code == 0 ? -1 : static_cast<unsigned char>(code) - 2);
+  return labels;
 }
 
 TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or cut, and first the cells") {

@@ -5,7 +5,7 @@
 
 #include "gvd/diagram.hpp"
 #include "io/view/view_steps.hpp"
-#include "io/writers/byte_writer.hpp"
+#include "mesh/reading/array_bytes.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -14,6 +14,17 @@ namespace gvd::test_scene_entry {
 
 using namespace test;
 
+/// The content of an array of `size` bytes.
+std::string unpack(const io::ViewBlobs& blobs, int blob, std::uint64_t size) {
+  const std::string html = blobs.html(), id = "id=\"blob-" + std::to_string(blob) + "\">";
+  const std::size_t first = html.find(id) + id.size();
+  ArrayBytes packed(std::string_view(html).substr(first, html.find('<', first) - first), true);
+  ExpansionLimit limit(html.size(), "page");
+  std::string content;
+  CHECK(append_inflated(content, packed.take(packed.most()), size, limit));
+  return content;
+}
+
 TEST_CASE("arrays are little-endian, narrow, and stored once") {
   io::ViewBlobs blobs;
   CHECK(blobs.add_integers({1, 255}) == nlohmann::json({{"blob", 0}, {"type", "u8"}, {"count", 2}}));
@@ -21,8 +32,7 @@ TEST_CASE("arrays are little-endian, narrow, and stored once") {
   CHECK(blobs.add_integers({65536}) == nlohmann::json({{"blob", 2}, {"type", "u32"}, {"count", 1}}));
   CHECK(blobs.add_floats({1.0f}) == nlohmann::json({{"blob", 3}, {"type", "f32"}, {"count", 1}}));
   CHECK(blobs.add_integers({1, 256})["blob"] == 1);
-  CHECK(blobs.html().find("id=\"blob-1\">" + io::encode_base64(std::string("\1\0\0\1", 4)) + "</script>") !=
-        std::string::npos);
+  CHECK(unpack(blobs, 1, 4) == std::string("\1\0\0\1", 4));
   CHECK(blobs.html().find("blob-4") == std::string::npos);
 }
 
@@ -32,9 +42,28 @@ TEST_CASE("an empty array is an array, and arrays of other types with equal byte
   CHECK(blobs.add_floats({}) == nlohmann::json({{"blob", 0}, {"type", "f32"}, {"count", 0}}));
   CHECK(blobs.add_integers({0, 0, 0, 0})["blob"] == 1);
   CHECK(blobs.add_floats({0.0f})["blob"] == 1);
-  CHECK(blobs.html() ==
-        "<script type=\"application/octet-stream\" id=\"blob-0\"></script>\n"
-        "<script type=\"application/octet-stream\" id=\"blob-1\">AAAAAA==</script>\n");
+  CHECK(unpack(blobs, 0, 0).empty());
+  CHECK(unpack(blobs, 1, 4) == std::string(4, '\0'));
+}
+
+TEST_CASE("coordinates are rounded differences by bytes, and shares keep their complements") {
+  io::ViewBlobs blobs;
+  const double unit = std::ldexp(1, -20);
+  const nlohmann::json reference = blobs.add_coordinates({3 * unit, -1.4 * unit, 0, 301 * unit, 0, -0.2 * unit});
+  CHECK(reference == nlohmann::json({{"blob", 0}, {"type", "u16"}, {"count", 6}, {"unit", unit}, {"step", 3}}));
+  CHECK(unpack(blobs, 0, 12) == std::string("\6\1\0\x54\2\0\0\0\0\2\0\0", 12));
+  CHECK(blobs.add_coordinates({0.5, 0.5, 0.5})["type"] == "u32");
+  CHECK(blobs.add_coordinates({1e300, -1e300, 0})["count"] == 3);
+  std::mt19937 random(5);
+  for (int i = 0; i < 100; ++i) {
+    const double b = double(random()) / double(std::mt19937::max());
+    io::ViewBlobs pair;
+    CHECK(pair.add_shares({b, 1 - b, 1})["unit"] == 1.0 / 65535);
+    const std::string bytes = unpack(pair, 0, 6);
+    const auto part = [&](std::size_t k) { return std::uint8_t(bytes[2 * k]) + 256 * std::uint8_t(bytes[2 * k + 1]); };
+    CHECK(part(0) + part(1) == 65535);
+    CHECK(part(0) / 65535.0 == Approx(b).margin(0.5 / 65535));
+  }
 }
 
 ViewScene scene_of(const Mesh& mesh) {

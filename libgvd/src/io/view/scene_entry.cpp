@@ -1,14 +1,18 @@
 // A scene as the page reads it: an entry of JSON, which refers to arrays of numbers.
 //
-// Arrays are little-endian in Base64, floats of 32 bits and integers of the narrowest width that holds them. Equal
-// arrays are stored once, so scenes of one mesh share it. Positions are relative to a frame around all scenes, which
-// keeps a mesh of any size and place within the precision of 32-bit floats.
+// Arrays are little-endian, deflated and in Base64; integers have the narrowest width that holds them. Equal arrays are
+// stored once, so scenes of one mesh share it. Positions are relative to a frame around all scenes, which keeps a mesh
+// of any size and place within the precision of 32-bit floats. They and the corners of pieces make up most of a page,
+// and are rounded to what a screen shows.
 // Pieces of cut faces are clipped to triangles here, so that the page needs no geometry: it draws what it reads.
 // Invariant: equal scenes give equal bytes; docs/developer/viewer.md lists the members of an entry.
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -31,8 +35,31 @@ constexpr std::uint32_t kUnreachedCode = 0;
 constexpr std::uint32_t kCutCode = 1;
 constexpr std::uint32_t kFirstLabelCode = 2;
 
+/// Coordinates of the page are multiples of the inverse of this, shares of corners of pieces of that of the other.
+constexpr double kCoordinateParts = 1 << 20, kShareParts = 65535;
+
+/// The frame has a radius of 1 unless the mesh is too large for one; differences of twice this fit 31 bits.
+constexpr double kFarthest = 500;
+
 /// Distances on lattices have 16 bits: their steps are a hundredth of what a scale of 256 colours shows.
 constexpr double kLatticeParts = 65535;
+
+/// The least number of bytes, of 1, 2 and 4, that holds each of the values.
+int width_of(const std::vector<std::uint32_t>& values) {
+  const std::uint32_t largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+  return largest < 0x100 ? 1 : largest < 0x10000 ? 2 : 4;
+}
+
+/// The bytes in the format of zlib, which browsers unpack.
+std::string deflate(const std::string& bytes) {
+  uLongf size = compressBound(uLong(bytes.size()));
+  std::string packed(size, '\0');
+  const int status = compress(reinterpret_cast<Bytef*>(packed.data()), &size,
+                              reinterpret_cast<const Bytef*>(bytes.data()), uLong(bytes.size()));
+  if (status != Z_OK) throw std::bad_alloc();  // the only way to fail into a buffer of that size
+  packed.resize(size);
+  return packed;
+}
 
 std::uint32_t code_of(GeneratorId label) {
   return label.valid() ? kFirstLabelCode + std::uint32_t(label.value()) : kUnreachedCode;
@@ -72,14 +99,14 @@ class SceneEncoder {
 
  private:
   json points(const std::vector<Vec3>& given) {
-    std::vector<float> values;
+    std::vector<double> values;
     values.reserve(3 * given.size());
     for (const Vec3& p : given) append(values, p);
-    return blobs_.add_floats(values);
+    return blobs_.add_coordinates(values);
   }
 
-  void append(std::vector<float>& values, const Vec3& p) const {
-    for (int i = 0; i < 3; ++i) values.push_back(float((p[i] - frame_.origin[i]) / frame_.scale));
+  void append(std::vector<double>& values, const Vec3& p) const {
+    for (int i = 0; i < 3; ++i) values.push_back((p[i] - frame_.origin[i]) / frame_.scale);
   }
 
   json faces(const Mesh& mesh) {
@@ -139,12 +166,12 @@ class SceneEncoder {
   /// Corners by two of their barycentric coordinates, triangles by indices of their piece's corners.
   json pieces() {
     std::vector<std::uint32_t> faces, codes, corner_counts, triangle_counts, triangles;
-    std::vector<float> corners;
+    std::vector<double> corners;
     for (const FacePiece& piece : scene_.pieces) {
       std::vector<Vec2> polygon;
       for (const auto& b : piece.corners) {
         polygon.push_back(affine_point(b));
-        corners.insert(corners.end(), {float(b[1]), float(b[2])});
+        corners.insert(corners.end(), {b[1], b[2]});
       }
       const auto clipped = triangulate_polygon(polygon);
       for (const auto& triangle : clipped) triangles.insert(triangles.end(), triangle.begin(), triangle.end());
@@ -156,7 +183,7 @@ class SceneEncoder {
     return {{"faces", blobs_.add_integers(faces)},
             {"codes", blobs_.add_integers(codes)},
             {"corner_counts", blobs_.add_integers(corner_counts)},
-            {"corners", blobs_.add_floats(corners)},
+            {"corners", blobs_.add_shares(corners)},
             {"triangle_counts", blobs_.add_integers(triangle_counts)},
             {"triangles", blobs_.add_integers(triangles)}};
   }
@@ -170,13 +197,13 @@ class SceneEncoder {
   }
 
   json polylines(const std::vector<std::vector<Vec3>>& given) {
-    std::vector<float> values;
+    std::vector<double> values;
     std::vector<std::uint32_t> counts;
     for (const std::vector<Vec3>& polyline : given) {
       for (const Vec3& p : polyline) append(values, p);
       counts.push_back(std::uint32_t(polyline.size()));
     }
-    return {{"points", blobs_.add_floats(values)}, {"counts", blobs_.add_integers(counts)}};
+    return {{"points", blobs_.add_coordinates(values)}, {"counts", blobs_.add_integers(counts)}};
   }
 
   json cells() const {
@@ -229,9 +256,40 @@ nlohmann::json ViewBlobs::add_floats(const std::vector<float>& values) {
   return add(std::move(bytes), "f32", values.size());
 }
 
+nlohmann::json ViewBlobs::add_coordinates(const std::vector<double>& values) {
+  std::vector<std::uint32_t> steps;
+  steps.reserve(values.size());
+  std::array<std::int64_t, 3> before{};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::int64_t value = std::llround(std::clamp(values[i], -kFarthest, kFarthest) * kCoordinateParts), step = value - before[i % 3];
+    before[i % 3] = value;
+    steps.push_back(std::uint32_t(step < 0 ? -2 * step - 1 : 2 * step));  // the sign in the lowest bit
+  }
+  const int width = width_of(steps);
+  std::string bytes;  // first the lowest byte of each number, then the next ones: higher ones are mostly 0
+  bytes.reserve(width * steps.size());
+  for (int k = 0; k < width; ++k) {
+    for (const std::uint32_t step : steps) bytes.push_back(char(step >> (8 * k) & 0xFF));
+  }
+  json reference = add(std::move(bytes), width == 1 ? "u8" : width == 2 ? "u16" : "u32", values.size());
+  reference["unit"] = 1 / kCoordinateParts;
+  reference["step"] = 3;
+  return reference;
+}
+
+nlohmann::json ViewBlobs::add_shares(const std::vector<double>& values) {
+  std::vector<std::uint32_t> parts;
+  parts.reserve(values.size());
+  for (const double value : values) {
+    parts.push_back(std::uint32_t(std::lround(kShareParts * std::clamp(value, 0.0, 1.0))));
+  }
+  json reference = add_integers(parts);
+  reference["unit"] = 1 / kShareParts;
+  return reference;
+}
+
 nlohmann::json ViewBlobs::add_integers(const std::vector<std::uint32_t>& values) {
-  const std::uint32_t largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-  const int width = largest < 0x100 ? 1 : largest < 0x10000 ? 2 : 4;
+  const int width = width_of(values);
   std::string bytes;
   bytes.reserve(width * values.size());
   for (const std::uint32_t value : values) bytes.append(little_endian(value).data(), width);
@@ -248,7 +306,7 @@ std::string ViewBlobs::html() const {
   std::string html;
   for (std::size_t i = 0; i < blobs_.size(); ++i) {
     html += fmt::format("<script type=\"application/octet-stream\" id=\"blob-{}\">", i);
-    html += encode_base64(*blobs_[i]);
+    html += encode_base64(deflate(*blobs_[i]));
     html += "</script>\n";
   }
   return html;

@@ -41,11 +41,21 @@ struct ViewFrame {
 /// Centre and half the diagonal of the box around all scenes, of which there is at least one. Cost: O(n).
 ViewFrame compute_view_frame(const std::vector<ViewScene>& scenes);
 
-/// The arrays of a page: little-endian, in Base64, equal ones stored once.
+/// The arrays of a page: little-endian, deflated, in Base64, equal ones stored once.
 class ViewBlobs {
  public:
   /// Adds an array of 32-bit floats. Returns its reference for the manifest: {"blob", "type", "count"}.
   nlohmann::json add_floats(const std::vector<float>& values);
+
+  /// Adds coordinates of points in the page's frame, three each, as multiples of 2^-20: a pixel of a screen 2,000
+  /// pixels wide when zoomed in a thousand times. Neighbours in the list are near each other mostly, so differences are
+  /// stored.
+  /// Returns {"blob", "type", "count", "unit", "step": 3}.
+  nlohmann::json add_coordinates(const std::vector<double>& values);
+
+  /// Adds numbers from 0 to 1 as multiples of 1/65535, such that b and 1 - b stay complements. Returns {"blob", "type",
+  /// "count", "unit"}.
+  nlohmann::json add_shares(const std::vector<double>& values);
 
   /// Adds an array of unsigned integers in the narrowest of 8, 16 and 32 bits that holds the largest of them.
   nlohmann::json add_integers(const std::vector<std::uint32_t>& values);
