@@ -29,8 +29,9 @@ function make_view({ camera, width, height }, id_map) {
   };
 }
 
-// `lines`: {name, points, counts, colour, width}; `dots`: {name, points, radius, fill, ring}.
-export function curves_svg(stage, id_map, { lines, dots }) {
+// `surface`: address of a picture below; `lines`: {name, points, counts, colour, width}; `dots`: {name, points, radius,
+// fill, ring}.
+export function curves_svg(stage, id_map, { surface, lines, dots }) {
   const see = make_view(stage, id_map), { width, height } = stage;
   const paths = lines.map((line) => `<path id="${line.name}" d="${visible_paths(line, see)}" stroke="${line.colour}" stroke-width="${line.width.toFixed(2)}"/>`);
   const circles = dots.map(({ name, points, radius, fill, ring }) => {
@@ -39,6 +40,7 @@ export function curves_svg(stage, id_map, { lines, dots }) {
     return `<g id="${name}" fill="${fill}" stroke="${ring}" stroke-width="${(radius / 3).toFixed(2)}">${marks.join('')}</g>`;
   });
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}">
+<image id="surface" href="${surface}" width="${width}" height="${height}"/>
 <g fill="none" stroke-linejoin="round" stroke-linecap="round">
 ${paths.join('\n')}
 </g>

@@ -2,15 +2,18 @@
 
 const phone = matchMedia('(max-width: 720px), (max-height: 480px)');
 
+const kTall = 1.6;  // height of a phone's screen, in its widths, from which a wide picture leaves room for a panel
+
 const box_of = (element) => element.getBoundingClientRect();
 const panels = () => [...document.querySelectorAll('aside > details')];
 
-// Pixels at each side of the picture that panels cover: at the right, or on a phone above and below.
+// Pixels at each side of the picture that panels cover: at the right, or on a phone above and below. Panels that are open
+// count on an upright phone only; on its side they would leave too little.
 export function covered() {
   const [side, bar, head] = ['aside', '#bar', 'header'].map((name) => document.querySelector(name));
   if (!phone.matches) return { left: 0, right: box_of(side).width && innerWidth - box_of(side).left, top: 0, bottom: 0 };
   const upright = innerWidth < innerHeight;  // on its side there is room beside the title
-  const buttons = [bar, ...panels().filter((panel) => !panel.open)].map(box_of).filter(({ height }) => height > 0);
+  const buttons = [bar, ...panels().filter((panel) => upright || !panel.open)].map(box_of).filter(({ height }) => height > 0);
   const bottom = innerHeight - Math.min(innerHeight, ...buttons.map(({ top }) => top));
   return { left: 0, right: 0, top: upright && box_of(head).height ? box_of(head).bottom : 0, bottom };
 }
@@ -18,10 +21,12 @@ export function covered() {
 // The panels that were open when the window became narrow; those that the page names where it was narrow at first.
 let open_when_wide = null;
 
-// Opens the panels that the page names, on a phone none, and shows the first of them.
-export function open_first_panels() {
+// Opens the panels that the page names, on a phone none but the first below a picture that is `wide`, and shows the first
+// of them.
+export function open_first_panels(wide = false) {
   open_when_wide = null;
   for (const box of panels()) box.open = !phone.matches && box.dataset.open !== undefined;
+  if (phone.matches && wide && innerHeight > kTall * innerWidth) panels()[0].open = true;
   document.querySelector('aside').scrollTop = 0;
 }
 

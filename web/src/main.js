@@ -72,6 +72,7 @@ class Viewer {
     this.stage = new Stage(this.canvas, bounding_sphere(points), manifest.up, { points, insets: covered, first_view });
     this.id_map = new IdMap(this.stage);
     this.shading = new Shading(this.stage);
+    this.shadings = 0;  // that are being made
     this.hover_mark = new HoverMark(panel.by_id('mark'));
     this.materials = { ...make_surface_materials(), ...make_mark_materials(), overlay: make_overlay_material() };
     this.pictures = manifest.scenes.map(() => null);
@@ -87,6 +88,7 @@ class Viewer {
     this.listen();
     this.pictures_of = new Pictures(this);
     this.choose(0);
+    open_first_panels(this.stage.is_wide());
     this.follow_theme();
     this.stage.start();
     this.shown = true;
@@ -95,14 +97,13 @@ class Viewer {
 
   // Makes the shade of the picture, if it is wanted and not there. Until then the page is marked as busy.
   async shade() {
-    const { picture } = this, busy = document.documentElement.dataset;
+    const { picture } = this, busy = document.documentElement;
     picture.need_coarse();
     if (!this.on.shadow) return;
-    busy.shading = 'true';
-    const shading = await this.shading.of(picture);
-    if (picture.marks.shadow !== shading.shadow) picture.set_shading(shading);
+    busy.toggleAttribute('data-shading', ++this.shadings > 0);
+    picture.set_shading(await this.shading.of(picture));
+    busy.toggleAttribute('data-shading', --this.shadings > 0);
     if (picture !== this.picture) return;
-    delete busy.shading;
     this.apply();
     this.stage.request_draw();
   }
@@ -129,6 +130,7 @@ class Viewer {
     canvas.addEventListener('pointerleave', ({ pointerType }) => pointerType === 'mouse' && this.point_at(null));
     document.addEventListener('keydown', (event) => event.key === 'Escape' && this.pin(null));
     dark_scheme.addEventListener('change', () => this.follow_theme());
+    document.querySelector('aside').addEventListener('toggle', () => this.make_room(), true);
     panel.by_id('unpin').addEventListener('click', () => this.pin(null));
     panel.by_id('up').addEventListener('change', ({ target }) => this.set_up(target.value));
     panel.by_id('reset').addEventListener('click', () => this.reset());
@@ -176,6 +178,12 @@ class Viewer {
     if (this.shown) this.shade();
   }
 
+  // Moves the picture into what panels leave of the screen.
+  make_room() {
+    this.stage.centre(covered());
+    this.stage.request_draw();
+  }
+
   set_up(axis) {
     panel.by_id('up').value = axis;
     this.stage.set_up(axis);
@@ -187,6 +195,7 @@ class Viewer {
     const own = this.own[this.current];  // the others keep their state when the scene changes
     (key in own ? own : this.on)[key] = value;
     this.apply();
+    if (key === 'shadow') this.shade();
   }
 
   colour_by(key) {
@@ -302,11 +311,12 @@ class Viewer {
   }
 
   reset() {
+    document.body.classList.remove('used');
     this.set_defaults();
     this.table.reset();
     this.set_up(this.manifest.up);
     this.choose(0);
-    open_first_panels();
+    open_first_panels(this.stage.is_wide());
     this.stage.reset();
   }
 

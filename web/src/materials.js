@@ -253,18 +253,18 @@ export function make_wire_material() {
 }
 
 // Round dots that grow with the picture. Their diameter is `size` in the page's coordinates, but at least `least` and at
-// most `most` pixels. They fade where they become nearly as small as that, because they are dense.
+// most `most` pixels. They fade where generators are less than 36 pixels apart, and are gone at 20.
 export function make_dot_material(least, most) {
   return new ShaderMaterial({
     vertexShader: /* glsl */ `
       ${kPull}
-      uniform float size, least, most, pixel_ratio;
+      uniform float size, least, most, spacing, pixel_ratio;
       varying float v_diameter, v_fade;
       void main() {
         gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-        float pixels = 0.5 * size * projectionMatrix[1][1] * viewport_height / gl_Position.w;
-        v_diameter = clamp(pixels, least, most);
-        v_fade = smoothstep(2.0 * least, 3.2 * least, pixels);
+        float scale = 0.5 * projectionMatrix[1][1] * viewport_height / gl_Position.w;
+        v_diameter = clamp(size * scale, least, most);
+        v_fade = smoothstep(20.0, 36.0, spacing * scale);
         pull(v_diameter);
         gl_PointSize = (v_diameter + 1.0) * pixel_ratio;
       }`,
@@ -283,6 +283,7 @@ export function make_dot_material(least, most) {
     transparent: true,
     uniforms: {
       size: { value: 0.03 },
+      spacing: { value: 1 },
       least: { value: least },
       most: { value: most },
       pixel_ratio: { value: 1 },

@@ -39,7 +39,7 @@ export function format_share(share) {
 // The name of a figure, with a text that a click on it shows, if there is one.
 function explain(name) {
   const words = kWords[name.replace(/,.*/, '')];
-  return words ? element('details', { className: 'words' }, element('summary', { textContent: name, title: words }), words) : name;
+  return words ? element('details', { className: 'words' }, element('summary', { textContent: name, title: words }), element('p', { textContent: words })) : name;
 }
 
 function fill_rows(body, rows) {

@@ -70,7 +70,7 @@ export class Picture {
     };
     for (const mark of Object.values(this.marks)) if (mark) this.group.add(mark);
     const generators = (count_of(entry.generators) + count_of(entry.added_generators)) / 3;
-    this.spacing = Math.sqrt(triangles_area(this.surface.triangles.positions) / Math.max(1, generators));
+    this.spacing = Math.sqrt(triangles_area(this.surface.triangles.positions) / Math.max(1, generators, entry.cells.length));
     this.dot_sizes = dot_sizes(this.spacing);
   }
 
@@ -165,14 +165,14 @@ export class Picture {
   }
 
   // Takes what `Shading` has made of the surface.
-  set_shading({ shares, shadow }) {
+  set_shading(shading) {
+    if (this.shading === shading) return;
+    const { shares, shadow } = (this.shading = shading);
     if (this.marks.shadow) this.group.remove(this.marks.shadow);
-    this.marks.shadow = shadow;
-    this.group.add(shadow);
+    this.group.add((this.marks.shadow = shadow.clone()));  // other pictures show it, too
     if (!shares) return;
     set_open_shares(this.geometry, this.surface.triangles, shares);
     if (this.coarse) set_open_shares(this.coarse.geometry, this.coarse.triangles, shares);
-    this.has_shares = true;
   }
 
   // Whether everything is drawn, or fewer triangles and segments where the surface has many.
@@ -214,9 +214,10 @@ export class Picture {
     if (this.distance) uniforms.lattices.value = this.textures.lattices ??= lattice_texture(this.distance);
     uniforms.show_lines.value = on.lines && this.offers('lines');
     uniforms.smooth_normals.value = on.smooth;
-    uniforms.shaded.value = on.shadow && Boolean(this.has_shares);
+    uniforms.shaded.value = on.shadow && Boolean(this.shading?.shares);
     uniforms.largest_distance.value = largest;
     uniforms.line_spacing.value = round_step(largest * this.scale, 12) / this.scale;
+    for (const dots of [generator, added_generator, branch_point]) dots.uniforms.spacing.value = this.spacing;
     generator.uniforms.size.value = added_generator.uniforms.size.value = this.dot_sizes.generator;
     branch_point.uniforms.size.value = this.dot_sizes.branch_point;
   }

@@ -11,6 +11,7 @@ import { encode_canvas, file_name, fill_behind, save_blob } from './save_picture
 const kFrames = 90, kFramePause = 50;  // of a turn, milliseconds
 const kFilmSide = 640;                 // longest side of the film, pixels
 const kFilmQuality = 0.85;
+const kSvgRatio = 2;                   // pixels of the surface in SVG, for each of the screen
 const kLargestSide = 8192;             // pixels, what every WebGL device can draw
 
 export class Pictures {
@@ -45,18 +46,31 @@ export class Pictures {
     save_blob(await encode_canvas(canvas, 'image/png'), this.name('png'));
   }
 
+  // Curves and dots as paths, over a picture of the surface without them.
   save_svg() {
-    const { stage, id_map, picture } = this.viewer, theme = this.theme(), { entry, marks } = picture;
-    const pixels = stage.pixels_per_unit(), shown = (key) => marks[key]?.visible;
+    const { stage, id_map, picture } = this.viewer, shown = Object.entries(picture.marks).filter(([name, mark]) => mark?.visible && name !== 'shadow');
+    for (const [, mark] of shown) mark.visible = false;
+    const surface = stage.take_picture(kSvgRatio).toDataURL('image/png');
+    for (const [, mark] of shown) mark.visible = true;
+    id_map.invalidate();
+    id_map.update(picture.mesh);
+    const svg = curves_svg(stage, id_map, { surface, ...this.vector_marks(shown.map(([name]) => name)) });
+    id_map.invalidate();
+    stage.end_pictures();
+    save_blob(new Blob([svg], { type: 'image/svg+xml' }), this.name('svg'));
+  }
+
+  // What curves_svg draws of the marks that are shown.
+  vector_marks(shown) {
+    const { stage, picture, materials } = this.viewer, { entry, dot_sizes } = picture, theme = this.theme(), pixels = stage.pixels_per_unit();
     const line = (name, colour, width) => ({ name, points: read_array(entry[name].points), counts: read_array(entry[name].counts), colour, width });
     const dot = (name, size, fill, ring) => ({ name, points: read_array(entry[name]), radius: (size * pixels) / 2, fill, ring });
-    const lines = [['bisectors', theme.line, this.viewer.materials.line.linewidth], ['isolines', theme.line, kMarkWidths.isolines], ['paths', theme.path, kMarkWidths.paths]];
-    const { generator, branch_point } = picture.dot_sizes;
-    const dots = [['branch_points', branch_point, theme.branch_point, theme.generator], ['generators', generator, theme.generator, theme.branch_point], ['added_generators', generator, theme.added_generator, theme.branch_point]];
-    id_map.update(picture.mesh);
-    const kept = (list, make) => list.filter(([name]) => shown(name)).map((parts) => make(...parts));
-    const svg = curves_svg(stage, id_map, { lines: kept(lines, line), dots: kept(dots, dot) });
-    save_blob(new Blob([svg], { type: 'image/svg+xml' }), this.name('svg'));
+    const made = (list, make) => list.filter(([name]) => shown.includes(name)).map((parts) => make(...parts));
+    return {
+      lines: made([['bisectors', theme.line, materials.line.linewidth], ['isolines', theme.isoline, kMarkWidths.isolines], ['paths', theme.path, kMarkWidths.paths]], line),
+      dots: made([['branch_points', dot_sizes.branch_point, theme.branch_point, theme.generator], ['generators', dot_sizes.generator, theme.generator, theme.branch_point],
+                  ['added_generators', dot_sizes.generator, theme.added_generator, theme.branch_point]], dot),
+    };
   }
 
   // Pictures of a whole turn, one after the other, so that the page stays usable.

@@ -4,10 +4,10 @@ import { Sky } from './sky.js';
 
 const kGroundPoints = 128;      // along each side of the ground
 const kGroundSide = 2.8;        // in radii of everything
-const kGroundShade = 0.7;       // opacity of the ground where it sees no sky
+const kGroundShade = 0.85;      // opacity of the ground where it sees no sky
 const kGroundNarrow = 2.5;      // exponent of the light from the side: only what is above the ground darkens it
-const kGroundLeast = 0.12;      // what hides less of the sky than this casts no shadow
-const kGroundBlur = 6;          // times that each point becomes the mean of its row and column
+const kGroundLeast = 0.2;       // what hides less of the sky than this casts no shadow
+const kGroundBlur = 8;          // times that each point becomes the mean of its row and column
 const kMostShaded = 300000;     // faces; the shade of more takes too much memory
 
 // The positions of the corners of faces, three coordinates each.
@@ -61,23 +61,23 @@ const pause = () => new Promise((done) => setTimeout(done));
 export class Shading {
   constructor(stage) {
     this.stage = stage;
-    this.known = new Map();
+    this.known = new Map();  // by mesh and axis that points up
   }
 
   // Of a picture: {shares, shadow}, the shares of the sky at the corners of faces, null where there are too many, and
   // the ground. Pictures with the same mesh share them.
   of({ entry, surface, coarse, geometry }) {
     const { renderer, bounds, camera } = this.stage, up = camera.up.clone();
-    const key = [entry.positions.blob, entry.faces.blob, ...up].join(' ');
+    const mesh = entry.positions.blob ?? entry.positions, key = [...up].join(' ');
     const make = async () => {
       const sky = new Sky(renderer, coarse?.geometry ?? geometry, bounds.radius, up), ground = make_ground(surface, up, bounds.radius);
       await sky.prepare(pause);
-      const shares = surface.faces.length <= 3 * kMostShaded ? sky.look(corner_positions(surface), surface.normals) : null;
-      const shadow = make_shadow(ground, sky.look(ground.points, ground.normals, kGroundNarrow));
+      const shares = surface.faces.length <= 3 * kMostShaded ? await sky.look(corner_positions(surface), surface.normals) : null;
+      const shadow = make_shadow(ground, await sky.look(ground.points, ground.normals, kGroundNarrow));
       sky.dispose();
       return { shares, shadow };
     };
-    if (!this.known.has(key)) this.known.set(key, make());
-    return this.known.get(key);
+    if (!this.known.has(mesh)) this.known.set(mesh, {});
+    return (this.known.get(mesh)[key] ??= make());
   }
 }

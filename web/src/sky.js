@@ -9,6 +9,7 @@ import {
 
 const kTiles = 8, kTileSize = 256;   // directions: the square of the first; a texel is 1/128 of the radius
 const kWidth = 1024;                 // of the textures of points
+const kPointsAtOnce = 64 * kWidth;
 
 // The directions are a spiral on the sphere, with equal shares of it. `frame` turns page coordinates such that the
 // direction is the third axis.
@@ -110,19 +111,23 @@ export class Sky {
     }
   }
 
-  // The share of the sky that each of `points` sees in front of it, 0 to 255. The larger `narrow` is, the less light from
-  // the side counts.
-  look(points, normals, narrow = 1) {
-    const { uniforms } = this, count = points.length / 3;
-    uniforms.narrow.value = narrow;
-    uniforms.points.value = make_texture(points);
-    uniforms.normals.value = make_texture(normals);
-    const { width, height } = uniforms.points.value.image, target = new WebGLRenderTarget(width, height, { depthBuffer: false });
-    this.draw(this.quad, target);
-    const pixels = new Uint8Array(4 * width * height);
-    this.renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
-    for (const used of [target, uniforms.points.value, uniforms.normals.value]) used.dispose();
-    return Uint8Array.from({ length: count }, (_, i) => pixels[4 * i]);
+  // The share of the sky that each of `points` sees in front of it, 0 to 255; some points at a time, so that the page stays
+  // usable without a graphics card. The larger `narrow` is, the less light from the side counts.
+  async look(points, normals, narrow = 1) {
+    const shares = new Uint8Array(points.length / 3);
+    for (let first = 0; first < shares.length; first += kPointsAtOnce) {
+      const part = [3 * first, 3 * (first + kPointsAtOnce)], { uniforms, renderer } = this;
+      uniforms.narrow.value = narrow;
+      uniforms.points.value = make_texture(points.subarray(...part));
+      uniforms.normals.value = make_texture(normals.subarray(...part));
+      const { width, height } = uniforms.points.value.image, target = new WebGLRenderTarget(width, height, { depthBuffer: false });
+      this.draw(this.quad, target);
+      const pixels = new Uint8Array(4 * width * height);
+      await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height, pixels);
+      for (let i = first; i < Math.min(first + kPointsAtOnce, shares.length); ++i) shares[i] = pixels[4 * (i - first)];
+      for (const used of [target, uniforms.points.value, uniforms.normals.value]) used.dispose();
+    }
+    return shares;
   }
 
   dispose() {

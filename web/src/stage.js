@@ -5,6 +5,7 @@ import { fit_points } from './fit.js';
 
 const kFieldOfView = 30;                                 // degrees
 const kBorder = 0.06;                                    // of the free area, round the picture
+const kWide = 1.1;                                       // of a picture, width by height
 const kKeyTurn = Math.PI / 24;                           // per key press
 const kKeyZoom = 1.15;
 const kReach = 2.5;                                      // of the ground, in radii of everything
@@ -89,6 +90,21 @@ export class Stage {
     this.camera.position.copy(this.controls.target).addScaledVector(back, distance || this.bounds.radius);
     this.controls.update();
     this.request_draw();
+  }
+
+  // Whether the picture is wider than high at the start.
+  is_wide() {
+    const side = new Vector3().crossVectors(this.camera.up, this.back).normalize(), above = new Vector3().crossVectors(this.back, side);
+    const length = (axis) => {
+      const range = [Infinity, -Infinity], p = this.points;
+      for (let i = 0; i < p.length; i += 3) {
+        const at = p[i] * axis.x + p[i + 1] * axis.y + p[i + 2] * axis.z;
+        if (at < range[0]) range[0] = at;
+        if (at > range[1]) range[1] = at;
+      }
+      return range[1] - range[0];
+    };
+    return length(side) > kWide * length(above);
   }
 
   // As at the start: everything in view, and at rest.

@@ -82,7 +82,7 @@ const settle = (page) =>
   page.evaluate(async () => {
     for (const pause of [0, 250, 50]) {
       await new Promise((done) => setTimeout(done, pause));
-      while (document.documentElement.dataset.shading) await new Promise((done) => setTimeout(done, 20));
+      while ('shading' in document.documentElement.dataset) await new Promise((done) => setTimeout(done, 20));
       for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
     }
   });
@@ -198,6 +198,14 @@ function make_cone(axis) {
   for (let i = 0; i < 24; ++i) faces.push(0, 1 + i, 1 + ((i + 1) % 24));
   return { positions, faces };
 }
+
+// What part of the canvas is not background, in the frame of a new drawing: its content is gone when that is shown.
+const redraw = (page) =>
+  page.evaluate(() => new Promise((done) => {
+    const canvas = document.getElementById('canvas');
+    for (const key of ['ArrowLeft', 'ArrowRight']) canvas.dispatchEvent(new KeyboardEvent('keydown', { key }));
+    requestAnimationFrame(() => done(window.covered()));
+  }));
 
 async function close(page) {
   assert.deepEqual(page.faults, []);
@@ -516,6 +524,75 @@ const tests = {
     await close(page);
   },
 
+  async 'exports clear pictures of print size, curves as SVG, and a turntable'() {
+    const page = await open();
+    await page.locator('#saving > summary').click();
+    const save = async (id) => {
+      const [download] = await Promise.all([page.waitForEvent('download', { timeout: 120000 }), page.locator(id).click()]);
+      const name = download.suggestedFilename(), bytes = readFileSync(await download.path());
+      if (picture_folder) writeFileSync(join(picture_folder, name), bytes);
+      return { name, bytes };
+    };
+    const alphas = (source) => page.evaluate(async (address) => {
+      const image = Object.assign(new Image(), { src: address });
+      await image.decode();
+      const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height }), context = canvas.getContext('2d');
+      context.drawImage(image, 0, 0);
+      const at = (x, y) => context.getImageData(Math.floor(x * image.width), Math.floor(y * image.height), 1, 1).data[3];
+      return { size: [image.width, image.height], corner: at(0.01, 0.01), middle: at(0.5, 0.5) };
+    }, source);
+    const png = await save('#save-png'), of_png = await alphas(`data:image/png;base64,${png.bytes.toString('base64')}`);
+    assert.deepEqual(of_png, { size: [4000, 2800], corner: 0, middle: 255 });
+    await page.locator('#clear-ground').uncheck();
+    await page.selectOption('#picture-size', '2');
+    const filled = await save('#save-png');
+    assert.deepEqual(await alphas(`data:image/png;base64,${filled.bytes.toString('base64')}`), { size: [2000, 1400], corner: 255, middle: 255 });
+    const svg = (await save('#save-svg')).bytes.toString();
+    assert.match(svg, /<path id="bisectors" d="M[^"]{2000,}" stroke="#/);
+    const all = Number(await page.locator('label:has(#toggle-generators) small').innerText()), dots = svg.match(/<g id="generators".*/)[0].match(/<circle/g).length;
+    assert.ok(dots > 0.2 * all && dots < 0.8 * all, `${dots} of ${all} generators in front`);
+    const film = await save('#save-film');
+    assert.deepEqual([film.name, film.bytes.toString('latin1', 8, 16), film.bytes.toString('latin1').split('ANMF').length], ['A-sample-of-the-viewer.webp', 'WEBPVP8X', 91]);
+    const first = await alphas(`data:image/webp;base64,${film.bytes.toString('base64')}`);
+    assert.deepEqual([first.size, first.corner], [[640, 448], 255]);
+    await close(page);
+  },
+
+  async 'shade darkens hollows and the ground, and another axis can point up'() {
+    const page = await open({ page_address: write_page('dent', { ...make_torus(60, 24) }) }), shaded = await shot(page, kBeside);
+    const pixel = (source, at) => page.evaluate(async ([address, [x, y]]) => {
+      const image = Object.assign(new Image(), { src: address });
+      await image.decode();
+      const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height }), context = canvas.getContext('2d');
+      context.drawImage(image, 0, 0);
+      return context.getImageData(x, y, 1, 1).data[1];
+    }, [`data:image/png;base64,${source}`, at]);
+    await page.locator('#toggle-shadow').uncheck();
+    const bare = await shot(page, kBeside);
+    const hollow = [355, 268], ground = [355, 492];  // the inner side of the ring, and the ground before it
+    for (const at of [hollow, ground]) {
+      const [dark, light] = [await pixel(shaded, at), await pixel(bare, at)];
+      assert.ok(dark < light - 8, `${at}: ${dark} of ${light}`);
+    }
+    const flat = (await redraw(page)).tall;
+    await page.selectOption('#up', 'z');
+    const { tall } = await redraw(page);
+    assert.ok(tall > 1.3 * flat, `${tall}, and ${flat} before`);
+    await page.locator('#toggle-shadow').check();
+    await picture(page, 'up-z');
+    await close(page);
+  },
+
+  async 'figures are explained by a click'() {
+    const page = await open();
+    const words = page.getByText('no bisector is missing');
+    assert.equal(await words.isVisible(), false);
+    await page.getByText('Euler count').click();
+    assert.ok(await words.isVisible());
+    await picture(page, 'words');
+    await close(page);
+  },
+
   async 'reset brings back how the page opened'() {
     const page = await open(), first = await shot(page, kBeside), panels = await panels_shown(page);
     await page.getByText('60 generators').click();
@@ -693,6 +770,20 @@ const tests = {
       assert.ok(card.y + card.height <= buttons.y, `${width}: the card ends at ${card.y + card.height}, of ${buttons.y}`);
       await close(page);
     }
+  },
+
+  async 'opens a panel below a wide picture on an upright phone, and gives the picture the room of a closed one'() {
+    const wide = make_torus(60, 24), page = await open({ page_address: write_page('wide', wide), viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    assert.ok(await page.locator('#toggles').isVisible());
+    const before = await page.evaluate(() => window.first.below);
+    assert.ok(before < 0.2, `${before} of it in the lower half`);
+    await page.locator('#show > summary').tap();
+    await page.locator('#toggle-shadow').evaluate((box) => box.click());
+    await settle(page);
+    const { below } = await redraw(page);
+    assert.ok(below > before + 0.1, `${before}, then ${below}`);
+    await picture(page, 'touch-wide');
+    await close(page);
   },
 
   async 'works by touch on a narrow screen, and uses all of its width'() {

@@ -121,13 +121,13 @@ TEST_CASE("distances from another surface have lattices of 16 bits, and overlays
   CHECK(distance["lattice_unit"].get<double>() * 65535 == Approx(kSampleBump));
 }
 
-TEST_CASE("a page of a large mesh takes less than 40 bytes a face") {
+TEST_CASE("a page of a large mesh takes less than 25 bytes a face") {
   if (!has_viewer_or_skip()) return;
   const Mesh mesh = make_sphere(6);
   ViewScene scene = make_view_scene("", mesh, make_sphere_sample(mesh, 30));
   const std::size_t size = make_view_page(scene).size() - io::view_template().size();
   INFO("bytes a face: " << double(size) / mesh.face_count());
-  CHECK(size < 40u * static_cast<std::size_t>(mesh.face_count()));
+  CHECK(size < 25u * static_cast<std::size_t>(mesh.face_count()));
 }
 
 TEST_CASE("meshes of any size and place stay finite in the page") {

@@ -99,7 +99,7 @@ ViewScene make_view_scene(std::string name, const LabelledMesh& shown);
 /// colours, since whole faces lie on both sides of bisectors. Throws and costs as make_view_scene.
 std::vector<ViewScene> make_region_scenes(const LabelledMesh& shown);
 
-/// The points of all paths that `make_distance_scene` takes for clicks: 5 MB of the page.
+/// The points of all paths that `make_distance_scene` takes for clicks: 2 MB of the page.
 inline constexpr std::size_t kMostPathPoints = 300'000;
 
 /// The scene of distances from the nearest of several sources: the distances of the vertices, the table's sources,
@@ -117,7 +117,7 @@ bool has_viewer();
 ///
 /// Properties: (1) the page needs no file and no network when it is opened; (2) the same input gives the same bytes;
 /// (3) the borders of regions follow the pieces inside the cut faces; (4) an array that several scenes share is stored
-/// once; (5) a large mesh takes less than 40 bytes a face, beside 650 kB for the page itself; (6) regions with a common
+/// once; (5) a large mesh takes less than 25 bytes a face, beside 250 kB for the page itself; (6) regions with a common
 /// border differ by at least 14 in CIEDE2000, for the colour-blind too, on surfaces of genus 3 and less;
 /// (7) from one iteration of the slider to the next, regions keep their colours as far as that allows.
 /// Throws Error{invalid_option} where the library was built without the viewer; Error{interrupted} if the progress

@@ -261,7 +261,8 @@ nlohmann::json ViewBlobs::add_coordinates(const std::vector<double>& values) {
   steps.reserve(values.size());
   std::array<std::int64_t, 3> before{};
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::int64_t value = std::llround(std::clamp(values[i], -kFarthest, kFarthest) * kCoordinateParts), step = value - before[i % 3];
+    const std::int64_t value = std::llround(std::clamp(values[i], -kFarthest, kFarthest) * kCoordinateParts),
+                       step = value - before[i % 3];
     before[i % 3] = value;
     steps.push_back(std::uint32_t(step < 0 ? -2 * step - 1 : 2 * step));  // the sign in the lowest bit
   }

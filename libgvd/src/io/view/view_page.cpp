@@ -213,7 +213,9 @@ ViewScene make_diagram_scene(std::string name, const Mesh& mesh, const Diagram& 
   ViewScene scene;
   scene.name = std::move(name);
   for (const Bisector& bisector : diagram.bisectors) scene.bisectors.push_back(make_polyline(mesh, bisector));
-  for (const SurfacePoint& generator : diagram.generators) scene.generators.push_back(position(mesh, generator));
+  if (diagram.curves.empty()) {
+    for (const SurfacePoint& generator : diagram.generators) scene.generators.push_back(position(mesh, generator));
+  }
   for (const GeneratorCurve& curve : diagram.curves) {
     for (std::vector<Vec3>& line : polylines(mesh, curve)) scene.paths.push_back(std::move(line));
   }
