@@ -26,11 +26,12 @@ const browser = await chromium.launch({
          '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
 });
 
-// Waits until the surface rests and everything requested is drawn.
+// Waits until the surface rests, its shade is made and everything requested is drawn.
 const settle = (page) =>
   page.evaluate(async () => {
     for (const pause of [0, 250, 50]) {
       await new Promise((done) => setTimeout(done, pause));
+      while ('shading' in document.documentElement.dataset) await new Promise((done) => setTimeout(done, 20));
       for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
     }
   });

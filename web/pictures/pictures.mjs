@@ -18,22 +18,23 @@ const kClose = {
   size: kSmall,
   zoom: 17,
   pan: { from: [240, 163], to: [200, 160] },
-  show: { wireframe: true, generators: false },
+  show: { wireframe: true, generators: false, shadow: false },
 };
 const kNoBranchPoints = { branch_points: false };
 const kPlain = { colour: 'plain', show: { generators: false, overlay: false } };
+const kError = { colour: 'surface_distance' };
 const kDistances = { colour: 'distance', show: { lines: true, branch_points: false } };
 
 export const kPictures = [
   { name: 'segments', page: 'segments', size: kSmall },
   { name: 'samples', page: 'samples', size: kLarge, show: kNoBranchPoints },
   { name: 'coarse', page: 'coarse', size: kLarge, ...kPlain },
-  { name: 'task_parcels', page: 'task_parcels', size: kSmall, turn: { left: 12 }, show: kNoBranchPoints },
-  { name: 'task_samples', page: 'task_samples', size: kSmall, zoom: -1, turn: { right: 10 }, show: kNoBranchPoints },
+  { name: 'task_parcels', page: 'task_parcels', size: kSmall, show: kNoBranchPoints },
+  { name: 'task_samples', page: 'task_samples', size: kSmall, zoom: -1, turn: { right: 7 }, show: kNoBranchPoints },
   { name: 'task_simulation', page: 'task_simulation', size: kSmall, ...kPlain },
   { name: 'task_measure', page: 'task_measure', size: kSmall, turn: { right: 12 } },
-  { name: 'unplaced', page: 'remesh', scene: 'Before placement', size: kSmall },
-  { name: 'remesh', page: 'remesh', scene: 'Remesh', size: kSmall },
+  { name: 'unplaced', page: 'remesh', scene: 'Before placement', size: kSmall, ...kError },
+  { name: 'remesh', page: 'remesh', scene: 'Remesh', size: kSmall, ...kError },
   { name: 'distances', page: 'segments', size: kSmall, ...kDistances },
   { name: 'bisectors', page: 'segments', ...kClose },
   { name: 'cut', page: 'cut', ...kClose },
