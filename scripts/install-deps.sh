@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs the missing ones of the Debian or Ubuntu packages that a task needs.
 #
-#   scripts/install-deps.sh GROUP...             the groups: build test python site cohort bench pictures fuzz lint package ci
+#   scripts/install-deps.sh GROUP...             the groups: build test python site cohort web bench pictures fuzz lint package ci
 #   scripts/install-deps.sh --missing GROUP...   only prints the packages that are missing
 #
 # Does nothing, and needs no permission, if all of them are installed.
@@ -26,7 +26,9 @@ packages_of() {
     package) echo dpkg-dev file gzip help2man ;;
     ci)    echo git clang clang-format libclang-rt-14-dev ccache valgrind chromium libcgal-demo universal-ctags python3-meshio python3-networkx python3-nibabel python3-vtk9 python3-tqdm lintian pkg-config zsh fish python3-yaml python3-jinja2 $(unless_found python3 python3) ;;
     cohort) echo snakemake python3-numpy ;;
-    *)     echo "install-deps.sh: no group '$1' (one of: build test python site cohort bench pictures fuzz lint package ci)" >&2; exit 2 ;;
+    web)   echo cmake make ninja-build emscripten libeigen3-dev libfmt-dev nlohmann-json3-dev librange-v3-dev libfast-float-dev \
+                $(unless_found node nodejs) $(unless_found npm npm) ;;
+    *)     echo "install-deps.sh: no group '$1' (one of: build test python site cohort web bench pictures fuzz lint package ci)" >&2; exit 2 ;;
   esac
 }
 

@@ -1,4 +1,6 @@
+#ifdef GVD_WITH_TBB
 #include <tbb/parallel_for.h>
+#endif
 
 #include <algorithm>
 #include <atomic>
@@ -181,6 +183,7 @@ TEST_CASE("cancelling ends the work, and goes before errors") {
   });
 }
 
+#ifdef GVD_WITH_TBB
 TEST_CASE("within a loop of the caller's that was cancelled, all items are run nevertheless") {
   tbb::task_group_context context;
   std::atomic<int> done = 0;
@@ -194,5 +197,6 @@ TEST_CASE("within a loop of the caller's that was cancelled, all items are run n
       tbb::simple_partitioner(), context);
   CHECK(done == 100);
 }
+#endif
 
 }  // namespace gvd::test_parallel_chunks

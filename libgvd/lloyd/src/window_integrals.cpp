@@ -144,8 +144,8 @@ class FaceIntegrator {
 }  // namespace
 
 std::span<const PathSample> samples_of(const std::vector<PathSample>& sorted, GeneratorId g) {
-  return {std::ranges::lower_bound(sorted, g, {}, &PathSample::generator),
-          std::ranges::upper_bound(sorted, g, {}, &PathSample::generator)};
+  return {std::to_address(std::ranges::lower_bound(sorted, g, {}, &PathSample::generator)),
+          std::to_address(std::ranges::upper_bound(sorted, g, {}, &PathSample::generator))};
 }
 
 CellIntegrals CellSums::join(std::size_t cells, const std::vector<CellSums>& parts) {

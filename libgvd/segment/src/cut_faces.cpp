@@ -151,7 +151,7 @@ class Cutter {
       if (f.value() % kCutStride == 0) report(double(f.value()) / mesh_.face_count());
       const auto first = piece;
       while (piece != diagram_.pieces.end() && piece->face == f) ++piece;
-      cut_face(f, {first, piece});
+      cut_face(f, {std::to_address(first), std::to_address(piece)});
     }
     if (piece != diagram_.pieces.end()) {
       throw Error(ErrorCode::precondition, "the diagram's pieces are not sorted by face", piece->face.value());
@@ -219,8 +219,8 @@ class Cutter {
   }
 
   std::span<const EdgePoint> points_on(EdgeId e) const {
-    return {std::ranges::lower_bound(edge_points_, e, {}, &EdgePoint::edge),
-            std::ranges::upper_bound(edge_points_, e, {}, &EdgePoint::edge)};
+    return {std::to_address(std::ranges::lower_bound(edge_points_, e, {}, &EdgePoint::edge)),
+            std::to_address(std::ranges::upper_bound(edge_points_, e, {}, &EdgePoint::edge))};
   }
 
   /// The corners of f and the vertices on its edges, in order, each once.

@@ -30,8 +30,8 @@ class FaceShares {
   /// The shares of one face in descending order, of equals the smaller generator first; none for a face that is not
   /// cut.
   std::span<const FaceShare> of(FaceId face) const {
-    return {std::ranges::lower_bound(shares_, face, {}, &FaceShare::face),
-            std::ranges::upper_bound(shares_, face, {}, &FaceShare::face)};
+    return {std::to_address(std::ranges::lower_bound(shares_, face, {}, &FaceShare::face)),
+            std::to_address(std::ranges::upper_bound(shares_, face, {}, &FaceShare::face))};
   }
   /// All shares, ascending by face, then as `of` sorts them.
   const std::vector<FaceShare>& all() const { return shares_; }

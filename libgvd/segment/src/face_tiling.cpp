@@ -81,8 +81,8 @@ double position_tolerance(const Mesh& mesh) {
 
 std::span<const std::pair<double, std::size_t>> FaceTiling::SortedCorners::between(double low, double high) const {
   const auto coordinate = [](const auto& item) { return item.first; };
-  return {std::ranges::lower_bound(corners_, low, {}, coordinate),
-          std::ranges::upper_bound(corners_, high, {}, coordinate)};
+  return {std::to_address(std::ranges::lower_bound(corners_, low, {}, coordinate)),
+          std::to_address(std::ranges::upper_bound(corners_, high, {}, coordinate))};
 }
 
 template <class Test>

@@ -1,12 +1,15 @@
-// A run of chunks on oneTBB's threads: each thread takes the next chunk that nobody has taken, until none is left.
+// A run of chunks on oneTBB's threads, or on plain ones: each thread takes the next chunk that nobody has taken, until
+// none is left.
 //
 // Invariant: chunks start in their order, and none after a failed one starts. So all chunks before a failed one run,
 // the failure with the least index is known at the end, and it is the one that the caller sees, for any number of
 // threads. Only the calling thread calls the progress callback.
 #include "base/parallel_chunks.hpp"
 
+#ifdef GVD_WITH_TBB
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#endif
 
 #include <algorithm>
 #include <atomic>
@@ -85,15 +88,9 @@ class SharedRun {
   std::mutex mutex_;
 };
 
-#ifdef GVD_PLAIN_THREADS
-// For the thread sanitizer, which sees the hand-over of work only in code that is compiled with it. oneTBB's is not.
-void take_in_threads(std::size_t threads, SharedRun& shared) {
-  std::vector<std::thread> others;
-  for (std::size_t i = 1; i < threads; ++i) others.emplace_back([&] { shared.take_items(); });
-  shared.take_items();
-  for (std::thread& other : others) other.join();
-}
-#else
+#ifdef GVD_WITH_TBB
+std::size_t most_threads(int) { return tbb::this_task_arena::max_concurrency(); }
+
 void take_in_threads(std::size_t threads, SharedRun& shared) {
   // One task for each thread that may work; a task that starts late finds no item left. No separate arena: with
   // oneTBB 2021.8, once an arena was destroyed, sometimes no worker joins any more. Isolated, so that the calling
@@ -102,6 +99,25 @@ void take_in_threads(std::size_t threads, SharedRun& shared) {
     tbb::parallel_for(
         std::size_t{0}, threads, [&](std::size_t) { shared.take_items(); }, tbb::simple_partitioner());
   });
+}
+#else
+/// More plain threads than cores gain nothing, but tests ask for them.
+constexpr std::size_t kMostPlainThreads = 8;
+
+std::size_t most_threads([[maybe_unused]] int asked) {
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+  return 1;
+#else
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  return asked == 0 ? cores : std::max(cores, kMostPlainThreads);
+#endif
+}
+
+void take_in_threads(std::size_t threads, SharedRun& shared) {
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < threads; ++i) others.emplace_back([&] { shared.take_items(); });
+  shared.take_items();
+  for (std::thread& other : others) other.join();
 }
 #endif
 
@@ -115,8 +131,8 @@ std::vector<Chunk> cut_into_chunks(std::size_t count, std::size_t size) {
 
 void ParallelChunks::run(std::size_t count, const StepPart& step, const std::function<void(std::size_t)>& work) const {
   SharedRun shared(count, step, work, progress_);
-  const std::size_t cores = tbb::this_task_arena::max_concurrency();
-  const std::size_t threads = std::min({threads_ == 0 ? cores : std::size_t(threads_), cores, count});
+  const std::size_t most = most_threads(threads_);
+  const std::size_t threads = std::min({threads_ == 0 ? most : std::size_t(threads_), most, count});
   if (threads <= 1) {
     shared.take_items();
   } else {

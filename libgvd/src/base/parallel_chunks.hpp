@@ -50,7 +50,8 @@ std::vector<Chunk> cut_by_work(std::size_t count, std::size_t enough, Work work)
 class ParallelChunks {
  public:
   /// `threads` >= 1, or 0 for all cores. Never more are used than oneTBB provides: one for each core or, within an
-  /// arena of the caller's, as many as that allows. `progress` has to outlive this.
+  /// arena of the caller's, as many as that allows; without oneTBB, eight or one for each core. `progress` has to
+  /// outlive this.
   ParallelChunks(int threads, const Progress& progress) : threads_(threads), progress_(progress) {}
 
   const Progress& progress() const { return progress_; }

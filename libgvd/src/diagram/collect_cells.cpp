@@ -190,7 +190,7 @@ class CellCollector {
       if (begin == arc) {
         collect_whole(f, faces);
       } else {
-        collect_cut(f, std::span(begin, arc), faces);
+        collect_cut(f, std::span(std::to_address(begin), std::to_address(arc)), faces);
       }
     }
     return faces;

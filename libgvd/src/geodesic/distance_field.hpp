@@ -135,7 +135,8 @@ class SourcesByGenerator {
   std::span<const Source> of(GeneratorId g) const {
     const auto begin =
         std::partition_point(sources_.begin(), sources_.end(), [g](const Source& s) { return s.generator < g; });
-    return {begin, std::find_if(begin, sources_.end(), [g](const Source& s) { return s.generator != g; })};
+    const auto end = std::find_if(begin, sources_.end(), [g](const Source& s) { return s.generator != g; });
+    return {std::to_address(begin), std::to_address(end)};
   }
 
  private:

@@ -267,7 +267,7 @@ std::vector<std::string_view> split_fields(std::string_view text, char separator
   for (auto start = text.begin(); start != text.end();) {
     start = std::find_if_not(start, text.end(), is_between);
     const auto end = std::find_if(start, text.end(), is_between);
-    if (start != end) fields.emplace_back(start, end);
+    if (start != end) fields.emplace_back(start, std::size_t(end - start));
     start = end;
   }
   return fields;

@@ -155,8 +155,8 @@ class SplitFaces {
 
   /// The parts of a face of the input, ascending by face; none if it is not split. Cost: O(log k).
   std::span<const Part> parts_of(FaceId parent) const {
-    return {std::ranges::lower_bound(parts_, parent, {}, &Part::parent),
-            std::ranges::upper_bound(parts_, parent, {}, &Part::parent)};
+    return {std::to_address(std::ranges::lower_bound(parts_, parent, {}, &Part::parent)),
+            std::to_address(std::ranges::upper_bound(parts_, parent, {}, &Part::parent))};
   }
 
  private:

@@ -17,13 +17,16 @@
 
 #include "gvd/dual.hpp"
 #include "gvd/error.hpp"
+#ifdef GVD_WITH_OPENMESH
 #include "gvd/openmesh.hpp"
+#endif
 #include "gvd/remesh_certificate.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
 
+#ifdef GVD_WITH_OPENMESH
 /// Whether OpenMesh takes the mesh: a test that is independent of the constructor of Mesh.
 bool is_manifold(const Mesh& mesh) {
   try {
@@ -34,6 +37,15 @@ bool is_manifold(const Mesh& mesh) {
     return false;
   }
 }
+#else
+/// Whether the ring of every vertex has all of its corners. The constructor of Mesh refuses edges of three faces.
+bool is_manifold(const Mesh& mesh) {
+  IdVector<VertexId, int> corners(mesh.vertex_count(), 0);
+  for (const HalfedgeId h : mesh.halfedges()) ++corners[mesh.from(h)];
+  for (const VertexId v : mesh.vertices()) for_each_outgoing(mesh, v, [&](HalfedgeId) { --corners[v]; });
+  return std::all_of(corners.begin(), corners.end(), [](int left) { return left == 0; });
+}
+#endif
 
 struct ComponentTopology {
   std::int32_t euler_characteristic = 0;

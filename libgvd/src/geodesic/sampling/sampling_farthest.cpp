@@ -36,7 +36,8 @@ struct Farthest {
   double distance;
   VertexId vertex;
   auto operator<=>(const Farthest& other) const {
-    return std::tie(distance, other.vertex) <=> std::tie(other.distance, vertex);
+    const auto by_distance = distance <=> other.distance;
+    return by_distance != 0 ? by_distance : other.vertex <=> vertex;
   }
   bool operator==(const Farthest& other) const = default;
 };

@@ -151,7 +151,7 @@ class FaceTracer {
     for (auto begin = sides_.begin(); begin != sides_.end();) {
       const auto end = std::find_if(begin, sides_.end(), [&](const Side& side) { return side.level != begin->level; });
       level_ = sets_.levels[begin->level];
-      pair_sides({begin, end}, found);
+      pair_sides({std::to_address(begin), std::to_address(end)}, found);
       begin = end;
     }
   }

@@ -124,8 +124,8 @@ std::string_view TextReader::token() {
   const char* stop = begin;
   while (stop != end && !is_blank(*stop) && !(comments_ && *stop == '#')) ++stop;
   const bool at_comment = stop == begin;
-  line_ = at_comment ? std::string_view() : std::string_view(stop, end);
-  return {begin, stop};
+  line_ = at_comment ? std::string_view() : std::string_view(stop, std::size_t(end - stop));
+  return {begin, std::size_t(stop - begin)};
 }
 
 std::string_view TextReader::next_number(std::string_view what) {
