@@ -10,13 +10,11 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
-#include "gvd/balance.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/io/write_file.hpp"
-#include "gvd/relaxation_start.hpp"
+#include "gvd/named_options.hpp"
 #include "gvd/remesh_map.hpp"
 #include "gvd/remesh_scenes.hpp"
-#include "gvd/remesh_surface.hpp"
 
 namespace gvd::python {
 namespace {
@@ -27,7 +25,15 @@ class Given {
   explicit Given(const py::dict& options) : options_(options) {}
 
   bool has(const char* name) const { return options_.contains(name) && !options_[name].is_none(); }
-  py::object operator[](const char* name) const { return options_[name]; }
+  bool is_text(const char* name) const { return py::isinstance<py::str>(options_[name]); }
+  const std::vector<SurfacePoint>& points(const char* name) const {
+    return options_[name].cast<const PointList&>().points;
+  }
+  const SamplingOptions& sampling(const char* name) const { return options_[name].cast<const Sampler&>().options; }
+  std::vector<double> numbers(const char* name) const {
+    const auto values = options_[name].cast<Array<double>>();
+    return {values.data(), values.data() + values.size()};
+  }
 
   /// Throws Error{invalid_option} where the value has another type, or is out of its range.
   template <class T>
@@ -50,43 +56,6 @@ class Given {
  private:
   const py::dict& options_;
 };
-
-/// A number for each vertex, or else for each face, above 0.
-Density make_density(const Mesh& mesh, const Array<double>& values) {
-  const std::vector<double> copy(values.data(), values.data() + values.size());
-  return values.size() == mesh.vertex_count() ? make_vertex_density(mesh, copy) : make_face_density(mesh, copy);
-}
-
-/// Fills in what both commands take: generators, constraints, weight and copy.
-void read_start(const Given& given, const Mesh& mesh, RelaxationStartOptions& start) {
-  if (given.has("generators")) start.listed = given["generators"].cast<const PointList&>().points;
-  if (given.has("sampler")) start.sampling = given["sampler"].cast<const Sampler&>().options;
-  if (given.has("fixed")) start.constraints.fixed = given["fixed"].cast<const PointList&>().points;
-  given.read("keep_boundary", start.constraints.keep_boundary);
-  if (given.has("features")) {
-    const bool is_name = py::isinstance<py::str>(given["features"]);
-    start.constraints.crease_angle.reset();
-    start.constraints.prefers_creases = is_name && choose("features", given["features"].cast<std::string>(),
-                                                          Choices<bool>{{"auto", true}, {"none", false}});
-    if (start.constraints.prefers_creases) start.constraints.crease_angle = kUsualCreaseAngle;
-    if (!is_name) given.read("features", start.constraints.crease_angle);
-  }
-  given.read("weighs_curvature", start.weighs_curvature);
-  if (given.has("density")) start.density = make_density(mesh, given["density"].cast<Array<double>>());
-  given.read("gradation", start.gradation);
-  given.read("coarse", start.copy.faces);
-}
-
-LloydOptions make_lloyd_options(const Given& given) {
-  LloydOptions options;
-  given.read("accelerate", options.acceleration, kAccelerationNames);
-  given.read("relocate", options.relocate);
-  given.read("iterations", options.max_iterations);
-  given.read("tolerance", options.energy_tolerance);
-  given.read("move_tolerance", options.move_tolerance);
-  given.read("step", options.step);
-  return options;
-}
 
 struct Relaxed {
   SharedMesh input;
@@ -112,12 +81,7 @@ Relaxed relax(const SharedMesh& input, const py::dict& options, const ComputeOpt
 /// A balanced diagram, its masses and targets, the sets of tied cells, and whether the search converged.
 py::tuple balance(const SharedMesh& input, const PointList& generators, const py::dict& options,
                   const ComputeOptions& compute, const py::object& progress) {
-  const Given given(options);
-  BalanceOptions balancing;
-  balancing.diagram = compute.make();
-  given.read("shares", balancing.shares);
-  given.read("weights", balancing.diagram.weights);
-  if (given.has("density")) balancing.density = make_density(input->mesh, given["density"].cast<Array<double>>());
+  BalanceOptions balancing = make_balance_options(Given(options), input->mesh, compute.make());
   BalancedDiagram found = run_unlocked(progress, [&](const Progress& reported) {
     balancing.diagram.progress = reported;
     return balance_cells(input->mesh, generators.points, balancing);
@@ -159,25 +123,9 @@ struct Remeshed {
   const RemeshResult& result() const { return made->result; }
 };
 
-SurfaceRemeshOptions make_remesh_options(const Given& given, const Mesh& mesh, const ComputeOptions& compute) {
-  SurfaceRemeshOptions options;
-  read_start(given, mesh, options.start);
-  options.start.threads = compute.threads;
-  given.read("prefers_boundary", options.start.constraints.prefers_boundary);
-  given.read("relax", options.relaxation);
-  given.read("place", options.placement, kPlacementNames);
-  given.read("shape", options.remesh.placement.shape);
-  given.read("exact_count", options.exact_count);
-  given.read("max_added", options.remesh.max_added);
-  given.read("refine", options.remesh.refine);
-  given.read("allow_intersections", options.remesh.allow_intersections);
-  options.remesh.diagram = compute.make();
-  return options;
-}
-
 Remeshed make_remesh(const SharedMesh& input, const py::dict& given, const ComputeOptions& compute,
                      std::optional<double> error, const py::object& progress) {
-  SurfaceRemeshOptions options = make_remesh_options(Given(given), input->mesh, compute);
+  SurfaceRemeshOptions options = make_remesh_options(Given(given), input->mesh, compute.make());
   return run_unlocked(progress, [&](const Progress& reported) {
     options.start.progress = options.remesh.diagram.progress = reported;
     if (error) options.start.sampling.count = *find_remesh_count(input->mesh, options, *error).count;
