@@ -28,7 +28,7 @@ PAPER_MODELS ?= $(GVD_MODELS)
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo python site pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package format lint clean
+.PHONY: help demo python web site pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package format lint clean
 
 help:
 	@echo "make demo      build, run the commands on a mesh of data/, name the files they wrote"
@@ -42,6 +42,7 @@ help:
 	@echo "make test-runs thousands of diagrams on the corpus: RUNS_COUNT for each mesh ($(RUNS_COUNT))"
 	@echo "make build     build the library and the commands"
 	@echo "make python    build the Python package in BUILD/python; 'pip install .' installs it"
+	@echo "make web       build the page that computes and the npm package in BUILD/web, with emscripten"
 	@echo "make count     count instructions of the commands, compared with bench/instructions.tsv: COUNT_FLAGS"
 	@echo "make performance  measure the tables of docs/developer/performance.md again, and write them"
 	@echo "make bench     time the steps of a diagram against a plain Dijkstra"
@@ -77,6 +78,14 @@ python:
 	@$(install_deps) build python
 	@$(configure) release $(BUILD) -DGVD_BUILD_PYTHON=ON $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd_python
+
+# BUILD/web/index.html is one file that works from a disk; beside it is the npm package.
+web:
+	@$(install_deps) web
+	@$(configure) web $(BUILD)/web/module $(CMAKE_FLAGS)
+	@cmake --build $(BUILD)/web/module -j $(JOBS)
+	@web/make_web.sh $(BUILD)/web/module $(BUILD)/web
+	@echo "$(BUILD)/web/index.html"
 
 # Builds without the network, once the packages are there. GVD_SOURCE_URL: see mkdocs.yml.
 site: build python

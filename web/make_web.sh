@@ -1,0 +1,17 @@
+#!/bin/sh
+# Packs the npm package, and bundles the playground into one file: make_web.sh MODULE_BUILD_TREE OUTPUT
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+package=$(realpath "$1/package")
+work=$1/playground
+output=$(realpath "$2")
+
+mkdir -p "$work"
+cp -rp "$here/package.json" "$here/package-lock.json" "$here/.npmrc" "$here/src" "$here/build_playground.mjs" "$here/../data" "$work"
+rm -f "$output"/gvd-*.tgz
+cd "$work"
+if [ ! -e node_modules/.package-lock.json ] || [ package-lock.json -nt node_modules/.package-lock.json ]; then
+  npm ci --loglevel=error --no-update-notifier
+fi
+npm pack --silent --pack-destination "$output" "$package" >/dev/null
+node build_playground.mjs "$package" "$output/index.html"

@@ -1,0 +1,174 @@
+// Relaxed generators, balanced cells and remeshes, with the options of Python (gvd/named_options.hpp).
+#include "gvd/remesh.hpp"
+
+#include "gvd/named_options.hpp"
+#include "gvd/remesh_map.hpp"
+#include "values.hpp"
+
+namespace gvd::web {
+namespace {
+
+struct Relaxed {
+  SharedMesh input;
+  std::shared_ptr<const LloydResult> result;
+};
+
+struct Remeshed {
+  SharedMesh input;
+  std::shared_ptr<const SurfaceRemesh> made;
+
+  const RemeshResult& result() const { return made->result; }
+};
+
+Relaxed lloyd(const SharedMesh& input, const val& options) {
+  return guarded([&] {
+    const Mesh& mesh = input->mesh;
+    const Given given(mesh, options);
+    LloydOptions relaxation = make_lloyd_options(given);
+    relaxation.diagram = given.diagram();
+    RelaxationStartOptions start;
+    read_start(given, mesh, start);
+    start.copy = copy_options(relaxation, start.copy);
+    start.progress = relaxation.progress = given.progress();
+    if (given.has("on_iteration")) {
+      relaxation.on_iteration = [call = given["on_iteration"]](std::int64_t count, double energy, const auto& points) {
+        call(double(count), energy, to_points(points));
+      };
+    }
+    const RelaxationStart made = start_relaxation(mesh, start);
+    return Relaxed{input, std::make_shared<const LloydResult>(relax_generators(mesh, made, relaxation))};
+  });
+}
+
+val energies(const Relaxed& relaxed) {
+  std::vector<double> found{relaxed.result->initial_energy};
+  for (const LloydIteration& iteration : relaxed.result->iterations) found.push_back(iteration.energy);
+  return to_array(found);
+}
+
+/// One number of every cell's moments.
+template <double CellMoments::*member>
+val moments(const Relaxed& relaxed) {
+  std::vector<double> found;
+  for (const CellMoments& cell : relaxed.result->moments) found.push_back(cell.*member);
+  return to_array(found);
+}
+
+/// {diagram, masses, targets, tied, converged}
+val balance(const SharedMesh& input, const val& points, const val& options) {
+  return guarded([&] {
+    const Given given(input->mesh, options);
+    const BalanceOptions balancing = make_balance_options(given, input->mesh, given.diagram());
+    BalancedDiagram found = balance_cells(input->mesh, resolve(input->mesh, "points", points), balancing);
+    val tied = val::array();
+    for (const auto& set : found.tied) tied.call<void>("push", to_array(set));
+    return object({{"diagram", val(MeshDiagram{input, std::make_shared<const Diagram>(std::move(found.diagram))})},
+                   {"masses", to_array(found.masses)},
+                   {"targets", to_array(found.targets)},
+                   {"tied", tied},
+                   {"converged", val(found.converged)}});
+  });
+}
+
+Remeshed remesh_of(const SharedMesh& input, const val& options) {
+  return guarded([&] {
+    const Mesh& mesh = input->mesh;
+    const Given given(mesh, options);
+    SurfaceRemeshOptions remesh = make_remesh_options(given, mesh, given.diagram());
+    remesh.start.progress = given.progress();
+    if (given.has("target_edge")) {
+      double edge = 0;
+      given.read("target_edge", edge);
+      const double count = even_count(compute_area(mesh), edge);
+      if (!(edge > 0 && count <= std::numeric_limits<std::int32_t>::max())) {
+        throw Error(ErrorCode::invalid_option,
+                    fmt::format("target_edge: {} is not above 0, or needs too many vertices", edge));
+      }
+      remesh.start.sampling.count = std::int32_t(count);
+    }
+    std::optional<double> error;
+    given.read("error", error);
+    if (error) remesh.start.sampling.count = *find_remesh_count(mesh, remesh, *error).count;
+    return Remeshed{input, std::make_shared<const SurfaceRemesh>(remesh_surface(mesh, remesh))};
+  });
+}
+
+val figures(const Remeshed& made) {
+  const RemeshResult& result = made.result();
+  const auto distance = [](const SurfaceDistance& d) {
+    return object({{"hausdorff", val(d.hausdorff)}, {"rms", val(d.rms)}});
+  };
+  return object({{"added", val(double(result.added))},
+                 {"left_out", val(double(result.left_out))},
+                 {"input_to_output", distance(result.input_to_output)},
+                 {"output_to_input", distance(result.output_to_input)},
+                 {"q_average", val(result.output_quality.q_average)},
+                 {"angle_min", val(result.output_quality.angle_min)}});
+}
+
+val certificate(const Remeshed& made) {
+  const RemeshCertificate& c = made.result().certificate;
+  return object({{"ok", val(c.ok())},
+                 {"manifold", val(c.manifold)},
+                 {"closed_as_input", val(c.closed_as_input)},
+                 {"same_euler_characteristic", val(c.same_euler_characteristic)},
+                 {"same_components", val(c.same_components)},
+                 {"same_boundary_loops", val(c.same_boundary_loops)},
+                 {"same_in_each_component", val(c.same_in_each_component)},
+                 {"flipped_faces", val(double(c.flipped_faces))},
+                 {"self_intersections", val(double(c.self_intersections.size()))},
+                 {"inherited_intersections", val(double(c.inherited_intersections))}});
+}
+
+/// {points, origins, one_to_one}
+val map_of(const Remeshed& made, const val& options) {
+  return guarded([&] {
+    const Mesh& mesh = made.input->mesh;
+    const RemeshMap map = map_to_remesh(mesh, made.result(), 1, Given(mesh, options).progress());
+    return object({{"points", to_points(map.points.raw())},
+                   {"origins", to_points(map.origins.raw())},
+                   {"one_to_one", val(map.one_to_one)}});
+  });
+}
+
+val write_remesh(const Remeshed& made, const std::string& format, const val& options) {
+  return guarded([&] {
+    const auto json = [&](std::ostream& out) { write_remesh_json(out, made.input->mesh, made.result()); };
+    return write_result(LabelledMesh{made.result().mesh}, format, Given(made.input->mesh, options), {{"json", json}});
+  });
+}
+
+}  // namespace
+
+void bind_remesh() {
+  emscripten::class_<Relaxed>("Relaxation")
+      .function(
+          "diagram",
+          +[](const Relaxed& r) {
+            return MeshDiagram{r.input, std::shared_ptr<const Diagram>(r.result, &r.result->diagram)};
+          })
+      .function("energies", &energies)
+      .function("areas", &moments<&CellMoments::area>)
+      .function("cell_energies", &moments<&CellMoments::energy>)
+      .function(
+          "stop", +[](const Relaxed& r) { return std::string(name_in(kLloydStopNames, r.result->stop)); })
+      .function(
+          "residual", +[](const Relaxed& r) { return r.result->residual; });
+  emscripten::class_<Remeshed>("Remesh")
+      .function(
+          "mesh", +[](const Remeshed& r) { return std::make_shared<CheckedMesh>(as_input(r.result().mesh)); })
+      .function(
+          "diagram",
+          +[](const Remeshed& r) {
+            return MeshDiagram{r.input, std::shared_ptr<const Diagram>(r.made, &r.result().diagram)};
+          })
+      .function("figures", &figures)
+      .function("certificate", &certificate)
+      .function("map", &map_of)
+      .function("write", &write_remesh);
+  emscripten::function("lloyd", &lloyd);
+  emscripten::function("balance", &balance);
+  emscripten::function("remesh", &remesh_of);
+}
+
+}  // namespace gvd::web

@@ -1,0 +1,260 @@
+/** Exact geodesic Voronoi diagrams, distances, paths and remeshes on triangle meshes. Names are those of Python. */
+
+export const version: string;
+
+export type ErrorCode = 'invalid_option' | 'unreadable_input' | 'precondition' | 'no_valid_result' | 'interrupted' |
+  'out_of_memory' | 'internal_error';
+
+/** What can't be done: `message` is one line, `element` the first offending one, -1 for none. */
+export class Error extends globalThis.Error {
+  code: ErrorCode;
+  element: number;
+}
+
+type Numbers = ArrayLike<number>;
+
+/** Points in faces: `bary` has three barycentric coordinates of each. */
+export interface Points {
+  face: Int32Array;
+  bary: Float64Array;
+}
+
+/**
+ * One or more points: a vertex or several; {face, bary}; positions, as a Float64Array or Float32Array or an array of
+ * arrays of three, which move to the nearest points of the surface.
+ */
+export type PointsLike = number | number[] | Int32Array | Uint32Array | { face: Numbers; bary: Numbers } | number[][] |
+  Float64Array | Float32Array;
+
+/** Called ten times a second at most with a step and the fraction done; false cancels. */
+type Progress = (step: string, fraction: number) => boolean | void;
+
+interface Reporting {
+  progress?: Progress;
+}
+
+export interface ComputeOptions extends Reporting {
+  method?: 'exact' | 'gbgvd' | 'paper';
+  front?: 'planar' | 'circle';
+  /** Largest distance of bisectors from their curves, in mean edge lengths. */
+  chord_tolerance?: number;
+}
+
+export interface SampleOptions extends Reporting {
+  sampling?: 'farthest' | 'random' | 'vertices' | 'poisson';
+  seed?: number;
+  /** In place of n: as many points as leave none farther than this from the nearest one, mesh units. */
+  radius?: number;
+}
+
+interface RelaxOptions extends SampleOptions, ComputeOptions {
+  generators?: PointsLike;
+  fixed?: PointsLike;
+  /** Angle of creases that generators keep to, degrees, or whether they are found. */
+  features?: number | 'auto' | 'none';
+  keep_boundary?: boolean;
+  /** A number above 0 for each vertex or face; larger ones make smaller cells. */
+  density?: 'curvature' | Numbers;
+  gradation?: number;
+  coarse?: number;
+}
+
+export interface LloydOptions extends RelaxOptions {
+  accelerate?: 'lbfgs' | 'anderson' | 'none';
+  relocate?: boolean;
+  iterations?: number;
+  tolerance?: number;
+  move_tolerance?: number;
+  step?: number;
+  /** Called with the iterations so far, the energy and the generators. */
+  on_iteration?: (iterations: number, energy: number, generators: Points) => void;
+}
+
+export interface RemeshOptions extends RelaxOptions {
+  /** In place of n: the mean length of edges, or the largest distance from the surface; mesh units. */
+  target_edge?: number;
+  error?: number;
+  relax?: number;
+  loose_boundary?: boolean;
+  place?: 'generator' | 'quadric' | 'fit';
+  shape?: number;
+  exact_count?: boolean;
+  max_added?: number;
+  no_refine?: boolean;
+  allow_intersections?: boolean;
+}
+
+interface WriteOptions {
+  no_curves?: boolean;
+  ascii_ply?: boolean;
+  region_materials?: boolean;
+}
+
+declare class Handle {
+  /** Frees the memory now; nothing may be asked of the object any more. */
+  free(): void;
+  /**
+   * The bytes of a file in the format of an extension: ply, obj, off, stl, vtp, vtu, glb, surf.gii, fs. Results other
+   * than meshes have json, too, and diagrams txt and csv: the generators.
+   */
+  to_bytes(format: string, options?: WriteOptions): Uint8Array;
+}
+
+export interface Summary {
+  vertices: number;
+  edges: number;
+  faces: number;
+  components: number;
+  boundary_loops: number;
+  euler_characteristic: number;
+  area: number;
+  bbox_diagonal: number;
+}
+
+export interface Path {
+  points: Points;
+  positions: Float64Array;
+  length: number;
+  /** False where rounding ended the points at a vertex before the end; the length is right. */
+  complete: boolean;
+  /** Which of the ends is nearest; -1 where none can be reached. */
+  end: number;
+}
+
+export interface Isoline {
+  level: number;
+  closed: boolean;
+  points: Points;
+  positions: Float64Array;
+}
+
+/** A triangle mesh: `vertices` has three coordinates each, `faces` three vertices each. */
+export class Mesh extends Handle {
+  /** `corners`: of each polygon, where `faces` is one flat array. */
+  constructor(vertices: Numbers | number[][], faces: Numbers | number[][],
+              options?: { on_defect?: 'error' | 'repair' | 'largest'; corners?: number });
+  readonly vertices: Float64Array;
+  readonly faces: Int32Array;
+  readonly input_vertex: Int32Array;
+  readonly input_face: Int32Array;
+  readonly summary: Summary;
+  /** What was repaired, one line each. */
+  readonly notes: string[];
+  points(points: PointsLike, options?: { max_snap?: number }): Points;
+  positions(points: PointsLike): Float64Array;
+  sample(n?: number | null, options?: SampleOptions): Points;
+  farthest(n: number, options?: SampleOptions): Points;
+  /** Exact distances of all vertices, or of `at`, to the nearest point; `each`: a row for each point, one after the other. */
+  distances(points: PointsLike, options?: { each?: boolean; at?: PointsLike } & Reporting): Float64Array;
+  /** The distances, and which point is nearest. */
+  nearest(points: PointsLike, options?: { at?: PointsLike } & Reporting): { distances: Float64Array; labels: Int32Array };
+  /** A shortest path to the nearest end; several starts: a path for each. */
+  path(start: number, end: PointsLike, options?: Reporting): Path;
+  path(start: PointsLike, end: PointsLike, options?: Reporting): Path | Path[];
+  /** Curves of equal distance at these levels, ascending, above 0. */
+  isolines(points: PointsLike, levels: Numbers, options?: Reporting): Isoline[];
+  voronoi(points: PointsLike,
+          options?: { max_snap?: number; merge_coincident?: boolean; weights?: Numbers } & ComputeOptions): Diagram;
+  balance(points: PointsLike, options?: { density?: Numbers; shares?: Numbers; weights?: Numbers } & Reporting): Balanced;
+  segment(n?: number | null,
+          options?: { generators?: PointsLike; labels?: 'smooth' | 'nearest' } & SampleOptions & ComputeOptions): Segmentation;
+  lloyd(n?: number | null, options?: LloydOptions): Relaxation;
+  remesh(n?: number | null, options?: RemeshOptions): Remesh;
+}
+
+export interface Bisector {
+  left: number;
+  right: number;
+  closed: boolean;
+  ends: [number, number];
+  points: Points;
+  positions: Float64Array;
+}
+
+export interface Cell {
+  generator: number;
+  area: number;
+  euler_characteristic: number;
+  components: number;
+  boundary_loops: number;
+  neighbours: Int32Array;
+}
+
+export class Diagram extends Handle {
+  readonly mesh: Mesh;
+  /** The nearest generator of each vertex, -1 for none, and its distance. */
+  readonly labels: Int32Array;
+  readonly distances: Float64Array;
+  /** The generator of each face that lies in one cell, -1 for faces that bisectors cut. */
+  readonly face_labels: Int32Array;
+  readonly weights: Float64Array;
+  readonly generators: Points;
+  readonly length: number;
+  readonly branch_points: { points: Points; positions: Float64Array; distances: Float64Array; generators: Int32Array[] };
+  readonly bisectors: Bisector[];
+  /** The bisectors in flat arrays; those of i have the points first[i] to first[i + 1] - 1. */
+  readonly curves: { first: Int32Array; left: Int32Array; right: Int32Array; closed: Int32Array; ends: Int32Array;
+                     points: Points; positions: Float64Array };
+  readonly cells: Cell[];
+  /** The faces that bisectors cut, in triangles: nine coordinates each. */
+  readonly pieces: { positions: Float32Array; face: Int32Array; label: Int32Array };
+  /** What violates the invariants of a diagram: normally nothing. */
+  check(): string[];
+  segment(options?: { labels?: 'smooth' | 'nearest' } & Reporting): Segmentation;
+  cut(options?: Reporting): Cut;
+}
+
+export interface Balanced {
+  diagram: Diagram;
+  masses: Float64Array;
+  targets: Float64Array;
+  tied: Int32Array[];
+  converged: boolean;
+}
+
+export class Segmentation extends Handle {
+  readonly diagram: Diagram;
+  readonly labels: Int32Array;
+  readonly without_face: Int32Array;
+  readonly border_length: number;
+}
+
+export class Cut extends Handle {
+  readonly diagram: Diagram;
+  readonly mesh: Mesh;
+  readonly labels: Int32Array;
+  readonly parents: Int32Array;
+  readonly vertex_labels: Int32Array;
+  readonly distances: Float64Array;
+}
+
+export class Relaxation extends Handle {
+  readonly diagram: Diagram;
+  readonly generators: Points;
+  readonly energies: Float64Array;
+  readonly areas: Float64Array;
+  readonly cell_energies: Float64Array;
+  readonly residual: number;
+  readonly stop: string;
+}
+
+interface Distance {
+  hausdorff: number;
+  rms: number;
+}
+
+export class Remesh extends Handle {
+  readonly surface: Mesh;
+  readonly mesh: Mesh;
+  readonly diagram: Diagram;
+  readonly figures: { added: number; left_out: number; input_to_output: Distance; output_to_input: Distance;
+                      q_average: number; angle_min: number };
+  readonly certificate: { ok: boolean; manifold: boolean; closed_as_input: boolean; same_euler_characteristic: boolean;
+                          same_components: boolean; same_boundary_loops: boolean; same_in_each_component: boolean;
+                          flipped_faces: number; self_intersections: number; inherited_intersections: number };
+  map(options?: Reporting): { points: Points; origins: Points; one_to_one: boolean };
+}
+
+/** Reads the bytes of an OBJ, PLY, OFF, STL, GLB or legacy VTK file; `name` is the file's, for messages. */
+export function read(bytes: Uint8Array | ArrayBuffer, name: string,
+                     options?: { on_defect?: 'error' | 'repair' | 'largest' }): Mesh;
