@@ -58,9 +58,9 @@ function(gvd_build_viewer_page page_variable)
     COMMENT "Fetching the viewer's packages (GVD_WITH_VIEWER=OFF builds without them)" VERBATIM)
   add_custom_command(OUTPUT ${work}/viewer.html
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${web}/src ${work}/src
-    COMMAND ${CMAKE_COMMAND} -E copy ${web}/build.mjs ${work}
+    COMMAND ${CMAKE_COMMAND} -E copy ${web}/build.mjs ${web}/bundle.mjs ${work}
     COMMAND ${GVD_NODE} build.mjs viewer.html
-    DEPENDS ${modules} ${sources} ${web}/build.mjs
+    DEPENDS ${modules} ${sources} ${web}/build.mjs ${web}/bundle.mjs
     WORKING_DIRECTORY ${work} COMMENT "Bundling the viewer" VERBATIM)
   set(${page_variable} ${work}/viewer.html PARENT_SCOPE)
 endfunction()

@@ -59,7 +59,7 @@ PUBLIC = {
     "libgvd/segment": "charts face_regions region_statistics segment",
     "libgvd/lloyd": "balance cell_moments coarse_copy constrained_start density features lloyd relaxation_start",
     "libgvd/remesh/src/dual": "dual remesh_certificate self_intersections surface_distance",
-    "libgvd/remesh": "carry_properties disc_cells find_fewest placement remesh remesh_map remesh_scenes remesh_surface",
+    "libgvd/remesh": "carry_properties disc_cells find_fewest named_options placement remesh remesh_map remesh_scenes remesh_surface",
     "libgvd/verify": "verify",
 }
 PUBLIC_FOLDER = {f"gvd/{name}.hpp": folder for folder, names in PUBLIC.items() for name in names.split()}

@@ -7,11 +7,12 @@ work=$1/playground
 output=$(realpath "$2")
 
 mkdir -p "$work"
-cp -rp "$here/package.json" "$here/package-lock.json" "$here/.npmrc" "$here/src" "$here/build_playground.mjs" "$here/../data" "$work"
+cp -rp "$here/package.json" "$here/package-lock.json" "$here/.npmrc" "$here/src" "$here/bundle.mjs" "$here/build_playground.mjs" "$work"
 rm -f "$output"/gvd-*.tgz
 cd "$work"
 if [ ! -e node_modules/.package-lock.json ] || [ package-lock.json -nt node_modules/.package-lock.json ]; then
   npm ci --loglevel=error --no-update-notifier
 fi
 npm pack --silent --pack-destination "$output" "$package" >/dev/null
-node build_playground.mjs "$package" "$output/index.html"
+data=$(realpath "$here/../data")
+node build_playground.mjs "$package" "$output/index.html" "$data/figure.obj" "$data/torus.ply" "$data/half_sphere.off"

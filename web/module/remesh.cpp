@@ -3,6 +3,8 @@
 
 #include "gvd/named_options.hpp"
 #include "gvd/remesh_map.hpp"
+#include "gvd/remesh_scenes.hpp"
+#include "scenes.hpp"
 #include "values.hpp"
 
 namespace gvd::web {
@@ -131,6 +133,14 @@ val map_of(const Remeshed& made, const val& options) {
   });
 }
 
+/// The coarse mesh in the coordinates of its input's scenes, with the input over it.
+val scene_of(Scenes& scenes, const Remeshed& made) {
+  return guarded([&] {
+    const Mesh unplaced = make_unplaced(made.input->mesh, made.result());
+    return scenes.show(make_remesh_scenes(made.input->mesh, made.result(), unplaced, 1).front());
+  });
+}
+
 val write_remesh(const Remeshed& made, const std::string& format, const val& options) {
   return guarded([&] {
     const auto json = [&](std::ostream& out) { write_remesh_json(out, made.input->mesh, made.result()); };
@@ -169,6 +179,7 @@ void bind_remesh() {
   emscripten::function("lloyd", &lloyd);
   emscripten::function("balance", &balance);
   emscripten::function("remesh", &remesh_of);
+  emscripten::function("remesh_scene", &scene_of);
 }
 
 }  // namespace gvd::web

@@ -43,8 +43,12 @@ export function sum_steps(bytes, { count, step, unit }) {
 export function read_array(reference) {
   if (!reference) return new Float32Array(0);
   if (ArrayBuffer.isView(reference)) return reference;
-  const { blob, type, count, unit, step } = reference, bytes = blobs.get(`blob-${blob}`);
-  if (step) return sum_steps(bytes, reference);
+  return decode(blobs.get(`blob-${reference.blob}`), reference);
+}
+
+// The numbers of a reference from its bytes.
+export function decode(bytes, { type, count, unit, step }) {
+  if (step) return sum_steps(bytes, { count, step, unit });
   const numbers = new kTypes[type](bytes.buffer, 0, count);
   return unit ? Float32Array.from(numbers, (value) => value * unit) : numbers;
 }

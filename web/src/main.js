@@ -63,12 +63,12 @@ function bounding_sphere(p) {
   return new Sphere(new Vector3(), Math.sqrt(squared) || 1);
 }
 
-class Viewer {
+export class Viewer {
   constructor(manifest) {
     this.manifest = manifest;
     this.canvas = panel.by_id('canvas');
-    const points = all_positions(manifest), first = manifest.scenes[0];
-    const first_view = (axes) => choose_first_view(read_array(first.positions), read_array(first.faces), axes);
+    const points = all_positions(manifest);
+    const first_view = (axes) => choose_first_view(...['positions', 'faces'].map((name) => read_array(this.manifest.scenes[0][name])), axes);
     this.stage = new Stage(this.canvas, bounding_sphere(points), manifest.up, { points, insets: covered, first_view });
     this.id_map = new IdMap(this.stage);
     this.shading = new Shading(this.stage);
@@ -95,6 +95,19 @@ class Viewer {
     setTimeout(() => this.shade(), 100);
   }
 
+  // Scenes of another mesh in place of those of the page, all of it in view.
+  show_other(manifest) {
+    const points = all_positions(manifest);
+    this.picture.dispose();
+    this.manifest = manifest;
+    this.pictures = manifest.scenes.map(() => null);
+    Object.assign(this.stage, { points, bounds: bounding_sphere(points) });
+    this.own = this.own_switches();
+    this.pinned = null;
+    this.set_up_axis(manifest.up);
+    this.choose(0);
+  }
+
   // Makes the shade of the picture, if it is wanted and not there. Until then the page is marked as busy.
   async shade() {
     const { picture } = this, busy = document.documentElement;
@@ -111,14 +124,19 @@ class Viewer {
   set_defaults() {
     this.on = { lines: false, shadow: true };
     for (const key of kMarks) this.on[key] = true;
-    this.own = this.manifest.scenes.map((scene) => ({
+    this.own = this.own_switches();
+    this.wanted = 'regions';
+    this.pinned = null;
+  }
+
+  // The switches of which each scene has its own.
+  own_switches() {
+    return this.manifest.scenes.map((scene) => ({
       wireframe: scene.wireframe,
       smooth: scene.smooth,
       overlay: false,
       ...(scene.vertex_generators && { generators: false }),  // dots on all vertices would hide the colours
     }));
-    this.wanted = 'regions';
-    this.pinned = null;
   }
 
   listen() {
@@ -184,10 +202,14 @@ class Viewer {
     this.stage.request_draw();
   }
 
-  set_up(axis) {
+  set_up_axis(axis) {
     panel.by_id('up').value = axis;
     this.stage.set_up(axis);
     this.stage.show_all();
+  }
+
+  set_up(axis) {
+    this.set_up_axis(axis);
     this.shade();
   }
 
@@ -217,13 +239,17 @@ class Viewer {
     this.colour = [this.wanted, ...kUsual].find((key) => picture.offers(key));
     panel.by_id('colour').value = this.colour;
     picture.apply(on, this.colour);
-    const hint = document.querySelector('#hint span');
-    hint.textContent = picture.vertex_paths ? ', click a point for its shortest path' : ', click to pin a region';
-    hint.hidden = !picture.offers('regions') && !picture.vertex_paths;
+    document.querySelector('#hint span').textContent = this.click_hint();
     this.set_wire_colour();
     show_legend(this.legend_title(), picture.range(this.colour), picture.exceeds(this.colour));
     this.table.show(picture.offers('regions') ? picture.entry.cells : [], (label) => this.css_colour(label));
     if (!picture.path) this.pin(this.pinned);
+  }
+
+  // What a click does, behind what else the pointer does.
+  click_hint() {
+    if (this.picture.vertex_paths) return ', click a point for its shortest path';
+    return this.picture.offers('regions') ? ', click to pin a region' : '';
   }
 
   legend_title() {
@@ -343,7 +369,8 @@ class Viewer {
   }
 }
 
-async function start() {
+// Shows the page's own data.
+export async function start() {
   const manifest = read_manifest();
   panel.by_id('title').textContent = manifest.title;
   arrange_panels();
@@ -358,5 +385,3 @@ async function start() {
   }
   document.documentElement.dataset.ready = 'true';
 }
-
-start();

@@ -175,6 +175,15 @@ export class Picture {
     if (this.coarse) set_open_shares(this.coarse.geometry, this.coarse.triangles, shares);
   }
 
+  // Frees what the graphics card has of it.
+  dispose() {
+    this.clear_path();
+    this.group.parent?.remove(this.group);
+    for (const { geometry } of this.group.children) geometry?.dispose();
+    for (const texture of Object.values(this.textures)) texture.dispose?.();
+    this.coarse?.geometry.dispose();
+  }
+
   // Whether everything is drawn, or fewer triangles and segments where the surface has many.
   set_detail(whole) {
     if (!whole) this.need_coarse();

@@ -7,12 +7,10 @@
 // Pieces of cut faces are clipped to triangles here, so that the page needs no geometry: it draws what it reads.
 // Invariant: equal scenes give equal bytes; docs/developer/viewer.md lists the members of an entry.
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -48,17 +46,6 @@ constexpr double kLatticeParts = 65535;
 int width_of(const std::vector<std::uint32_t>& values) {
   const std::uint32_t largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
   return largest < 0x100 ? 1 : largest < 0x10000 ? 2 : 4;
-}
-
-/// The bytes in the format of zlib, which browsers unpack.
-std::string deflate(const std::string& bytes) {
-  uLongf size = compressBound(uLong(bytes.size()));
-  std::string packed(size, '\0');
-  const int status = compress(reinterpret_cast<Bytef*>(packed.data()), &size,
-                              reinterpret_cast<const Bytef*>(bytes.data()), uLong(bytes.size()));
-  if (status != Z_OK) throw std::bad_alloc();  // the only way to fail into a buffer of that size
-  packed.resize(size);
-  return packed;
 }
 
 std::uint32_t code_of(GeneratorId label) {
@@ -301,16 +288,6 @@ nlohmann::json ViewBlobs::add(std::string bytes, const char* type, std::size_t c
   const auto [it, fresh] = index_of_.try_emplace(std::move(bytes), blobs_.size());
   if (fresh) blobs_.push_back(&it->first);
   return {{"blob", it->second}, {"type", type}, {"count", count}};
-}
-
-std::string ViewBlobs::html() const {
-  std::string html;
-  for (std::size_t i = 0; i < blobs_.size(); ++i) {
-    html += fmt::format("<script type=\"application/octet-stream\" id=\"blob-{}\">", i);
-    html += encode_base64(deflate(*blobs_[i]));
-    html += "</script>\n";
-  }
-  return html;
 }
 
 std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec2>& corners) {

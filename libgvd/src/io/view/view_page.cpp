@@ -240,21 +240,8 @@ std::string dump_for_html(const json& document) {
 }
 
 std::string make_data(const std::vector<ViewScene>& scenes, const ViewOptions& options) {
-  const ViewFrame frame = compute_view_frame(scenes);
   ViewBlobs blobs;
-  json manifest{{"schema", "gvd-view/1"},
-                {"title", options.title},
-                {"up", name_in(kUpAxisNames, options.up)},
-                {"scale", frame.scale},
-                {"origin", {frame.origin.x(), frame.origin.y(), frame.origin.z()}},
-                {"scenes", json::array()}};
-  report_progress(options.progress, "view", 0);
-  const std::vector<std::vector<Rgb>> colors = choose_scene_colors(scenes);
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    report_progress(options.progress, "view", double(i) / double(scenes.size()));
-    manifest["scenes"].push_back(make_scene_entry(scenes[i], colors[i], frame, blobs));
-  }
-  report_progress(options.progress, "view", 1);
+  const json manifest = make_view_manifest(scenes, compute_view_frame(scenes), options, blobs);
   return "<script type=\"application/json\" id=\"manifest\">" + dump_for_html(manifest) + "</script>\n" + blobs.html();
 }
 
@@ -270,6 +257,24 @@ std::string fill_template(std::string_view page, const std::string& title, const
 }
 
 }  // namespace
+
+json make_view_manifest(const std::vector<ViewScene>& scenes, const ViewFrame& frame, const ViewOptions& options,
+                        ViewBlobs& blobs) {
+  json manifest{{"schema", "gvd-view/1"},
+                {"title", options.title},
+                {"up", name_in(kUpAxisNames, options.up)},
+                {"scale", frame.scale},
+                {"origin", {frame.origin.x(), frame.origin.y(), frame.origin.z()}},
+                {"scenes", json::array()}};
+  report_progress(options.progress, "view", 0);
+  const std::vector<std::vector<Rgb>> colors = choose_scene_colors(scenes);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    report_progress(options.progress, "view", double(i) / double(scenes.size()));
+    manifest["scenes"].push_back(make_scene_entry(scenes[i], colors[i], frame, blobs));
+  }
+  report_progress(options.progress, "view", 1);
+  return manifest;
+}
 
 void check_view_scene(const ViewScene& scene) {
   if (scene.mesh == nullptr || scene.mesh->face_count() == 0) {

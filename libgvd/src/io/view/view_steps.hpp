@@ -64,6 +64,9 @@ class ViewBlobs {
   /// added.
   std::string html() const;
 
+  /// The bytes of each array, by the number of its reference.
+  const std::vector<const std::string*>& all() const { return blobs_; }
+
  private:
   nlohmann::json add(std::string bytes, const char* type, std::size_t count);
 
@@ -85,6 +88,11 @@ std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<
 /// Cost: O(n), and the triangulation of the pieces.
 nlohmann::json make_scene_entry(const ViewScene& scene, const std::vector<Rgb>& colors, const ViewFrame& frame,
                                 ViewBlobs& blobs);
+
+/// What a page holds of its scenes, which have been checked: the manifest; the arrays go into `blobs`. Cost: that of
+/// its entries.
+nlohmann::json make_view_manifest(const std::vector<ViewScene>& scenes, const ViewFrame& frame,
+                                  const ViewOptions& options, ViewBlobs& blobs);
 
 /// Computes for each cell the integral of the squared distance to its generator, in mesh units to the fourth.
 ///

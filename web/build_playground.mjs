@@ -1,0 +1,29 @@
+// Bundles the playground into one page: node build_playground.mjs PACKAGE OUTPUT MODEL ...
+//
+// PACKAGE has gvd_module.mjs and gvd.wasm. The page holds the worker, the module and the models, deflated: it works from
+// disk without a server.
+import { readFileSync, writeFileSync } from 'node:fs';
+import { basename, resolve } from 'node:path';
+import { bundle, fill_page, pack, read } from './bundle.mjs';
+
+const [folder, output, ...models] = process.argv.slice(2);
+const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}">${pack(bytes)}</script>\n`;
+
+const worker = await bundle('src/playground/worker.js', {
+  alias: { 'gvd-module': resolve(folder, 'gvd_module.mjs') },
+  define: { 'import.meta.url': '"file:///"' },  // where the module would look for its bytes, which it is given
+});
+const data = [
+  packed('worker', worker),
+  packed('module', readFileSync(`${folder}/gvd.wasm`)),
+  ...models.map((file) => packed(`model-${basename(file)}`, readFileSync(file))),
+];
+
+const page = read('src/page.html')
+  .replace("script-src 'unsafe-inline'", "script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:")
+  .replace('<aside>', () => `<aside>${read('src/playground/panel.html')}`)
+  .replace('<div id="notes">', '$&\n<output id="play-message" class="card" hidden aria-live="polite"></output>')
+  .replace('<!--gvd:title-->', 'Geodesic Voronoi diagrams in the browser')
+  .replace('<!--gvd:data-->', () => data.join(''));
+const style = `${await bundle('src/style.css')}\n${await bundle('src/playground/playground.css')}`;
+writeFileSync(output, await fill_page(page, await bundle('src/playground/start.js'), style));

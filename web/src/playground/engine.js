@@ -1,0 +1,52 @@
+// The worker that computes, as promises. While it computes, the page goes on.
+
+export class Engine {
+  constructor(worker) {
+    this.worker = worker;
+    this.asked = new Map();
+    this.next = 0;
+    this.waiting = null;  // the newest question of `ask_latest`
+    worker.onmessage = ({ data }) => this.answer(data);
+    worker.onerror = (event) => {
+      for (const { reject } of this.asked.values()) reject(new Error(event.message || 'the worker ended: too little memory?'));
+      this.asked.clear();
+    };
+  }
+
+  answer({ id, result, error, progress }) {
+    const { resolve, reject, report } = this.asked.get(id) ?? {};
+    if (progress) return report?.(progress);
+    this.asked.delete(id);
+    if (error === undefined) resolve?.(result);
+    else reject?.(new Error(error));
+  }
+
+  // Runs a handler of the worker. `report` gets what it sends before its result.
+  ask(kind, args, report, transfer = []) {
+    const id = this.next++;
+    return new Promise((resolve, reject) => {
+      this.asked.set(id, { resolve, reject, report });
+      this.worker.postMessage({ id, kind, args }, transfer);
+    });
+  }
+
+  // For questions that come faster than answers, as while a pointer moves: of those that wait only the newest is asked.
+  // The promise of another one gives null.
+  ask_latest(kind, args) {
+    this.waiting?.resolve(null);
+    return new Promise((resolve, reject) => {
+      this.waiting = { kind, args, resolve, reject };
+      this.ask_waiting();
+    });
+  }
+
+  async ask_waiting() {
+    if (this.busy || !this.waiting) return;
+    const { kind, args, resolve, reject } = this.waiting;
+    this.waiting = null;
+    this.busy = true;
+    await this.ask(kind, args).then(resolve, reject);
+    this.busy = false;
+    this.ask_waiting();
+  }
+}

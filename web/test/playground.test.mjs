@@ -1,0 +1,151 @@
+// Uses the playground from disk in Chromium: node playground.test.mjs PAGE DATA. Exits with 77 and a message without a browser.
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
+if (!existsSync(executablePath)) {
+  console.log(`skipped: no browser at ${executablePath} (set CHROMIUM)`);
+  process.exit(77);
+}
+const { chromium } = await import('playwright-core');
+const [page_file, data] = process.argv.slice(2), address = pathToFileURL(resolve(page_file)).href;
+const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
+
+const failures = [];
+async function open(link = '') {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, bypassCSP: true });
+  page.on('pageerror', (error) => failures.push(error.message));
+  await page.goto(address + link);
+  await page.waitForSelector(':root[data-ready="true"]', { state: 'attached', timeout: 120000 });
+  return page;
+}
+
+// Waits until nothing is computed, after what was done has begun.
+async function idle(page) {
+  await page.waitForTimeout(200);
+  await page.waitForSelector(':root[data-computing="false"]', { state: 'attached', timeout: 120000 });
+}
+const count = async (page) => Number(await page.textContent('#play-count-text'));
+const message = (page) => page.textContent('#play-message');
+const dots = (page) => page.evaluate(() => document.querySelector('#toggles').innerText);
+const shell = (page) => page.textContent('#play-shell');
+
+async function save(page, format) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.selectOption('#play-save', format)]);
+  return readFileSync(await download.path(), 'utf8');
+}
+
+const tests = {
+  async 'begins with 30 farthest generators, in the shell as in the page'() {
+    const page = await open();
+    assert.equal(await count(page), 30);
+    assert.equal(await shell(page), 'gvd-segment figure.obj -n 30 -o regions.ply');
+    assert.match(await save(page, 'ply'), /^ply\n/);
+    await page.close();
+  },
+
+  async 'adds, selects and removes generators, with undo and redo'() {
+    const page = await open('#model=torus.ply&n=3');
+    assert.equal(await count(page), 3);
+    const [x, y] = [330, 400];
+    await page.mouse.click(x, y);
+    await idle(page);
+    assert.equal(await count(page), 4);
+    assert.match(await shell(page), /--generators generators.csv/);
+    await page.keyboard.press('Control+z');
+    await idle(page);
+    assert.equal(await count(page), 3);
+    await page.click('#play-redo');
+    await idle(page);
+    assert.equal(await count(page), 4);
+    await page.mouse.click(x, y);
+    await idle(page);
+    assert.equal(await count(page), 4, 'a click on a generator selects it');
+    await page.keyboard.press('Delete');
+    await idle(page);
+    assert.equal(await count(page), 3);
+    await page.close();
+  },
+
+  async 'a dragged generator takes its region along'() {
+    const page = await open('#model=torus.ply&n=3');
+    await page.mouse.click(330, 400);
+    await idle(page);
+    const before = await save(page, 'csv');
+    await page.mouse.move(330, 400);
+    await page.mouse.down();
+    for (let i = 1; i <= 5; ++i) await page.mouse.move(330 + 8 * i, 400);
+    await page.mouse.up();
+    await idle(page);
+    const after = await save(page, 'csv');
+    const rows = (text) => text.trim().split('\n');
+    assert.equal(rows(after).length, rows(before).length);
+    assert.deepEqual(rows(after).slice(0, -1), rows(before).slice(0, -1), 'the others stay');
+    assert.notEqual(rows(after).at(-1), rows(before).at(-1));
+    await page.close();
+  },
+
+  async 'shows equal regions, distances, a coarse mesh, a path and a relaxation'() {
+    const page = await open('#model=torus.ply&n=12');
+    await page.selectOption('#play-show', 'equal');
+    await idle(page);
+    assert.match(await shell(page), /--balance area/);
+    await page.selectOption('#play-show', 'distances');
+    await idle(page);
+    assert.match(await dots(page), /Isolines/);
+    await page.selectOption('#play-show', 'remesh');
+    await idle(page);
+    assert.match(await page.innerText('#figures'), /Triangles|Faces/);
+    assert.match(await save(page, 'obj'), /^v /m);
+    await page.selectOption('#play-show', 'diagram');
+    await idle(page);
+    await page.check('#play-path');
+    await page.mouse.click(330, 400);
+    await page.mouse.click(700, 420);
+    await idle(page);
+    assert.match(await message(page), /Length of the path: [\d.]+/);
+    await page.uncheck('#play-path');
+    const before = await save(page, 'csv');
+    await page.click('#play-relax');
+    await idle(page);
+    assert.notEqual(await save(page, 'csv'), before);
+    assert.equal(await count(page), 12);
+    await page.close();
+  },
+
+  async 'opens files, and refuses others in one line'() {
+    const page = await open();
+    await page.setInputFiles('#play-file', join(data, 'plate.stl'));
+    await idle(page);
+    assert.equal(await page.textContent('#title'), 'plate.stl');
+    await page.setInputFiles('#play-file', join(data, 'README.md'));
+    await idle(page);
+    assert.match(await message(page), /README.md: neither the content/);
+    assert.equal(await page.textContent('#title'), 'plate.stl', 'what was there stays');
+    await page.close();
+  },
+
+  async 'a link brings the state back'() {
+    const page = await open('#model=torus.ply&n=4');
+    await page.mouse.click(330, 400);
+    await idle(page);
+    const other = await open(new URL(page.url()).hash);
+    assert.equal(await count(other), 5);
+    assert.equal(await save(other, 'csv'), await save(page, 'csv'));
+    await Promise.all([page.close(), other.close()]);
+  },
+};
+
+for (const [name, test] of Object.entries(tests)) {
+  try {
+    await test();
+    console.log(`ok ${name}`);
+  } catch (error) {
+    failures.push(`${name}: ${error.stack}`);
+  }
+}
+await browser.close();
+for (const failure of failures) console.error(`not ok ${failure}`);
+process.exit(failures.length ? 1 : 0);
