@@ -1,6 +1,6 @@
 // Bundles the playground into one page: node build_playground.mjs PACKAGE OUTPUT MODEL ...
 //
-// PACKAGE has gvd_module.mjs and gvd.wasm. The page holds the worker, the module and the models, deflated: it works from
+// PACKAGE has gvd.mjs and gvd.wasm. The page holds the worker, the module and the models, deflated: it works from
 // disk without a server.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { basename, resolve } from 'node:path';
@@ -10,7 +10,7 @@ const [folder, output, ...models] = process.argv.slice(2);
 const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}">${pack(bytes)}</script>\n`;
 
 const worker = await bundle('src/playground/worker.js', {
-  alias: { 'gvd-module': resolve(folder, 'gvd_module.mjs') },
+  alias: { 'gvd-module': resolve(folder, 'gvd.mjs') },
   define: { 'import.meta.url': '"file:///"' },  // where the module would look for its bytes, which it is given
 });
 const data = [

@@ -7,7 +7,7 @@
 //
 // What has a name in Python has the same name here, and gives the same results; index.d.ts has the documents. Calls
 // block, so pages make them in a worker. Objects free their memory when they are collected, or by free().
-import create from './gvd_module.mjs';
+import create from './gvd.mjs';
 import wasmBinary from './load.mjs';
 import { checkNames, entries, Error, isSingle, oneOf, refuse } from './points.mjs';
 
