@@ -49,7 +49,7 @@ const tests = {
   async 'adds, selects and removes generators, with undo and redo'() {
     const page = await open('#model=torus.ply&n=3');
     assert.equal(await count(page), 3);
-    const [x, y] = [330, 400];
+    const [x, y] = [240, 400];
     await page.mouse.click(x, y);
     await idle(page);
     assert.equal(await count(page), 4);
@@ -71,12 +71,12 @@ const tests = {
 
   async 'a dragged generator takes its region along'() {
     const page = await open('#model=torus.ply&n=3');
-    await page.mouse.click(330, 400);
+    await page.mouse.click(240, 400);
     await idle(page);
     const before = await save(page, 'csv');
-    await page.mouse.move(330, 400);
+    await page.mouse.move(240, 400);
     await page.mouse.down();
-    for (let i = 1; i <= 5; ++i) await page.mouse.move(330 + 8 * i, 400);
+    for (let i = 1; i <= 5; ++i) await page.mouse.move(240 - 4 * i, 400);
     await page.mouse.up();
     await idle(page);
     const after = await save(page, 'csv');
@@ -102,8 +102,8 @@ const tests = {
     await page.selectOption('#play-show', 'diagram');
     await idle(page);
     await page.check('#play-path');
-    await page.mouse.click(330, 400);
-    await page.mouse.click(700, 420);
+    await page.mouse.click(240, 400);
+    await page.mouse.click(760, 420);
     await idle(page);
     assert.match(await message(page), /Length of the path: [\d.]+/);
     await page.uncheck('#play-path');
@@ -129,7 +129,7 @@ const tests = {
 
   async 'a link brings the state back'() {
     const page = await open('#model=torus.ply&n=4');
-    await page.mouse.click(330, 400);
+    await page.mouse.click(240, 400);
     await idle(page);
     const other = await open(new URL(page.url()).hash);
     assert.equal(await count(other), 5);
