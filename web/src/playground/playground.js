@@ -125,6 +125,11 @@ export class Playground extends Viewer {
     this.show({ ...this.state, generators: this.dragged.points, method }, (args) => this.engine.ask_latest('show', args));
   }
 
+  // Not while a generator is dragged: reading what the graphics card has drawn takes longer than the diagram.
+  pick() {
+    if (!this.dragged) super.pick();
+  }
+
   drop() {
     if (!this.dragged) return;
     const { points, generator } = this.dragged;
