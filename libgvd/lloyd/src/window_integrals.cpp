@@ -9,6 +9,7 @@
 // windows of the working mesh. A face that generators have split is looked up in its parts.
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
 #include <span>
 #include <utility>

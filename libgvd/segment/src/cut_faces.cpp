@@ -12,6 +12,7 @@
 // Corners coincide where rounding has put an added vertex onto another one. The added vertex moves by a few units in
 // the last place; vertices of the input never move.
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <string>
 #include <tuple>

@@ -10,6 +10,7 @@
 #include <array>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <span>
 
 #include "base/barycentric.hpp"

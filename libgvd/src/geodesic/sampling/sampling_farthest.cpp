@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <numbers>
-#include <tuple>
 
 #include "base/lazy_max_heap.hpp"
 #include "base/plane.hpp"
