@@ -15,25 +15,22 @@ namespace gvd::python {
 namespace {
 
 /// Refuses an empty list: there would be no generator.
-CurveSet checked(std::vector<GeneratorCurve> curves, const char* reason) {
+CurveSet refuse_none(std::vector<GeneratorCurve> curves, const char* reason) {
   if (curves.empty()) throw Error(ErrorCode::precondition, fmt::format("curves: {}", reason));
   return {std::move(curves)};
 }
 
-CurveSet find_boundary(const CheckedMesh& checked_mesh) {
-  return checked(boundary_curves(checked_mesh.mesh), "the mesh is closed");
-}
+CurveSet find_boundary(const CheckedMesh& of) { return refuse_none(boundary_curves(of.mesh), "the mesh is closed"); }
 
 /// Edges whose faces differ by more than `angle`, degrees; by default as --curves creases.
-CurveSet find_creases(const CheckedMesh& checked_mesh, std::optional<double> angle) {
+CurveSet find_creases(const CheckedMesh& of, std::optional<double> angle) {
   const double least = angle.value_or(kUsualCreaseAngle);
   if (!(least > 0 && least < 180)) throw Error(ErrorCode::invalid_option, "angle: it is not above 0 and below 180");
-  return checked(crease_curves(checked_mesh.mesh, least * std::numbers::pi / 180),
-                 "no two faces meet at such an angle");
+  return refuse_none(crease_curves(of.mesh, least * std::numbers::pi / 180), "no two faces meet at such an angle");
 }
 
 /// How far points were moved is known to `max_snap` only: no note is written.
-CurveSet resolve(const CheckedMesh& of, const CurveList& list, ResolveOptions options) {
+CurveSet make_curves(const CheckedMesh& of, const CurveList& list, ResolveOptions options) {
   return run_unlocked(py::none(), [&](const Progress& progress) {
     options.progress = progress;
     ResolvedGenerators snapped;
@@ -42,14 +39,14 @@ CurveSet resolve(const CheckedMesh& of, const CurveList& list, ResolveOptions op
 }
 
 /// Numbers of vertices in a file are those of the mesh's own file.
-CurveSet read(const CheckedMesh& of, const std::filesystem::path& path, std::optional<double> max_snap) {
+CurveSet read_curve_file(const CheckedMesh& of, const std::filesystem::path& path, std::optional<double> max_snap) {
   const CurveList list = run_unlocked(py::none(), [&](const Progress&) { return read_curves(path); });
-  return resolve(of, list, {.input_vertices = &of.mesh_vertex, .max_snap = max_snap});
+  return make_curves(of, list, {.input_vertices = &of.mesh_vertex, .max_snap = max_snap});
 }
 
 /// One polyline for each element of `polylines`.
-CurveSet join(const CheckedMesh& of, const std::vector<Entries>& polylines, bool closed,
-              std::optional<double> max_snap) {
+CurveSet join_points_of(const CheckedMesh& of, const std::vector<Entries>& polylines, bool closed,
+                        std::optional<double> max_snap) {
   CurveList list;
   list.points.name = "curves";
   for (const Entries& entries : polylines) {
@@ -60,7 +57,7 @@ CurveSet join(const CheckedMesh& of, const std::vector<Entries>& polylines, bool
     for (std::int32_t i = first + 1; i < end; ++i) list.segments.push_back({i - 1, i});
     if (closed && end - first > 2) list.segments.push_back({end - 1, first});
   }
-  return resolve(of, list, {.max_snap = max_snap});
+  return make_curves(of, list, {.max_snap = max_snap});
 }
 
 /// For each curve its polylines, arrays of positions.
@@ -80,8 +77,8 @@ void bind_curves(py::module_& module) {
   py::class_<CurveSet>(module, "CurveSet")
       .def_static("boundary", &find_boundary)
       .def_static("creases", &find_creases)
-      .def_static("read", &read)
-      .def_static("join", &join)
+      .def_static("read", &read_curve_file)
+      .def_static("join", &join_points_of)
       .def("__len__", [](const CurveSet& set) { return set.curves.size(); })
       .def("polylines", [](const CurveSet& set, const CheckedMesh& of) { return positions_of(of, set); });
 }
