@@ -9,13 +9,18 @@ export function read_manifest() {
 
 // Unpacks the arrays of all elements whose id starts with `blob-`, which are empty then.
 export async function load_arrays() {
-  const unpack = async (element) => {
-    const packed = await fetch_base64(element.textContent);
+  const load = async (element) => {
+    const text = element.textContent;
     element.textContent = '';
-    const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
-    blobs.set(element.id, new Uint8Array(await new Response(unpacked).arrayBuffer()));
+    blobs.set(element.id, new Uint8Array(await unpack(text)));
   };
-  await Promise.all(Array.from(document.querySelectorAll('[id^="blob-"]'), unpack));
+  await Promise.all(Array.from(document.querySelectorAll('[id^="blob-"]'), load));
+}
+
+// The bytes that are deflated and in base64.
+export function unpack(text) {
+  const unpacked = new Blob([fetch_base64(text)]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return new Response(unpacked).arrayBuffer();
 }
 
 function fetch_base64(text) {

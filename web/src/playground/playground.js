@@ -16,7 +16,6 @@ import { format_link, round_bary } from './link.js';
 import { python_lines, shell_command } from './recipe.js';
 
 const kNear = { mouse: 12, touch: 24 };  // CSS pixels round a generator that mean it
-const kDepth = 3;                        // in such pixels: what lies farther from the point under the pointer is hidden
 const kClick = 6;                        // CSS pixels that a click may move
 const kManyFaces = 30000;                // while dragging, more have the diagram of the faster method
 
@@ -66,11 +65,10 @@ export class Playground extends Viewer {
     this.face_map.update(picture.mesh, picture.surface.triangles.parents);
     const hit = this.face_map.at(pointer.x, pointer.y);
     if (!hit) return null;
-    const { positions, faces } = picture.surface, { face, bary } = locate(this.stage, picture.surface, hit.code, pointer);
+    const { face, bary } = locate(this.stage, picture.surface, hit.code, pointer);
     const inside = bary.map((b) => Math.max(b, 0)), sum = inside[0] + inside[1] + inside[2];
     const rounded = round_bary(inside.map((b) => b / sum));
-    const at = [0, 1, 2].map((k) => rounded.reduce((p, b, i) => p + b * positions[3 * faces[3 * face + i] + k], 0));
-    return { face, bary: rounded, at };
+    return { face, bary: rounded, at: this.place({ face, bary: rounded }) };
   }
 
   // The generator that the pointer means; null where there is none near it. A hidden one is far from what is under it.
@@ -78,12 +76,12 @@ export class Playground extends Viewer {
     const under = this.shows_input() && this.surface_at(event);
     if (!under) return null;
     const reach = (kNear[event.pointerType] ?? kNear.mouse) / this.stage.pixels_per_unit();
-    let nearest = null, least = kDepth * reach;
-    this.places().forEach((at, i) => {
-      const distance = Math.hypot(...at.map((x, k) => x - under.at[k]));
+    let nearest = null, least = reach;
+    this.points.forEach((point, i) => {
+      const distance = Math.hypot(...this.place(point).map((x, k) => x - under.at[k]));
       if (distance < least) [nearest, least] = [i, distance];
     });
-    return least <= reach ? nearest : null;
+    return nearest;
   }
 
   click_hint() {
@@ -95,10 +93,10 @@ export class Playground extends Viewer {
     return this.history?.state.show !== 'remesh';
   }
 
-  places() {
+  // In the coordinates of the page.
+  place({ face, bary }) {
     const { positions, faces } = this.picture.surface;
-    return this.points.map(({ face, bary }) =>
-      [0, 1, 2].map((k) => bary.reduce((p, b, i) => p + b * positions[3 * faces[3 * face + i] + k], 0)));
+    return [0, 1, 2].map((k) => bary.reduce((p, b, i) => p + b * positions[3 * faces[3 * face + i] + k], 0));
   }
 
   take(event) {

@@ -1,4 +1,5 @@
 // Begins the playground: the worker, the state of the link, and files that are chosen or dropped.
+import { unpack } from '../data.js';
 import { arrange_panels } from '../layout.js';
 import { by_id, element, show_failure } from '../panel.js';
 import { kShows } from './controls.js';
@@ -8,20 +9,12 @@ import { Playground } from './playground.js';
 
 const kModels = [['figure.obj', 'Figure'], ['torus.ply', 'Torus'], ['half_sphere.off', 'Half sphere']];
 const kFirst = { model: 'figure.obj', count: 30, generators: null, show: 'diagram' };
-const kMostFaces = 2000000;  // whose diagram may need more than the 4 GB that a page has
 
-function decode_base64(text) {
-  return Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-}
-
-// The build puts the worker and the models, deflated, into the page: it works from disk, without a server.
-function embedded(id) {
-  return new Blob([decode_base64(by_id(id).textContent)]).stream().pipeThrough(new DecompressionStream('deflate'));
-}
+// The build puts the worker and the models into the page: it works from disk, without a server.
+const embedded = (id) => unpack(by_id(id).textContent);
 
 async function make_engine() {
-  const script = await new Response(embedded('worker')).blob();
-  const module = await new Response(embedded('module')).arrayBuffer();
+  const [script, module] = await Promise.all([embedded('worker'), embedded('module')]);
   const address = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
   const engine = new Engine(new Worker(address));
   await engine.ask('start', { module }, null, [module]);
@@ -48,8 +41,7 @@ class Start {
   }
 
   async open_model({ camera, ...state }) {
-    const bytes = await new Response(embedded(`model-${state.model}`)).arrayBuffer();
-    await this.open(state.model, bytes, state, camera);
+    await this.open(state.model, await embedded(`model-${state.model}`), state, camera);
   }
 
   async open_file(file) {
@@ -60,7 +52,7 @@ class Start {
   async open(name, bytes, state, camera) {
     document.documentElement.dataset.computing = 'true';
     try {
-      const opened = await this.engine.ask('open', { name, bytes, most_faces: kMostFaces }, null, [bytes]);
+      const opened = await this.engine.ask('open', { name, bytes }, null, [bytes]);
       const scene = await this.engine.ask('show', state);
       if (this.playground) this.playground.open(opened, state, scene);
       else this.playground = new Playground(this.engine, opened, state, scene);

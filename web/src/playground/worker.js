@@ -61,12 +61,8 @@ const handlers = {
   },
 
   // The mesh that was there stays until the new one has been read.
-  open({ name, bytes, most_faces }) {
+  open({ name, bytes }) {
     const read = gvd.mesh_from_bytes(new Uint8Array(bytes), name, 'repair'), { faces } = read.summary();
-    if (faces > most_faces) {
-      read.delete();
-      throw new GvdError(`${name}: has ${faces} faces; the memory of a page suffices for ${most_faces}`);
-    }
     scenes?.delete();
     mesh?.delete();
     [mesh, scenes] = [read, new gvd.Scenes(read)];
