@@ -45,7 +45,7 @@ CurveSet read_curve_file(const CheckedMesh& of, const std::filesystem::path& pat
 }
 
 /// One polyline for each element of `polylines`.
-CurveSet join_points_of(const CheckedMesh& of, const std::vector<Entries>& polylines, bool closed,
+CurveSet join_polylines(const CheckedMesh& of, const std::vector<Entries>& polylines, bool closed,
                         std::optional<double> max_snap) {
   CurveList list;
   list.points.name = "curves";
@@ -78,7 +78,7 @@ void bind_curves(py::module_& module) {
       .def_static("boundary", &find_boundary)
       .def_static("creases", &find_creases)
       .def_static("read", &read_curve_file)
-      .def_static("join", &join_points_of)
+      .def_static("join", &join_polylines)
       .def("__len__", [](const CurveSet& set) { return set.curves.size(); })
       .def("polylines", [](const CurveSet& set, const CheckedMesh& of) { return positions_of(of, set); });
 }

@@ -25,7 +25,7 @@ io::ViewFrame frame_of(const Mesh& mesh) {
 
 Scenes::Scenes(SharedMesh input) : input_(std::move(input)), frame_(frame_of(input_->mesh)) {}
 
-val Scenes::show(ViewScene scene, UpAxis up) {
+val Scenes::show(ViewScene scene) {
   io::check_view_scene(scene);
   if (scene.region_color.empty() && !scene.cells.empty()) {
     const auto adjacent = io::find_adjacent_regions(scene);
@@ -33,10 +33,8 @@ val Scenes::show(ViewScene scene, UpAxis up) {
                               : io::adapt_region_colors(colors_, scene.cells.size(), adjacent);
     scene.region_color = colors_;
   }
-  ViewOptions options;
-  options.up = up;
   io::ViewBlobs blobs;
-  const nlohmann::json manifest = io::make_view_manifest({std::move(scene)}, frame_, options, blobs);
+  const nlohmann::json manifest = io::make_view_manifest({std::move(scene)}, frame_, {}, blobs);
   val arrays = val::array();
   for (const std::string* bytes : blobs.all()) arrays.call<void>("push", to_bytes(*bytes));
   return object({{"manifest", val(manifest.dump())}, {"blobs", arrays}});

@@ -13,7 +13,9 @@ class Scenes {
  public:
   explicit Scenes(SharedMesh input);
 
-  val show(ViewScene scene, UpAxis up = UpAxis::y);
+  /// Regions without colours keep those that they had, as far as their neighbours allow. Throws Error{precondition} for
+  /// a scene that does not fit its mesh. Cost: O(n log n).
+  val show(ViewScene scene);
   val of_diagram(const MeshDiagram& of);
   /// Distances from the nearest point, with isolines.
   val of_distances(const val& points);
