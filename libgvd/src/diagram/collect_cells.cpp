@@ -109,15 +109,20 @@ class LoopCounter {
 struct CollectedFaces {
   CellShares shares;
   std::vector<FacePiece> pieces;
+  std::ptrdiff_t known = 0;                ///< number of the known piece after the last one that was taken
   std::vector<BoundaryCrossing> boundary;  ///< of the current face
   WorkingPieces working_pieces;            ///< of the current face
 };
 
 class CellCollector {
  public:
-  CellCollector(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
-                Diagram& diagram)
-      : working_(working), mesh_(working.mesh()), traced_(traced), parallel_(parallel), diagram_(diagram) {}
+  CellCollector(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools, Diagram& diagram)
+      : working_(working),
+        mesh_(working.mesh()),
+        traced_(traced),
+        parallel_(tools.parallel),
+        diagram_(diagram),
+        known_(tools.known) {}
 
   void collect() {
     diagram_.cells.resize(working_.generator_vertices().size());
@@ -190,6 +195,8 @@ class CellCollector {
       while (arc != arcs.end() && arc->face == f) ++arc;
       if (begin == arc) {
         collect_whole(f, faces);
+      } else if (known_ != nullptr && known_->is_known[f] != 0 && !working_.is_split(f)) {
+        collect_known(f, faces);
       } else {
         collect_cut(f, std::span(std::to_address(begin), std::to_address(arc)), faces);
       }
@@ -222,6 +229,21 @@ class CellCollector {
     }
   }
 
+  void collect_known(FaceId f, CollectedFaces& faces) const {
+    const double area = mesh_.area(f);
+    auto piece = known_->pieces.begin() + faces.known;
+    if (piece == known_->pieces.end() || piece->face != f) {
+      piece = std::ranges::lower_bound(known_->pieces, f, {}, &FacePiece::face);
+    }
+    for (; piece != known_->pieces.end() && piece->face == f; ++piece) {
+      CellShare& share = faces.shares[piece->generator];
+      ++share.euler_characteristic;
+      share.area += area * std::max(0.0, area_share(piece->corners));
+      faces.pieces.push_back(std::move(*piece));
+    }
+    faces.known = piece - known_->pieces.begin();
+  }
+
   void add_piece(FaceId f, GeneratorId g, std::vector<Bary> corners, CollectedFaces& faces) const {
     for (Bary& corner : corners) corner = working_.parent_bary(f, corner);
     faces.pieces.push_back({working_.parent(f), g, std::move(corners)});
@@ -246,6 +268,7 @@ class CellCollector {
   const TracedDiagram& traced_;
   const ParallelChunks& parallel_;
   Diagram& diagram_;
+  KnownPieces* known_;  // null without any
 };
 
 }  // namespace
@@ -266,9 +289,9 @@ IdVector<GeneratorId, std::int32_t> count_boundary_loops(const WorkingMesh& work
   return LoopCounter(working, traced).count();
 }
 
-void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools,
                    Diagram& diagram) {
-  CellCollector(working, traced, parallel, diagram).collect();
+  CellCollector(working, traced, tools, diagram).collect();
 }
 
 }  // namespace gvd

@@ -63,10 +63,6 @@ void take_vertex_labels(const WorkingMesh& working, const TracedDiagram& traced,
   }
 }
 
-double tolerance(const Mesh& mesh, const DiagramOptions& options) {
-  return options.chord_tolerance * mesh.mean_edge_length();
-}
-
 /// Traces by one of the two tracers that read the tables of the faces.
 TracedDiagram trace_tables(const WorkingMesh& working, const GeneratorTable& table, const DiagramOptions& options) {
   NearestLabels labels = compute_nearest_labels(working, table);
@@ -92,7 +88,7 @@ Traced trace_marched(const WorkingMesh& working, const FastMarchingResult& march
     return {trace_tables(working, marched.table, options), {.symbolic = marched.offset}};
   }
   const MarchedDistances distances(working.mesh(), marched.table);
-  EnvelopeTracer tracer(working, distances, tolerance(working.mesh(), options), parallel);
+  EnvelopeTracer tracer(working, distances, chord_length(working.mesh(), options), parallel);
   NearestLabels labels = compute_nearest_labels(working, marched.table);
   return {trace_connected(working, std::move(labels), tracer, options.progress), {.symbolic = marched.offset}};
 }
@@ -132,7 +128,7 @@ Traced trace_windows(const WorkingMesh& working, const WindowField& field, const
     return {trace_tables(working, table, options), {}};
   }
   const WindowDistances distances(mesh, field);
-  EnvelopeTracer tracer(working, distances, tolerance(mesh, options), parallel);
+  EnvelopeTracer tracer(working, distances, chord_length(mesh, options), parallel);
   NearestLabels labels = take_labels(working, field.distance, field.label, parallel);
   return {trace_connected(working, std::move(labels), tracer, options.progress), {from_zero(options.weights)}};
 }
@@ -149,25 +145,28 @@ FaceClassCounts count_face_classes(const Mesh& mesh, const IdVector<VertexId, Ge
   return counts;
 }
 
-void take_counts(const TracerCounts& counts, DiagramReport& report) {
+void take_counts(const TracedDiagram& traced, DiagramReport& report) {
+  const TracerCounts& counts = traced.counts;
   report.relabelled_vertices = counts.relabelled_vertices;
   report.gaps = counts.gaps;
   report.gaps_grown = counts.gaps_grown;
   report.gaps_assembled = counts.gaps - counts.gaps_grown;
-  report.straightened_faces = counts.straightened_faces;
-  report.straightened_error = counts.straightened_error;
+  report.straightened_faces = std::ssize(traced.straightened);
+  for (const StraightenedFace& f : traced.straightened) {
+    report.straightened_error = std::max(report.straightened_error, f.error);
+  }
 }
 
 /// The steps that all methods share.
-void finish(const WorkingMesh& working, const Traced& traced, const DiagramOptions& options,
-            const ParallelChunks& parallel, Diagram& diagram) {
-  take_counts(traced.diagram.counts, diagram.report);
-  report_progress(options.progress, steps::kCells, 0);
-  take_vertex_labels(working, traced.diagram, traced.added, diagram);
+void finish(const WorkingMesh& working, const TracedDiagram& traced, const AddedLengths& added,
+            const FinishingTools& tools, Diagram& diagram) {
+  take_counts(traced, diagram.report);
+  report_progress(tools.parallel.progress(), steps::kCells, 0);
+  take_vertex_labels(working, traced, added, diagram);
   diagram.report.face_classes = count_face_classes(working.input(), diagram.vertex_label);
-  trace_bisectors(working, traced.diagram, parallel, diagram);
+  trace_bisectors(working, traced, tools.parallel, diagram);
   for (BranchPoint& branch : diagram.branch_points) branch.distance += least_weight(diagram.weights);
-  collect_cells(working, traced.diagram, parallel, diagram);
+  collect_cells(working, traced, tools, diagram);
 }
 
 /// Runs all steps with the tables that `solve(working)` makes.
@@ -180,7 +179,8 @@ Diagram compute_by_tables(const Mesh& mesh, const std::vector<SurfacePoint>& gen
   Diagram diagram;
   diagram.generators = generators;
   const FastMarchingResult solved = solve(working);
-  finish(working, trace_marched(working, solved, options, parallel, diagram.report), options, parallel, diagram);
+  const Traced traced = trace_marched(working, solved, options, parallel, diagram.report);
+  finish(working, traced.diagram, traced.added, {parallel}, diagram);
   return diagram;
 }
 
@@ -189,7 +189,8 @@ void trace_and_read(const WorkingMesh& working, const DiagramOptions& options, K
                     const WindowReader& read, Diagram& diagram) {
   const ParallelChunks parallel(options.threads, options.progress);
   const WindowField field = propagate(working, options, keep);
-  finish(working, trace_windows(working, field, options, parallel, diagram.report), options, parallel, diagram);
+  const Traced traced = trace_windows(working, field, options, parallel, diagram.report);
+  finish(working, traced.diagram, traced.added, {parallel}, diagram);
   if (read) read(working, field, diagram);
 }
 
@@ -199,6 +200,15 @@ std::vector<double> from_zero(std::vector<double> weights) {
   const double least = least_weight(weights);
   for (double& weight : weights) weight -= least;
   return weights;
+}
+
+void finish_diagram(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools,
+                    Diagram& diagram) {
+  finish(working, traced, {}, tools, diagram);
+}
+
+double chord_length(const Mesh& mesh, const DiagramOptions& options) {
+  return options.chord_tolerance * mesh.mean_edge_length();
 }
 
 void check_diagram_options(const DiagramOptions& options) {

@@ -15,6 +15,26 @@ namespace gvd {
 
 // The steps that turn a traced diagram of the working mesh into the `Diagram` of the input, in their order.
 
+/// Pieces of faces that a diagram before has, too.
+struct KnownPieces {
+  IdVector<FaceId, std::uint8_t> is_known;  ///< 1 for faces of the working mesh that have the arcs that they had
+  std::vector<FacePiece>& pieces;           ///< of the diagram before, from which those of known faces are moved
+};
+
+/// The threads of the steps, which report through its callback, and pieces that need not be traced.
+struct FinishingTools {
+  const ParallelChunks& parallel;
+  KnownPieces* known = nullptr;  ///< null if there are none
+};
+
+/// All of them, for exact distances without weights: `diagram` has its generators. Fills in all that is not counted by
+/// the solver.
+void finish_diagram(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools,
+                    Diagram& diagram);
+
+/// The chord tolerance as a length, mesh units.
+double chord_length(const Mesh& mesh, const DiagramOptions& options);
+
 /// Follows the arcs from branch point to branch point and fills in bisectors, branch points and their total length, in
 /// the input mesh's faces. Counts ends that are unresolved in its report. Several threads compute the points. Reports
 /// the first half of the step "cells".
@@ -24,7 +44,7 @@ void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, co
 
 /// Fills in face labels, pieces and cells by several threads; expects the bisectors in `diagram`, for a cell's
 /// neighbours. Reports the second half of the step "cells". Cost: O(n).
-void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools,
                    Diagram& diagram);
 
 /// Fills in the neighbours of the cells: those with a bisector in common. Part of `collect_cells`; a diagram of another

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -30,8 +31,10 @@ struct SymbolicOffset {
   /// Largest offset of a source in an envelope, as a fraction of the bounding box's diagonal. A tenth of the error
   /// allowed to a crossing (1e-12 of the diagonal); far above rounding where generators are few.
   static constexpr double kOfDiagonal = 1e-13;
+  /// The step is the same for all numbers of generators up to the next power of two: one generator more leaves the
+  /// crossings of the others as they are.
   static SymbolicOffset of_envelope(double bbox_diagonal, std::size_t generators) {
-    return {kOfDiagonal * bbox_diagonal / double(generators), 0};
+    return {kOfDiagonal * bbox_diagonal / double(std::bit_ceil(generators)), 0};
   }
 };
 

@@ -271,6 +271,18 @@ Valences compute_valences(const Mesh& mesh) {
   return {*least, *largest, 100.0 * regular / mesh.vertex_count()};
 }
 
+void MeshEditor::copy(const Mesh& other, std::size_t vertices) {
+  const std::size_t faces = other.faces_.size() + 2 * vertices;
+  mesh_.positions_.reserve(other.positions_.size() + vertices);
+  mesh_.vertex_halfedge_.reserve(other.positions_.size() + vertices);
+  mesh_.faces_.reserve(faces);
+  mesh_.shape_.reserve(faces);
+  mesh_.twin_.reserve(3 * faces);
+  mesh_.halfedge_edge_.reserve(3 * faces);
+  mesh_.edge_halfedge_.reserve(other.edge_halfedge_.size() + 3 * vertices);
+  mesh_ = other;  // keeps the capacity
+}
+
 FaceId MeshEditor::add_face() {
   for (int i = 0; i < 3; ++i) {
     mesh_.twin_.push_back(HalfedgeId());

@@ -14,6 +14,9 @@ class MeshEditor {
  public:
   explicit MeshEditor(Mesh& mesh) : mesh_(mesh) {}
 
+  /// Makes the mesh a copy of another one, with room for so many vertices more, each with two faces and three edges.
+  void copy(const Mesh& other, std::size_t vertices);
+
   /// Inserts a vertex v at `position` into f = (a, b, c): f becomes (a, b, v), and (b, c, v) and (c, a, v) are appended
   /// in this order.
   VertexId split_face(FaceId f, const Vec3& position);

@@ -112,9 +112,11 @@ void WorkingMesh::report_inserted(const Progress& progress) {
 
 void WorkingMesh::copy_input() {
   split_ = true;
-  copy_ = *input_;
-  parent_.reserve(input_->face_count());
+  const std::size_t points = std::max(generator_vertex_.size(), owner_.size());
+  MeshEditor(copy_).copy(*input_, points);
+  parent_.reserve(input_->face_count() + 2 * points);
   for (const FaceId f : input_->faces()) parent_.push_back(f);
+  child_slot_.reserve(parent_.size() + 2 * points);
   child_slot_.assign(parent_.size(), -1);
 }
 

@@ -389,7 +389,7 @@ TEST_CASE("a face without crossings adds nothing") {
   const Assembled face(at_corners(), {}, 1e-3);
   CHECK(face.result.diagram.arcs.empty());
   CHECK(face.result.diagram.branches.empty());
-  CHECK(face.result.straightened == 0);
+  CHECK(face.result.straightened.empty());
 }
 
 TEST_CASE("two crossings of generators with equal offsets make one straight arc") {
@@ -428,7 +428,7 @@ TEST_CASE("three crossings make a branch point that is equally far from the thre
   const FaceBranch& branch = diagram.branches[BranchPointId(0)];
   const Vec2 p = FaceLayout(face.mesh, FaceId(0)).at(branch.bary);
   for (const FaceSource& source : s) CHECK(source.distance(p) == Approx(branch.distance).epsilon(1e-13));
-  CHECK(face.result.straightened == 0);
+  CHECK(face.result.straightened.empty());
 }
 
 TEST_CASE("a branch point that no source reaches gets the distance of the nearest generator") {

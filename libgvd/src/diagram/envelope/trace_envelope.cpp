@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "diagram/assembly/face_assembly.hpp"
@@ -56,10 +57,7 @@ class FaceAssembler {
       assemble_face(f, boundary_, GuessingDistances(deciding), result_.diagram);
       straightened = true;
     }
-    if (straightened) {
-      ++result_.straightened;
-      result_.straightened_error = std::max(result_.straightened_error, largest_error(face));
-    }
+    if (straightened) result_.straightened.push_back({f, largest_error(face)});
     measure_branches(face);
   }
 
@@ -171,9 +169,12 @@ EnvelopeTracer::EnvelopeTracer(const WorkingMesh& working, const DistanceField& 
       offset_(SymbolicOffset::of_envelope(mesh_.bbox_diagonal(), working.generator_vertices().size())) {}
 
 Crossings EnvelopeTracer::cross_edges(const NearestLabels& labels) const {
-  const std::vector<EdgeId> edges = field_.contested_edges(parallel_);
+  return {mesh_.edge_count(), cross(field_.contested_edges(parallel_), labels)};
+}
+
+std::vector<Crossing> EnvelopeTracer::cross(const std::vector<EdgeId>& edges, const NearestLabels& labels) const {
   const EdgeCrosser crosser{mesh_, field_, offset_, labels};
-  return {mesh_.edge_count(), cross_all(crosser, &EdgeCrosser::cross, edges, parallel_, steps::kCrossings)};
+  return cross_all(crosser, &EdgeCrosser::cross, edges, parallel_, steps::kCrossings);
 }
 
 void EnvelopeTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
@@ -185,19 +186,21 @@ void EnvelopeTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const 
 void EnvelopeTracer::close_faces(TracedDiagram& traced) const {
   report_progress(parallel_.progress(), steps::kFaces, 0);
   const auto counts = count_by_face(mesh_, traced.crossings);
-  const std::vector<FaceId> faces = crossed_faces(counts);
-  const auto work = [&](std::size_t i) { return std::size_t(counts[faces[i]]) * std::size_t(counts[faces[i]]); };
-  const EnvelopeFaces input{mesh_, traced.crossings, field_, offset_, tolerance_};
-  const auto close = [&](const Chunk& chunk) {
-    return assemble_envelope(input, std::span(faces).subspan(chunk.begin, chunk.end - chunk.begin));
-  };
-  const auto chunks = cut_by_work(faces.size(), kChunkWork, work);
-  for (const AssembledFaces& assembled : parallel_.map(chunks, StepPart{steps::kFaces}, close)) {
+  for (AssembledFaces& assembled : assemble(crossed_faces(counts), counts, traced.crossings)) {
     traced.faces.append(assembled.diagram);
-    traced.counts.straightened_faces += assembled.straightened;
-    traced.counts.straightened_error = std::max(traced.counts.straightened_error, assembled.straightened_error);
+    std::ranges::move(assembled.straightened, std::back_inserter(traced.straightened));
   }
   report_progress(parallel_.progress(), steps::kBisectors, 0.5);
+}
+
+std::vector<AssembledFaces> EnvelopeTracer::assemble(const std::vector<FaceId>& faces,
+                                                     const IdVector<FaceId, std::int32_t>& counts,
+                                                     const Crossings& crossings) const {
+  const auto work = [&](std::size_t i) { return std::size_t(counts[faces[i]]) * std::size_t(counts[faces[i]]); };
+  const EnvelopeFaces input{mesh_, crossings, field_, offset_, tolerance_};
+  return parallel_.map(cut_by_work(faces.size(), kChunkWork, work), StepPart{steps::kFaces}, [&](const Chunk& chunk) {
+    return assemble_envelope(input, std::span(faces).subspan(chunk.begin, chunk.end - chunk.begin));
+  });
 }
 
 AssembledFaces assemble_envelope(const EnvelopeFaces& input, std::span<const FaceId> faces) {

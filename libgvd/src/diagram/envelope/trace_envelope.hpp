@@ -12,6 +12,12 @@
 
 namespace gvd {
 
+/// The arcs and branch points of a number of faces.
+struct AssembledFaces {
+  FaceDiagram diagram;
+  std::vector<StraightenedFace> straightened;  ///< ascending
+};
+
 /// Traces the diagram of a distance field, as exactly as the field is. Crossings are the corners of the lower envelope
 /// of the distances on each edge, stored once for both faces. Every face is assembled from its crossings, and its arcs
 /// are refined until they are within a tolerance of the bisectors.
@@ -29,6 +35,12 @@ class EnvelopeTracer final : public DiagramTracer {
                           Crossings& crossings) const override;
   void close_faces(TracedDiagram& traced) const override;
 
+  /// The crossings of some edges, which ascend, as `cross_edges` finds them.
+  std::vector<Crossing> cross(const std::vector<EdgeId>& edges, const NearestLabels& labels) const;
+  /// Assembles some faces, which ascend, in chunks; `counts`: of the crossings on each face.
+  std::vector<AssembledFaces> assemble(const std::vector<FaceId>& faces, const IdVector<FaceId, std::int32_t>& counts,
+                                       const Crossings& crossings) const;
+
  private:
   const Mesh& mesh_;
   const DistanceField& field_;
@@ -44,13 +56,6 @@ struct EnvelopeFaces {
   const DistanceField& field;
   SymbolicOffset offset;  ///< of the crossings
   double tolerance;       ///< mesh units, > 0
-};
-
-/// The arcs and branch points of a number of faces.
-struct AssembledFaces {
-  FaceDiagram diagram;
-  std::int64_t straightened = 0;  ///< faces with an arc that lost points because it intersected itself or another one
-  double straightened_error = 0;  ///< largest difference of the two distances along an arc of these faces, mesh units
 };
 
 /// Assembles some faces, which ascend: joins their crossings by the distances in them, refines the arcs to within the

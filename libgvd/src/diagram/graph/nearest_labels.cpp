@@ -8,6 +8,8 @@
 // Invariant: the vertex of a generator has the label of that generator, even where offsets say otherwise.
 #include "diagram/graph/nearest_labels.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <queue>
 #include <tuple>
 #include <vector>
@@ -145,6 +147,19 @@ NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, d
   labels.unsupported = parallel.collect(
       cut_into_chunks(label.size(), kScanChunk), steps::kLabels,
       [&](const Chunk& chunk) { return labeller.find_unsupported(chunk, [](VertexId) { return false; }); });
+  return labels;
+}
+
+NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, double>& distance,
+                          const IdVector<VertexId, GeneratorId>& label, const std::vector<VertexId>& known,
+                          const std::vector<VertexId>& changed) {
+  NearestLabels labels{label, distance, {}};
+  const Labeller labeller(working, labels);
+  std::vector<VertexId> found, kept;
+  std::ranges::copy_if(changed, std::back_inserter(found),
+                       [&](VertexId v) { return label[v].valid() && !labeller.is_supported(v); });
+  std::ranges::set_difference(known, changed, std::back_inserter(kept));
+  std::ranges::merge(kept, found, std::back_inserter(labels.unsupported));
   return labels;
 }
 

@@ -38,6 +38,12 @@ NearestLabels compute_nearest_labels(const WorkingMesh& working, const Generator
 NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, double>& distance,
                           const IdVector<VertexId, GeneratorId>& label, const ParallelChunks& parallel);
 
+/// The same, with the unsupported vertices known but for `changed` ones, which ascend. `known`: those that were
+/// unsupported before, some of which may have changed. Cost: O(n) for the copies, and O(changed vertices).
+NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, double>& distance,
+                          const IdVector<VertexId, GeneratorId>& label, const std::vector<VertexId>& known,
+                          const std::vector<VertexId>& changed);
+
 /// Gives these vertices labels of neighbours that keep their own, so that a chain of edges connects each to its new
 /// cell. Distances become those along the edges. Neighbours that lose their support are appended to `unsupported`.
 /// Cost: O(k log k) for k vertices.

@@ -15,8 +15,12 @@ struct TracerCounts {
   std::int64_t relabelled_vertices = 0;
   std::int64_t gaps = 0;
   std::int64_t gaps_grown = 0;
-  std::int64_t straightened_faces = 0;
-  double straightened_error = 0;
+};
+
+/// A face with an arc that lost points because it intersected itself or another one.
+struct StraightenedFace {
+  FaceId face;
+  double error;  ///< largest difference of the two distances along an arc of the face, mesh units
 };
 
 /// What a tracer hands over: how the bisectors cross the edges and run through the faces of the working mesh.
@@ -27,6 +31,7 @@ struct TracedDiagram {
   std::vector<VertexId> moved{};                          ///< vertices that growth gave to another cell
   IdVector<GeneratorId, std::int32_t> cell_components{};  ///< 1 where a cell is connected
   TracerCounts counts{};
+  std::vector<StraightenedFace> straightened{};  ///< ascending
   /// The nearest generators of all vertices before some got other labels to connect cells; none if none did.
   std::optional<NearestLabels> before_relabelling{};
 };

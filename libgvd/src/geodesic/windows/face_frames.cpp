@@ -120,10 +120,37 @@ FaceFrames::FaceFrames(const Mesh& mesh, const ParallelChunks& parallel)
       total[f.vertex[i]].add(f.cosine[i], f.sine[i], least_of_face);
     }
   }
-  has_needles = least_sine < kNeedleSine;
-  has_thin_faces = least_sine < kThinSine;
+  set_least_sine(least_sine);
   for (const VertexId v : mesh.vertices()) {
     kind[first_copy(v)] = kind_of(total[first_copy(v)], mesh.is_boundary(v));
+  }
+}
+
+void FaceFrames::set_least_sine(double least) {
+  least_sine = least;
+  has_needles = least_sine < kNeedleSine;
+  has_thin_faces = least_sine < kThinSine;
+}
+
+void FaceFrames::update(const Mesh& mesh, std::span<const FaceId> changed) {
+  frame.resize(mesh.face_count());
+  kind.resize(mesh.vertex_count());
+  for (const FaceId f : changed) frame[f] = make_face_frame(mesh, f);
+  std::vector<VertexId> vertices;
+  for (const FaceId f : changed) vertices.insert(vertices.end(), mesh.vertices(f).begin(), mesh.vertices(f).end());
+  std::ranges::sort(vertices);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<HalfedgeId> outgoing;
+  for (const VertexId v : vertices) {
+    outgoing.clear();
+    for_each_outgoing(mesh, v, [&](HalfedgeId h) { outgoing.push_back(h); });
+    std::ranges::sort(outgoing);  // rounding of the sum depends on the order
+    AngleSum total;
+    for (const HalfedgeId h : outgoing) {
+      const FaceFrame& around = frame[Mesh::face(h)];
+      total.add(around.cosine[Mesh::corner(h)], around.sine[Mesh::corner(h)], least_sine_of(Mesh::face(h)));
+    }
+    kind[first_copy(v)] = kind_of(total, mesh.is_boundary(v));
   }
 }
 

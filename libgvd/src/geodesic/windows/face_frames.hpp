@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "base/parallel_chunks.hpp"
 #include "geodesic/windows/window.hpp"
@@ -68,6 +70,15 @@ struct FaceFrames {
 
   /// Cost: O(n), no trigonometry.
   FaceFrames(const Mesh& mesh, const ParallelChunks& parallel);
+
+  /// Follows a change of the mesh, in which only these faces and their vertices have changed. The vertices are first
+  /// copies again. `least_sine`, which is not updated, has to be the least of the other faces, or below.
+  /// Cost: O(faces of their vertices).
+  void update(const Mesh& mesh, std::span<const FaceId> changed);
+  /// The least sine of the corners of a face.
+  double least_sine_of(FaceId f) const { return std::ranges::min(frame[f].sine); }
+  /// Sets the least sine, and what depends on it.
+  void set_least_sine(double least);
 };
 
 /// The angles of all corners, and those of the sides round a vertex, as departures count them.

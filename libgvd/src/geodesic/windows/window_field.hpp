@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,8 +31,7 @@ class EdgeWindows {
   EdgeWindows() = default;
   /// Windows of one halfedge stay in their order. No face may have windows in two lists: each list is sorted by one
   /// thread. Cost: O(windows + faces).
-  EdgeWindows(std::vector<KeptWindows> lists, std::size_t faces, const ParallelChunks& parallel)
-      : first_(faces + 1, 0) {
+  EdgeWindows(std::vector<KeptWindows> lists, std::size_t faces, const ParallelChunks& parallel) : of_face_(faces) {
     std::vector<Chunk> ranges;
     for (KeptWindows& list : lists) {
       const std::size_t begin = windows_.append(std::move(list.windows));
@@ -40,19 +43,56 @@ class EdgeWindows {
         for (std::size_t i = ranges[list].begin; i < ranges[list].end; ++i) visit(i);
       });
     };
-    visit_all([&](std::size_t i) { ++first_[face(i) + 1]; });
-    for (std::size_t f = 0; f < faces; ++f) first_[f + 1] += first_[f];
-    order_.resize(first_[faces]);
-    visit_all([&](std::size_t i) { order_[first_[face(i)]++] = static_cast<std::int32_t>(i); });
-    for (std::size_t f = faces; f > 0; --f) first_[f] = first_[f - 1];
-    first_[0] = 0;
+    visit_all([&](std::size_t i) { ++of_face_[face(i)].end; });
+    std::int32_t count = 0;
+    for (Range& range : of_face_) {
+      range.begin = count;
+      count += std::exchange(range.end, count);
+    }
+    order_.resize(count);
+    visit_all([&](std::size_t i) { order_[of_face_[face(i)].end++] = static_cast<std::int32_t>(i); });
   }
 
+  /// Orders the windows of each face by their members. Windows near bisectors are kept in an order that depends on what
+  /// was kept elsewhere.
+  void sort(const ParallelChunks& parallel) {
+    const std::vector<Chunk> faces = cut_into_chunks(of_face_.size(), kScanChunk);
+    parallel.run(faces.size(), {steps::kDistances}, [&](std::size_t chunk) {
+      for (std::size_t f = faces[chunk].begin; f < faces[chunk].end; ++f) sort(of_face_[f]);
+    });
+  }
+
+  /// Replaces the windows of face f, without departures. The memory of the old ones is not used again, until `packed`.
+  void replace(FaceId f, std::span<const Window> windows) {
+    const auto begin = static_cast<std::int32_t>(order_.size());
+    for (const Window& w : windows) {
+      order_.push_back(static_cast<std::int32_t>(windows_.size()));
+      windows_.push_back(w);
+    }
+    of_face_[f.index()] = {begin, static_cast<std::int32_t>(order_.size())};
+  }
+  /// Adds faces without windows, or removes the last ones.
+  void resize(std::size_t faces) { of_face_.resize(faces); }
+  /// The same windows in as little memory as they need. Cost: O(windows + faces).
+  EdgeWindows packed() const {
+    EdgeWindows result;
+    result.resize(of_face_.size());
+    std::vector<Window> windows;
+    for (std::size_t f = 0; f < of_face_.size(); ++f) {
+      windows.clear();
+      for_each(FaceId(f), [&](const Window& w) { windows.push_back(w); });
+      result.replace(FaceId(f), windows);
+    }
+    return result;
+  }
+
+  /// Number of windows; with those that were replaced.
   std::size_t size() const { return order_.size(); }
 
   /// Numbers of the windows of face f, from 0 to size(): those of one face follow each other.
   Chunk of_face(FaceId f) const {
-    return {static_cast<std::size_t>(first_[f.index()]), static_cast<std::size_t>(first_[f.index() + 1])};
+    const Range& range = of_face_[f.index()];
+    return {static_cast<std::size_t>(range.begin), static_cast<std::size_t>(range.end)};
   }
   const Window& operator[](std::size_t number) const { return windows_[order_[number]]; }
   /// Lets the cache fetch a window, and its departure where they were recorded; nothing beyond the last one.
@@ -69,9 +109,8 @@ class EdgeWindows {
   /// boundary those that end there.
   template <class Visit>
   void for_each(FaceId f, Visit visit) const {
-    for (std::int32_t i = first_[f.index()]; i < first_[f.index() + 1]; ++i) {
-      visit(windows_[order_[i]]);
-    }
+    const Range& range = of_face_[f.index()];
+    for (std::int32_t i = range.begin; i < range.end; ++i) visit(windows_[order_[i]]);
   }
   /// The same for one halfedge.
   template <class Visit>
@@ -82,11 +121,44 @@ class EdgeWindows {
   }
 
  private:
+  struct Range {
+    std::int32_t begin = 0, end = 0;
+  };
+  /// Up to so many windows are sorted by insertion: in lists of six, calls would cost more than comparisons.
+  static constexpr std::int32_t kFewWindows = 24;
+
   std::size_t face(std::size_t i) const { return Mesh::face(windows_[i].halfedge).index(); }
+  static bool precedes(const Window& a, const Window& b) {
+    if (a.x != b.x) return a.x < b.x;
+    return std::tie(a.halfedge, a.begin, a.end, a.depth, a.offset, a.generator) <
+           std::tie(b.halfedge, b.begin, b.end, b.depth, b.offset, b.generator);
+  }
+  void sort(const Range& range) {
+    if (range.end - range.begin > kFewWindows) {
+      std::sort(order_.begin() + range.begin, order_.begin() + range.end,
+                [&](std::int32_t i, std::int32_t j) { return precedes(windows_[i], windows_[j]); });
+      return;
+    }
+    std::array<double, kFewWindows> keys;  // the windows' x, in their order: each is looked up once
+    for (std::int32_t i = range.begin, count = 0; i < range.end; ++i, ++count) {
+      const std::int32_t inserted = order_[i];
+      const double key = windows_[inserted].x;
+      std::int32_t at = count;
+      for (; at > 0; --at) {
+        const std::int32_t before = order_[range.begin + at - 1];
+        if (keys[at - 1] < key) break;
+        if (keys[at - 1] == key && !precedes(windows_[inserted], windows_[before])) break;
+        keys[at] = keys[at - 1];
+        order_[range.begin + at] = before;
+      }
+      keys[at] = key;
+      order_[range.begin + at] = inserted;
+    }
+  }
 
   BlockList<Window> windows_;
   BlockList<Departure> departures_;  // of windows_, or empty
-  std::vector<std::int32_t> first_;  // [face] index of its first window in order_
+  std::vector<Range> of_face_;       // [face] of its windows in order_
   std::vector<std::int32_t> order_;  // indices of windows, by face
 };
 

@@ -79,7 +79,7 @@ TEST_CASE("a window with another label than its edge's ends keeps the windows of
   Setup setup(KeepWindows::near_bisectors);
   const HalfedgeId h = setup.inner_halfedge();
   setup.add(h);
-  setup.pruning.mark_edge(h);
+  setup.pruning.mark_edge(h, 0);
   CHECK(setup.finish().count(h) == 1);
 
   Setup unmarked(KeepWindows::near_bisectors);
@@ -90,7 +90,7 @@ TEST_CASE("a window with another label than its edge's ends keeps the windows of
 TEST_CASE("a vertex that changes its label keeps the windows of all its faces") {
   Setup setup(KeepWindows::near_bisectors);
   const HalfedgeId outgoing = setup.inner_halfedge();
-  setup.pruning.mark_vertex(outgoing);
+  setup.pruning.mark_vertex(outgoing, 0);
   setup.add_to_all();
   const std::multiset<HalfedgeId> kept = setup.finish();
   const VertexId v = setup.mesh.from(outgoing);
@@ -103,7 +103,7 @@ TEST_CASE("a face that is settled with one label stays so") {
   Setup setup(KeepWindows::near_bisectors);
   const HalfedgeId h = setup.inner_halfedge();
   for (int i = 0; i < 2000; ++i) setup.add(h, kSettled);  // enough to be reviewed
-  setup.pruning.mark_edge(h);
+  setup.pruning.mark_edge(h, 0);
   CHECK(setup.finish().size() == 0);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a face is settled only when no window to come can hold a shorter path
   const HalfedgeId h = setup.inner_halfedge();
   // The longest side is sqrt(2): at 1 + sqrt(2) / sqrt(3), the paths through the corners beat all that comes.
   for (int i = 0; i < 2000; ++i) setup.add(h, 1.8);
-  setup.pruning.mark_edge(h);
+  setup.pruning.mark_edge(h, 0);
   CHECK(setup.finish().size() == 2000);
 }
 

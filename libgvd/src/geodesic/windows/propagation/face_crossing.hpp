@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "geodesic/windows/face_frames.hpp"
 #include "geodesic/windows/parallel_windows.hpp"
@@ -101,7 +102,7 @@ class FaceCrossing {
         apex_path_(apex_path),
         has_needles_(frames.has_needles),
         has_thin_faces_(frames.has_thin_faces),
-        drift_(kPositionRounding / frames.least_sine) {}
+        drift_(std::ldexp(kPositionRounding, -std::ilogb(std::max(frames.least_sine, kLeastPositive)))) {}
 
   /// Calls target.reach_vertex(VertexCopyId, const VertexPath&) for paths to the apex, and then
   /// target.enqueue_on_edge(const Window&, const WindowHistory&, const WindowEdge&) for each of the two sides that the
@@ -236,7 +237,11 @@ class FaceCrossing {
   IdVector<HalfedgeId, ApexPath>& apex_path_;
   bool has_needles_;     // other meshes keep no ApexPath
   bool has_thin_faces_;  // other meshes count no faces and look for no gaps
-  double drift_;         // of the directions of paths by rounding, radians
+  static constexpr double kLeastPositive = std::numeric_limits<double>::min();
+
+  /// Of the directions of paths by rounding, radians: kPositionRounding over the sine's power of two, so that it is the
+  /// same for most sets of generators.
+  double drift_;
 };
 
 }  // namespace gvd

@@ -33,16 +33,6 @@ int longest_axis(const Samples& samples) {
   return static_cast<int>(axis);
 }
 
-IdVector<VertexId, std::uint8_t> partition_vertices(const Mesh& mesh, std::int32_t partitions) {
-  const KdCut cut(mesh.positions(), partitions);
-  IdVector<VertexId, std::uint8_t> partition_of_vertex;
-  partition_of_vertex.reserve(mesh.positions().size());
-  for (const Vec3& p : mesh.positions()) {
-    partition_of_vertex.push_back(static_cast<std::uint8_t>(cut.box(p, partition_of_vertex.size())));
-  }
-  return partition_of_vertex;
-}
-
 }  // namespace
 
 KdCut::KdCut(std::span<const Vec3> points, std::int32_t boxes) {
@@ -73,19 +63,48 @@ std::int32_t KdCut::cut(std::span<Sample> samples, std::int32_t first_box, std::
   return node;
 }
 
-MeshPartitions::MeshPartitions(const Mesh& mesh, std::int32_t partition_faces, FaceFrames& frames)
-    : count_(std::clamp(mesh.face_count() / partition_faces, 1, std::min(kMaxPartitions, mesh.vertex_count()))),
+MeshPartitions::MeshPartitions(const Mesh& mesh, const ElementCounts& before, std::int32_t partition_faces,
+                               FaceFrames& frames)
+    : count_(std::clamp(before.faces / partition_faces, 1, std::min(kMaxPartitions, before.vertices))),
       copy_count_(mesh.vertex_count()),
       partitions_(mesh.face_count(), 0),
       of_face_(partitions_.data()) {
   if (count_ == 1) return;
-  const PartitionOfVertex partition_of_vertex = partition_vertices(mesh, count_);
-  const std::vector<ForeignCorner> corners = find_foreign_corners(mesh, partition_of_vertex);
-  shared_.reserve(copy_count_ + corners.size());
+  const auto positions = std::span(mesh.positions()).first(before.vertices);
+  cut_.emplace(positions, count_);
+  of_input_.reserve(positions.size());
+  for (const Vec3& p : positions) of_input_.push_back(static_cast<std::uint8_t>(cut_->box(p, of_input_.size())));
+  assign(mesh, frames);
+}
+
+void MeshPartitions::update(const Mesh& mesh, FaceFrames& frames) {
+  copy_count_ = mesh.vertex_count();
+  partitions_.assign(mesh.face_count(), 0);
+  of_face_ = partitions_.data();
+  if (count_ == 1) return;
+  for (const ForeignCorner& c : foreign_) {
+    const FaceId f = Mesh::face(c.halfedge);
+    if (f.value() >= mesh.face_count()) continue;
+    frames.frame[f].vertex[Mesh::corner(c.halfedge)] = first_copy(mesh.from(c.halfedge));
+  }
+  shared_ = {};
+  copies_ = {};
+  range_ = {};
+  assign(mesh, frames);
+}
+
+/// Gives each face the partition of its first corner, and each shared vertex its copies.
+void MeshPartitions::assign(const Mesh& mesh, FaceFrames& frames) {
+  PartitionOfVertex partition_of_vertex = of_input_;
+  for (std::size_t i = of_input_.size(); i < mesh.positions().size(); ++i) {
+    partition_of_vertex.push_back(static_cast<std::uint8_t>(cut_->box(mesh.positions()[i], i)));
+  }
+  foreign_ = find_foreign_corners(mesh, partition_of_vertex);
+  shared_.reserve(copy_count_ + foreign_.size());
   shared_.assign(copy_count_, SharedCopyId());
-  add_copies(corners, partition_of_vertex);
+  add_copies(foreign_, partition_of_vertex);
   copy_count_ = shared_.size();
-  enter_copies(corners, frames);
+  enter_copies(foreign_, frames);
 }
 
 std::vector<MeshPartitions::ForeignCorner> MeshPartitions::find_foreign_corners(

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,11 @@ class KdCut {
   std::int32_t root_;
 };
 
+/// Numbers of a mesh's vertices and faces.
+struct ElementCounts {
+  std::int32_t vertices = 0, faces = 0;
+};
+
 /// The mesh cut into compact partitions of about equal size, in which windows are propagated at the same time.
 ///
 /// A partition owns its faces and their halfedges. A vertex whose faces lie in several partitions has a copy in each of
@@ -55,7 +61,7 @@ class KdCut {
 /// to these copies.
 ///
 /// The cut depends on the mesh alone: vertices are sorted into boxes, and a face belongs to the box of its first
-/// corner.
+/// corner. Vertices that generators have added do not move the boxes, so that other generators leave the cut as it is.
 /// Memory: 1 byte a face; with several partitions, 4 a vertex and 24 for each copy of a shared one.
 class MeshPartitions {
  public:
@@ -66,7 +72,13 @@ class MeshPartitions {
 
   /// Lets the frames refer to vertex copies, and gives each copy its vertex's kind. Cost: O(n).
   /// `partition_faces` >= 1: about so many faces make a partition, of which there are kMaxPartitions at the most.
-  MeshPartitions(const Mesh& mesh, std::int32_t partition_faces, FaceFrames& frames);
+  /// `before`: the elements of the mesh before generators were inserted, which come first.
+  MeshPartitions(const Mesh& mesh, const ElementCounts& before, std::int32_t partition_faces, FaceFrames& frames);
+  MeshPartitions(const Mesh& mesh, std::int32_t partition_faces, FaceFrames& frames)
+      : MeshPartitions(mesh, {mesh.vertex_count(), mesh.face_count()}, partition_faces, frames) {}
+  /// Follows a change of the mesh in faces that generators split, and of their frames, which refer to first copies.
+  /// Cost: O(n) with small constants.
+  void update(const Mesh& mesh, FaceFrames& frames);
   MeshPartitions(const MeshPartitions&) = delete;
   MeshPartitions& operator=(const MeshPartitions&) = delete;
 
@@ -106,6 +118,7 @@ class MeshPartitions {
   };
   using PartitionOfVertex = IdVector<VertexId, std::uint8_t>;
 
+  void assign(const Mesh& mesh, FaceFrames& frames);
   std::vector<ForeignCorner> find_foreign_corners(const Mesh& mesh, const PartitionOfVertex& partition_of_vertex);
   void add_copies(const std::vector<ForeignCorner>& corners, const PartitionOfVertex& partition_of_vertex);
   void add_copy(VertexCopyId vertex, PartitionId partition) {
@@ -115,6 +128,9 @@ class MeshPartitions {
 
   std::int32_t count_;
   std::size_t copy_count_;
+  std::optional<KdCut> cut_;                     // none for one partition
+  PartitionOfVertex of_input_;                   // for vertices that were there before generators were inserted
+  std::vector<ForeignCorner> foreign_;           // whose frames do not refer to first copies
   std::vector<std::uint8_t> partitions_;         // [face]
   const std::uint8_t* of_face_;                  // the same: one indirection less in the innermost loop
   IdVector<VertexCopyId, SharedCopyId> shared_;  // invalid where the vertex is not shared

@@ -17,6 +17,7 @@
 #include "geodesic/windows/propagation/pseudo_sources.hpp"
 #include "geodesic/windows/propagation/waiting_windows.hpp"
 #include "geodesic/windows/propagation/window_pruning.hpp"
+#include "geodesic/windows/propagation/window_record.hpp"
 #include "geodesic/windows/vertex_fan.hpp"
 #include "geodesic/windows/window_filters.hpp"
 #include "gvd/ids.hpp"
@@ -70,25 +71,28 @@ class VertexEvents {
 /// Paths and windows come from three helpers: FaceCrossing carries windows across a face, PseudoSources starts them at
 /// a vertex, and PartitionExchange receives them from other partitions. Partitions may work on several threads, each
 /// thread on one of them at a time. See propagate_windows.hpp.
+/// `Recorder` sees each window that is carried, and may forbid windows to enter faces (window_record.hpp).
 /// Long because the steps of the innermost loop share its members, and are inlined into it.
-class PartitionPropagator {
+template <class Recorder>
+class RecordedPartition {
  public:
   /// `state` has to outlive this.
-  PartitionPropagator(PropagationState& state, PartitionId own)
-      : frames_(state.frames),
+  RecordedPartition(PropagationState& state, PartitionId own, Recorder recorder = {})
+      : recorder_(recorder),
+        frames_(state.frames),
         labels_(state.labels),
         has_needles_(frames_.has_needles),
         has_thin_faces_(frames_.has_thin_faces),
         has_curves_(!state.on_curve.empty()),
         on_curve_(state.on_curve),
         exchange_(state.partitions, state.mailboxes, state.last_sent, own),
-        sources_(state.mesh, frames_, state.partitions, state.angles, own),
+        sources_(*state.mesh, frames_, state.partitions, state.angles, own),
         crossing_(frames_, labels_, state.apex_path, state.angles, state.starts),
         queue_(state.bucket_width, state.bucket_count),
         waiting_(state.first_waiting, state.bucket_width),
         pruning_(state, exchange_) {}
-  PartitionPropagator(const PartitionPropagator&) = delete;
-  PartitionPropagator& operator=(const PartitionPropagator&) = delete;
+  RecordedPartition(const RecordedPartition&) = delete;
+  RecordedPartition& operator=(const RecordedPartition&) = delete;
 
   /// Before the first round: makes a vertex copy a generator at this distance, unless it has a shorter path.
   void start_vertex(VertexCopyId v, GeneratorId g, double d) {
@@ -176,7 +180,7 @@ class PartitionPropagator {
     enqueue(w, history, edge, std::min(w.distance(w.begin), w.distance(w.end)));
   }
 
-  void receive_multi_label_face(FaceId f) { pruning_.mark_own_face(f); }
+  void receive_multi_label_face(FaceId f) { pruning_.mark_own_face(f, settled_); }
   /// A path to vertex copy v that another partition found. Each copy takes the first of all paths that are the best of
   /// any copy, in the order of is_before, and of one generator's paths the shortest. So all copies agree to the last
   /// bit in the end.
@@ -202,6 +206,7 @@ class PartitionPropagator {
                                       double key) {
     // A curve is nearer to all points of its edges than anything that comes to them.
     if (has_curves_ && on_curve_[edge.behind] != 0) return;
+    if (!recorder_.allows(w.halfedge)) return;
     if (!w.halfedge.valid()) {
       Window ending = w;
       ending.halfedge = edge.behind;
@@ -267,7 +272,7 @@ class PartitionPropagator {
   void take_path(VertexCopyId v, const VertexPath& path) {
     labels_.distance[v] = path.distance;
     if (labels_.label[v] != path.generator) {
-      if (labels_.label[v].valid()) pruning_.mark_vertex(path.back.halfedge);
+      if (labels_.label[v].valid()) pruning_.mark_vertex(path.back.halfedge, settled_);
       labels_.label[v] = path.generator;
     }
     if (!labels_.departure.empty()) labels_.departure[v] = path.departure;
@@ -297,9 +302,10 @@ class PartitionPropagator {
     const GeneratorId generator = w.window.generator;
     const bool other_start = labels_.has_other_label(edge.start, generator);
     if (labels_.has_other_label(edge.end, generator) || other_start) {
-      pruning_.mark_edge(edge.halfedge);
+      pruning_.mark_edge(edge.halfedge, settled_);
       edge.place = pruning_.place(edge.halfedge);
     }
+    recorder_.record(edge.halfedge, w.window, settled_);
     pruning_.add(w.window, w.history.departure, edge.place, settled_);
   }
 
@@ -310,6 +316,7 @@ class PartitionPropagator {
     carried_before_ = carried_;
   }
 
+  [[no_unique_address]] Recorder recorder_;
   const FaceFrames& frames_;
   DistanceLabels& labels_;
   bool has_needles_;     // meshes without needles look no kinds up
@@ -327,5 +334,8 @@ class PartitionPropagator {
   std::int64_t carried_ = 0, events_sent_ = 0;
   std::int64_t carried_before_ = 0;  // carried_ at the last `release`
 };
+
+/// Without a record.
+using PartitionPropagator = RecordedPartition<NoRecorder>;
 
 }  // namespace gvd

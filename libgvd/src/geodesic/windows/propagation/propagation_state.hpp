@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "base/parallel_chunks.hpp"
 #include "geodesic/windows/face_frames.hpp"
@@ -24,9 +25,21 @@ enum class FaceState : std::uint8_t {
 /// The data that the partitions of the mesh share. While they work, each one uses only the items of its own faces and
 /// vertex copies.
 struct PropagationState {
-  PropagationState(const Mesh& of_mesh, const PropagationOptions& options, const ParallelChunks& parallel);
+  /// `before`: the elements that were there before generators were inserted.
+  PropagationState(const Mesh& of_mesh, const ElementCounts& before, const PropagationOptions& options,
+                   const ParallelChunks& parallel);
+  PropagationState(const Mesh& of_mesh, const PropagationOptions& options, const ParallelChunks& parallel)
+      : PropagationState(of_mesh, {of_mesh.vertex_count(), of_mesh.face_count()}, options, parallel) {}
 
-  const Mesh& mesh;
+  /// Prepares another propagation on the same mesh, after one that has ended.
+  void restart();
+  /// The same on a mesh with other generators, in which these faces, with all that are split, and their neighbours have
+  /// changed. Cost: O(n) with small constants.
+  void restart(const Mesh& changed_mesh, std::span<const FaceId> changed);
+  /// Lets no window come to the edges of curves.
+  void mark_curves(const CurveEdges& curves);
+
+  const Mesh* mesh;
   KeepWindows keep;
   StartDistances starts;
   FaceFrames frames;

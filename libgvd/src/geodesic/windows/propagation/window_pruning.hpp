@@ -58,28 +58,29 @@ class WindowPruning {
   }
 
   /// Notes that halfedge h has a window with a label that one end of the edge does not have.
-  void mark_edge(HalfedgeId h) {
+  void mark_edge(HalfedgeId h, double settled) {
     if (keep_ != KeepWindows::near_bisectors) return;
-    mark_face(Mesh::face(h));
+    mark_face(Mesh::face(h), settled);
     const HalfedgeId twin = fan_.twin(h);
-    if (twin.valid()) mark_face(Mesh::face(twin));
+    if (twin.valid()) mark_face(Mesh::face(twin), settled);
   }
   /// Notes that the vertex that `outgoing` leaves changes its label: windows on its edges may have had the old one.
-  void mark_vertex(HalfedgeId outgoing) {
+  void mark_vertex(HalfedgeId outgoing, double settled) {
     if (keep_ != KeepWindows::near_bisectors) return;
     HalfedgeId h = outgoing;
     do {
-      mark_face(Mesh::face(h));
+      mark_face(Mesh::face(h), settled);
       h = fan_.left_of(h);
     } while (h.valid() && h != outgoing);
     if (h == outgoing) return;
-    for (h = outgoing; h.valid(); h = fan_.right_of(h)) mark_face(Mesh::face(h));
+    for (h = outgoing; h.valid(); h = fan_.right_of(h)) mark_face(Mesh::face(h), settled);
   }
 
-  /// Notes that a side of a face of this partition has a window with another label.
-  void mark_own_face(FaceId f) {
-    // If the face has a single label already, the paths through its corners beat such a window.
-    if (state(f) == FaceState::open) state(f) = FaceState::multi_label;
+  /// Notes that a side of a face of this partition has a window with another label. `settled` as in `add`.
+  void mark_own_face(FaceId f, double settled) {
+    // If the face has a single label already, the paths through its corners beat such a window. Faces are decided about
+    // before they are marked, so that their states do not depend on when windows far away were reviewed.
+    if (state(f) == FaceState::open && decide_face(f, settled) == FaceState::open) state(f) = FaceState::multi_label;
   }
 
   /// Decides about windows on edges to other partitions. Only while no partition runs. `settled` as in `add`.
@@ -157,9 +158,9 @@ class WindowPruning {
   FaceState& state(FaceId f) { return state_[f.value()]; }
   FaceState state(FaceId f) const { return state_[f.value()]; }
 
-  void mark_face(FaceId f) {
+  void mark_face(FaceId f, double settled) {
     if (exchange_.is_own(f)) {
-      mark_own_face(f);
+      mark_own_face(f, settled);
     } else {
       exchange_.send_multi_label_face(f);
     }

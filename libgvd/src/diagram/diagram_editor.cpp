@@ -1,0 +1,197 @@
+// A diagram that follows changes of its generators.
+//
+// Idea: a change of one generator leaves most windows, crossings and arcs as they are. `update_windows` finds the faces
+// whose windows change, and `RetracingTracer` traces these; labels, bisectors and cells are then collected as
+// `compute_diagram` does.
+// The work beyond the neighbourhood of the change is copying and counting: the working mesh, the lists of crossings and
+// arcs, the sums of the cells. These take most of the time of a change of one generator in a hundred.
+// A generator that is removed leaves its number to the last one. Otherwise all later numbers would change, and with
+// them the ties that numbers decide.
+// Source: none. Invariant: the diagram is that of `compute_diagram` with the same generators, to the last bit.
+#include "gvd/diagram_editor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "diagram/diagram_windows.hpp"
+#include "diagram/envelope/retrace_envelope.hpp"
+#include "diagram/finish_diagram.hpp"
+#include "geodesic/symbolic_offset.hpp"
+#include "geodesic/windows/propagation/window_updates.hpp"
+#include "geodesic/windows/window_queries.hpp"
+#include "gvd/diagram_steps.hpp"
+#include "gvd/error.hpp"
+#include "gvd/text.hpp"
+#include "mesh/common_elements.hpp"
+
+namespace gvd {
+
+namespace {
+
+/// The vertices of the changed faces, ascending.
+std::vector<VertexId> vertices_of(const Mesh& mesh, const std::vector<FaceId>& faces) {
+  std::vector<VertexId> vertices;
+  for (const FaceId f : faces) vertices.insert(vertices.end(), mesh.vertices(f).begin(), mesh.vertices(f).end());
+  std::ranges::sort(vertices);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+/// The labels of the windows, of which only those near the change are looked at for support.
+NearestLabels labels_of(const WorkingMesh& working, const WindowField& windows, const KnownTrace* known,
+                        const ParallelChunks& parallel) {
+  if (known == nullptr) return take_labels(working, windows.distance, windows.label, parallel);
+  std::vector<VertexId> before;  // by their present numbers; inserted vertices are generators, or have changed
+  const auto is_of_input = [&](VertexId v) { return v.value() < working.input().vertex_count(); };
+  std::ranges::copy_if(known->windows.unsupported, std::back_inserter(before), is_of_input);
+  return take_labels(working, windows.distance, windows.label, before, vertices_of(working.mesh(), known->changed));
+}
+
+/// Whether crossings can stay: their symbolic offsets are the same for both numbers of generators.
+bool have_same_offsets(const Mesh& mesh, std::size_t before, std::size_t after) {
+  const double diagonal = mesh.bbox_diagonal();
+  return SymbolicOffset::of_envelope(diagonal, before).step == SymbolicOffset::of_envelope(diagonal, after).step;
+}
+
+}  // namespace
+
+struct DiagramEditor::State {
+  State(const Mesh& of_mesh, DiagramOptions all_options) : mesh(of_mesh), options(std::move(all_options)) {}
+
+  void check(GeneratorId g) const;
+  void compute(std::vector<SurfacePoint> generators);
+  void change(std::vector<SurfacePoint> generators, const ChangedGenerators& changed);
+  void trace(const WorkingMesh& of, const WindowField& field, const KnownTrace* known, TracedWindows& result,
+             Diagram& next);
+
+  const Mesh& mesh;
+  DiagramOptions options;
+  std::unique_ptr<WorkingMesh> working;
+  std::unique_ptr<EditableWindows> windows;
+  TracedWindows traced{};
+  Diagram diagram{};
+  std::int32_t propagated = 0;
+  bool is_current = false;  ///< whether the windows are those of the diagram: not after an interruption
+};
+
+void DiagramEditor::State::check(GeneratorId g) const {
+  const std::vector<SurfacePoint>& points = diagram.generators;
+  if (g.valid() && g.index() < points.size()) return;
+  throw Error(ErrorCode::precondition,
+              fmt::format("there is no generator {} among {}", g.value(),
+                          counted(std::ssize(points), "generator", "generators")),
+              g.value());
+}
+
+/// Traces the windows and fills in the next diagram, except for its generators. If anything is known, pieces are taken
+/// from the present diagram. From then on, nothing is reported, so that nothing interrupts.
+void DiagramEditor::State::trace(const WorkingMesh& of, const WindowField& field, const KnownTrace* known,
+                                 TracedWindows& result, Diagram& next) {
+  const ParallelChunks parallel(options.threads, options.progress);
+  const WindowDistances distances(of.mesh(), field);
+  const EnvelopeTracer tracer(of, distances, chord_length(of.mesh(), options), parallel);
+  RetracingTracer retracing(tracer, of, field, known, result.crossings);
+  NearestLabels labels = labels_of(of, field, known, parallel);
+  result.unsupported = labels.unsupported;
+  result.traced = trace_connected(of, std::move(labels), retracing, options.progress);
+  next.report.propagation_events = field.carried;
+  if (known == nullptr) return finish_diagram(of, result.traced, {parallel}, next);
+  report_progress(options.progress, steps::kCells, 0);
+  const Progress silent;
+  const ParallelChunks uninterrupted(options.threads, silent);
+  KnownPieces pieces{retracing.take_kept(), diagram.pieces};
+  finish_diagram(of, result.traced, {uninterrupted, &pieces}, next);
+}
+
+/// Computes all. The state changes only where nothing can throw any more.
+void DiagramEditor::State::compute(std::vector<SurfacePoint> generators) {
+  auto new_working = std::make_unique<WorkingMesh>(mesh, generators, options.progress);
+  auto new_windows = std::make_unique<EditableWindows>(*new_working, options.threads, options.progress);
+  TracedWindows new_traced;
+  Diagram next;
+  next.generators = std::move(generators);
+  trace(*new_working, new_windows->field(), nullptr, new_traced, next);
+  working = std::move(new_working);
+  windows = std::move(new_windows);
+  traced = std::move(new_traced);
+  diagram = std::move(next);
+  propagated = static_cast<std::int32_t>(diagram.generators.size());
+  is_current = true;
+}
+
+/// Refused generators throw before the windows change. After an interruption the windows are lost, and the next change
+/// computes all.
+void DiagramEditor::State::change(std::vector<SurfacePoint> generators, const ChangedGenerators& changed) {
+  auto after = std::make_unique<WorkingMesh>(mesh, generators, options.progress);
+  if (!std::exchange(is_current, false)) return compute(std::move(generators));
+  const CommonElements common = find_common_elements(*working, *after, changed);
+  WindowChange update = windows->update({*working, *after, common, changed}, options.progress);
+  if (!have_same_offsets(mesh, diagram.generators.size(), generators.size())) {
+    update.is_changed.assign(update.is_changed.size(), 1);
+  }
+  Diagram next;
+  next.generators = std::move(generators);
+  TracedWindows new_traced;
+  const KnownTrace known{working->mesh(), traced, common, update.is_changed, update.changed};
+  trace(*after, windows->field(), &known, new_traced, next);
+  working = std::move(after);
+  traced = std::move(new_traced);
+  diagram = std::move(next);
+  propagated = update.propagated;
+  is_current = true;
+}
+
+DiagramEditor::DiagramEditor(const Mesh& mesh, std::vector<SurfacePoint> generators, DiagramOptions options) {
+  check_diagram_options(options);
+  if (options.method != Method::exact) {
+    throw Error(ErrorCode::invalid_option, "only diagrams of the exact method can be edited");
+  }
+  if (!options.weights.empty()) throw Error(ErrorCode::invalid_option, "a diagram with weights can't be edited");
+  state_ = std::make_unique<State>(mesh, std::move(options));
+  state_->compute(std::move(generators));
+}
+
+DiagramEditor::~DiagramEditor() = default;
+DiagramEditor::DiagramEditor(DiagramEditor&&) noexcept = default;
+DiagramEditor& DiagramEditor::operator=(DiagramEditor&&) noexcept = default;
+
+const Diagram& DiagramEditor::diagram() const { return state_->diagram; }
+std::int32_t DiagramEditor::propagated() const { return state_->propagated; }
+
+const Diagram& DiagramEditor::move(GeneratorId g, const SurfacePoint& to) {
+  state_->check(g);
+  std::vector<SurfacePoint> points = generators();
+  const SurfacePoint from = std::exchange(points[g.index()], to);
+  state_->change(std::move(points), {{g}, {g}, {from, to}});
+  return diagram();
+}
+
+const Diagram& DiagramEditor::add(const SurfacePoint& point) {
+  std::vector<SurfacePoint> points = generators();
+  points.push_back(point);
+  const GeneratorId added(points.size() - 1);
+  state_->change(std::move(points), {{}, {added}, {point}});
+  return diagram();
+}
+
+const Diagram& DiagramEditor::remove(GeneratorId g) {
+  state_->check(g);
+  std::vector<SurfacePoint> points = generators();
+  const GeneratorId last(points.size() - 1);
+  ChangedGenerators changed{{g}, {}, {points[g.index()]}};
+  if (g != last) {
+    changed.before.push_back(last);
+    changed.after.push_back(g);
+    changed.points.push_back(points.back());
+  }
+  points[g.index()] = points.back();
+  points.pop_back();
+  state_->change(std::move(points), changed);
+  return diagram();
+}
+
+}  // namespace gvd

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "diagram/envelope/trace_envelope.hpp"
+#include "diagram/graph/connected_tracer.hpp"
+#include "geodesic/windows/window_field.hpp"
+#include "mesh/common_elements.hpp"
+
+namespace gvd {
+
+/// A diagram traced from windows, with what its tracing can be repeated from in part.
+struct TracedWindows {
+  Crossings crossings;                ///< of the envelopes, before any were replaced to connect cells
+  std::vector<VertexId> unsupported;  ///< before any vertices got other labels
+  TracedDiagram traced;
+};
+
+/// What is known from the diagram before some generators changed.
+struct KnownTrace {
+  const Mesh& mesh;  ///< the working mesh before
+  const TracedWindows& windows;
+  const CommonElements& common;
+  const IdVector<FaceId, std::uint8_t>& is_changed;  ///< 1 for a face that is new, or has other sources
+  const std::vector<FaceId>& changed;                ///< faces that are new, or whose corners have other distances
+};
+
+/// The envelope tracer, after a change of some generators: edges and faces whose sources have not changed keep their
+/// crossings and arcs. The result has the bits of the envelope tracer's.
+class RetracingTracer final : public DiagramTracer {
+ public:
+  /// `known`: none to trace all. `crossings`: of TracedWindows, to be filled in. All must outlive the tracer.
+  RetracingTracer(const EnvelopeTracer& tracer, const WorkingMesh& working, const WindowField& field,
+                  const KnownTrace* known, Crossings& crossings)
+      : tracer_(tracer), mesh_(working.mesh()), field_(field), known_(known), crossings_(crossings) {}
+
+  /// 1 for the faces that kept their arcs when `close_faces` was called last; empty if none did.
+  IdVector<FaceId, std::uint8_t> take_kept() { return std::move(kept_); }
+
+  Crossings cross_edges(const NearestLabels& labels) const override;
+  void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                          Crossings& crossings) const override {
+    tracer_.cross_at_most_once(edges, labels, crossings);
+  }
+  void close_faces(TracedDiagram& traced) const override;
+
+ private:
+  bool is_known(HalfedgeId h) const;
+  bool is_contested(HalfedgeId h, const NearestLabels& labels) const;
+  bool has_known_crossings(FaceId f, const Crossings& crossings, std::vector<BoundaryCrossing>& now,
+                           std::vector<BoundaryCrossing>& before) const;
+
+  const EnvelopeTracer& tracer_;
+  const Mesh& mesh_;
+  const WindowField& field_;
+  const KnownTrace* known_;
+  Crossings& crossings_;
+  mutable IdVector<FaceId, std::uint8_t> kept_;
+};
+
+}  // namespace gvd
