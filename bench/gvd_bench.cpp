@@ -8,12 +8,16 @@
 //                    steps add up to less than the diagram
 //   bytes/face       the peak of what the diagram holds, without the input mesh, counted in a run of its own
 //   1 thread ms ...  with --threads T, wall-clock times of one thread and of T, measured in turns, and their ratio
+// --moves K adds a table with the median time of K moves of a generator (gvd/diagram_editor.hpp): by two faces, and to
+// random faces. Each move takes turns with a new diagram of the same generators.
 // --peers adds a table with the cost of CGAL's geodesic distances, which yield neither labels nor bisectors.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cstdint>
 #include <iostream>
+#include <random>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +27,7 @@
 #include "clocks.hpp"
 #include "command_line.hpp"
 #include "gvd/diagram.hpp"
+#include "gvd/diagram_editor.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "heap_meter.hpp"
@@ -36,6 +41,9 @@ namespace {
 /// The columns. Exact diagrams have no growth; that column shows their step "faces", the corresponding one.
 constexpr std::array<std::string_view, 4> kColumns{steps::kDistances, steps::kBisectors, steps::kGrowth, steps::kCells};
 
+/// Faces that a near move crosses.
+constexpr int kStepFaces = 2;
+
 struct Settings {
   std::vector<std::string> meshes;  ///< paths
   std::vector<int> generator_counts{5, 30, 100};
@@ -46,6 +54,7 @@ struct Settings {
   Front front = Front::circle;                                ///< of gbgvd; the paper's steps have planar fronts
   double chord_tolerance = DiagramOptions{}.chord_tolerance;  ///< mean edge lengths
   int threads = 1;                                            ///< above 1: compared with one
+  int moves = 0;  ///< of random generators, whose cost a table of its own compares with that of a new diagram
   bool peers = false;
   std::string save;  ///< file for the last refinement; empty: none
 };
@@ -142,6 +151,53 @@ void for_each_row(const Settings& settings, const Visit& visit) {
   }
 }
 
+/// A point in the face of p, or in one a few faces further; p is a vertex of the mesh or a point in a face.
+SurfacePoint step_from(const Mesh& mesh, const SurfacePoint& p, std::mt19937& random) {
+  FaceId f = p.face;
+  for (int i = 0; i < kStepFaces; ++i) {
+    const HalfedgeId twin = mesh.twin(Mesh::halfedge(f, static_cast<int>(random() % 3)));
+    if (twin.valid()) f = Mesh::face(twin);
+  }
+  const double a = 0.2 + 1e-3 * double(random() % 300), b = 0.1 + 1e-3 * double(random() % 300);
+  return make_surface_point(f, {a, b, 1 - a - b});
+}
+
+/// Measures moves of generators by some faces, or to random faces, against new diagrams in the same run.
+void measure_moves(const NamedMesh& input, int count, const Settings& settings) {
+  const Mesh& mesh = input.mesh;
+  const DiagramOptions options = diagram_options("exact", settings);
+  for (const bool is_far : {false, true}) {
+    std::mt19937 random(static_cast<unsigned>(settings.seed) + 1);
+    DiagramEditor editor(mesh, draw_vertex_points(mesh, count, settings.seed), options);
+    const auto move = [&] {
+      const GeneratorId g(random() % editor.generators().size());
+      SurfacePoint from = editor.generators()[g.index()];
+      if (is_far) from.face = FaceId(random() % static_cast<unsigned>(mesh.face_count()));
+      const SurfacePoint to = step_from(mesh, from, random);
+      return cpu_milliseconds([&] { editor.move(g, to); });
+    };
+    for (int i = 0; i < count; ++i) move();  // most generators lie in faces then
+    std::int64_t propagated = 0;
+    const auto [fresh, moved] = measure_medians(
+        settings.moves, [&] { return cpu_milliseconds([&] { compute_diagram(mesh, editor.generators(), options); }); },
+        [&] {
+          const double time = move();
+          propagated += editor.propagated();
+          return time;
+        });
+    std::cout << fmt::format("{:<22} {:>8} {:>5} {:<6} {:>12.2f} {:>10.2f} {:>7.3f} {:>12.1f}\n", input.name,
+                             mesh.face_count(), count, is_far ? "far" : "near", fresh, moved, moved / fresh,
+                             double(propagated) / settings.moves)
+              << std::flush;
+  }
+}
+
+void run_moves(const Settings& settings) {
+  std::cout << fmt::format("\n{:<22} {:>8} {:>5} {:<6} {:>12} {:>10} {:>7} {:>12}\n", "moves", "faces", "m", "kind",
+                           "new ms", "move ms", "ratio", "propagated");
+  for_each_row(settings, [&](const NamedMesh& input, int count) { measure_moves(input, count, settings); });
+}
+
 #ifdef GVD_HAS_PEERS
 /// A row of the second table: times at the vertices, without labels or bisectors.
 void measure_peers(const NamedMesh& input, int count, const Settings& settings) {
@@ -172,6 +228,7 @@ void run_all(const Settings& settings) {
   for_each_row(settings, [&](const NamedMesh& input, int count) {
     for (const std::string& method : settings.methods) measure(input, count, method, settings);
   });
+  if (settings.moves > 0) run_moves(settings);
   if (settings.peers) run_peers(settings);
 }
 
@@ -192,6 +249,8 @@ int run(int argc, char** argv) {
                "chord tolerance of exact diagrams, in mean edge lengths");
   add_positive(app, "--threads", settings.threads, "also compare the wall-clock times of one thread and of this many");
 #ifdef GVD_HAS_PEERS
+  app.add_option("--moves", settings.moves, "also time so many near and far moves of a generator")
+      ->check(CLI::NonNegativeNumber);
   app.add_flag("--peers", settings.peers, "also time CGAL's exact shortest paths and its heat method");
 #endif
   app.add_option("--front", settings.front, "front of gbgvd: planar or circle")
