@@ -59,6 +59,12 @@ class RandomEdits {
     const double a = 0.1 + 0.4 * below(100) / 100.0, b = 0.1 + 0.3 * below(100) / 100.0;
     return make_surface_point(f, {a, b, 1 - a - b});
   }
+  /// None, one or several points.
+  std::vector<SurfacePoint> some_points() {
+    std::vector<SurfacePoint> points(static_cast<std::size_t>(below(5)));
+    for (SurfacePoint& p : points) p = anywhere();
+    return points;
+  }
   /// The same point, a millionth of its face further.
   static SurfacePoint tiny(SurfacePoint p) {
     const double step = 1e-6 * p.bary[0];
@@ -80,7 +86,7 @@ class RandomEdits {
         editor.move(g, tiny(points[g.index()]));
         break;
       case 4:
-        editor.add(anywhere());
+        editor.add(some_points());
         break;
       default:
         points.size() > 1 ? editor.remove(g) : editor.add(anywhere());

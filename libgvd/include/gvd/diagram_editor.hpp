@@ -11,11 +11,11 @@
 
 namespace gvd {
 
-/// An exact diagram whose generators can be moved, added and removed one at a time. Each change computes again what it
+/// An exact diagram whose generators can be moved, added and removed. Each change computes again what it
 /// has an effect on, and nothing else.
 ///
-/// For a generator that is dragged, for one that is added where a diagram is not good enough, and for trials of single
-/// moves. Where many generators change at once, `compute_diagram` is faster: a move costs a fifth of it.
+/// For a generator that is dragged, for some that are added where a diagram is not good enough, and for trials of
+/// single moves. Where many generators change at once, `compute_diagram` is faster: a move costs a fifth of it.
 ///
 ///     DiagramEditor editor(mesh, generators);
 ///     for (const SurfacePoint& p : path) show(editor.move(GeneratorId(3), p));
@@ -52,7 +52,9 @@ class DiagramEditor {
   /// point lies in no face of the mesh, or coincides with another generator.
   const Diagram& move(GeneratorId g, const SurfacePoint& to);
   /// Adds a generator, which gets the next number. Throws as `move` does.
-  const Diagram& add(const SurfacePoint& point);
+  const Diagram& add(const SurfacePoint& point) { return add(std::vector<SurfacePoint>{point}); }
+  /// Adds generators in one change, which get the next numbers. Throws as `move` does.
+  const Diagram& add(const std::vector<SurfacePoint>& points);
   /// Removes generator g; the last generator gets its number, and all others keep theirs. Throws Error{precondition} if
   /// there is no such generator, or no other one.
   const Diagram& remove(GeneratorId g);

@@ -18,6 +18,7 @@
 
 #include "crease_steps.hpp"
 #include "dual/dual_steps.hpp"
+#include "gvd/diagram_editor.hpp"
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
@@ -220,7 +221,7 @@ class Remesher {
     events_ = result_.diagram.report.propagation_events * std::max(std::int64_t{1}, options_.earlier_diagrams);
     while (!ends_with_round()) {
       enter(RemeshStage::diagram);
-      result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
+      update_diagram();
       events_ += result_.diagram.report.propagation_events;
     }
     if (is_worth_searching()) search_fewer();
@@ -262,6 +263,21 @@ class Remesher {
       return true;
     }
     return false;
+  }
+
+  /// The diagram after generators were added. An exact one is computed anew once; then only what they change.
+  void update_diagram() {
+    if (options_.diagram.method != Method::exact) {
+      result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
+      return;
+    }
+    if (editor_) {
+      const auto first = result_.generators.begin() + std::ssize(editor_->generators());
+      editor_->add(std::vector<SurfacePoint>(first, result_.generators.end()));
+    } else {
+      editor_.emplace(mesh_, result_.generators, options_.diagram);
+    }
+    result_.diagram = editor_->diagram();
   }
 
   /// Adds generators on creases. They come before repairs, which they often make needless. False where none is added.
@@ -442,6 +458,7 @@ class Remesher {
   RepairHistory history_;
   std::int64_t events_ = 0;  // windows propagated in all diagrams but those of searches
   RoundMaker maker_{mesh_, options_, fixed_};
+  std::optional<DiagramEditor> editor_;  // of the rounds, from the second on
 };
 
 }  // namespace

@@ -170,11 +170,14 @@ const Diagram& DiagramEditor::move(GeneratorId g, const SurfacePoint& to) {
   return diagram();
 }
 
-const Diagram& DiagramEditor::add(const SurfacePoint& point) {
-  std::vector<SurfacePoint> points = generators();
-  points.push_back(point);
-  const GeneratorId added(points.size() - 1);
-  state_->change(std::move(points), {{}, {added}, {point}});
+const Diagram& DiagramEditor::add(const std::vector<SurfacePoint>& points) {
+  std::vector<SurfacePoint> all = generators();
+  ChangedGenerators changed{{}, {}, points};
+  for (const SurfacePoint& point : points) {
+    changed.after.emplace_back(all.size());
+    all.push_back(point);
+  }
+  state_->change(std::move(all), changed);
   return diagram();
 }
 
