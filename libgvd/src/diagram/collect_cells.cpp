@@ -257,10 +257,13 @@ class CellCollector {
     }
   }
 
-  /// Only the pieces of faces that generators split are out of order.
+  /// Only the pieces of parts that generators made are out of order. They come last.
   void sort_pieces() {
-    if (std::ranges::is_sorted(diagram_.pieces, {}, &FacePiece::face)) return;
-    std::ranges::stable_sort(diagram_.pieces, {}, &FacePiece::face);
+    std::vector<FacePiece>& pieces = diagram_.pieces;
+    const auto by_face = [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; };
+    const auto last = std::is_sorted_until(pieces.begin(), pieces.end(), by_face);
+    std::stable_sort(last, pieces.end(), by_face);
+    std::inplace_merge(pieces.begin(), last, pieces.end(), by_face);
   }
 
   const WorkingMesh& working_;
