@@ -42,9 +42,10 @@ inline to_chars_result to_chars(char* first, char*, double value) {
 
 namespace ranges {
 using ::ranges::all_of, ::ranges::any_of, ::ranges::binary_search, ::ranges::copy, ::ranges::copy_if, ::ranges::count,
-    ::ranges::count_if, ::ranges::find, ::ranges::find_if, ::ranges::for_each, ::ranges::is_sorted,
-    ::ranges::lower_bound, ::ranges::max, ::ranges::max_element, ::ranges::min, ::ranges::min_element,
-    ::ranges::minmax_element, ::ranges::none_of, ::ranges::sort, ::ranges::stable_sort, ::ranges::upper_bound;
+    ::ranges::count_if, ::ranges::equal, ::ranges::fill, ::ranges::find, ::ranges::find_if, ::ranges::for_each,
+    ::ranges::is_sorted, ::ranges::lower_bound, ::ranges::max, ::ranges::max_element, ::ranges::merge, ::ranges::min,
+    ::ranges::min_element, ::ranges::minmax_element, ::ranges::move, ::ranges::none_of, ::ranges::set_difference,
+    ::ranges::sort, ::ranges::stable_sort, ::ranges::upper_bound;
 }  // namespace ranges
 
 }  // namespace std
