@@ -7,9 +7,11 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <range/v3/algorithm.hpp>
 #include <type_traits>
@@ -41,11 +43,19 @@ inline to_chars_result to_chars(char* first, char*, double value) {
 }
 
 namespace ranges {
+/// That of range-v3 0.12 leaves some of the vectors empty that are members of what it sorts.
+template <class Range, class Compare = std::less<>, class Projection = ::ranges::identity>
+void stable_sort(Range&& range, Compare compare = {}, Projection projection = {}) {
+  std::stable_sort(range.begin(), range.end(), [&](const auto& a, const auto& b) {
+    return std::invoke(compare, std::invoke(projection, a), std::invoke(projection, b));
+  });
+}
+
 using ::ranges::all_of, ::ranges::any_of, ::ranges::binary_search, ::ranges::copy, ::ranges::copy_if, ::ranges::count,
     ::ranges::count_if, ::ranges::equal, ::ranges::fill, ::ranges::find, ::ranges::find_if, ::ranges::for_each,
     ::ranges::is_sorted, ::ranges::lower_bound, ::ranges::max, ::ranges::max_element, ::ranges::merge, ::ranges::min,
     ::ranges::min_element, ::ranges::minmax_element, ::ranges::move, ::ranges::none_of, ::ranges::set_difference,
-    ::ranges::sort, ::ranges::stable_sort, ::ranges::upper_bound;
+    ::ranges::sort, ::ranges::upper_bound;
 }  // namespace ranges
 
 }  // namespace std
