@@ -329,7 +329,7 @@ export class Viewer {
       this.hover_mark.clear();
     }
     this.picture.set_detail(!moving);
-    this.materials.line.linewidth = bisector_width(this.picture.spacing * this.stage.pixels_per_unit());
+    this.materials.line.uniforms.width.value = bisector_width(this.picture.spacing * this.stage.pixels_per_unit());
     for (const { uniforms } of Object.values(this.materials)) {
       if (uniforms.viewport_height) uniforms.viewport_height.value = this.stage.height;
       if (uniforms.pixel_ratio) uniforms.pixel_ratio.value = this.stage.renderer.getPixelRatio();
@@ -355,9 +355,9 @@ export class Viewer {
   follow_theme() {
     const theme = kThemes[dark_scheme.matches ? 'dark' : 'light'];
     this.stage.renderer.setClearColor(theme.page, 0);
-    this.materials.line.color.set(theme.line);
-    this.materials.isoline.color.set(theme.isoline);
-    this.materials.path.color.set(theme.path);
+    this.materials.line.uniforms.colour.value.set(theme.line);
+    this.materials.isoline.uniforms.colour.value.set(theme.isoline);
+    this.materials.path.uniforms.colour.value.set(theme.path);
     this.set_wire_colour();
     this.materials.overlay.uniforms.colour.value.set(theme.overlay);
     const dots = { generator: theme.generator, added_generator: theme.added_generator, branch_point: theme.branch_point };

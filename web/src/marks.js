@@ -1,7 +1,5 @@
 // What lies on the surface: bisectors, the mesh's edges, generators and branch points.
-import { BufferAttribute, BufferGeometry, LineSegments, Points } from 'three';
-import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { BufferAttribute, BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute, LineSegments, Mesh, Points } from 'three';
 import { read_array } from './data.js';
 import { make_dot_material, make_line_material, make_wire_material } from './materials.js';
 
@@ -59,7 +57,20 @@ export function line_segments(points, counts, step) {
 // The polylines {points, counts}, which are arrays. Null where there is nothing to draw.
 export function make_lines({ points, counts }, material, step = 0) {
   const ends = line_segments(points, counts, step);
-  return ends.length ? new LineSegments2(new LineSegmentsGeometry().setPositions(ends), material) : null;
+  return ends.length ? make_segments(ends, material) : null;
+}
+
+// Four vertices a segment, each with both ends.
+function make_segments(ends, material) {
+  const count = ends.length / 6, copies = new Float32Array(4 * ends.length), corners = new Uint32Array(ends.length);
+  for (let i = 0; i < count; ++i) {
+    for (let k = 0; k < 24; ++k) copies[24 * i + k] = ends[6 * i + (k % 6)];
+    for (let k = 0; k < 6; ++k) corners[6 * i + k] = 4 * i + [0, 1, 2, 2, 1, 3][k];
+  }
+  const geometry = new BufferGeometry().setIndex(new BufferAttribute(corners, 1)), both = new InterleavedBuffer(copies, 6);
+  geometry.setAttribute('position', new InterleavedBufferAttribute(both, 3, 0));
+  geometry.setAttribute('end', new InterleavedBufferAttribute(both, 3, 3));
+  return new Mesh(geometry, material);
 }
 
 // The polylines that a manifest entry refers to.

@@ -1,6 +1,5 @@
 // Shaders: the surface, what is picked under the pointer, and the dots.
 import { BackSide, Color, DoubleSide, FrontSide, GLSL3, NoBlending, ShaderMaterial } from 'three';
-import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { kLatticeWidth, kTextureWidth, kUnlabelled, ramp_texture } from './colours.js';
 
 // Where the surface's colour comes from: the region's entry in a texture, a value of each point or face, or nothing.
@@ -223,13 +222,46 @@ void pull(float pixels) {
   gl_Position.z = (projectionMatrix[2][2] * z + projectionMatrix[3][2]) / -z * gl_Position.w;
 }`;
 
+// Segments `width` pixels wide with round ends: each is a rectangle round both of its ends, from four copies of them.
+// Instances of one rectangle would take four times as long in software, which draws each instance by itself.
 export function make_line_material(width) {
-  const material = new LineMaterial({ linewidth: width });
-  material.uniforms.viewport_height = { value: 1 };
-  material.vertexShader = material.vertexShader
-    .replace('void main() {', `${kPull}\nvoid main() {`)
-    .replace('gl_Position = clip;', 'gl_Position = clip; pull(3.0);');
-  return material;
+  return new ShaderMaterial({
+    vertexShader: /* glsl */ `
+      ${kPull}
+      attribute vec3 end;
+      uniform float width;
+      flat varying float v_length;
+      varying vec2 v_place;  // along and across, in half widths
+      void main() {
+        mat4 camera = projectionMatrix * modelViewMatrix;
+        vec4 a = camera * vec4(position, 1.0), b = camera * vec4(end, 1.0);
+        float least = 1e-3 * max(a.w, b.w);
+        if (a.w < least) a = mix(a, b, (least - a.w) / (b.w - a.w));
+        if (b.w < least) b = mix(b, a, (least - b.w) / (a.w - b.w));
+        vec2 radius = width / viewport_height * vec2(projectionMatrix[0][0] / projectionMatrix[1][1], 1.0);
+        vec2 along = (b.xy / b.w - a.xy / a.w) / radius;
+        v_length = length(along);
+        along = v_length > 1e-4 ? along / v_length : vec2(1.0, 0.0);
+        bool last = gl_VertexID % 4 > 1;
+        float way = last ? 1.0 : -1.0, side = gl_VertexID % 2 == 0 ? -1.0 : 1.0;
+        v_place = vec2(last ? v_length + 1.0 : -1.0, side);
+        gl_Position = last ? b : a;
+        gl_Position.xy += (along * way + vec2(-along.y, along.x) * side) * radius * gl_Position.w;
+        pull(3.0);
+      }`,
+    fragmentShader: /* glsl */ `
+      uniform vec3 colour;
+      flat varying float v_length;
+      varying vec2 v_place;
+      void main() {
+        float beyond = max(max(-v_place.x, v_place.x - v_length), 0.0);
+        if (beyond * beyond + v_place.y * v_place.y > 1.0) discard;
+        gl_FragColor = vec4(colour, 1.0);
+        #include <colorspace_fragment>
+      }`,
+    side: DoubleSide,
+    uniforms: { colour: { value: new Color() }, width: { value: width }, viewport_height: { value: 1 } },
+  });
 }
 
 export function make_wire_material() {

@@ -67,7 +67,7 @@ export class Pictures {
     const dot = (name, size, fill, ring) => ({ name, points: read_array(entry[name]), radius: (size * pixels) / 2, fill, ring });
     const made = (list, make) => list.filter(([name]) => shown.includes(name)).map((parts) => make(...parts));
     return {
-      lines: made([['bisectors', theme.line, materials.line.linewidth], ['isolines', theme.isoline, kMarkWidths.isolines], ['paths', theme.path, kMarkWidths.paths]], line),
+      lines: made([['bisectors', theme.line, materials.line.uniforms.width.value], ['isolines', theme.isoline, kMarkWidths.isolines], ['paths', theme.path, kMarkWidths.paths]], line),
       dots: made([['branch_points', dot_sizes.branch_point, theme.branch_point, theme.generator], ['generators', dot_sizes.generator, theme.generator, theme.branch_point],
                   ['added_generators', dot_sizes.generator, theme.added_generator, theme.branch_point]], dot),
     };
