@@ -9,6 +9,7 @@ EMSCRIPTEN_BINDINGS(gvd) {
       "version", +[] { return std::string(gvd::version()); });
   gvd::web::bind_mesh();
   gvd::web::bind_diagram();
+  gvd::web::bind_editor();
   gvd::web::bind_remesh();
   gvd::web::bind_scenes();
 }

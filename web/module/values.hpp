@@ -179,6 +179,7 @@ val write_result(LabelledMesh mesh, const std::string& format, const Given& opti
 
 void bind_mesh();
 void bind_diagram();
+void bind_editor();
 void bind_remesh();
 
 }  // namespace gvd::web

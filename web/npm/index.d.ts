@@ -204,6 +204,23 @@ export class Diagram extends Handle {
   cut(options?: Reporting): Cut;
 }
 
+/**
+ * An exact diagram of which one generator after the other is moved, added or removed. Each change computes again what it
+ * has an effect on; the diagram is that of `mesh.voronoi(generators)`, bit for bit.
+ */
+export class DiagramEditor extends Handle {
+  constructor(mesh: Mesh, points: PointsLike, options?: { max_snap?: number } & ComputeOptions);
+  readonly mesh: Mesh;
+  /** Of the present generators; it stays as it is when the editor changes. */
+  readonly diagram: Diagram;
+  readonly generators: Points;
+  move(generator: number, to: PointsLike): this;
+  /** The new generator has the next number. */
+  add(point: PointsLike): this;
+  /** The last generator gets the number of the one that is removed. */
+  remove(generator: number): this;
+}
+
 export interface Balanced {
   diagram: Diagram;
   masses: Float64Array;

@@ -9,7 +9,7 @@
 // block, so pages make them in a worker. Objects free their memory when they are collected, or by free().
 import create from './gvd.mjs';
 import wasmBinary from './load.mjs';
-import { checkNames, entries, Error, isSingle, oneOf, refuse } from './points.mjs';
+import { checkIndices, checkNames, entries, Error, isSingle, oneOf, refuse } from './points.mjs';
 
 const native = await create({ wasmBinary, Error });
 const collected = new FinalizationRegistry((handle) => handle.delete());
@@ -217,6 +217,48 @@ lazy(Diagram, 'bisectors', ({ curves }) =>
       positions: curves.positions.subarray(3 * begin, 3 * end),
     };
   }));
+
+/** An exact diagram of which one generator after the other is moved, added or removed. */
+export class DiagramEditor extends Handle {
+  constructor(mesh, points, { max_snap, ...options } = {}) {
+    checkNames('DiagramEditor', options, `max_snap ${COMPUTE}`);
+    super(native.edit(mesh._native, entries('points', points, { max_snap, coincident: 'refuse' }), options));
+    this.mesh = mesh;
+  }
+
+  /** A copy, which stays as it is when the editor changes. */
+  get diagram() {
+    return (this._diagram ??= new Diagram(this.mesh, this._native.diagram()));
+  }
+
+  get generators() {
+    return this._native.generators();
+  }
+
+  move(generator, to) {
+    return this._change('move', generator, entries('to', to));
+  }
+
+  add(point) {
+    return this._change('add', entries('point', point));
+  }
+
+  remove(generator) {
+    return this._change('remove', generator);
+  }
+
+  /** What throws leaves the diagram as it was. */
+  _change(name, ...args) {
+    if (name !== 'add') checkIndices('generator', [args[0]]);
+    this._native[name](...args);
+    this._diagram = undefined;
+    return this;
+  }
+
+  to_bytes(format, options) {
+    return this.diagram.to_bytes(format, options);
+  }
+}
 
 export class Segmentation extends Handle {
   constructor(diagram, handle) {

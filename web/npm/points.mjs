@@ -25,7 +25,7 @@ const isList = (value) => Array.isArray(value) || ArrayBuffer.isView(value);
 /** Whether one vertex was given, or one position as an array of its own, and not a list. */
 export const isSingle = (given) => typeof given === 'number';
 
-function checkIndices(name, ids) {
+export function checkIndices(name, ids) {
   const bad = ids.findIndex((id) => !Number.isSafeInteger(id) || id < 0);
   if (bad >= 0) refuse(`${name}: ${ids[bad]} is no whole number from 0 on, as vertices and faces are`, bad);
 }

@@ -62,6 +62,12 @@ test('the package has the version of the module', () => {
   assert.equal(gvd.version, JSON.parse(readFileSync(join(packed, 'package.json'), 'utf8')).version);
 });
 
+test('generators inside faces leave no holes between the pieces', () => {
+  const mesh = gvd.read(readFileSync(join(data, 'figure.obj')), 'figure.obj');
+  const face = Array.from({ length: 40 }, (_, i) => 140 * i + 60), diagram = mesh.voronoi({ face, bary: face.flatMap(() => [0.25, 0.5, 0.25]) });
+  assert.deepEqual(diagram.check(), []);
+});
+
 test('arrays go in and out', () => {
   const square = new Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]);
   assert.deepEqual([...square.distances(0)], [0, 1, Math.SQRT2, 1]);
@@ -74,6 +80,31 @@ test('arrays go in and out', () => {
   assert.ok(converged);
   assert.ok(Math.abs(masses[0] - 0.25) < 1e-9 && Math.abs(masses[1] - 0.75) < 1e-9, String(masses));
   assert.equal(diagram.cut().mesh.summary.area, 1);
+});
+
+test('an edited diagram is a new one of the same generators', () => {
+  const mesh = gvd.read(readFileSync(join(data, 'figure.obj')), 'figure.obj'), editor = new gvd.DiagramEditor(mesh, mesh.farthest(30));
+  const face = (f, a = 0.25) => ({ face: [f], bary: [a, 0.75 - a, 0.25] });
+  const first = editor.diagram, length = first.length;
+  const edits = [(e) => e.move(3, face(100)), (e) => e.move(3, face(101, 0.5)), (e) => e.add(face(2000)), (e) => e.remove(5), (e) => e.move(29, 7), (e) => e.remove(0)];
+  for (const edit of edits) {
+    edit(editor);
+    const fresh = mesh.voronoi(editor.generators);
+    for (const name of ['labels', 'distances', 'generators', 'branch_points', 'cells', 'curves', 'pieces', 'length']) {
+      assert.deepEqual(editor.diagram[name], fresh[name], `${name} after ${edit}`);
+    }
+    assert.deepEqual(editor.to_bytes('json'), fresh.to_bytes('json'));
+  }
+  assert.equal(editor.generators.face.length, 29);
+  assert.equal(first.length, length);
+  const there = editor.generators, refused = (call, code) => assert.throws(call, (error) => error instanceof gvd.Error && error.code === code);
+  refused(() => editor.move(29, face(1)), 'precondition');
+  refused(() => editor.move(2 ** 40, face(1)), 'precondition');
+  refused(() => editor.move(1.5, face(1)), 'invalid_option');
+  refused(() => editor.move(1, [0, 1]), 'invalid_option');
+  refused(() => editor.add({ face: [there.face[0]], bary: there.bary.subarray(0, 3) }), 'precondition');
+  refused(() => new gvd.DiagramEditor(mesh, [0, 1], { method: 'gbgvd' }), 'invalid_option');
+  assert.deepEqual(editor.generators, there);
 });
 
 test('relaxation reports its iterations', () => {
