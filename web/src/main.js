@@ -111,7 +111,7 @@ export class Viewer {
   // Makes the shade of the picture, if it is wanted and not there. Until then the page is marked as busy.
   async shade() {
     const { picture } = this, busy = document.documentElement;
-    picture.need_coarse();
+    if (!this.stage.moving) picture.need_coarse();
     if (!this.on.shadow) return;
     busy.toggleAttribute('data-shading', ++this.shadings > 0);
     picture.set_shading(await this.shading.of(picture));
@@ -142,7 +142,7 @@ export class Viewer {
   listen() {
     const { canvas } = this;
     canvas.addEventListener('pointermove', (event) => event.buttons === 0 && this.point_at(event));
-    canvas.addEventListener('pointerdown', (event) => (this.pressed = event));
+    canvas.addEventListener('pointerdown', (event) => (this.pressed = event.isPrimary ? event : null));  // two fingers never click
     for (const type of ['pointerdown', 'wheel']) canvas.addEventListener(type, () => document.body.classList.add('used'));
     canvas.addEventListener('pointerup', (event) => this.release(event));
     canvas.addEventListener('pointerleave', ({ pointerType }) => pointerType === 'mouse' && this.point_at(null));
@@ -191,7 +191,6 @@ export class Viewer {
     this.pictures[i] ??= new Picture(this.manifest.scenes[i], this.manifest.scale, this.materials);
     this.picture = this.pictures[i];
     this.stage.scene.add(this.picture.group);
-    panel.show_figures(this.manifest.scenes[i].figures);
     this.apply();
     if (this.shown) this.shade();
   }
@@ -227,6 +226,17 @@ export class Viewer {
 
   apply() {
     const on = { ...this.on, ...this.own[this.current] }, { picture } = this;
+    this.colour = [this.wanted, ...kUsual].find((key) => picture.offers(key));
+    picture.apply(on, this.colour);
+    this.set_wire_colour();
+    this.show_panels(on);
+    if (!picture.path) this.pin(this.pinned);
+  }
+
+  // What the panels have of the picture.
+  show_panels(on) {
+    const { picture } = this;
+    panel.show_figures(picture.entry.figures);
     for (const [key, { row, input, count }] of Object.entries(this.inputs)) {
       row.hidden = !picture.offers(key);
       input.checked = on[key] && !row.hidden;
@@ -236,14 +246,10 @@ export class Viewer {
     this.inputs.generators.text.textContent = picture.vertex_paths ? 'Sources' : 'Generators';
     this.inputs.paths.text.textContent = picture.entry.cells.length ? 'Curves' : 'Paths';
     if (picture.entry.overlay) this.inputs.overlay.text.textContent = picture.entry.overlay.name;
-    this.colour = [this.wanted, ...kUsual].find((key) => picture.offers(key));
     panel.by_id('colour').value = this.colour;
-    picture.apply(on, this.colour);
     document.querySelector('#hint span').textContent = this.click_hint();
-    this.set_wire_colour();
     show_legend(this.legend_title(), picture.range(this.colour), picture.exceeds(this.colour));
     this.table.show(picture.offers('regions') ? picture.entry.cells : [], (label) => this.css_colour(label));
-    if (!picture.path) this.pin(this.pinned);
   }
 
   // What a click does, behind what else the pointer does.
@@ -328,7 +334,7 @@ export class Viewer {
       this.id_map.invalidate();
       this.hover_mark.clear();
     }
-    this.picture.set_detail(!moving);
+    this.picture.set_detail(!moving, this.stage.quick);
     this.materials.line.uniforms.width.value = bisector_width(this.picture.spacing * this.stage.pixels_per_unit());
     for (const { uniforms } of Object.values(this.materials)) {
       if (uniforms.viewport_height) uniforms.viewport_height.value = this.stage.height;

@@ -70,7 +70,9 @@ function make_segments(ends, material) {
   const geometry = new BufferGeometry().setIndex(new BufferAttribute(corners, 1)), both = new InterleavedBuffer(copies, 6);
   geometry.setAttribute('position', new InterleavedBufferAttribute(both, 3, 0));
   geometry.setAttribute('end', new InterleavedBufferAttribute(both, 3, 3));
-  return new Mesh(geometry, material);
+  const lines = new Mesh(geometry, material);
+  lines.frustumCulled = false;  // it would need the sphere round them
+  return lines;
 }
 
 // The polylines that a manifest entry refers to.
@@ -104,6 +106,14 @@ function unique_edges(faces, vertex_count) {
     edges[size++] = keys[i] % vertex_count;
   }
   return edges.slice(0, size);
+}
+
+const closed = new WeakMap();  // by faces
+
+// Whether every edge has two faces, so that only an eye inside the surface sees its inside.
+export function is_closed({ faces, positions }) {
+  if (!closed.has(faces)) closed.set(faces, unique_edges(faces, positions.length / 3).length === faces.length);
+  return closed.get(faces);
 }
 
 export function make_wireframe(surface, material) {

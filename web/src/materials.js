@@ -115,7 +115,8 @@ void main() {
 }`;
 
 // One material for the outside of the surface and a darker one for its inside; they share their uniforms. The inside is
-// drawn slightly farther from the eye. Otherwise it would be visible at silhouettes, through the rim of the outside.
+// drawn slightly farther from the eye. Otherwise it would be visible at silhouettes, through the rim of the outside. In
+// haste one material draws both at once, where both can be seen.
 export function make_surface_materials() {
   const common = { vertexShader: kSurfaceVertex, fragmentShader: kSurfaceFragment };
   const outside = new ShaderMaterial({
@@ -132,8 +133,9 @@ export function make_surface_materials() {
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 2,
   });
-  inside.uniforms = outside.uniforms;
-  return { outside, inside };
+  const both = new ShaderMaterial({ ...common, side: DoubleSide, defines: { kSide: '(gl_FrontFacing ? 1.0 : -1.0)' } });
+  inside.uniforms = both.uniforms = outside.uniforms;
+  return { outside, inside, both };
 }
 
 function make_uniforms() {

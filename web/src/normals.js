@@ -28,9 +28,17 @@ function corners_of_vertices(vertex_count, faces) {
   return { start, corner };
 }
 
+const known = new WeakMap();  // by positions: {faces, normals} of the last faces
+
+// As `compute_normals`, which is called once for the same arrays.
+export function corner_normals(positions, faces) {
+  if (known.get(positions)?.faces !== faces) known.set(positions, { faces, normals: compute_normals(positions, faces) });
+  return known.get(positions).normals;
+}
+
 // A unit normal for each corner of each face: the area-weighted mean over the faces at its vertex whose normals are
 // close to the face's own.
-export function corner_normals(positions, faces) {
+function compute_normals(positions, faces) {
   const vectors = face_vectors(positions, faces);
   const lengths = new Float32Array(faces.length / 3);
   for (let f = 0; f < lengths.length; ++f) {

@@ -3,7 +3,7 @@ import { Group, Mesh } from 'three';
 import { make_coarse } from './coarse.js';
 import { fill_texture, kUnreachedFill, lattice_texture, read_fills } from './colours.js';
 import { count_of, read_array } from './data.js';
-import { dot_sizes, make_dots, make_lines, make_wireframe, read_lines } from './marks.js';
+import { dot_sizes, is_closed, make_dots, make_lines, make_wireframe, read_lines } from './marks.js';
 import { kSources } from './materials.js';
 import { make_overlay } from './overlay.js';
 import { group_digits } from './panel.js';
@@ -46,6 +46,7 @@ export class Picture {
     this.mesh = new Mesh(this.geometry, this.materials.outside);
     this.inside = new Mesh(this.geometry, this.materials.inside);
     this.group = new Group();
+    this.mesh.frustumCulled = this.inside.frustumCulled = false;  // nearly all of it is in view
     this.group.add(this.mesh, this.inside);
   }
 
@@ -184,8 +185,10 @@ export class Picture {
     this.coarse?.geometry.dispose();
   }
 
-  // Whether everything is drawn, or fewer triangles and segments where the surface has many.
-  set_detail(whole) {
+  // Whether everything is drawn, or fewer triangles and segments where the surface has many; `quick`: in haste.
+  set_detail(whole, quick) {
+    this.inside.visible = !quick;
+    this.mesh.material = quick && !is_closed(this.surface) ? this.materials.both : this.materials.outside;
     if (!whole) this.need_coarse();
     const coarse = !whole && Boolean(this.coarse);
     if (this.coarse_bisectors) {

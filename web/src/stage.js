@@ -10,6 +10,9 @@ const kKeyTurn = Math.PI / 24;                           // per key press
 const kKeyZoom = 1.15;
 const kReach = 2.5;                                      // of the ground, in radii of everything
 const kSlow = 100;                                       // milliseconds a frame, beyond which motion has no damping
+const kShares = [1, 0.7, 0.5, 0.35];                     // of the pixels along each side while something moves
+const kSlowPicture = 40;                                 // milliseconds that drawing may take, before fewer pixels are drawn
+const kLookEvery = 5;                                    // milliseconds
 const kRest = 150;                                       // milliseconds without motion, after which details are drawn
 
 // The unit vector of 'x', 'y', 'z', '-x', '-y' or '-z'.
@@ -33,7 +36,9 @@ export class Stage {
     this.camera = new PerspectiveCamera(kFieldOfView, 1, 0.01, 100);
     this.before_draw = () => {};  // called with whether the surface moves
     this.at_rest = () => {};
-    this.scheduled = this.moving = this.held = false;
+    this.scheduled = this.moving = this.held = this.watching = false;
+    this.level = 0;  // of kShares
+    this.drawn = Promise.resolve();  // kept when what was asked for last has been drawn
     this.set_up(up);
     canvas.addEventListener('keydown', (event) => this.on_key(event));
   }
@@ -67,11 +72,8 @@ export class Stage {
     this.controls.minDistance = 0.02 * this.bounds.radius;
     this.controls.maxDistance = 20 * this.bounds.radius;
     this.controls.addEventListener('change', () => this.move());
-    this.controls.addEventListener('start', () => (this.held = true));
-    this.controls.addEventListener('end', () => {
-      this.held = false;
-      this.wait_for_rest();
-    });
+    this.controls.addEventListener('start', () => this.hold(true));
+    this.controls.addEventListener('end', () => this.hold(false));
   }
 
   // Places the camera so that the whole picture fills the area that no panel covers.
@@ -120,7 +122,7 @@ export class Stage {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.renderer.domElement;
     const ratio = Math.min(devicePixelRatio, 2.5);
-    const same = this.width === width && this.height === height && this.renderer.getPixelRatio() === ratio;
+    const same = this.width === width && this.height === height && this.ratio === ratio;
     if (!width || !height || same) return false;
     [this.width, this.height] = [width, height];
     this.ratio = ratio;
@@ -178,6 +180,12 @@ export class Stage {
     this.request_draw();
   }
 
+  // Whether what moves may go on at any time.
+  hold(held) {
+    this.held = held;
+    this.wait_for_rest();
+  }
+
   wait_for_rest() {
     clearTimeout(this.rest_timer);
     if (!this.moving || this.held) return;
@@ -190,12 +198,44 @@ export class Stage {
   request_draw() {
     if (this.scheduled) return;
     this.scheduled = true;
-    requestAnimationFrame(() => {
+    this.drawn = new Promise((done) => requestAnimationFrame(() => {
       this.scheduled = false;
       this.controls.update();  // asks for the next frame while the damped motion lasts
+      this.choose_pixels();
       this.draw();
+      this.watch();
       this.judge_speed(performance.now());
-    });
+      done();
+    }));
+  }
+
+  // Whether the picture is drawn in haste.
+  get quick() {
+    return this.moving && this.level > 0;
+  }
+
+  // All pixels at rest. While something moves, as many as the last pictures have left time for, and simpler panels.
+  choose_pixels() {
+    const share = this.moving ? kShares[this.level] : 1;
+    document.documentElement.toggleAttribute('data-quick', this.quick);
+    if (this.renderer.getPixelRatio() !== share * this.ratio) this.renderer.setPixelRatio(share * this.ratio);
+  }
+
+  // Looks whether the picture is drawn in time. Where the page itself was busy until it was drawn, nothing is known.
+  watch() {
+    if (!this.moving || this.watching) return;
+    const gl = this.renderer.getContext(), sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0), begun = performance.now();
+    const look = () => {
+      const time = performance.now() - begun, drawn = gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.SIGNALED;
+      if (!drawn && time < kSlowPicture) return setTimeout(look, kLookEvery);
+      this.watching = false;
+      gl.deleteSync(sync);
+      if (!drawn) this.level = Math.min(this.level + 1, kShares.length - 1);
+      else if (time < kSlowPicture / 4) this.level = Math.max(this.level - 1, 0);
+    };
+    gl.flush();
+    this.watching = true;
+    setTimeout(look, kLookEvery);
   }
 
   // Damped motion takes some fifty frames: where three in a row are slow, it would go on for seconds.

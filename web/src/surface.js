@@ -28,7 +28,7 @@ class Triangles {
 
   // Adds the point of face `f` with barycentric coordinates b0, b1, b2.
   add(mesh, f, b0, b1, b2, code) {
-    const i = this.size++;
+    const i = this.size++, parent = (i / 3) | 0;
     const u = mesh.faces[3 * f], v = mesh.faces[3 * f + 1], w = mesh.faces[3 * f + 2];
     for (let k = 0; k < 3; ++k) {
       this.positions[3 * i + k] =
@@ -37,9 +37,11 @@ class Triangles {
       const normal = b0 * mesh.normals[n] + b1 * mesh.normals[n + 3] + b2 * mesh.normals[n + 6];
       this.normals[4 * i + k] = Math.round(32767 * normal);
     }
-    this.barys.set([b0, b1, b2], 3 * i);
+    this.barys[3 * i] = b0;
+    this.barys[3 * i + 1] = b1;
+    this.barys[3 * i + 2] = b2;
     this.codes[i] = code;
-    this.parents[Math.floor(i / 3)] = f;
+    this.parents[parent] = f;
     const d = mesh.distances;
     const distance = d.length ? b0 * d[u] + b1 * d[v] + b2 * d[w] : -1;
     this.distances[i] = Number.isFinite(distance) ? distance : -1;
