@@ -14,8 +14,8 @@ const [page_file, data] = process.argv.slice(2), address = pathToFileURL(resolve
 const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
 
 const failures = [];
-async function open(link = '') {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, bypassCSP: true });
+async function open(link = '', options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, bypassCSP: true, ...options });
   page.on('pageerror', (error) => failures.push(error.message));
   await page.goto(address + link);
   await page.waitForSelector(':root[data-ready="true"]', { state: 'attached', timeout: 120000 });
@@ -35,6 +35,22 @@ const shell = (page) => page.textContent('#play-shell');
 async function save(page, format) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.selectOption('#play-save', format)]);
   return readFileSync(await download.path(), 'utf8');
+}
+
+// Of the page's address: generators, and the camera as it was when they changed last.
+function state(page) {
+  const fields = new URLSearchParams(new URL(page.url()).hash.slice(1));
+  return { points: fields.get('g')?.split('~'), camera: fields.get('camera') };
+}
+
+// Fingers that move together from a list of points by a number of steps.
+async function touch(page, fingers, [right, down] = [0, 0], spread = 0) {
+  const session = await page.context().newCDPSession(page), steps = 6;
+  const send = (type, touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints });
+  const at = (share) => fingers.map(([x, y], id) => ({ id, x: x + share * (right + (id ? spread : 0)), y: y + share * down }));
+  await send('touchStart', at(0));
+  for (let i = 1; i <= steps; ++i) await send('touchMove', at(i / steps));
+  await send('touchEnd', []);
 }
 
 const tests = {
@@ -85,6 +101,79 @@ const tests = {
     assert.deepEqual(rows(after).slice(0, -1), rows(before).slice(0, -1), 'the others stay');
     assert.notEqual(rows(after).at(-1), rows(before).at(-1));
     await page.close();
+  },
+
+  async 'works by touch on a phone'() {
+    const page = await open('#model=torus.ply&n=3', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    const [x, y] = [195, 265];
+    await page.touchscreen.tap(x, y);
+    await idle(page);
+    const added = state(page);
+    assert.equal(added.points.length, 4, 'a tap adds one');
+    await touch(page, [[x + 10, y + 8]], [-50, 15]);
+    await idle(page);
+    const dragged = state(page);
+    assert.deepEqual(dragged.points.slice(0, 3), added.points.slice(0, 3), 'the others stay');
+    assert.notEqual(dragged.points[3], added.points[3], 'a finger near a generator drags it');
+    assert.equal(dragged.camera, added.camera, 'and does not turn the surface');
+    await touch(page, [[300, 420]], [-30, 25]);
+    await touch(page, [[x, 600], [x + 40, 600]], [0, 0], 60);
+    await idle(page);
+    assert.deepEqual(state(page).points, dragged.points, 'turning and pinching leave the generators');
+    await page.touchscreen.tap(260, 350);
+    await idle(page);
+    const last = state(page);
+    assert.equal(last.points.length, 5);
+    assert.notEqual(last.camera, dragged.camera, 'a finger beside generators has turned the surface');
+    const distance = ({ camera }) => Math.hypot(...[0, 1, 2].map((k) => camera.split('_')[k] - camera.split('_')[k + 3]));
+    assert.ok(distance(last) < 0.8 * distance(dragged), 'two fingers have brought it nearer');
+    await page.close();
+  },
+
+  async 'works by keyboard alone'() {
+    const page = await open('#model=torus.ply&n=3');
+    await page.locator('#canvas').focus();
+    await page.mouse.click(240, 400);
+    await idle(page);
+    const { points, camera } = state(page);
+    await page.keyboard.press('n');
+    for (let i = 0; i < 4 && !(await page.textContent('#pinned')).includes('Region 3'); ++i) await page.keyboard.press('Shift+N');
+    await page.keyboard.press('Shift+ArrowRight');
+    await idle(page);
+    const moved = state(page);
+    assert.deepEqual(moved.points.slice(0, 3), points.slice(0, 3));
+    assert.notEqual(moved.points[3], points[3]);
+    assert.equal(moved.camera, camera, 'the surface has not turned');
+    await page.keyboard.press('Delete');
+    await idle(page);
+    assert.deepEqual(state(page).points, points.slice(0, 3));
+    await page.close();
+  },
+
+  async 'after any changes, the result is that of a new page'() {
+    const page = await open('#model=figure.obj&n=12');
+    const drag = async (from, to) => {
+      await page.mouse.move(...from);
+      await page.mouse.down();
+      for (let i = 1; i <= 4; ++i) await page.mouse.move(...from.map((x, k) => x + (i / 4) * (to[k] - x)));
+      await page.mouse.up();
+      await idle(page);
+    };
+    await page.mouse.click(640, 250);
+    await idle(page);
+    await drag([640, 250], [680, 270]);
+    await page.mouse.click(440, 400);
+    await idle(page);
+    await page.mouse.click(680, 270);  // selects it
+    await page.keyboard.press('Delete');
+    await idle(page);
+    await page.keyboard.press('Control+z');
+    await idle(page);
+    await drag([680, 270], [650, 290]);
+    assert.equal(await count(page), 14);
+    const other = await open(new URL(page.url()).hash);
+    assert.equal(await save(other, 'json'), await save(page, 'json'));
+    await Promise.all([page.close(), other.close()]);
   },
 
   async 'shows equal regions, distances, a coarse mesh, a path and a relaxation'() {

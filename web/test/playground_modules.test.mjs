@@ -1,6 +1,7 @@
 // Tests of the playground's modules that need no browser: node --test playground_modules.test.mjs
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { find_change, without } from '../src/playground/edits.js';
 import { Engine } from '../src/playground/engine.js';
 import { History } from '../src/playground/history.js';
 import { format_link, parse_link, round_bary } from '../src/playground/link.js';
@@ -43,6 +44,30 @@ test('recipes name the file, and the generators where they are not the farthest 
   const moved = { ...state, generators: [{ face: 7, bary: [0.5, 0.25, 0.25] }], show: 'remesh' };
   assert.equal(shell_command(moved), "gvd-remesh 'my mesh.obj' --generators generators.csv -o coarse.obj");
   assert.match(python_lines(moved), /Points\(numpy.array\(\[7\]\), numpy.array\(\[\(0.5, 0.25, 0.25\)\]\)\)/);
+});
+
+test('a change of one generator is found, and no other', () => {
+  const [a, b, c, d] = [1, 2, 3, 4].map((face) => ({ face, bary: [0.5, 0.25, 0.25] })), moved = { face: 2, bary: [0.5, 0.5, 0] };
+  assert.deepEqual(find_change([a, b, c], [a, b, c]), []);
+  assert.deepEqual(find_change([a, b, c], [a, moved, c]), ['move', 1, moved]);
+  assert.deepEqual(find_change([a, b], [a, b, c]), ['add', c]);
+  for (const i of [0, 1, 2]) assert.deepEqual(find_change([a, b, c], without([a, b, c], i)), ['remove', i]);
+  assert.deepEqual(without([a, b, c], 0), [c, b]);
+  for (const after of [[b, a, c], [b, c], [a, b, c, d, d], [a], [a, moved, c, d]]) assert.equal(find_change([a, b, c], after), null);
+});
+
+test('the next question waits until the page is ready for its answer', async () => {
+  const worker = new FakeWorker(), engine = new Engine(worker);
+  let ready;
+  const first = engine.ask_latest('move', 'a', () => new Promise((done) => (ready = done))), second = engine.ask_latest('move', 'b');
+  worker.answer('A');
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.equal(worker.asked.length, 1);
+  ready();
+  assert.equal(await first, 'A');
+  assert.equal(worker.asked.length, 2);
+  worker.answer('B');
+  assert.equal(await second, 'B');
 });
 
 class FakeWorker {

@@ -11,11 +11,20 @@ function name_of(bytes) {
   return `${bytes.length}-${hash >>> 0}`;
 }
 
-// The manifest of an answer {manifest, blobs}. Each of its arrays has the name of its content as `blob`.
+let last = new Map();  // the arrays of the last mesh, by name
+
+// The manifest of an answer {manifest, blobs}. The arrays of its meshes have the name of their content as `blob`, and are
+// those of the answer before where they are the same.
 export function with_arrays({ manifest, blobs }) {
-  return JSON.parse(manifest, (_, value) => {
+  const now = new Map();
+  const found = JSON.parse(manifest, (key, value) => {
     if (value === null || typeof value !== 'object' || value.blob === undefined) return value;
     const bytes = blobs[value.blob];
-    return Object.assign(decode(bytes, value), { blob: name_of(bytes) });
+    if (key !== 'positions' && key !== 'faces') return decode(bytes, value);
+    const name = name_of(bytes), array = last.get(name) ?? Object.assign(decode(bytes, value), { blob: name });
+    now.set(name, array);
+    return array;
   });
+  last = now;
+  return found;
 }

@@ -31,22 +31,24 @@ export class Engine {
   }
 
   // For questions that come faster than answers, as while a pointer moves: of those that wait only the newest is asked.
-  // The promise of another one gives null.
-  ask_latest(kind, args) {
+  // The promise of another one gives null. `ready` is waited for before an answer is given and the next question asked.
+  ask_latest(kind, args, ready = () => null) {
     this.waiting?.resolve(null);
     return new Promise((resolve, reject) => {
-      this.waiting = { kind, args, resolve, reject };
+      this.waiting = { kind, args, ready, resolve, reject };
       this.ask_waiting();
     });
   }
 
   async ask_waiting() {
     if (this.busy || !this.waiting) return;
-    const { kind, args, resolve, reject } = this.waiting;
+    const { kind, args, ready, resolve, reject } = this.waiting;
     this.waiting = null;
     this.busy = true;
-    await this.ask(kind, args).then(resolve, reject);
+    const answer = await this.ask(kind, args).catch((error) => reject(error));
+    await ready();
     this.busy = false;
-    this.ask_waiting();
+    this.ask_waiting();  // before the answer is shown: the worker computes meanwhile
+    resolve(answer);
   }
 }

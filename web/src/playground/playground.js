@@ -3,6 +3,7 @@
 // A state is never changed but replaced, so that undo goes back to it: `model`, the `count` of farthest generators or the
 // `generators` themselves, and what is shown of them. While a generator is dragged, the newest place is computed as soon
 // as the worker is free; the state follows when it is dropped.
+import { Vector3 } from 'three';
 import { locate } from '../element_card.js';
 import { IdMap } from '../id_map.js';
 import { Viewer } from '../main.js';
@@ -11,13 +12,15 @@ import * as panel from '../panel.js';
 import { save_blob } from '../save_picture.js';
 import { with_arrays } from './arrays.js';
 import { Controls } from './controls.js';
+import { without } from './edits.js';
 import { History } from './history.js';
 import { format_link, round_bary } from './link.js';
 import { python_lines, shell_command } from './recipe.js';
 
 const kNear = { mouse: 12, touch: 24 };  // CSS pixels round a generator that mean it
 const kClick = 6;                        // CSS pixels that a click may move
-const kManyFaces = 30000;                // while dragging, more have the diagram of the faster method
+const kNudge = 12;                       // CSS pixels that a key moves a generator
+const kArrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 export class Playground extends Viewer {
   // `first`: the state to begin with; `opened`: what the worker says of its mesh; `scene`: the first answer.
@@ -45,8 +48,9 @@ export class Playground extends Viewer {
     // Before the controls of the camera, which must not turn the surface then.
     canvas.addEventListener('pointerdown', (event) => this.take(event), { capture: true });
     canvas.addEventListener('pointermove', (event) => this.drag(event));
-    for (const type of ['pointerup', 'pointercancel']) canvas.addEventListener(type, () => this.drop());
-    document.addEventListener('keydown', (event) => this.on_key(event));
+    for (const type of ['pointerup', 'pointercancel']) canvas.addEventListener(type, (event) => this.drop(event));
+    document.addEventListener('keydown', (event) => this.on_key(event), { capture: true });  // before the camera has it
+    canvas.ariaLabel += ' N selects the next generator in view, Shift and an arrow key move it, Delete removes it, Insert adds one in the middle.';
   }
 
   on_key(event) {
@@ -55,8 +59,49 @@ export class Playground extends Viewer {
     if (key === 'delete' || key === 'backspace') this.remove_selected();
     else if (command && key === 'z') this.step(event.shiftKey ? 1 : -1);
     else if (command && key === 'y') this.step(1);
+    else if (!command && key === 'n') this.select_next(event.shiftKey ? -1 : 1);
+    else if (event.shiftKey && kArrows[event.key]) this.nudge(...kArrows[event.key]);
+    else if (key === 'insert') this.add({ offsetX: this.stage.width / 2, offsetY: this.stage.height / 2 });
     else return;
     event.preventDefault();
+    event.stopPropagation();
+  }
+
+  // Where a point of the surface is on the canvas.
+  pixel_of(point) {
+    const { x, y } = new Vector3(...this.place(point)).project(this.stage.camera), { width, height } = this.stage;
+    return { offsetX: ((x + 1) * width) / 2, offsetY: ((1 - y) * height) / 2 };
+  }
+
+  // Selects a generator, or none where it is null.
+  select(generator) {
+    this.selected = generator;
+    this.controls.mark_selected(generator);
+  }
+
+  // The next generator in view after the selected one, or the one before where `by` is -1.
+  select_next(by) {
+    const count = this.points.length, from = this.selected ?? (by > 0 ? -1 : count);
+    for (let k = 1; k <= count; ++k) {
+      const i = (from + k * by + 2 * count) % count;
+      if (this.generator_at(this.pixel_of(this.points[i])) !== i) continue;
+      this.select(i);
+      return this.pin(i);
+    }
+  }
+
+  // Moves the selected generator over the surface as it is seen.
+  nudge(right, down) {
+    if (this.selected === null || !this.shows_input()) return;
+    const { offsetX, offsetY } = this.pixel_of(this.points[this.selected]);
+    const under = this.surface_at({ offsetX: offsetX + kNudge * right, offsetY: offsetY + kNudge * down });
+    if (under) this.change({ generators: this.points.with(this.selected, { face: under.face, bary: under.bary }) });
+  }
+
+  // Adds a generator where the pointer is.
+  add(event) {
+    const under = this.shows_input() && this.surface_at(event);
+    if (under) this.change({ generators: [...this.points, { face: under.face, bary: under.bary }] });
   }
 
   // The face, barycentric coordinates and position of the surface under the pointer; null beside it.
@@ -100,10 +145,9 @@ export class Playground extends Viewer {
   }
 
   take(event) {
-    if (event.button !== 0 || this.path_start !== undefined) return;
+    if (event.button !== 0 || !event.isPrimary || this.path_start !== undefined) return;
     const generator = this.generator_at(event);
-    this.selected = generator;
-    this.controls.mark_selected(generator);
+    this.select(generator);
     if (generator === null) return;
     this.pin(null);
     this.dragged = { generator, from: event, moved: false };
@@ -112,15 +156,17 @@ export class Playground extends Viewer {
   }
 
   drag(event) {
-    if (!this.dragged) return;
+    if (event.pointerId !== this.dragged?.from.pointerId) return;
     const { from, generator } = this.dragged;
     this.dragged.moved ||= Math.hypot(event.offsetX - from.offsetX, event.offsetY - from.offsetY) >= kClick;
     const under = this.dragged.moved && this.surface_at(event);
     if (!under) return;
     const { face, bary } = under;
     this.dragged.points = this.points.map((p, i) => (i === generator ? { face, bary } : p));
-    const method = this.opened.faces > kManyFaces ? 'gbgvd' : 'exact';
-    this.show({ ...this.state, generators: this.dragged.points, method }, (args) => this.engine.ask_latest('show', args));
+    this.stage.moving = true;
+    this.stage.hold(true);
+    const shown = this.show({ ...this.state, generators: this.dragged.points }, (args) => this.engine.ask_latest('show', args, () => this.stage.drawn));
+    shown.then(() => this.engine.waiting || this.stage.hold(false));  // the whole picture comes where the pointer rests
   }
 
   // Not while a generator is dragged: reading what the graphics card has drawn takes longer than the diagram.
@@ -128,11 +174,12 @@ export class Playground extends Viewer {
     if (!this.dragged) super.pick();
   }
 
-  drop() {
-    if (!this.dragged) return;
+  drop(event) {
+    if (event.pointerId !== this.dragged?.from.pointerId) return;
     const { points, generator } = this.dragged;
     this.dragged = null;
     this.stage.controls.enabled = true;
+    this.stage.hold(false);
     if (points) this.change({ generators: points });
     else this.pin(generator);  // a click
   }
@@ -143,11 +190,9 @@ export class Playground extends Viewer {
     this.pressed = null;
     const moved = !start || Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) >= kClick;
     if (moved || event.button !== 0 || this.dragged || !this.shows_input()) return;
+    if (this.path_start === undefined) return this.add(event);
     const under = this.surface_at(event);
-    if (!under) return;
-    const point = { face: under.face, bary: under.bary };
-    if (this.path_start !== undefined) return this.add_path_end(point);
-    this.change({ generators: [...this.points, point] });
+    if (under) this.add_path_end({ face: under.face, bary: under.bary });
   }
 
   // Path mode begins and ends; it has no start until the first click.
@@ -175,9 +220,8 @@ export class Playground extends Viewer {
 
   remove_selected() {
     if (this.selected === null || this.points.length < 2) return;
-    const generators = this.points.filter((_, i) => i !== this.selected);
-    this.selected = null;
-    this.controls.mark_selected(null);
+    const generators = without(this.points, this.selected);
+    this.select(null);
     this.change({ generators });
   }
 
@@ -200,13 +244,13 @@ export class Playground extends Viewer {
 
   // Computes what a state shows, and shows it. A newer question may go before it.
   async show(state, ask) {
-    const { count, generators, show, method } = state;
-    const answer = await this.attempt(() => ask({ count, generators, show, method }));
+    const { count, generators, show } = state;
+    const answer = await this.attempt(() => ask({ count, generators, show }));
     if (!answer) return;
     this.points = answer.points;
     this.replace(with_arrays(answer));
     if (answer.note) this.controls.tell(answer.note);
-    this.controls.show_recipe(this.recipe());
+    if (!this.dragged) this.controls.show_recipe(this.recipe());
   }
 
   // Other scenes in place of the current ones; switches keep their positions.
@@ -226,9 +270,14 @@ export class Playground extends Viewer {
     this.pick();
   }
 
+  // Not of each place of a dragged generator where pictures are slow: drawing the panels takes as long as half of one.
+  show_panels(on) {
+    if (!this.dragged || !this.stage.quick) super.show_panels(on);
+  }
+
   prepare(moving) {
     if (this.face_map && this.view !== `${this.current} ${this.stage.view_key()}`) this.face_map.invalidate();
-    super.prepare(moving);
+    super.prepare(moving && !this.dragged);  // fewer triangles would have to be chosen anew for each picture
   }
 
   async relax() {

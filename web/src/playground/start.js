@@ -41,19 +41,19 @@ class Start {
   }
 
   async open_model({ camera, ...state }) {
-    await this.open(state.model, await embedded(`model-${state.model}`), state, camera);
+    await this.open(state.model, embedded(`model-${state.model}`), state, camera);
   }
 
   async open_file(file) {
-    await this.open(file.name, await file.arrayBuffer(), { ...kFirst, model: '' });
+    await this.open(file.name, file.arrayBuffer(), { ...kFirst, model: '' });
   }
 
   // A mesh that can't be read leaves what is there as it is.
-  async open(name, bytes, state, camera) {
+  async open(name, reading, state, camera) {
     document.documentElement.dataset.computing = 'true';
     try {
-      const opened = await this.engine.ask('open', { name, bytes }, null, [bytes]);
-      const scene = await this.engine.ask('show', state);
+      const bytes = await reading;
+      const { opened, scene } = await this.engine.ask('open', { name, bytes, state }, null, [bytes]);
       if (this.playground) this.playground.open(opened, state, scene);
       else this.playground = new Playground(this.engine, opened, state, scene);
       if (camera) this.playground.look_from(camera);

@@ -1,6 +1,7 @@
 // The worker of the playground: one mesh, and what the page asks about it. Messages {id, kind, args} are answered by {id,
 // result}, {id, error}, or first {id, progress}.
 import make_module from 'gvd-module';
+import { find_change } from './edits.js';
 
 class GvdError extends Error {
   constructor(message, code) {
@@ -10,6 +11,7 @@ class GvdError extends Error {
 }
 
 let gvd, mesh, scenes;
+const last = {};  // what was made last: the farthest generators, the editor of the exact diagram, and the result of each kind
 
 // Points of the page as the module takes them.
 const kFace = 1;
@@ -25,32 +27,64 @@ function using(made, use) {
   }
 }
 
+function forget(...kinds) {
+  for (const kind of kinds) {
+    last[kind]?.made.delete?.();
+    delete last[kind];
+  }
+}
+
+// What `make` gives, or gave the last time if that was of the same: it is kept until another one is made.
+function kept(kind, of, make) {
+  const key = JSON.stringify(of);
+  if (last[kind]?.key !== key) {
+    forget(kind);
+    last[kind] = { key, made: make() };
+  }
+  return last[kind].made;
+}
+
 // The given generators, or the farthest ones.
-const generators_of = ({ count, generators }) => generators ?? to_points(mesh.sample({ n: count, sampling: 'farthest' }));
+const generators_of = ({ count, generators }) => generators ?? kept('farthest', count, () => to_points(mesh.sample({ n: count, sampling: 'farthest' })));
+
+// The exact diagram of points, by changing the last one where a single generator differs.
+function exact_diagram(points, use) {
+  const change = last.editor && find_change(last.editor.points, points);
+  try {
+    if (change) {
+      const [name, ...args] = change;
+      if (name) last.editor.made[name](...args.map((arg) => (arg.face === undefined ? arg : entries([arg]))));
+    } else {
+      forget('editor');
+      last.editor = { made: gvd.edit(mesh, entries(points), {}) };
+    }
+    last.editor.points = points;
+  } catch (error) {
+    forget('editor');
+    throw error;
+  }
+  return using(last.editor.made.shown(), use);
+}
 
 const of_diagram = (diagram) => scenes.of_diagram(diagram);
-const balanced = (points, use) => {
+const balance = (points) => {
   const { diagram, converged } = gvd.balance(mesh, entries(points), {});
-  const note = converged ? '' : 'Not all areas are equal: masses jump where a bisector passes a corner of the surface.';
-  return { ...using(diagram, use), note };
+  return Object.assign(diagram, { note: converged ? '' : 'Not all areas are equal: masses jump where a bisector passes a corner of the surface.' });
 };
+const keep = (kind, make) => (points, use) => use(kept(kind, points, () => make(points)));
 
 // What is made of generators: a scene of it, and a file.
 const kShows = {
-  diagram: {
-    name: 'regions',
-    make: (points, use, { method } = {}) => using(gvd.voronoi(mesh, entries(points), { method }), use),
-    scene: of_diagram,
-  },
-  equal: { name: 'equal', make: balanced, scene: of_diagram },
+  diagram: { name: 'regions', make: exact_diagram, scene: of_diagram },
+  equal: { name: 'equal', make: keep('equal', balance), scene: (diagram) => ({ ...of_diagram(diagram), note: diagram.note }) },
   distances: {
     name: 'distances',
-    make: (points, use) => use(points),
-    scene: (points) => scenes.of_distances(entries(points)),
+    make: keep('distances', (points) => scenes.of_distances(entries(points))),
+    scene: (scene) => scene,
   },
   remesh: {
     name: 'coarse',
-    make: (points, use) => using(gvd.remesh(mesh, { generators: entries(points) }), use),
+    make: keep('remesh', (points) => gvd.remesh(mesh, { generators: entries(points) })),
     scene: (remesh) => gvd.remesh_scene(scenes, remesh),
   },
 };
@@ -60,23 +94,33 @@ const handlers = {
     gvd = await make_module({ wasmBinary: module, Error: GvdError });
   },
 
-  // The mesh that was there stays until the new one has been read.
-  open({ name, bytes }) {
-    const read = gvd.mesh_from_bytes(new Uint8Array(bytes), name, 'repair'), { faces } = read.summary();
-    scenes?.delete();
-    mesh?.delete();
-    [mesh, scenes] = [read, new gvd.Scenes(read)];
-    return { name, faces, notes: mesh.notes() };
+  // Reads a mesh and shows its first state. What was there stays until both are done.
+  open({ name, bytes, state }) {
+    forget(...Object.keys(last));
+    const before = [mesh, scenes], made = [];
+    try {
+      made.push((mesh = gvd.mesh_from_bytes(new Uint8Array(bytes), name, 'repair')));
+      made.push((scenes = new gvd.Scenes(mesh)));
+      const opened = { name, faces: mesh.summary().faces, notes: mesh.notes() };
+      const scene = handlers.show(state);
+      for (const old of before) old?.delete();
+      return { opened, scene };
+    } catch (error) {
+      forget(...Object.keys(last));
+      for (const one of made) one.delete();
+      [mesh, scenes] = before;
+      throw error;
+    }
   },
 
   show(asked) {
     const points = generators_of(asked), { make, scene } = kShows[asked.show];
-    return { points, ...make(points, scene, asked) };
+    return { points, ...make(points, scene) };
   },
 
   // Each iteration is shown, by the diagram of its generators.
   relax(asked, report) {
-    const on_iteration = (count, energy, points) => report({ scene: kShows.diagram.make(to_points(points), of_diagram, { method: 'gbgvd' }), points: to_points(points) });
+    const on_iteration = (count, energy, points) => report({ scene: using(gvd.voronoi(mesh, entries(to_points(points)), { method: 'gbgvd' }), of_diagram) });
     return using(gvd.lloyd(mesh, { generators: entries(generators_of(asked)), on_iteration }), (relaxed) =>
       using(relaxed.diagram(), (diagram) => ({ points: to_points(diagram.generators()) })));
   },
@@ -89,7 +133,7 @@ const handlers = {
 
   file({ show, format, ...asked }) {
     const { name, make } = kShows[show], points = generators_of(asked);
-    if (format === 'csv' || show === 'distances') return { name: format === 'csv' ? 'generators' : name, bytes: kShows.diagram.make(points, (diagram) => diagram.write(format, {})) };
+    if (format === 'csv' || show === 'distances') return { name: format === 'csv' ? 'generators' : name, bytes: exact_diagram(points, (diagram) => diagram.write(format, {})) };
     const write = (made) => ({ bytes: made.write(format, {}) });
     const cut_first = (diagram) => using(diagram.cut({}), write);
     return { name, ...make(points, show === 'equal' && format !== 'json' ? cut_first : write) };
