@@ -11,11 +11,12 @@ if (!existsSync(executablePath)) {
 }
 const { chromium } = await import('playwright-core');
 const [page_file, data] = process.argv.slice(2), address = pathToFileURL(resolve(page_file)).href;
-const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
+const launch = (...more) => chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...more] });
+const browser = await launch();
 
 const failures = [];
-async function open(link = '', options = {}) {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, bypassCSP: true, ...options });
+async function open(link = '', { from = browser, ...options } = {}) {
+  const page = await from.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, bypassCSP: true, ...options });
   page.on('pageerror', (error) => failures.push(error.message));
   await page.goto(address + link);
   await page.waitForSelector(':root[data-ready="true"]', { state: 'attached', timeout: 120000 });
@@ -214,6 +215,28 @@ const tests = {
     assert.match(await message(page), /README.md: neither the content/);
     assert.equal(await page.textContent('#title'), 'plate.stl', 'what was there stays');
     await page.close();
+  },
+
+  async 'a mesh that memory does not hold is refused in one line, and the page goes on'() {
+    const kMemory = 1500, kSide = 400;  // of 64 KiB each; the first mesh takes less, a torus of 2 * kSide^2 faces more
+    const small = await launch(`--js-flags=--wasm-max-mem-pages=${kMemory}`), page = await open('', { from: small });
+    const lines = ['OFF', `${kSide ** 2} ${2 * kSide ** 2} 0`], id = (i, j) => (i % kSide) * kSide + (j % kSide), turn = (2 * Math.PI) / kSide;
+    for (let i = 0; i < kSide; ++i) for (let j = 0; j < kSide; ++j) {
+      const r = 2 + Math.cos(turn * j);
+      lines.push([r * Math.cos(turn * i), r * Math.sin(turn * i), Math.sin(turn * j)].join(' '));
+    }
+    for (let i = 0; i < kSide; ++i) for (let j = 0; j < kSide; ++j) {
+      const [a, b, c, d] = [id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)];
+      lines.push(`3 ${a} ${b} ${c}`, `3 ${a} ${c} ${d}`);
+    }
+    await page.setInputFiles('#play-file', { name: 'large.off', mimeType: 'text/plain', buffer: Buffer.from(lines.join('\n')) });
+    await page.waitForSelector('#play-message:not([hidden])', { timeout: 120000 });
+    assert.match(await message(page), /^the memory of the page is full; use a smaller mesh[^\n]*$/);
+    assert.equal(await page.textContent('#title'), 'figure.obj');
+    await page.mouse.click(640, 250);
+    await idle(page);
+    assert.equal(await count(page), 31);
+    await small.close();
   },
 
   async 'a link brings the state back'() {

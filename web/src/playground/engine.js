@@ -6,6 +6,7 @@ export class Engine {
     this.asked = new Map();
     this.next = 0;
     this.waiting = null;  // the newest question of `ask_latest`
+    this.busy = false;    // with one of them
     worker.onmessage = ({ data }) => this.answer(data);
     worker.onerror = (event) => {
       for (const { reject } of this.asked.values()) reject(new Error(event.message || 'the worker ended: too little memory?'));

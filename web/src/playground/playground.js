@@ -166,7 +166,7 @@ export class Playground extends Viewer {
     this.stage.moving = true;
     this.stage.hold(true);
     const shown = this.show({ ...this.state, generators: this.dragged.points }, (args) => this.engine.ask_latest('show', args, () => this.stage.drawn));
-    shown.then(() => this.engine.waiting || this.stage.hold(false));  // the whole picture comes where the pointer rests
+    shown.then(() => this.engine.busy || this.stage.hold(false));  // the whole picture comes where the pointer rests
   }
 
   // Not while a generator is dragged: reading what the graphics card has drawn takes longer than the diagram.
