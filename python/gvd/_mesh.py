@@ -100,6 +100,12 @@ class Mesh(Writable):
         entries = make_entries(name, points)
         return self._native.resolve(name, entries[:3], max_snap, coincident)
 
+    def _resolve_one(self, name: str, point: Any) -> _gvd.PointList:
+        at = self._resolve(name, point)
+        if len(at) != 1:
+            refuse(f"{name}: one point is needed, not {len(at)}")
+        return at
+
     @checked
     def points(self, points: Any, *, max_snap: Optional[float] = None) -> Points:
         """Points as faces and barycentric coordinates. `max_snap`: the farthest that a position may be, mesh units."""
@@ -129,10 +135,8 @@ class Mesh(Writable):
                 refuse("closed: it is for polylines")
             if angle is not None and curves != "creases":
                 refuse('angle: it is for "creases"')
-            if curves == "boundary":
-                return Curves(self._native, _gvd.CurveSet.boundary(self._native))
-            if curves == "creases":
-                return Curves(self._native, _gvd.CurveSet.creases(self._native, angle))
+            if isinstance(curves, str) and curves in ("boundary", "creases"):
+                return Curves(self._native, _gvd.CurveSet.find(self._native, curves, angle))
             return Curves(self._native, _gvd.CurveSet.read(self._native, os.fspath(curves), max_snap))
         polylines: list[Any] = [make_entries(f"curves[{i}]", line)[:3] for i, line in enumerate(curves)]
         if not polylines:
@@ -263,9 +267,7 @@ class Mesh(Writable):
         Its length is the distance, in mesh units. The x axis is the direction of the first edge at the point: see
         gvd/geodesic_tracing.hpp. NaN where no path leads.
         """
-        at = self._resolve("point", point)
-        if len(at) != 1:
-            refuse(f"point: one point is needed, not {len(at)}")
+        at = self._resolve_one("point", point)
         with reporting(progress) as callback:
             return _gvd.logs(self._native, at, threads, callback)
 
@@ -317,7 +319,7 @@ class Mesh(Writable):
     @checked
     def segment(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
                 radius: Optional[float] = None, within: Any = None, mask: Any = None, per_region: Optional[int] = None,
-                levels: Optional[Sequence[int]] = None, labels: Literal["smooth", "nearest"] = "smooth",
+                levels: Optional[Sequence[int]] = None, disc: bool = False, labels: Literal["smooth", "nearest"] = "smooth",
                 method: Literal["exact", "gbgvd", "paper"] = "exact", front: Optional[Literal["planar", "circle"]] = None,
                 chord_tolerance: Optional[float] = None, threads: int = 0, progress: Progress = None) -> Segmentation:
         """A label for every face: the regions of `n` sampled points, of given `generators`, or of a covering `radius`.
@@ -325,7 +327,7 @@ class Mesh(Writable):
         As gvd-segment does it. `labels`: "smooth" for short borders, "nearest" for the largest share of each face.
         `within`: a whole number for each face or vertex; no region crosses the borders between them, `n` is shared out by
         area, or each has `per_region`. `mask`: not 0 for each face or vertex to leave out. `levels`: ascending numbers of
-        points, each level inside the one before. Docs: docs/guide/segment.md.
+        points, each level inside the one before. `disc`: adds points until each cell is a disc. Docs: docs/guide/segment.md.
 
         >>> import gvd
         >>> mesh = gvd.read("data/figure.obj")
@@ -347,13 +349,21 @@ class Mesh(Writable):
             else self._resolve("generators", generators, coincident="refuse"))
         if within is None and mask is None and not levels:
             sampled = self._sample(points, progress) if isinstance(points, _gvd.Sampler) else points
-            return self._diagram(sampled, compute, progress).segment(labels=labels, progress=progress)
+            diagram = self._diagram(sampled, compute, progress)
+            return self._segment(diagram, disc, compute, labels, progress)
         if numpy.asarray(mask).dtype.kind == "b":
             mask = numpy.asarray(mask, numpy.uint8)
-        regions = _gvd.RegionOptions(self._of_elements("within", within), self._of_elements("mask", mask), list(levels or []),
-                                     per_region is not None, labels)
+        options = {"within": self._of_elements("within", within), "mask": self._of_elements("mask", mask), "levels": levels,
+                   "per_region": per_region, "labels": labels, "sampler" if generators is None else "generators": points}
         with reporting(progress) as callback:
-            diagram = Diagram(self, _gvd.diagram_inside(self._native, points, compute, regions, callback))
+            diagram = Diagram(self, _gvd.diagram_inside(self._native, options, compute, callback))
+        return self._segment(diagram, disc, compute, labels, progress)
+
+    def _segment(self, diagram: Diagram, disc: bool, compute: _gvd.ComputeOptions, labels: Literal["smooth", "nearest"],
+                 progress: Progress) -> Segmentation:
+        if disc:
+            with reporting(progress) as callback:
+                diagram = Diagram(self, diagram._native.discs(compute, callback))
         return diagram.segment(labels=labels, progress=progress)
 
     def _of_elements(self, name: str, given: Any) -> Optional[NDArray[Any]]:

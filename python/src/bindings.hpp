@@ -6,18 +6,18 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "arrays.hpp"
+#include "bound_calls.hpp"
+#include "bound_results.hpp"
+#include "calls.hpp"
 #include "gvd/diagram.hpp"
-#include "gvd/face_regions.hpp"
+#include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/view.hpp"
@@ -30,23 +30,17 @@ namespace gvd::python {
 
 namespace py = pybind11;
 
-using SharedMesh = std::shared_ptr<CheckedMesh>;
-
 /// Points of a mesh, as the package's functions take them.
 struct PointList {
   std::vector<SurfacePoint> points;
-};
-
-/// Curves of a mesh as generators.
-struct CurveSet {
-  std::vector<GeneratorCurve> curves;
 };
 
 /// What the entries of a list are, as the package's `_points.py` tells them apart: kinds, ids of vertices and faces,
 /// and coordinates.
 using Entries = std::tuple<Array<std::int8_t>, Array<std::int64_t>, Array<double>>;
 
-void append_entries(GeneratorList& list, const Entries& entries);
+/// `name` stands for the list in messages.
+GeneratorList make_list(const std::string& name, const Entries& entries);
 
 /// The options of every diagram, by their names in Python.
 struct ComputeOptions {
@@ -68,35 +62,43 @@ struct Sampler {
           const ComputeOptions& compute);
 };
 
-/// What a diagram inside regions was made on.
-struct PartedSurface {
-  SeparatedMesh separated;
-  Diagram diagram;                   ///< of the separated mesh
-  std::vector<FaceNumbers> numbers;  ///< of the input's faces: regions, and labels of the coarser levels
-  std::size_t levels = 0;
+/// Options by their names. Those that are missing or None keep their defaults.
+class Given {
+ public:
+  explicit Given(const py::dict& options) : options_(options) {}
 
-  /// With levels, adds the labels of the last one.
-  void add_labels(const IdVector<FaceId, GeneratorId>& labels, std::vector<FaceNumbers>& to) const {
-    if (levels > 0) to.push_back({level_name(levels), to_regions(labels)});
+  bool has(const char* name) const { return options_.contains(name) && !options_[name].is_none(); }
+  bool is_text(const char* name) const { return py::isinstance<py::str>(options_[name]); }
+  const std::vector<SurfacePoint>& points(const char* name) const {
+    return options_[name].cast<const PointList&>().points;
   }
+  const SamplingOptions& sampling(const char* name) const { return options_[name].cast<const Sampler&>().options; }
+  std::vector<double> numbers(const char* name) const {
+    const auto values = options_[name].cast<Array<double>>();
+    return {values.data(), values.data() + values.size()};
+  }
+
+  /// Throws Error{invalid_option} where the value has another type, or is out of its range.
+  template <class T>
+  void read(const char* name, T& value) const {
+    if (!has(name)) return;
+    try {
+      value = options_[name].cast<T>();
+    } catch (const py::cast_error&) {
+      const std::string text = py::repr(options_[name]);
+      throw Error(ErrorCode::invalid_option, fmt::format("{}: {} is of a wrong kind, or too large", name, text));
+    }
+  }
+
+  /// Throws Error{invalid_option} for a name that is none of the choices.
+  template <class T, class Choice>
+  void read(const char* name, T& value, const Choices<Choice>& choices) const {
+    if (has(name)) value = choose(name, options_[name].cast<std::string>(), choices);
+  }
+
+ private:
+  const py::dict& options_;
 };
-
-/// A diagram, alone or as a part of another result, which then stays alive.
-struct MeshDiagram {
-  SharedMesh input;
-  std::shared_ptr<const Diagram> part;
-  std::shared_ptr<const PartedSurface> parted = {};  ///< null: the diagram is that of the input
-
-  const Mesh& mesh() const { return input->mesh; }
-  const Diagram& diagram() const { return *part; }
-  /// The mesh and the diagram that has all of its vertices; other ones inside regions.
-  const Mesh& surface() const { return parted ? parted->separated.mesh : input->mesh; }
-  const Diagram& surface_diagram() const { return parted ? parted->diagram : *part; }
-};
-using SharedDiagram = std::shared_ptr<MeshDiagram>;
-
-/// A file that does not hold a mesh in one of the formats of `OutputFormat`: its content by its extension.
-using OwnFormats = std::vector<std::pair<std::string, std::function<void(std::ostream&)>>>;
 
 /// How a file is written.
 struct WriteOptions {
@@ -118,7 +120,6 @@ void bind_mesh(py::module_& module);
 void bind_curves(py::module_& module);
 void bind_distances(py::module_& module);
 void bind_diagram(py::module_& module);
-void bind_regions(py::module_& module);
 void bind_remesh(py::module_& module);
 
 }  // namespace gvd::python

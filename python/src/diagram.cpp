@@ -17,94 +17,53 @@
 namespace gvd::python {
 namespace {
 
-struct Segmented {
-  SharedDiagram of;
-  Segmentation segmentation;
-  std::vector<FaceNumbers> numbers = {};
-};
-
-struct Cut {
-  SharedDiagram of;
-  CutMesh cut;
-  CutVertices vertices;
-  Appearance appearance;
-  Charts charts = {};  // without their texture, which the appearance has
-};
-
-/// The labels and distances of a diagram, and the bisectors on the surface that it was made on.
-LabelledMesh label_surface(const MeshDiagram& of, const IdVector<FaceId, GeneratorId>& faces) {
-  LabelledMesh mesh = label_mesh(of.mesh(), of.diagram(), faces);
-  mesh.diagram = &of.surface_diagram();
-  mesh.diagram_mesh = &of.surface();
-  mesh.appearance = &of.input->appearance;
-  return mesh;
-}
-
-LabelledMesh labelled(const MeshDiagram& of) { return label_surface(of, of.surface_diagram().face_label); }
-LabelledMesh labelled(const Segmented& made) {
-  LabelledMesh mesh = label_surface(*made.of, made.segmentation.face_label);
-  mesh.face_numbers = &made.numbers;
-  return mesh;
-}
-LabelledMesh labelled(const Cut& c) {
-  LabelledMesh mesh{c.cut.mesh,        &c.cut.label,         &c.cut.parent,
-                    &c.vertices.label, &c.vertices.distance, &c.of->surface_diagram(),
-                    &c.of->surface()};
-  mesh.face_numbers = &c.cut.numbers;
-  mesh.appearance = &c.appearance;
-  return mesh;
-}
-
 /// Of points or curves, the member `of` of a list.
 template <class List, auto of>
-SharedDiagram make_diagram(const SharedMesh& input, const List& generators, std::optional<std::vector<double>> weights,
-                           const ComputeOptions& compute, const py::object& progress) {
+MeshDiagram make_diagram(const SharedMesh& input, const List& generators, std::optional<std::vector<double>> weights,
+                         const ComputeOptions& compute, const py::object& progress) {
   DiagramOptions options = compute.make();
   options.weights = std::move(weights).value_or(std::vector<double>());
   return run_unlocked(progress, [&](const Progress& reported) {
     options.progress = reported;
-    return std::make_shared<MeshDiagram>(
-        MeshDiagram{input, std::make_shared<const Diagram>(compute_diagram(input->mesh, generators.*of, options))});
+    return MeshDiagram{input, std::make_shared<const Diagram>(compute_diagram(input->mesh, generators.*of, options))};
   });
 }
 
-/// Labels the faces, and adds the numbers that they have inside regions.
-Segmented segment(const SharedDiagram& of, const std::string& labels, const py::object& progress) {
+/// As gvd-segment does it: the steps are bound_results.hpp's.
+MeshDiagram diagram_inside(const SharedMesh& input, const py::dict& given, const ComputeOptions& compute,
+                           const py::object& progress) {
+  RegionOptions regions;
+  LevelOptions level;
+  read_regions(Given(given), regions, level);
+  level.diagram = compute.make();
+  return run_unlocked(progress, [&](const Progress& reported) {
+    level.diagram.progress = level.labels.progress = level.generators.sampling.progress = reported;
+    return compute_diagram_inside(input, regions, level);
+  });
+}
+
+MeshDiagram discs(const MeshDiagram& of, const ComputeOptions& compute, const py::object& progress) {
+  DiagramOptions options = compute.make();
+  return run_unlocked(progress, [&](const Progress& reported) {
+    options.progress = reported;
+    return make_cells_discs(of, options);
+  });
+}
+
+Segmented segment(const MeshDiagram& of, const std::string& labels, const py::object& progress) {
   const FaceLabels chosen = choose("labels", labels, kFaceLabelNames);
-  return run_unlocked(progress, [&](const Progress& reported) {
-    Segmented made{of, segment_faces(of->surface(), of->surface_diagram(), {chosen, reported})};
-    if (of->parted) {
-      made.numbers = of->parted->numbers;
-      of->parted->add_labels(made.segmentation.face_label, made.numbers);
-    }
-    return made;
-  });
+  return run_unlocked(progress, [&](const Progress& reported) { return segment_diagram(of, {chosen, reported}); });
 }
 
-Cut cut(const SharedDiagram& of, const std::optional<std::string>& uv, const py::object& progress) {
-  ChartOptions options;
-  if (uv) options.map = choose("uv", *uv, kChartMapNames);
-  return run_unlocked(progress, [&](const Progress& reported) {
-    CutMesh faces = cut_faces(of->mesh(), of->surface_diagram(), reported);
-    CutVertices vertices = carry_to_cut_vertices(of->surface(), of->surface_diagram(), faces);
-    if (of->parted) {
-      faces.numbers = carry_to_cut_faces(of->parted->numbers, faces);
-      of->parted->add_labels(faces.label, faces.numbers);
-    }
-    Appearance appearance = carry_to_cut_faces(of->mesh(), of->input->appearance, faces);
-    Charts charts;
-    if (uv) {
-      options.progress = reported;
-      charts = make_charts(of->surface(), of->surface_diagram(), faces, options);
-      appearance.texture = std::exchange(charts.texture, {});
-    }
-    return Cut{of, std::move(faces), std::move(vertices), std::move(appearance), std::move(charts)};
-  });
+Cut cut(const MeshDiagram& of, const std::optional<std::string>& uv, const py::object& progress) {
+  std::optional<ChartMap> charts;
+  if (uv) charts = choose("uv", *uv, kChartMapNames);
+  return run_unlocked(progress, [&](const Progress& reported) { return cut_diagram(of, charts, reported); });
 }
 
 py::tuple bisector(const py::object& self, std::int64_t index) {
   const MeshDiagram& of = self.cast<const MeshDiagram&>();
-  const Bisector& b = of.diagram().bisectors.raw().at(index);
+  const Bisector& b = of.diagram->bisectors.raw().at(index);
   std::vector<Vec3> positions;
   for (const SurfacePoint& point : b.points) positions.push_back(position(of.mesh(), point));
   return py::make_tuple(b.left.value(), b.right.value(), b.closed, py::make_tuple(b.ends[0].value(), b.ends[1].value()),
@@ -113,7 +72,7 @@ py::tuple bisector(const py::object& self, std::int64_t index) {
 
 /// Arrays over all branch points: their points, positions, distances and, as lists, generators.
 py::tuple branch_points(const py::object& self) {
-  const std::vector<BranchPoint>& all = self.cast<const MeshDiagram&>().diagram().branch_points.raw();
+  const std::vector<BranchPoint>& all = self.cast<const MeshDiagram&>().diagram->branch_points.raw();
   const SurfacePoint* const first = all.empty() ? nullptr : &all.front().point;
   const auto member = [&](const auto& value) { return view_members(value, all.size(), sizeof(BranchPoint), self); };
   py::list generators;
@@ -128,7 +87,7 @@ py::tuple branch_points(const py::object& self) {
 
 py::list cells(const MeshDiagram& of) {
   py::list result;
-  for (const Cell& cell : of.diagram().cells) {
+  for (const Cell& cell : of.diagram->cells) {
     py::list neighbours;
     for (const GeneratorId g : cell.neighbours) neighbours.append(g.value());
     result.append(py::make_tuple(cell.generator.value(), cell.area, cell.euler_characteristic, cell.components,
@@ -146,27 +105,6 @@ py::list charts(const Cut& made) {
                                  py::make_tuple(pair(chart.box.min()), pair(chart.box.max())), pair(chart.origin)));
   }
   return result;
-}
-
-OwnFormats own_formats(const MeshDiagram& of) {
-  const auto list = [&of](GeneratorFormat format) {
-    return [&of, format](std::ostream& out) { out << format_generators(of.mesh(), of.diagram().generators, format); };
-  };
-  return {{"json", [&of](std::ostream& out) { write_diagram_json(out, of.mesh(), of.diagram()); }},
-          {"txt", list(GeneratorFormat::text)},
-          {"csv", list(GeneratorFormat::csv)}};
-}
-
-OwnFormats own_formats(const Segmented& made) {
-  return {{"json", [&made](std::ostream& out) {
-             write_segmentation_json(out, made.of->mesh(), made.of->diagram(), made.segmentation, made.numbers);
-           }}};
-}
-
-OwnFormats own_formats(const Cut& made) {
-  return {{"json", [&made](std::ostream& out) {
-             write_cut_json(out, made.of->mesh(), made.of->diagram(), made.cut, made.vertices);
-           }}};
 }
 
 /// Adds the members `write` and `page`, which every result has.
@@ -201,18 +139,12 @@ void bind_results(py::module_& module) {
       .def("without_face",
            member_view<Segmented>([](const Segmented& s) -> auto& { return s.segmentation.without_face; }))
       .def("border_length",
-           [](const Segmented& s) { return compute_border_length(s.of->surface(), s.segmentation.face_label); })
+           [](const Segmented& s) { return compute_border_length(s.of.surface(), s.segmentation.face_label); })
       .def("numbers", &numbers_of);
   bind_files<Segmented>(segmented);
 
   py::class_<Cut> cut_class(module, "Cut");
-  cut_class
-      .def("mesh",
-           [](const Cut& c) {
-             auto mesh = std::make_shared<CheckedMesh>(as_input(c.cut.mesh));
-             mesh->appearance = c.appearance;
-             return mesh;
-           })
+  cut_class.def("mesh", &Cut::mesh)
       .def("charts", &charts)
       .def("scale", [](const Cut& c) { return c.charts.scale; })
       .def("labels", member_view<Cut>([](const Cut& c) -> auto& { return c.cut.label; }))
@@ -281,24 +213,22 @@ void bind_diagram(py::module_& module) {
         return WriteOptions{std::move(title), no_curves, ascii_ply, region_materials};
       }));
 
-  py::class_<MeshDiagram, SharedDiagram> diagram(module, "Diagram");
-  diagram
-      .def("labels", member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().vertex_label; }))
+  py::class_<MeshDiagram> diagram(module, "Diagram");
+  diagram.def("labels", member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram->vertex_label; }))
       .def("distances",
-           member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().vertex_distance; }))
-      .def("face_labels",
-           member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().face_label; }))
-      .def("weights", member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram().weights; }))
-      .def("generators",
-           [](const py::object& self) {
-             return view_points(self.cast<const MeshDiagram&>().diagram().generators, self);
-           })
+           member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram->vertex_distance; }))
+      .def("face_labels", member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram->face_label; }))
+      .def("weights", member_view<MeshDiagram>([](const MeshDiagram& d) -> auto& { return d.diagram->weights; }))
+      .def(
+          "generators",
+          [](const py::object& self) { return view_points(self.cast<const MeshDiagram&>().diagram->generators, self); })
       .def("branch_points", &branch_points)
-      .def("bisector_count", [](const MeshDiagram& d) { return d.diagram().bisectors.size(); })
+      .def("bisector_count", [](const MeshDiagram& d) { return d.diagram->bisectors.size(); })
       .def("bisector", &bisector)
       .def("cells", &cells)
-      .def("length", [](const MeshDiagram& d) { return d.diagram().length; })
-      .def("unresolved_ends", [](const MeshDiagram& d) { return d.diagram().report.unresolved_ends; })
+      .def("length", [](const MeshDiagram& d) { return d.diagram->length; })
+      .def("unresolved_ends", [](const MeshDiagram& d) { return d.diagram->report.unresolved_ends; })
+      .def("discs", &discs)
       .def("segment", &segment)
       .def("cut", &cut)
       .def("check", [](const MeshDiagram& d) {
@@ -309,6 +239,7 @@ void bind_diagram(py::module_& module) {
   bind_results(module);
   module.def("diagram", &make_diagram<PointList, &PointList::points>);
   module.def("diagram", &make_diagram<CurveSet, &CurveSet::curves>);
+  module.def("diagram_inside", &diagram_inside);
 }
 
 }  // namespace gvd::python

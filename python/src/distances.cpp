@@ -2,14 +2,9 @@
 //
 // Distances to the nearest of several points come from one field, with all threads. Rows, one for each point, come from
 // a field for each: one thread makes a whole row, so that all cores are busy and no row depends on their number.
-#include <cmath>
-#include <limits>
-#include <numeric>
 #include <sstream>
-#include <thread>
 
 #include "arrays.hpp"
-#include "base/parallel_chunks.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
 #include "gvd/exact_field.hpp"
@@ -19,29 +14,12 @@
 namespace gvd::python {
 namespace {
 
-constexpr std::size_t kPointsAtOnce = 256;  ///< points or vertices whose paths one thread traces before it reports
-
-/// Distances of points, or of all vertices where `at` is null, and which generator is nearest.
-template <class Generator>
-VertexDistances measure(const Mesh& mesh, const std::vector<Generator>& from, const PointList* at,
-                        const ExactFieldOptions& options) {
-  if (at == nullptr) return compute_vertex_distances(mesh, from, options);
-  const ExactField field(mesh, from, options);
-  VertexDistances found;
-  for (const SurfacePoint& point : at->points) {
-    const ExactField::Nearest nearest = field.nearest(point);
-    found.distance.push_back(nearest.distance);
-    found.label.push_back(nearest.generator);
-  }
-  return found;
-}
-
 /// Of points or curves, the member `of` of a list.
 template <class List, auto of>
 py::tuple compute_nearest(const SharedMesh& input, const List& from, const PointList* at, int threads,
                           const py::object& progress) {
   VertexDistances found = run_unlocked(progress, [&](const Progress& reported) {
-    return measure(input->mesh, from.*of, at, {{}, reported, threads});
+    return measure(input->mesh, from.*of, at != nullptr ? &at->points : nullptr, {{}, reported, threads});
   });
   return py::make_tuple(take(std::move(found.distance)), take(std::move(found.label)));
 }
@@ -64,13 +42,7 @@ py::array compute_rows(const SharedMesh& input, const PointList& from, const Poi
 py::list compute_paths(const SharedMesh& input, const PointList& from, const PointList& to, int threads,
                        const py::object& progress) {
   const auto trace_all = [&](const Progress& reported) {
-    const ExactField field(input->mesh, to.points, {{}, reported, threads});
-    return ParallelChunks(threads, reported)
-        .collect(cut_into_chunks(from.points.size(), kPointsAtOnce), {"paths"}, [&](const Chunk& chunk) {
-          std::vector<GeodesicPath> paths;
-          for (std::size_t i = chunk.begin; i < chunk.end; ++i) paths.push_back(field.path(from.points[i]));
-          return paths;
-        });
+    return trace_paths(input->mesh, from.points, to.points, {{}, reported, threads});
   };
   py::list result;
   for (GeodesicPath& path : run_unlocked(progress, trace_all)) {
@@ -93,23 +65,10 @@ py::bytes format_path(const Array<std::int32_t>& face, const Array<double>& bary
   return out.str();
 }
 
-/// The logarithm of every vertex at the only point of `at`; NaN where no path leads to it.
+/// The logarithm of every vertex at the only point of `at`.
 py::array compute_logs(const SharedMesh& input, const PointList& at, int threads, const py::object& progress) {
-  const Mesh& mesh = input->mesh;
   return take(run_unlocked(progress, [&](const Progress& reported) {
-    const ExactField field(mesh, at.points, {{}, reported, threads});
-    return ParallelChunks(threads, reported)
-        .collect(cut_into_chunks(std::size_t(mesh.vertex_count()), kPointsAtOnce), {"logarithms"},
-                 [&](const Chunk& chunk) {
-                   std::vector<Vec2> logs;
-                   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-                     const VertexId v(i);
-                     const Vec2 log = field.departure(vertex_point(mesh, v));
-                     const bool unknown = log.isZero(0) && field.distance(v) > 0;
-                     logs.push_back(unknown ? Vec2::Constant(std::numeric_limits<double>::quiet_NaN()) : log);
-                   }
-                   return logs;
-                 });
+    return compute_log_map(input->mesh, at.points.at(0), {{}, reported, threads});
   }));
 }
 

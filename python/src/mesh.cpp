@@ -70,25 +70,11 @@ py::dict summarize(const CheckedMesh& checked) {
                   py::arg("bbox_diagonal") = s.bbox_diagonal);
 }
 
-/// The number of vertices of a mesh with edges of this mean length. Throws Error{invalid_option} for too many.
-std::int32_t count_for(const CheckedMesh& checked, double edge) {
-  const double count = even_count(compute_area(checked.mesh), edge);
-  if (edge > 0 && count <= std::numeric_limits<std::int32_t>::max()) return std::int32_t(count);
-  throw Error(ErrorCode::invalid_option,
-              fmt::format("target_edge: {} is not above 0, or needs too many vertices", edge));
-}
-
 PointList resolve(const CheckedMesh& checked, const std::string& name, const Entries& entries,
                   std::optional<double> max_snap, const std::string& coincident) {
-  GeneratorList list{name, {}};
-  append_entries(list, entries);
-  ResolveOptions options;
-  options.max_snap = max_snap;
-  options.merge_coincident = coincident == "merge";
-  options.keep_coincident = coincident == "keep";
+  const GeneratorList list = make_list(name, entries);
   return run_unlocked(py::none(), [&](const Progress& progress) {
-    options.progress = progress;
-    return PointList{resolve_generators(checked.mesh, list, options).points};
+    return PointList{resolve_points(checked.mesh, list, max_snap, coincident, progress)};
   });
 }
 
@@ -116,14 +102,14 @@ void write(const CheckedMesh& checked, const std::filesystem::path& path, const 
 
 }  // namespace
 
-void append_entries(GeneratorList& list, const Entries& entries) {
-  constexpr std::array<GeneratorEntry::Kind, 3> kKinds{GeneratorEntry::Kind::vertex, GeneratorEntry::Kind::face,
-                                                       GeneratorEntry::Kind::position};
+GeneratorList make_list(const std::string& name, const Entries& entries) {
+  GeneratorList list{name, {}};
   const auto& [kinds, ids, values] = entries;
   const auto at = values.unchecked<2>();
   for (py::ssize_t i = 0; i < kinds.size(); ++i) {
-    list.entries.push_back({kKinds.at(kinds.at(i)), ids.at(i), {at(i, 0), at(i, 1), at(i, 2)}, 0});
+    list.entries.push_back({kPointKinds.at(kinds.at(i)), ids.at(i), {at(i, 0), at(i, 1), at(i, 2)}, 0});
   }
+  return list;
 }
 
 Sampler::Sampler(const std::string& sampling, std::int64_t count, std::uint64_t seed, std::optional<double> radius,
@@ -164,7 +150,7 @@ void bind_mesh(py::module_& module) {
       .def("summary", &summarize)
       .def("resolve", &resolve)
       .def("sample", &sample)
-      .def("count_for", &count_for)
+      .def("count_for", [](const CheckedMesh& checked, double edge) { return count_for_edge(checked.mesh, edge); })
       .def("positions", &compute_positions)
       .def("write", &write)
       .def("page", [](const CheckedMesh& checked, const std::string& title) {

@@ -1,6 +1,5 @@
 // The module _gvd: the library as the Python package needs it. The classes and functions that users meet are in
 // python/gvd, with their documents and checks of arguments; nothing here is meant to be called by others.
-#include <array>
 #include <string_view>
 
 #include "bindings.hpp"
@@ -9,14 +8,6 @@
 
 namespace gvd::python {
 namespace {
-
-/// The name of a code in Python.
-const char* name_of(ErrorCode code) {
-  constexpr std::array<const char*, 7> kNames{"invalid_option",  "unreadable_input",  "precondition",
-                                              "no_valid_result", "unwritable_output", "reader_gone",
-                                              "interrupted"};
-  return kNames[std::size_t(code)];
-}
 
 /// Raises the library's errors as gvd.Error. The package loads this module, so its class is looked up when needed.
 void translate_error(std::exception_ptr thrown) {
@@ -28,7 +19,7 @@ void translate_error(std::exception_ptr thrown) {
     const std::string_view text = error.what();
     const auto message = py::reinterpret_steal<py::object>(
         PyUnicode_DecodeUTF8(text.data(), py::ssize_t(text.size()), "surrogateescape"));
-    const py::object raised = type(message, name_of(error.code()), error.element());
+    const py::object raised = type(message, kErrorCodeNames[std::size_t(error.code())], error.element());
     PyErr_SetObject(type.ptr(), raised.ptr());
   }
 }
@@ -44,6 +35,5 @@ PYBIND11_MODULE(_gvd, module) {
   bind_mesh(module);
   bind_curves(module);
   bind_distances(module);
-  bind_regions(module);
   bind_remesh(module);
 }

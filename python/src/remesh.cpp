@@ -10,7 +10,6 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
-#include "gvd/io/point_writer.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/named_options.hpp"
 #include "gvd/remesh_map.hpp"
@@ -18,44 +17,6 @@
 
 namespace gvd::python {
 namespace {
-
-/// Options by their names. Those that are missing or None keep their defaults.
-class Given {
- public:
-  explicit Given(const py::dict& options) : options_(options) {}
-
-  bool has(const char* name) const { return options_.contains(name) && !options_[name].is_none(); }
-  bool is_text(const char* name) const { return py::isinstance<py::str>(options_[name]); }
-  const std::vector<SurfacePoint>& points(const char* name) const {
-    return options_[name].cast<const PointList&>().points;
-  }
-  const SamplingOptions& sampling(const char* name) const { return options_[name].cast<const Sampler&>().options; }
-  std::vector<double> numbers(const char* name) const {
-    const auto values = options_[name].cast<Array<double>>();
-    return {values.data(), values.data() + values.size()};
-  }
-
-  /// Throws Error{invalid_option} where the value has another type, or is out of its range.
-  template <class T>
-  void read(const char* name, T& value) const {
-    if (!has(name)) return;
-    try {
-      value = options_[name].cast<T>();
-    } catch (const py::cast_error&) {
-      const std::string text = py::repr(options_[name]);
-      throw Error(ErrorCode::invalid_option, fmt::format("{}: {} is of a wrong kind, or too large", name, text));
-    }
-  }
-
-  /// Throws Error{invalid_option} for a name that is none of the choices.
-  template <class T, class Choice>
-  void read(const char* name, T& value, const Choices<Choice>& choices) const {
-    if (has(name)) value = choose(name, options_[name].cast<std::string>(), choices);
-  }
-
- private:
-  const py::dict& options_;
-};
 
 struct Relaxed {
   SharedMesh input;
@@ -93,26 +54,8 @@ py::tuple balance(const SharedMesh& input, const PointList& generators, const py
     tied.append(py::tuple(cells));
   }
   auto diagram = std::make_shared<const Diagram>(std::move(found.diagram));
-  return py::make_tuple(std::make_shared<MeshDiagram>(MeshDiagram{input, std::move(diagram)}),
-                        take(std::move(found.masses)), take(std::move(found.targets)), tied, found.converged);
-}
-
-std::vector<double> energies(const Relaxed& relaxed) {
-  std::vector<double> found{relaxed.result->initial_energy};
-  for (const LloydIteration& iteration : relaxed.result->iterations) found.push_back(iteration.energy);
-  return found;
-}
-
-/// The file of gvd-lloyd --points.
-void write_samples(const Relaxed& relaxed, const std::filesystem::path& path) {
-  const auto format = parse_point_format(path.extension().string());
-  if (!format) throw Error(ErrorCode::invalid_option, path.string() + ": points are written as .ply, .xyz or .npy");
-  std::vector<SurfaceSample> samples;
-  for (const GeneratorId g : relaxed.result->moments.ids()) {
-    const CellMoments& moments = relaxed.result->moments[g];
-    samples.push_back({relaxed.result->generators[g.index()], moments.area, moments.energy});
-  }
-  write_file(path, [&](std::ostream& out) { write_points(out, relaxed.input->mesh, samples, *format); });
+  return py::make_tuple(MeshDiagram{input, std::move(diagram)}, take(std::move(found.masses)),
+                        take(std::move(found.targets)), tied, found.converged);
 }
 
 struct Remeshed {
@@ -168,10 +111,9 @@ void bind_relaxation(py::module_& module) {
   py::class_<Relaxed>(module, "Relaxation")
       .def("diagram",
            [](const Relaxed& r) {
-             return std::make_shared<MeshDiagram>(
-                 MeshDiagram{r.input, std::shared_ptr<const Diagram>(r.result, &r.result->diagram)});
+             return MeshDiagram{r.input, std::shared_ptr<const Diagram>(r.result, &r.result->diagram)};
            })
-      .def("energies", [](const Relaxed& r) { return take(energies(r)); })
+      .def("energies", [](const Relaxed& r) { return take(list_energies(*r.result)); })
       .def("areas",
            [](const py::object& self) {
              return view(self.cast<const Relaxed&>().result->moments.raw(), &CellMoments::area, self);
@@ -183,7 +125,10 @@ void bind_relaxation(py::module_& module) {
       .def("stop", [](const Relaxed& r) { return name_in(kLloydStopNames, r.result->stop); })
       .def("residual", [](const Relaxed& r) { return r.result->residual; })
       .def("write_samples", [](const Relaxed& r, const std::filesystem::path& path) {
-        run_unlocked(py::none(), [&](const Progress&) { write_samples(r, path); });
+        run_unlocked(py::none(), [&](const Progress&) {
+          const std::string format = path.extension().string();
+          write_file(path, [&](std::ostream& out) { write_samples(out, r.input->mesh, *r.result, format); });
+        });
       });
   module.def("balance", &balance);
   module.def("relax", &relax);
@@ -211,8 +156,7 @@ void bind_remesh(py::module_& module) {
       .def("mesh", [](const Remeshed& r) { return std::make_shared<CheckedMesh>(as_input(r.result().mesh)); })
       .def("diagram",
            [](const Remeshed& r) {
-             return std::make_shared<MeshDiagram>(
-                 MeshDiagram{r.input, std::shared_ptr<const Diagram>(r.made, &r.made->result.diagram)});
+             return MeshDiagram{r.input, std::shared_ptr<const Diagram>(r.made, &r.made->result.diagram)};
            })
       .def("describe", &describe)
       .def("map",

@@ -81,6 +81,10 @@ class SameBytes(unittest.TestCase):
         self.assertEqual(diagram.cut().charts, [])
         with self.assertRaisesRegex(gvd.Error, "is no disc"):
             gvd.read(meshes.FIGURE).segment(6).diagram.cut(uv="flat")
+        self.run_command("gvd-segment", meshes.FIGURE, "-n", 6, "--disc", "--uv", "flat", *outputs)
+        self.assert_same_files(gvd.read(meshes.FIGURE).segment(6, disc=True).diagram.cut(uv="flat"), "c", extensions)
+        self.run_command("gvd-segment", meshes.TORUS, "--levels", "2,4", "--disc", "-o", "d.json")
+        self.assert_same_files(gvd.read(meshes.TORUS).segment(levels=[2, 4], disc=True), "d", ["json"])
 
     def test_formats_of_brains(self):
         extensions = ["surf.gii", "label.gii", "shape.gii", "fs", "annot", "curv"]

@@ -1,6 +1,7 @@
 """Docstrings run, and annotations hold: mypy for the package, stubtest for the stub of its module."""
 import doctest
 import importlib
+import inspect
 import os
 import pathlib
 import pkgutil
@@ -17,6 +18,9 @@ PACKAGE = pathlib.Path(gvd.__file__).parent
 
 # Classes of pybind11 have a metaclass and a general __init__ of their own.
 ALLOWED = r"gvd\._gvd\.\w+(\.__init__)?" "\n"
+
+# What needs files, threads or Python's libraries (docs/guide/javascript.md).
+NOT_IN_JAVASCRIPT = {"to_file", "to_html", "to_vtk", "bisectors_to_vtk", "points_to_file", "out", "threads", "DiagramEditor"}
 
 
 class Documents(unittest.TestCase):
@@ -52,6 +56,23 @@ class Documents(unittest.TestCase):
             for member, value in vars(thing).items() if isinstance(thing, type) else ():
                 if not member.startswith("_") and (callable(value) or isinstance(value, property)):
                     self.assertTrue(value.__doc__, f"{name}.{member}")
+
+    def test_javascript_has_the_same_names(self):
+        types = (meshes.ROOT / "web/npm/index.d.ts").read_text()
+        words = set(re.findall(r"\w+", types))
+        for name in gvd.__all__:
+            thing = getattr(gvd, name)
+            if not isinstance(thing, type) or name in NOT_IN_JAVASCRIPT:
+                continue
+            body = re.search(rf"^export (?:class|interface) {name} [^{{]*{{\n(.*?)^}}", types, re.MULTILINE | re.DOTALL)
+            self.assertIsNotNone(body, name)
+            members = set(re.findall(r"^  (?:readonly )?(\w+)[(:?]", body[1], re.MULTILINE)) | NOT_IN_JAVASCRIPT
+            own = {key: value for key, value in vars(thing).items() if not key.startswith("_")}
+            self.assertLessEqual(own.keys(), members, name)
+            for key, value in own.items():
+                if inspect.isfunction(value) and key not in NOT_IN_JAVASCRIPT:
+                    options = {p.name for p in inspect.signature(value).parameters.values() if p.kind == p.KEYWORD_ONLY}
+                    self.assertLessEqual(options, words | NOT_IN_JAVASCRIPT, f"{name}.{key}")
 
     def run_mypy(self, *arguments):
         ran = subprocess.run([sys.executable, "-m", *arguments], cwd=PACKAGE.parent, capture_output=True, text=True,

@@ -61,7 +61,7 @@ TEST_CASE("samples cover the surface evenly") {
   for (const double count : {10.0, 1000.0, 20000.0}) {
     double area = 0, wanted = 0;
     const auto samples = sample_surface(torus, count);
-    for (const SurfaceSample& s : samples) area += s.area;
+    for (const AreaSample& s : samples) area += s.area;
     for (int f = 0; f < torus.face_count(); ++f) wanted += torus.area(FaceId(f));
     CHECK(area == Approx(wanted));
     CHECK(static_cast<double>(samples.size()) > 0.5 * count);
@@ -72,9 +72,9 @@ TEST_CASE("thin_out keeps the area and its distribution with about as many sampl
   const Mesh torus = test::make_torus(60, 40);
   const auto samples = sample_surface(torus, 100);
   REQUIRE(samples.size() == 4800);
-  const auto sum = [](const std::vector<SurfaceSample>& some, double side) {
+  const auto sum = [](const std::vector<AreaSample>& some, double side) {
     double area = 0;
-    for (const SurfaceSample& s : some) area += side * s.position.x() > 0 ? s.area : 0;
+    for (const AreaSample& s : some) area += side * s.position.x() > 0 ? s.area : 0;
     return area;
   };
   for (const double most : {100.0, 777.0, 4799.0}) {

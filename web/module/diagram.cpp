@@ -2,8 +2,6 @@
 #include "gvd/diagram.hpp"
 
 #include "gvd/check.hpp"
-#include "gvd/generator_list.hpp"
-#include "gvd/io/diagram_json.hpp"
 #include "gvd/segment.hpp"
 #include "io/view/view_steps.hpp"
 #include "values.hpp"
@@ -11,25 +9,26 @@
 namespace gvd::web {
 namespace {
 
-struct Segmented {
-  MeshDiagram of;
-  std::shared_ptr<const Segmentation> made;
-};
-
-struct Cut {
-  MeshDiagram of;
-  std::shared_ptr<const CutMesh> mesh;
-  std::shared_ptr<const CutVertices> vertices;
-  std::shared_ptr<const Appearance> appearance;
-};
-
 MeshDiagram voronoi(const SharedMesh& input, const val& points, const val& given) {
   return guarded([&] {
     const Given options(input->mesh, given);
     DiagramOptions diagram = options.diagram();
     if (options.has("weights")) diagram.weights = options.numbers("weights");
-    const auto generators = resolve(input->mesh, "points", points);
-    return MeshDiagram{input, std::make_shared<const Diagram>(compute_diagram(input->mesh, generators, diagram))};
+    return with_sources(input->mesh, points, [&](const auto& generators) {
+      return MeshDiagram{input, std::make_shared<const Diagram>(compute_diagram(input->mesh, generators, diagram))};
+    });
+  });
+}
+
+MeshDiagram diagram_inside(const SharedMesh& input, const val& given) {
+  return guarded([&] {
+    const Given options(input->mesh, given);
+    RegionOptions regions;
+    LevelOptions level;
+    read_regions(options, regions, level);
+    level.diagram = options.diagram();
+    level.labels.progress = level.generators.sampling.progress = level.diagram.progress;
+    return compute_diagram_inside(input, regions, level);
   });
 }
 
@@ -108,97 +107,94 @@ val pieces(const MeshDiagram& of) {
 val violations(const MeshDiagram& of) {
   return guarded([&] {
     val list = val::array();
-    for (const std::string& line : check_diagram(of.input->mesh, *of.diagram).violations) {
+    for (const std::string& line : check_diagram(of.surface(), of.surface_diagram()).violations) {
       list.call<void>("push", line);
     }
     return list;
   });
 }
 
-val write_diagram(const MeshDiagram& of, const std::string& format, const val& given) {
-  return guarded([&] {
-    const Mesh& mesh = of.input->mesh;
-    const auto list = [&](GeneratorFormat kind) {
-      return [&mesh, &of, kind](std::ostream& out) { out << format_generators(mesh, of.diagram->generators, kind); };
-    };
-    LabelledMesh labelled = label_mesh(mesh, *of.diagram, of.diagram->face_label);
-    labelled.appearance = &of.input->appearance;
-    return write_result(labelled, format, Given(mesh, given),
-                        {{"json", [&](std::ostream& out) { write_diagram_json(out, mesh, *of.diagram); }},
-                         {"txt", list(GeneratorFormat::text)},
-                         {"csv", list(GeneratorFormat::csv)}});
-  });
+MeshDiagram discs(const MeshDiagram& of, const val& given) {
+  return guarded([&] { return make_cells_discs(of, Given(of.mesh(), given).diagram()); });
 }
 
 Segmented segment(const MeshDiagram& of, const val& given) {
   return guarded([&] {
-    const Given options(of.input->mesh, given);
+    const Given options(of.mesh(), given);
     SegmentOptions chosen;
     options.read("labels", chosen.labels, kFaceLabelNames);
     chosen.progress = options.progress();
-    return Segmented{of, std::make_shared<const Segmentation>(segment_faces(of.input->mesh, *of.diagram, chosen))};
-  });
-}
-
-val write_segmented(const Segmented& s, const std::string& format, const val& given) {
-  return guarded([&] {
-    const Mesh& mesh = s.of.input->mesh;
-    LabelledMesh labelled = label_mesh(mesh, *s.of.diagram, s.made->face_label);
-    labelled.appearance = &s.of.input->appearance;
-    return write_result(
-        labelled, format, Given(mesh, given),
-        {{"json", [&](std::ostream& out) { write_segmentation_json(out, mesh, *s.of.diagram, *s.made); }}});
+    return segment_diagram(of, chosen);
   });
 }
 
 Cut cut(const MeshDiagram& of, const val& given) {
   return guarded([&] {
-    const Mesh& mesh = of.input->mesh;
-    auto faces = std::make_shared<const CutMesh>(cut_faces(mesh, *of.diagram, Given(mesh, given).progress()));
-    return Cut{of, faces, std::make_shared<const CutVertices>(carry_to_cut_vertices(mesh, *of.diagram, *faces)),
-               std::make_shared<const Appearance>(carry_to_cut_faces(mesh, of.input->appearance, *faces))};
+    const Given options(of.mesh(), given);
+    std::optional<ChartMap> charts;
+    options.read("uv", charts, kChartMapNames);
+    return cut_diagram(of, charts, options.progress());
   });
 }
 
-val write_cut(const Cut& c, const std::string& format, const val& given) {
+/// The numbers of the faces inside regions, by their names.
+val numbers(const Segmented& made) {
+  val found = val::object();
+  for (const FaceNumbers& each : made.numbers) found.set(each.name, to_array(each.values));
+  return found;
+}
+
+val charts(const Cut& made) {
+  val list = val::array();
+  const auto pair = [](const Vec2& p) { return val::array(std::vector{p.x(), p.y()}); };
+  for (const Chart& chart : made.charts.charts) {
+    list.call<void>("push", object({{"label", val(chart.generator.value())},
+                                    {"faces", val(double(chart.faces))},
+                                    {"area", val(chart.area)},
+                                    {"flipped_area", val(chart.flipped_area)},
+                                    {"torn_area", val(chart.torn_area)},
+                                    {"unplaced_area", val(chart.unplaced_area)},
+                                    {"stretch", val(chart.stretch)},
+                                    {"box", val::array(std::vector{pair(chart.box.min()), pair(chart.box.max())})},
+                                    {"origin", pair(chart.origin)}}));
+  }
+  return list;
+}
+
+/// The bytes of a result's file.
+template <class Result>
+val write(const Result& result, const std::string& format, const val& given) {
   return guarded([&] {
-    const Mesh& surface = c.of.input->mesh;
-    LabelledMesh labelled{c.mesh->mesh,          &c.mesh->label,     &c.mesh->parent, &c.vertices->label,
-                          &c.vertices->distance, c.of.diagram.get(), &surface};
-    labelled.appearance = c.appearance.get();
-    return write_result(
-        labelled, format, Given(surface, given),
-        {{"json", [&](std::ostream& out) { write_cut_json(out, surface, *c.of.diagram, *c.mesh, *c.vertices); }}});
+    const LabelledMesh mesh = labelled(result);
+    return write_result(mesh, format, Given(mesh.mesh, given), own_formats(result));
   });
 }
 
 void bind_parts() {
   emscripten::class_<Segmented>("Segmentation")
       .function(
-          "labels", +[](const Segmented& s) { return to_array(s.made->face_label); })
+          "labels", +[](const Segmented& s) { return to_array(s.segmentation.face_label); })
       .function(
-          "without_face", +[](const Segmented& s) { return to_array(s.made->without_face); })
+          "without_face", +[](const Segmented& s) { return to_array(s.segmentation.without_face); })
       .function(
           "border_length",
-          +[](const Segmented& s) { return compute_border_length(s.of.input->mesh, s.made->face_label); })
-      .function("write", &write_segmented);
+          +[](const Segmented& s) { return compute_border_length(s.of.surface(), s.segmentation.face_label); })
+      .function("numbers", &numbers)
+      .function("write", &write<Segmented>);
   emscripten::class_<Cut>("Cut")
+      .function("mesh", &Cut::mesh)
+      .function("charts", &charts)
       .function(
-          "mesh",
-          +[](const Cut& c) {
-            auto mesh = std::make_shared<CheckedMesh>(as_input(c.mesh->mesh));
-            mesh->appearance = *c.appearance;
-            return mesh;
-          })
+          "scale", +[](const Cut& c) { return c.charts.scale; })
       .function(
-          "labels", +[](const Cut& c) { return to_array(c.mesh->label); })
+          "labels", +[](const Cut& c) { return to_array(c.cut.label); })
       .function(
-          "parents", +[](const Cut& c) { return to_array(c.mesh->parent); })
+          "parents", +[](const Cut& c) { return to_array(c.cut.parent); })
       .function(
-          "vertex_labels", +[](const Cut& c) { return to_array(c.vertices->label); })
+          "vertex_labels", +[](const Cut& c) { return to_array(c.vertices.label); })
       .function(
-          "distances", +[](const Cut& c) { return to_array(c.vertices->distance); })
-      .function("write", &write_cut);
+          "distances", +[](const Cut& c) { return to_array(c.vertices.distance); })
+      .function("write", &write<Cut>);
 }
 
 }  // namespace
@@ -222,11 +218,13 @@ void bind_diagram() {
       .function("cells", &cells)
       .function("pieces", &pieces)
       .function("check", &violations)
+      .function("discs", &discs)
       .function("segment", &segment)
       .function("cut", &cut)
-      .function("write", &write_diagram);
+      .function("write", &write<MeshDiagram>);
   bind_parts();
   emscripten::function("voronoi", &voronoi);
+  emscripten::function("diagram_inside", &diagram_inside);
 }
 
 }  // namespace gvd::web

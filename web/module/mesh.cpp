@@ -6,6 +6,7 @@
 #include "gvd/exact_field.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/read_soup.hpp"
+#include "gvd/read_values.hpp"
 #include "values.hpp"
 
 namespace gvd::web {
@@ -56,24 +57,23 @@ val summary(const SharedMesh& input) {
                  {"bbox_diagonal", val(s.bbox_diagonal)}});
 }
 
+val sample(const SharedMesh& input, const val& given) {
+  return guarded([&] {
+    const Given options(input->mesh, given);
+    SamplingOptions sampling = options.sampling("");
+    sampling.progress = options.progress();
+    return to_points(sample_generators(input->mesh, sampling));
+  });
+}
+
 val nearest(const SharedMesh& input, const val& points, const val& given) {
   return guarded([&] {
-    const Mesh& mesh = input->mesh;
-    const ExactFieldOptions options{.progress = Given(mesh, given).progress()};
-    const std::vector<SurfacePoint> sources = resolve(mesh, "points", points);
-    if (!Given(mesh, given).has("at")) {
-      const VertexDistances found = compute_vertex_distances(mesh, sources, options);
-      return object({{"distances", to_array(found.distance)}, {"labels", to_array(found.label)}});
-    }
-    const ExactField field(mesh, sources, options);
-    std::vector<double> distances;
-    std::vector<GeneratorId> labels;
-    for (const SurfacePoint& point : Given(mesh, given).points("at")) {
-      const ExactField::Nearest found = field.nearest(point);
-      distances.push_back(found.distance);
-      labels.push_back(found.generator);
-    }
-    return object({{"distances", to_array(distances)}, {"labels", to_array(labels)}});
+    const Given options(input->mesh, given);
+    const auto at = options.has("at") ? std::optional(options.points("at")) : std::nullopt;
+    const VertexDistances found = with_sources(input->mesh, points, [&](const auto& from) {
+      return measure(input->mesh, from, at ? &*at : nullptr, {.progress = options.progress()});
+    });
+    return object({{"distances", to_array(found.distance)}, {"labels", to_array(found.label)}});
   });
 }
 
@@ -93,10 +93,9 @@ val rows(const SharedMesh& input, const val& points, const val& given) {
 val paths(const SharedMesh& input, const val& start, const val& end, const val& given) {
   return guarded([&] {
     const Mesh& mesh = input->mesh;
-    const ExactField field(mesh, resolve(mesh, "end", end), {.progress = Given(mesh, given).progress()});
+    const auto from = resolve(mesh, "start", start), to = resolve(mesh, "end", end);
     val list = val::array();
-    for (const SurfacePoint& from : resolve(mesh, "start", start)) {
-      const GeodesicPath path = field.path(from);
+    for (const GeodesicPath& path : trace_paths(mesh, from, to, {.progress = Given(mesh, given).progress()})) {
       list.call<void>("push", object({{"points", to_points(path.points)},
                                       {"positions", to_positions(mesh, path.points)},
                                       {"length", val(path.length)},
@@ -104,6 +103,14 @@ val paths(const SharedMesh& input, const val& start, const val& end, const val& 
                                       {"end", val(path.generator.value())}}));
     }
     return list;
+  });
+}
+
+val log_map(const SharedMesh& input, const val& point, const val& given) {
+  return guarded([&] {
+    const Mesh& mesh = input->mesh;
+    const SurfacePoint at = resolve(mesh, "point", point).at(0);
+    return to_array(compute_log_map(mesh, at, {.progress = Given(mesh, given).progress()}));
   });
 }
 
@@ -157,6 +164,8 @@ void bind_mesh() {
           "input_vertex", +[](const SharedMesh& m) { return to_array(m->input_vertex); })
       .function(
           "input_face", +[](const SharedMesh& m) { return to_array(m->input_polygon); })
+      .function(
+          "texture_coordinates", +[](const SharedMesh& m) { return to_array(m->appearance.texture); })
       .function("notes", &notes)
       .function("summary", &summary)
       .function(
@@ -169,23 +178,19 @@ void bind_mesh() {
           +[](const SharedMesh& m, const val& points) {
             return guarded([&] { return to_positions(m->mesh, resolve(m->mesh, "points", points)); });
           })
-      .function(
-          "sample",
-          +[](const SharedMesh& m, const val& given) {
-            return guarded([&] {
-              const Given options(m->mesh, given);
-              SamplingOptions sampling = options.sampling("");
-              sampling.progress = options.progress();
-              return to_points(sample_generators(m->mesh, sampling));
-            });
-          })
+      .function("sample", &sample)
       .function("nearest", &nearest)
       .function("rows", &rows)
       .function("paths", &paths)
+      .function("log_map", &log_map)
       .function("isolines", &isolines)
       .function("write", &write_mesh_file);
   emscripten::function("mesh_from_arrays", &mesh_from_arrays);
   emscripten::function("mesh_from_bytes", &mesh_from_bytes);
+  emscripten::function(
+      "parse_values", +[](const std::string& bytes, const std::string& name) {
+        return guarded([&] { return to_array(parse_values(bytes, name)); });
+      });
 }
 
 }  // namespace gvd::web

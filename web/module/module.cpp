@@ -8,6 +8,7 @@ EMSCRIPTEN_BINDINGS(gvd) {
   emscripten::function(
       "version", +[] { return std::string(gvd::version()); });
   gvd::web::bind_mesh();
+  gvd::web::bind_curves();
   gvd::web::bind_diagram();
   gvd::web::bind_editor();
   gvd::web::bind_remesh();

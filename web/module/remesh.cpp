@@ -1,6 +1,8 @@
 // Relaxed generators, balanced cells and remeshes, with the options of Python (gvd/named_options.hpp).
 #include "gvd/remesh.hpp"
 
+#include <sstream>
+
 #include "gvd/named_options.hpp"
 #include "gvd/remesh_map.hpp"
 #include "gvd/remesh_scenes.hpp"
@@ -22,6 +24,11 @@ struct Remeshed {
   const RemeshResult& result() const { return made->result; }
 };
 
+struct Map {
+  SharedMesh input;
+  RemeshMap map;
+};
+
 Relaxed lloyd(const SharedMesh& input, const val& options) {
   return guarded([&] {
     const Mesh& mesh = input->mesh;
@@ -40,12 +47,6 @@ Relaxed lloyd(const SharedMesh& input, const val& options) {
     const RelaxationStart made = start_relaxation(mesh, start);
     return Relaxed{input, std::make_shared<const LloydResult>(relax_generators(mesh, made, relaxation))};
   });
-}
-
-val energies(const Relaxed& relaxed) {
-  std::vector<double> found{relaxed.result->initial_energy};
-  for (const LloydIteration& iteration : relaxed.result->iterations) found.push_back(iteration.energy);
-  return to_array(found);
 }
 
 /// One number of every cell's moments.
@@ -81,12 +82,7 @@ Remeshed remesh_of(const SharedMesh& input, const val& options) {
     if (given.has("target_edge")) {
       double edge = 0;
       given.read("target_edge", edge);
-      const double count = even_count(compute_area(mesh), edge);
-      if (!(edge > 0 && count <= std::numeric_limits<std::int32_t>::max())) {
-        throw Error(ErrorCode::invalid_option,
-                    fmt::format("target_edge: {} is not above 0, or needs too many vertices", edge));
-      }
-      remesh.start.sampling.count = std::int32_t(count);
+      remesh.start.sampling.count = count_for_edge(mesh, edge);
     }
     std::optional<double> error;
     given.read("error", error);
@@ -122,14 +118,10 @@ val certificate(const Remeshed& made) {
                  {"inherited_intersections", val(double(c.inherited_intersections))}});
 }
 
-/// {points, origins, one_to_one}
-val map_of(const Remeshed& made, const val& options) {
+Map map_of(const Remeshed& made, const val& options) {
   return guarded([&] {
     const Mesh& mesh = made.input->mesh;
-    const RemeshMap map = map_to_remesh(mesh, made.result(), 1, Given(mesh, options).progress());
-    return object({{"points", to_points(map.points.raw())},
-                   {"origins", to_points(map.origins.raw())},
-                   {"one_to_one", val(map.one_to_one)}});
+    return Map{made.input, map_to_remesh(mesh, made.result(), 1, Given(mesh, options).progress())};
   });
 }
 
@@ -148,6 +140,22 @@ val write_remesh(const Remeshed& made, const std::string& format, const val& opt
   });
 }
 
+void bind_map() {
+  emscripten::class_<Map>("RemeshMap")
+      .function(
+          "points", +[](const Map& m) { return to_points(m.map.points.raw()); })
+      .function(
+          "origins", +[](const Map& m) { return to_points(m.map.origins.raw()); })
+      .function(
+          "one_to_one", +[](const Map& m) { return m.map.one_to_one; })
+      .function(
+          "write", +[](const Map& m, const std::string&, const val&) {
+            std::ostringstream out;
+            write_map_json(out, *m.input, m.map);
+            return to_bytes(out.str());
+          });
+}
+
 }  // namespace
 
 void bind_remesh() {
@@ -157,13 +165,22 @@ void bind_remesh() {
           +[](const Relaxed& r) {
             return MeshDiagram{r.input, std::shared_ptr<const Diagram>(r.result, &r.result->diagram)};
           })
-      .function("energies", &energies)
+      .function(
+          "energies", +[](const Relaxed& r) { return to_array(list_energies(*r.result)); })
       .function("areas", &moments<&CellMoments::area>)
       .function("cell_energies", &moments<&CellMoments::energy>)
       .function(
           "stop", +[](const Relaxed& r) { return std::string(name_in(kLloydStopNames, r.result->stop)); })
       .function(
-          "residual", +[](const Relaxed& r) { return r.result->residual; });
+          "residual", +[](const Relaxed& r) { return r.result->residual; })
+      .function(
+          "write_samples", +[](const Relaxed& r, const std::string& format) {
+            return guarded([&] {
+              std::ostringstream out;
+              write_samples(out, r.input->mesh, *r.result, format);
+              return to_bytes(out.str());
+            });
+          });
   emscripten::class_<Remeshed>("Remesh")
       .function(
           "mesh", +[](const Remeshed& r) { return std::make_shared<CheckedMesh>(as_input(r.result().mesh)); })
@@ -176,6 +193,7 @@ void bind_remesh() {
       .function("certificate", &certificate)
       .function("map", &map_of)
       .function("write", &write_remesh);
+  bind_map();
   emscripten::function("lloyd", &lloyd);
   emscripten::function("balance", &balance);
   emscripten::function("remesh", &remesh_of);

@@ -31,10 +31,8 @@ val to_positions(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
   return to_array(positions);
 }
 
-std::vector<SurfacePoint> resolve(const Mesh& mesh, const char* name, const val& entries) {
-  constexpr std::array<GeneratorEntry::Kind, 3> kKinds{GeneratorEntry::Kind::vertex, GeneratorEntry::Kind::face,
-                                                       GeneratorEntry::Kind::position};
-  const auto kind = kKinds.at(entries["kind"].as<std::size_t>());
+GeneratorList make_list(const char* name, const val& entries) {
+  const auto kind = kPointKinds.at(entries["kind"].as<std::size_t>());
   const auto ids = emscripten::convertJSArrayToNumberVector<double>(entries["id"]);
   const auto at = emscripten::convertJSArrayToNumberVector<double>(entries["at"]);
   GeneratorList list{name, {}};
@@ -43,11 +41,13 @@ std::vector<SurfacePoint> resolve(const Mesh& mesh, const char* name, const val&
     if (3 * i + 2 < at.size()) std::copy_n(at.begin() + std::ptrdiff_t(3 * i), 3, entry.values.begin());
     list.entries.push_back(entry);
   }
-  ResolveOptions options;
-  if (entries["max_snap"].isNumber()) options.max_snap = entries["max_snap"].as<double>();
-  options.merge_coincident = entries["coincident"].strictlyEquals(val("merge"));
-  options.keep_coincident = entries["coincident"].strictlyEquals(val("keep"));
-  return resolve_generators(mesh, list, options).points;
+  return list;
+}
+
+std::vector<SurfacePoint> resolve(const Mesh& mesh, const char* name, const val& entries) {
+  std::optional<double> max_snap;
+  Given(mesh, entries).read("max_snap", max_snap);
+  return resolve_points(mesh, make_list(name, entries), max_snap, entries["coincident"].as<std::string>());
 }
 
 SamplingOptions Given::sampling(const char*) const {

@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+#include "bound_calls.hpp"
+#include "bound_results.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "gvd/ids.hpp"
@@ -34,7 +36,6 @@
 namespace gvd::web {
 
 using emscripten::val;
-using SharedMesh = std::shared_ptr<CheckedMesh>;
 
 /// A typed array that owns a copy of `count` numbers. Ids are 32-bit integers, -1 for none.
 template <class Number>
@@ -44,8 +45,13 @@ val copy_numbers(const Number* first, std::size_t count) {
 inline val to_array(const std::vector<double>& values) { return copy_numbers(values.data(), values.size()); }
 inline val to_array(const std::vector<float>& values) { return copy_numbers(values.data(), values.size()); }
 inline val to_array(const std::vector<std::int32_t>& values) { return copy_numbers(values.data(), values.size()); }
-inline val to_array(const std::vector<Vec3>& values) {
-  return copy_numbers(values.empty() ? nullptr : values[0].data(), 3 * values.size());
+template <int N>
+val to_array(const std::vector<Eigen::Matrix<double, N, 1>>& values) {
+  return copy_numbers(values.empty() ? nullptr : values[0].data(), N * values.size());
+}
+template <std::size_t N>
+val to_array(const std::vector<std::array<double, N>>& values) {
+  return copy_numbers(values.empty() ? nullptr : values[0].data(), N * values.size());
 }
 inline val to_array(const std::vector<std::array<VertexId, 3>>& faces) {
   return copy_numbers(reinterpret_cast<const std::int32_t*>(faces.data()), 3 * faces.size());
@@ -85,10 +91,7 @@ auto guarded(Work&& work) {
   try {
     return std::forward<Work>(work)();
   } catch (const Error& error) {
-    constexpr std::array<std::string_view, 7> kNames{"invalid_option",  "unreadable_input",  "precondition",
-                                                     "no_valid_result", "unwritable_output", "reader_gone",
-                                                     "interrupted"};
-    raise(error.what(), kNames[std::size_t(error.code())], double(error.element()));
+    raise(error.what(), kErrorCodeNames[std::size_t(error.code())], double(error.element()));
   } catch (const std::bad_alloc&) {
     raise("the memory of the page is full; use a smaller mesh or fewer generators", "out_of_memory", -1);
   } catch (const std::exception& error) {
@@ -98,7 +101,15 @@ auto guarded(Work&& work) {
 }
 
 /// What a vertex, a face or a position is in the entries of `points`, as web/npm/points.mjs makes them: {kind, id, at}.
+GeneratorList make_list(const char* name, const val& entries);
 std::vector<SurfacePoint> resolve(const Mesh& mesh, const char* name, const val& entries);
+
+/// Does `work` with points or, where `entries` are {curves}, with curves.
+template <class Work>
+auto with_sources(const Mesh& mesh, const val& entries, const Work& work) {
+  const val curves = entries["curves"];
+  return curves.isUndefined() ? work(resolve(mesh, "points", entries)) : work(curves.as<CurveSet>().curves);
+}
 
 /// The options of a call by their names; undefined and null stand for those that were not given.
 class Given {
@@ -165,19 +176,11 @@ class Given {
   val options_;
 };
 
-/// A diagram and the mesh that it belongs to, which it keeps alive.
-struct MeshDiagram {
-  SharedMesh input;
-  std::shared_ptr<const Diagram> diagram;
-};
-
-/// A file that does not hold a mesh in one of the formats of `OutputFormat`: its content by its extension.
-using OwnFormats = std::vector<std::pair<std::string, std::function<void(std::ostream&)>>>;
-
 /// The bytes of a file in the format of an extension. `own` are formats of one result alone.
 val write_result(LabelledMesh mesh, const std::string& format, const Given& options, const OwnFormats& own);
 
 void bind_mesh();
+void bind_curves();
 void bind_diagram();
 void bind_editor();
 void bind_remesh();

@@ -59,6 +59,21 @@ interface RelaxOptions extends SampleOptions, ComputeOptions {
   coarse?: number;
 }
 
+export interface SegmentOptions extends SampleOptions, ComputeOptions {
+  generators?: PointsLike;
+  /** Short borders, or the largest share of each face. */
+  labels?: 'smooth' | 'nearest';
+  /** A whole number for each face or vertex: no region crosses the borders between them. */
+  within?: Numbers;
+  /** Not 0 for each face or vertex to leave out. */
+  mask?: Numbers | boolean[];
+  /** In place of n: points of each region of `within`, or ascending numbers, each level inside the one before. */
+  per_region?: number;
+  levels?: Numbers;
+  /** Adds points until each cell is a disc. */
+  disc?: boolean;
+}
+
 export interface LloydOptions extends RelaxOptions {
   accelerate?: 'lbfgs' | 'anderson' | 'none';
   relocate?: boolean;
@@ -137,6 +152,8 @@ export class Mesh extends Handle {
   readonly faces: Int32Array;
   readonly input_vertex: Int32Array;
   readonly input_face: Int32Array;
+  /** u and v of each face's corners, v upwards, NaN where there are none; null without a texture. */
+  readonly texture_coordinates: Float64Array | null;
   readonly summary: Summary;
   /** What was repaired, one line each. */
   readonly notes: string[];
@@ -145,21 +162,39 @@ export class Mesh extends Handle {
   sample(n?: number | null, options?: SampleOptions): Points;
   farthest(n: number, options?: SampleOptions): Points;
   /** Exact distances of all vertices, or of `at`, to the nearest point; `each`: a row for each point, one after the other. */
-  distances(points: PointsLike, options?: { each?: boolean; at?: PointsLike } & Reporting): Float64Array;
+  distances(points: PointsLike | Curves, options?: { each?: boolean; at?: PointsLike } & Reporting): Float64Array;
+  /** The rows of `distances(points, { each: true })`, one after the other, in the memory of one. */
+  distance_rows(points: PointsLike, options?: { at?: PointsLike } & Reporting): Generator<Float64Array>;
   /** The distances, and which point is nearest. */
-  nearest(points: PointsLike, options?: { at?: PointsLike } & Reporting): { distances: Float64Array; labels: Int32Array };
+  nearest(points: PointsLike | Curves, options?: { at?: PointsLike } & Reporting): { distances: Float64Array; labels: Int32Array };
   /** A shortest path to the nearest end; several starts: a path for each. */
   path(start: number, end: PointsLike, options?: Reporting): Path;
   path(start: PointsLike, end: PointsLike, options?: Reporting): Path | Path[];
+  /**
+   * The logarithm of every vertex at a point, two numbers each: the vector in whose direction the shortest path departs,
+   * as long as that, mesh units. The x axis is the direction of the first edge at the point. NaN where no path leads.
+   */
+  log_map(point: PointsLike, options?: Reporting): Float64Array;
+  /**
+   * Curves as generators: the boundary; the creases, whose faces differ by more than `angle` degrees (default 40);
+   * polylines through points, which `closed` closes; or those of the bytes of a file with this `name`.
+   */
+  curves(curves: 'boundary' | 'creases' | PointsLike[] | Uint8Array | ArrayBuffer,
+         options?: { closed?: boolean; angle?: number; max_snap?: number; name?: string }): Curves;
   /** Curves of equal distance at these levels, ascending, above 0. */
   isolines(points: PointsLike, levels: Numbers, options?: Reporting): Isoline[];
-  voronoi(points: PointsLike,
+  voronoi(points: PointsLike | Curves,
           options?: { max_snap?: number; merge_coincident?: boolean; weights?: Numbers } & ComputeOptions): Diagram;
   balance(points: PointsLike, options?: { density?: Numbers; shares?: Numbers; weights?: Numbers } & Reporting): Balanced;
-  segment(n?: number | null,
-          options?: { generators?: PointsLike; labels?: 'smooth' | 'nearest' } & SampleOptions & ComputeOptions): Segmentation;
+  segment(n?: number | null, options?: SegmentOptions): Segmentation;
   lloyd(n?: number | null, options?: LloydOptions): Relaxation;
   remesh(n?: number | null, options?: RemeshOptions): Remesh;
+}
+
+/** Curves of a mesh; `positions` has the polylines of each, three coordinates a point. */
+export class Curves extends Handle {
+  readonly positions: Float64Array[][];
+  readonly length: number;
 }
 
 export interface Bisector {
@@ -169,6 +204,14 @@ export interface Bisector {
   ends: [number, number];
   points: Points;
   positions: Float64Array;
+}
+
+/** The points of three and more cells; `generators` of each, counter-clockwise. */
+export interface BranchPoints {
+  points: Points;
+  positions: Float64Array;
+  distances: Float64Array;
+  generators: Int32Array[];
 }
 
 export interface Cell {
@@ -190,7 +233,7 @@ export class Diagram extends Handle {
   readonly weights: Float64Array;
   readonly generators: Points;
   readonly length: number;
-  readonly branch_points: { points: Points; positions: Float64Array; distances: Float64Array; generators: Int32Array[] };
+  readonly branch_points: BranchPoints;
   readonly bisectors: Bisector[];
   /** The bisectors in flat arrays; those of i have the points first[i] to first[i + 1] - 1. */
   readonly curves: { first: Int32Array; left: Int32Array; right: Int32Array; closed: Int32Array; ends: Int32Array;
@@ -201,7 +244,8 @@ export class Diagram extends Handle {
   /** What violates the invariants of a diagram: normally nothing. */
   check(): string[];
   segment(options?: { labels?: 'smooth' | 'nearest' } & Reporting): Segmentation;
-  cut(options?: Reporting): Cut;
+  /** `uv` gives the pieces texture coordinates; "flat" needs cells that are discs. */
+  cut(options?: { uv?: 'logmap' | 'flat' } & Reporting): Cut;
 }
 
 /**
@@ -234,6 +278,23 @@ export class Segmentation extends Handle {
   readonly labels: Int32Array;
   readonly without_face: Int32Array;
   readonly border_length: number;
+  /** The region of each face as `within` gave it, or null. */
+  readonly regions: Int32Array | null;
+  /** The labels of each level of `levels`, from the coarsest to `labels`. */
+  readonly levels: Int32Array[];
+}
+
+/** A connected part of a region in the unit square. Areas are those of faces on the surface, square mesh units. */
+export interface Chart {
+  label: number;
+  faces: number;
+  area: number;
+  flipped_area: number;
+  torn_area: number;
+  unplaced_area: number;
+  stretch: number;
+  box: [[number, number], [number, number]];
+  origin: [number, number];
 }
 
 export class Cut extends Handle {
@@ -243,6 +304,9 @@ export class Cut extends Handle {
   readonly parents: Int32Array;
   readonly vertex_labels: Int32Array;
   readonly distances: Float64Array;
+  /** The charts of the texture coordinates of `mesh`, by their first face, and texture units per mesh unit; without `uv` none and 0. */
+  readonly charts: Chart[];
+  readonly scale: number;
 }
 
 export class Relaxation extends Handle {
@@ -253,6 +317,8 @@ export class Relaxation extends Handle {
   readonly cell_energies: Float64Array;
   readonly residual: number;
   readonly stop: string;
+  /** The generators with normals, areas and energies, as gvd-lloyd --points writes them. */
+  points_to_bytes(format: 'ply' | 'xyz' | 'npy'): Uint8Array;
 }
 
 interface Distance {
@@ -269,9 +335,25 @@ export class Remesh extends Handle {
   readonly certificate: { ok: boolean; manifold: boolean; closed_as_input: boolean; same_euler_characteristic: boolean;
                           same_components: boolean; same_boundary_loops: boolean; same_in_each_component: boolean;
                           flipped_faces: number; self_intersections: number; inherited_intersections: number };
-  map(options?: Reporting): { points: Points; origins: Points; one_to_one: boolean };
+  map(options?: Reporting): RemeshMap;
+}
+
+/**
+ * For each vertex of the surface its point of the remesh, and for each of the remesh its point of the surface; whether
+ * both come from a map that was checked to be one-to-one. `to_bytes('json')` is the file of gvd-remesh --map.
+ */
+export class RemeshMap extends Handle {
+  readonly points: Points;
+  readonly origins: Points;
+  readonly one_to_one: boolean;
 }
 
 /** Reads the bytes of an OBJ, PLY, OFF, STL, GLB or legacy VTK file; `name` is the file's, for messages. */
 export function read(bytes: Uint8Array | ArrayBuffer, name: string,
                      options?: { on_defect?: 'error' | 'repair' | 'largest' }): Mesh;
+
+/** The numbers of a file that has one for each vertex or face: text, .npy, and FreeSurfer's .annot and values. */
+export function read_values(bytes: Uint8Array | ArrayBuffer, name: string): Float64Array;
+
+/** The bytes that gzip packed, as `read` takes them; other bytes as they are. */
+export function unpack(bytes: Uint8Array | ArrayBuffer): Promise<Uint8Array | ArrayBuffer>;

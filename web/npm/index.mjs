@@ -9,7 +9,7 @@
 // block, so pages make them in a worker. Objects free their memory when they are collected, or by free().
 import create from './gvd.mjs';
 import wasmBinary from './load.mjs';
-import { checkIndices, checkNames, entries, Error, isSingle, oneOf, refuse } from './points.mjs';
+import { checkIndices, checkNames, entries, Error, isGiven, isSingle, oneOf, refuse } from './points.mjs';
 
 const native = await create({ wasmBinary, Error });
 const collected = new FinalizationRegistry((handle) => handle.delete());
@@ -53,8 +53,11 @@ const SAMPLE = 'sampling seed radius progress';
 const COMPUTE = 'method front chord_tolerance progress';
 const RELAX = `${SAMPLE} ${COMPUTE} generators fixed features keep_boundary density gradation coarse`;
 
+const isAscending = (levels) =>
+  levels.length > 0 && Array.from(levels).every((n, i) => Number.isSafeInteger(n) && n > (i ? levels[i - 1] : 0));
+
 /** n as a first argument, or in the options. */
-const withCount = (n, options) => (n === undefined || n === null ? options : { n, ...options });
+const withCount = (n, options) => (isGiven(n) ? { n, ...options } : options);
 
 export class Mesh extends Handle {
   constructor(vertices, faces, { on_defect = 'error', corners = 3, ...others } = {}) {
@@ -99,8 +102,38 @@ export class Mesh extends Handle {
     return each ? this._native.rows(entries('points', points), this._at('distances', options)) : this.nearest(points, options).distances;
   }
 
+  /** The rows of distances(points, { each: true }), one after the other, in the memory of one. */
+  *distance_rows(points, options = {}) {
+    const { face, bary } = this.points(points);
+    for (let i = 0; i < face.length; ++i) {
+      yield this.distances({ face: face.subarray(i, i + 1), bary: bary.subarray(3 * i, 3 * i + 3) }, options);
+    }
+  }
+
   nearest(points, options = {}) {
-    return this._native.nearest(entries('points', points), this._at('nearest', options));
+    return this._native.nearest(sources(points), this._at('nearest', options));
+  }
+
+  log_map(point, options = {}) {
+    checkNames('log_map', options, 'progress');
+    const at = entries('point', point);
+    if (at.id.length !== 1) refuse(`point: one point is needed, not ${at.id.length}`);
+    return this._native.log_map(at, options);
+  }
+
+  curves(curves, { closed = false, angle, ...options } = {}) {
+    checkNames('curves', options, 'closed angle max_snap name');
+    const isWord = typeof curves === 'string', isFile = curves instanceof Uint8Array || curves instanceof ArrayBuffer;
+    if (closed && (isWord || isFile)) refuse('closed: it is for polylines');
+    if (angle !== undefined && curves !== 'creases') refuse("angle: it is for 'creases'");
+    if (isWord) {
+      if (curves !== 'boundary' && curves !== 'creases') refuse(`curves: 'boundary' or 'creases' is needed, not '${curves}'`);
+      return new Curves(this, native.find_curves(this._native, curves, { angle }));
+    }
+    if (isFile) return new Curves(this, native.read_curves(this._native, curves, options.name ?? 'curves', options));
+    const lines = Array.from(curves, (line, i) => entries(`curves[${i}]`, line));
+    if (lines.length === 0) refuse('curves: empty');
+    return new Curves(this, native.join_curves(this._native, lines, closed, options));
   }
 
   _at(call, options) {
@@ -122,23 +155,38 @@ export class Mesh extends Handle {
   voronoi(points, { max_snap, merge_coincident = false, ...options } = {}) {
     checkNames('voronoi', options, `max_snap merge_coincident weights ${COMPUTE}`);
     const coincident = merge_coincident ? 'merge' : 'refuse';
-    return new Diagram(this, native.voronoi(this._native, entries('points', points, { max_snap, coincident }), options));
+    return new Diagram(this, native.voronoi(this._native, sources(points, { max_snap, coincident }), options));
   }
 
   balance(points, options = {}) {
     checkNames('balance', options, 'density shares weights progress');
-    this._checkDensity(options);
+    this._checkElements('density', options.density);
     const found = native.balance(this._native, entries('points', points, { coincident: 'refuse' }), options);
     return { ...found, diagram: new Diagram(this, found.diagram) };
   }
 
   segment(n, options = {}) {
-    const { generators, labels, ...all } = withCount(n, options);
-    checkNames('segment', all, `n generators labels ${SAMPLE} ${COMPUTE}`);
-    oneOf('segment', { ...all, generators }, ['n', 'generators', 'radius']);
+    const { generators, labels, within, mask, per_region, levels, disc = false, ...all } = withCount(n, options);
+    checkNames('segment', all, `n generators labels within mask per_region levels disc ${SAMPLE} ${COMPUTE}`);
+    oneOf('segment', { ...all, generators, per_region, levels }, ['n', 'generators', 'radius', 'per_region', 'levels']);
+    if (isGiven(per_region) && !isGiven(within)) refuse('per_region: give the regions, as within');
+    if (isGiven(levels) && !isAscending(levels)) refuse(`levels: ascending whole numbers from 1 on are needed, not ${levels}`);
     const { n: count, sampling, seed, radius, ...compute } = all;
-    const points = generators ?? this._native.sample({ ...compute, n: count, sampling, seed, radius });
-    return this.voronoi(points, compute).segment({ labels, progress: all.progress });
+    const sampler = { ...compute, n: per_region ?? levels?.[levels.length - 1] ?? count, sampling, seed, radius };
+    const regions = { within, mask, levels };
+    const diagram = Object.values(regions).some(isGiven)
+      ? this._inside(generators, { ...sampler, ...regions, per_region, labels })
+      : this.voronoi(generators ?? this._native.sample(sampler), compute);
+    const made = disc ? new Diagram(this, diagram._native.discs(compute)) : diagram;
+    return made.segment({ labels, progress: all.progress });
+  }
+
+  /** The diagram inside regions. */
+  _inside(generators, options) {
+    this._checkElements('within', options.within);
+    this._checkElements('mask', options.mask);
+    const listed = isGiven(generators) ? { generators: entries('generators', generators, { coincident: 'refuse' }) } : {};
+    return new Diagram(this, native.diagram_inside(this._native, { ...options, ...listed }));
   }
 
   lloyd(n, options = {}) {
@@ -169,18 +217,33 @@ export class Mesh extends Handle {
       given.weighs_curvature = true;
       delete given.density;
     }
-    this._checkDensity(given);
+    this._checkElements('density', given.density);
     return given;
   }
 
-  _checkDensity({ density }) {
+  _checkElements(name, values) {
     const counts = [this.vertices.length / 3, this.faces.length / 3];
-    if (density !== undefined && !counts.includes(density.length)) {
-      refuse(`density: a number for each of ${counts[0]} vertices or ${counts[1]} faces is needed, not ${density.length}`);
+    if (isGiven(values) && !counts.includes(values.length)) {
+      refuse(`${name}: a number for each of ${counts[0]} vertices or ${counts[1]} faces is needed, not ${values.length}`);
     }
   }
 }
 forward(Mesh, 'vertices', 'faces', 'input_vertex', 'input_face', 'summary', 'notes');
+lazy(Mesh, 'texture_coordinates', (self) => {
+  const corners = self._native.texture_coordinates();
+  return corners.length ? corners : null;
+});
+
+export class Curves extends Handle {
+  constructor(mesh, handle) {
+    super(handle);
+    this.positions = handle.positions(mesh._native);
+    this.length = this.positions.length;
+  }
+}
+
+/** Curves, or points, for the calls that take both. */
+const sources = (points, rules) => (points instanceof Curves ? { curves: points._native } : entries('points', points, rules));
 
 export class Diagram extends Handle {
   constructor(mesh, handle) {
@@ -198,7 +261,7 @@ export class Diagram extends Handle {
   }
 
   cut(options = {}) {
-    checkNames('cut', options, 'progress');
+    checkNames('cut', options, 'uv progress');
     return new Cut(this, this._native.cut(options));
   }
 }
@@ -267,6 +330,9 @@ export class Segmentation extends Handle {
   }
 }
 forward(Segmentation, 'labels', 'without_face', 'border_length');
+lazy(Segmentation, 'regions', (self) => self._native.numbers().region ?? null);
+lazy(Segmentation, 'levels', (self) =>
+  Object.entries(self._native.numbers()).filter(([name]) => name.startsWith('label_')).map(([, labels]) => labels));
 
 export class Cut extends Handle {
   constructor(diagram, handle) {
@@ -274,7 +340,7 @@ export class Cut extends Handle {
     this.diagram = diagram;
   }
 }
-forward(Cut, 'labels', 'parents', 'vertex_labels', 'distances');
+forward(Cut, 'labels', 'parents', 'vertex_labels', 'distances', 'charts', 'scale');
 lazy(Cut, 'mesh', (self) => Mesh._wrap(self._native.mesh()));
 
 export class Relaxation extends Handle {
@@ -286,9 +352,16 @@ export class Relaxation extends Handle {
   to_bytes(format, options) {
     return this.diagram.to_bytes(format, options);
   }
+
+  points_to_bytes(format) {
+    return this._native.write_samples(format);
+  }
 }
 forward(Relaxation, 'energies', 'areas', 'cell_energies', 'residual', 'stop');
 lazy(Relaxation, 'generators', (self) => self.diagram.generators);
+
+export class RemeshMap extends Handle {}
+forward(RemeshMap, 'points', 'origins', 'one_to_one');
 
 export class Remesh extends Handle {
   constructor(surface, handle) {
@@ -298,7 +371,7 @@ export class Remesh extends Handle {
 
   map(options = {}) {
     checkNames('map', options, 'progress');
-    return this._native.map(options);
+    return new RemeshMap(this._native.map(options));
   }
 }
 forward(Remesh, 'figures', 'certificate');
@@ -309,4 +382,15 @@ lazy(Remesh, 'diagram', (self) => new Diagram(self.surface, self._native.diagram
 export function read(bytes, name, { on_defect = 'repair', ...others } = {}) {
   checkNames('read', others, 'on_defect');
   return Mesh._wrap(native.mesh_from_bytes(bytes, name, on_defect));
+}
+
+/** The numbers of a file that has one for each vertex or face: text, .npy, and FreeSurfer's .annot and values. */
+export const read_values = (bytes, name) => native.parse_values(bytes, name);
+
+/** The bytes that gzip packed, as `read` takes them; other bytes as they are. */
+export async function unpack(bytes) {
+  const [first, second] = new Uint8Array(bytes.buffer ?? bytes, bytes.byteOffset ?? 0, Math.min(2, bytes.byteLength));
+  if (first !== 0x1f || second !== 0x8b) return bytes;
+  const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Uint8Array(await new Response(unpacked).arrayBuffer());
 }

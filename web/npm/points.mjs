@@ -81,8 +81,10 @@ export function checkNames(call, options, names) {
   }
 }
 
+export const isGiven = (value) => value !== undefined && value !== null;
+
 /** Refuses any but one of several ways to say the same. */
 export function oneOf(call, options, names) {
-  const given = names.filter((name) => options[name] !== undefined && options[name] !== null);
+  const given = names.filter((name) => isGiven(options[name]));
   if (given.length !== 1) refuse(`${call}: give one of ${names.join(', ')}`);
 }

@@ -4,11 +4,12 @@
 // must give the very numbers that Node.js gives. Without a browser, that part is skipped with a message.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { extname, join, resolve } from 'node:path';
 import test from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import { results } from './module_results.mjs';
 
 const [packed, bin, data] = process.argv.slice(2).map((path) => resolve(path));
@@ -25,10 +26,19 @@ function assertClose(actual, expected, what) {
     assert.ok(Math.abs(value - expected[i]) <= kTolerance * scale, `${what} ${i}: ${value} is not ${expected[i]}`));
 }
 
-function readNative(command, name, ...options) {
-  const file = join(mkdtempSync(join(tmpdir(), 'gvd-')), 'native.json');
-  execFileSync(join(bin, command), [join(data, name), ...options, '-q', '-o', file]);
-  return JSON.parse(readFileSync(file, 'utf8'));
+const folder = mkdtempSync(join(tmpdir(), 'gvd-'));
+
+/** What a command writes to a file with this name, after `option`. */
+function runNative(command, name, file, option, ...options) {
+  const path = join(folder, file);
+  execFileSync(join(bin, command), [join(data, name), ...options, '-q', option, path]);
+  return readFileSync(path, 'utf8');
+}
+const readNative = (command, name, ...options) => JSON.parse(runNative(command, name, 'native.json', '-o', ...options));
+
+function writeText(file, text) {
+  writeFileSync(join(folder, file), text);
+  return join(folder, file);
 }
 
 const bisectorLength = ({ points, closed }) =>
@@ -50,6 +60,50 @@ for (const name of kMeshes) {
     assertClose(web.branch_distances, native.branch_points.map(({ distance }) => distance), 'branch point');
     assertClose(web.areas, native.cells.map(({ area }) => area), 'cell');
     assert.deepEqual(web.violations, []);
+  });
+  test(`${name} segmented inside regions as the command does`, () => {
+    const web = found[name];
+    const within = ['--within', writeText('within.txt', web.within.join('\n'))];
+    const mask = ['--mask', writeText('mask.txt', web.mask.join('\n'))];
+    const inside = readNative('gvd-segment', name, '-n', '25', ...within, ...mask);
+    assert.deepEqual(web.inside.labels, inside.face_labels);
+    assert.deepEqual(web.inside.regions, inside.face_numbers.region);
+    assert.ok(web.inside.labels.includes(-1) && web.inside.border > 0);
+    assert.deepEqual(web.each, readNative('gvd-segment', name, '--per-region', '3', '--labels', 'nearest', ...within).face_labels);
+    assert.deepEqual(web.discs.labels, readNative('gvd-segment', name, '-n', '3', '--disc').face_labels);
+    assert.ok(web.discs.euler.every((number) => number === 1));
+    const { face_numbers } = readNative('gvd-segment', name, '--levels', '5,20');
+    assert.deepEqual(web.nested, [face_numbers.label_1, face_numbers.label_2]);
+  });
+  test(`${name} segmented around curves as the command does`, () => {
+    const web = found[name];
+    const points = (line) => line.map((v) => `${v}`).join('\n');
+    const file = writeText('curves.txt', [points([0, 40, 90]), points([web.vertices - 1])].join('\n\n'));
+    const native = readNative('gvd-segment', name, '--curves', file);
+    assert.deepEqual(web.bands.labels, native.face_labels);
+    assertClose(web.bands.lengths, native.bisectors.map(bisectorLength), 'bisector');
+    const table = runNative('gvd-distance', name, 'distances.csv', '-o', '--curves', file).trim().split('\n').slice(1);
+    assertClose(web.bands.distances, table.map((row) => Number(row.split(',')[2])), 'distance');
+    assert.equal(web.curves.length, 2);
+  });
+  test(`${name} with the charts of the command`, () => {
+    const { list, scale, texture } = found[name].charts;
+    const options = ['-n', '30', '--cut', '--uv', 'logmap'];
+    const native = JSON.parse(runNative('gvd-segment', name, 'report.json', '--report', ...options)).results.charts;
+    assertClose([scale], [native.scale], 'scale');
+    assert.deepEqual(list.map(({ label, faces }) => [label, faces]), native.charts.map(({ label, faces }) => [label, faces]));
+    const numbers = ({ area, stretch, box, origin }) => [area, stretch, ...box.flat(), ...origin];
+    assertClose(list.flatMap(numbers), native.charts.flatMap(numbers), 'chart');
+    const obj = runNative('gvd-segment', name, 'charts.obj', '-o', ...options).split('\n').map((line) => line.split(' '));
+    const vt = obj.filter(([word]) => word === 'vt').map(([, u, v]) => [Number(u), Number(v)]);
+    const corners = obj.filter(([word]) => word === 'f').flatMap(([, ...f]) => f.flatMap((c) => vt[Number(c.split('/')[1]) - 1]));
+    const order = (uv) => uv.map((x) => Math.round(x * 1e9)).sort((a, b) => a - b);  // OBJ has the faces by region
+    assert.deepEqual(order(texture), order(corners));
+  });
+  test(`${name}: logarithms have the distances, and rows are those of each point`, () => {
+    const [first, second] = found[name].rows;
+    assertClose(found[name].log_lengths, second, 'logarithm');
+    assert.deepEqual(first, found[name].distances);
   });
   test(`${name} remeshed as the command does`, () => {
     const native = readNative('gvd-remesh', name, '-n', '100', '--relax', 'none');
@@ -80,6 +134,15 @@ test('arrays go in and out', () => {
   assert.ok(converged);
   assert.ok(Math.abs(masses[0] - 0.25) < 1e-9 && Math.abs(masses[1] - 0.75) < 1e-9, String(masses));
   assert.equal(diagram.cut().mesh.summary.area, 1);
+  assertClose([...square.log_map(0)].map(Math.abs), [0, 0, 1, 0, Math.SQRT1_2 * Math.SQRT2, 1, 0, 1], 'logarithm');
+  const rim = square.curves('boundary');
+  assert.deepEqual([rim.length, ...square.distances(rim, { at: [[0.5, 0.25, 0]] })], [1, 0.25]);
+  const edge = square.curves([[[0, 0, 0], [1, 0, 0], [1, 1, 0]]], { closed: true });
+  assert.deepEqual([...edge.positions[0][0]].length, 12);
+  const file = square.curves(new TextEncoder().encode('0\n1\n'), { name: 'line.txt' });
+  assert.deepEqual([...square.distances(file)], [0, 0, 1, 1]);
+  assert.deepEqual([...gvd.read_values(new TextEncoder().encode('3 1\n4'), 'x.txt')], [3, 1, 4]);
+  assert.equal(square.texture_coordinates, null);
 });
 
 test('an edited diagram is a new one of the same generators', () => {
@@ -116,6 +179,24 @@ test('relaxation reports its iterations', () => {
   assert.deepEqual(mesh.voronoi(relaxed.generators).generators, relaxed.generators);
 });
 
+test('what gzip packed is unpacked', async () => {
+  const bytes = readFileSync(join(data, 'torus.ply'));
+  const mesh = gvd.read(await gvd.unpack(gzipSync(bytes)), 'torus.ply.gz');
+  assert.deepEqual(mesh.vertices, gvd.read(await gvd.unpack(bytes), 'torus.ply').vertices);
+  const buffer = new Uint8Array(gzipSync('v 0 0 0')).buffer;
+  assert.equal(new TextDecoder().decode(await gvd.unpack(buffer)), 'v 0 0 0');
+});
+
+test('results have the other files of the commands', () => {
+  const mesh = gvd.read(readFileSync(join(data, 'torus.ply')), 'torus.ply');
+  const map = mesh.remesh(60, { relax: 0 }).map();
+  assert.deepEqual(JSON.parse(new TextDecoder().decode(map.to_bytes('json'))).one_to_one, map.one_to_one);
+  assert.equal(map.origins.face.length, 60);
+  const points = new TextDecoder().decode(mesh.lloyd(20, { iterations: 1 }).points_to_bytes('xyz'));
+  assert.equal(points.trim().split('\n').length, 20);
+  assert.throws(() => mesh.lloyd(20, { iterations: 1 }).points_to_bytes('obj'), /written as \.ply, \.xyz or \.npy/);
+});
+
 test('a file that was written reads back', () => {
   const mesh = gvd.read(readFileSync(join(data, 'torus.ply')), 'torus.ply');
   for (const format of ['ply', 'obj', 'off']) {
@@ -137,6 +218,17 @@ test('what can not be done is an error of one line', () => {
     [() => square.voronoi([0, 1], { method: 'quick' }), 'invalid_option', /one of exact, gbgvd, paper is needed/],
     [() => square.sample(1.5), 'invalid_option', /n: a whole number/],
     [() => square.to_bytes('xyz'), 'invalid_option', /'xyz' is no format/],
+    [() => square.segment(2, { within: [1] }), 'invalid_option', /within: a number for each of 4 vertices or 2 faces/],
+    [() => square.segment(2, { within: [1, 1.5] }), 'precondition', /^within: /],
+    [() => square.segment(null, { per_region: 1 }), 'invalid_option', /give the regions/],
+    [() => square.segment(null, { levels: [2, 2] }), 'invalid_option', /ascending/],
+    [() => square.segment(2, { levels: [1, 2] }), 'invalid_option', /give one of/],
+    [() => square.curves('creases'), 'precondition', /no two faces/],
+    [() => square.curves('creases', { angle: 200 }), 'invalid_option', /below 180/],
+    [() => square.curves('rim'), 'invalid_option', /'boundary' or 'creases'/],
+    [() => square.curves([[0, 9]]), 'precondition', /9/],
+    [() => square.log_map([0, 1]), 'invalid_option', /one point/],
+    [() => square.voronoi([0, 2]).cut({ uv: 'planar' }), 'invalid_option', /one of logmap, flat/],
     [() => square.sample(3, { progress: () => false }), 'interrupted', /./],
   ];
   for (const [call, code, message] of kRefused) {

@@ -14,6 +14,15 @@ export function results(gvd, bytes, name) {
     return sum;
   };
   const remesh = mesh.remesh(100, { relax: 0 });
+  const within = Int32Array.from({ length: mesh.faces.length / 3 }, (_, f) => f % 3000 < 1500 ? 4 : 7);
+  const mask = Array.from(within, (_, f) => f < 100);
+  const [inside, nested] = [mesh.segment(25, { within, mask }), mesh.segment(null, { levels: [5, 20] })];
+  const discs = mesh.segment(3, { disc: true });
+  const each = mesh.segment(null, { within, per_region: 3, labels: 'nearest' });
+  const line = mesh.curves([[0, 40, 90], [mesh.vertices.length / 3 - 1]]);
+  const bands = mesh.voronoi(line);
+  const charts = diagram.cut({ uv: 'logmap' });
+  const logs = mesh.log_map(17);
   return {
     vertices: mesh.vertices.length / 3,
     faces: [...mesh.faces],
@@ -26,7 +35,19 @@ export function results(gvd, bytes, name) {
     neighbours: diagram.cells.map((cell) => [...cell.neighbours]),
     distances: [...mesh.distances(0)],
     path: mesh.path(0, mesh.vertices.length / 3 - 1).length,
-    violations: diagram.check(),
+    violations: [diagram, discs.diagram, inside.diagram, nested.diagram, bands].flatMap((each) => each.check()),
+    within: [...within],
+    mask: mask.map(Number),
+    inside: { labels: [...inside.labels], regions: [...inside.regions], border: inside.border_length },
+    each: [...each.labels],
+    discs: { labels: [...discs.labels], euler: discs.diagram.cells.map((cell) => cell.euler_characteristic) },
+    nested: nested.levels.map((labels) => [...labels]),
+    curves: line.positions.map((parts) => parts.map((part) => [...part])),
+    bands: { labels: [...bands.segment().labels], lengths: bands.bisectors.map(length), distances: [...mesh.distances(line)] },
+    charts: { list: charts.charts, scale: charts.scale, texture: [...charts.mesh.texture_coordinates] },
+    logs: [...logs],
+    log_lengths: Array.from({ length: logs.length / 2 }, (_, v) => Math.hypot(logs[2 * v], logs[2 * v + 1])),
+    rows: [...mesh.distance_rows([0, 17])].map((row) => [...row]),
     remesh: [...remesh.mesh.faces],
     certified: remesh.certificate.ok && mesh.remesh(100).certificate.ok,
     files: Object.fromEntries(['ply', 'obj', 'glb', 'json', 'off', 'stl'].map((f) => [f, regions.to_bytes(f).length])),

@@ -90,7 +90,7 @@ class ResidualFinder {
 
   /// The residuals of samples of the surface.
   std::vector<Residual> find_there() const {
-    return collect(target_.samples, tree_, [this](const SurfaceSample& sample, FaceId nearest) {
+    return collect(target_.samples, tree_, [this](const AreaSample& sample, FaceId nearest) {
       const ClosestPoint closest = closest_point_on_face(remesh_, nearest, sample.position);
       return make(closest.point, sample.position, face_normal(remesh_, nearest), sample);
     });
@@ -99,7 +99,7 @@ class ResidualFinder {
   /// The residuals of samples of the remesh.
   std::vector<Residual> find_back() const {
     const auto samples = sample_surface(remesh_, target_.count);
-    return collect(samples, *target_.tree, [this](const SurfaceSample& sample, FaceId nearest) {
+    return collect(samples, *target_.tree, [this](const AreaSample& sample, FaceId nearest) {
       const ClosestPoint closest = closest_point_on_face(*target_.surface, nearest, sample.position);
       const SurfacePoint at = closest_point_on_face(remesh_, sample.face, sample.position).point;
       return make(at, position(*target_.surface, closest.point), face_normal(*target_.surface, nearest), sample);
@@ -109,7 +109,7 @@ class ResidualFinder {
  private:
   /// Calls residual(sample, nearest face) of every sample.
   template <class Find>
-  std::vector<Residual> collect(const std::vector<SurfaceSample>& samples, const ClosestPointTree& tree,
+  std::vector<Residual> collect(const std::vector<AreaSample>& samples, const ClosestPointTree& tree,
                                 const Find& residual) const {
     const auto chunks = cut_into_chunks(samples.size(), kSamplesPerChunk);
     return ParallelChunks(target_.threads, target_.progress).collect(chunks, {"fit"}, [&](const Chunk& chunk) {
@@ -124,7 +124,7 @@ class ResidualFinder {
   }
 
   /// `normal`: of the face that the sample's closest point lies on.
-  Residual make(const SurfacePoint& from, const Vec3& to, const Vec3& normal, const SurfaceSample& sample) const {
+  Residual make(const SurfacePoint& from, const Vec3& to, const Vec3& normal, const AreaSample& sample) const {
     if (normal.dot(sample.normal) < 0) return {};
     const Vec3 way = to - position(remesh_, from);
     const bool touches = way.norm() <= kCoincidence * target_.surface->bbox_diagonal();
@@ -254,9 +254,9 @@ std::vector<VertexAnchor> make_springs(const Mesh& current, const SpringPlan& pl
   return springs;
 }
 
-std::vector<SurfaceSample> sample_surface(const Mesh& mesh, double count) {
+std::vector<AreaSample> sample_surface(const Mesh& mesh, double count) {
   const double total = compute_area(mesh);
-  std::vector<SurfaceSample> samples;
+  std::vector<AreaSample> samples;
   for (const FaceId f : mesh.faces()) {
     const auto& [a, b, c] = mesh.vertices(f);
     const Vec3 &p = mesh.position(a), u = mesh.position(b) - p, v = mesh.position(c) - p;
@@ -277,12 +277,12 @@ std::vector<SurfaceSample> sample_surface(const Mesh& mesh, double count) {
   return samples;
 }
 
-std::vector<SurfaceSample> thin_out(std::vector<SurfaceSample> samples, double most) {
+std::vector<AreaSample> thin_out(std::vector<AreaSample> samples, double most) {
   if (double(samples.size()) <= most) return samples;
   double total = 0, carried = 0;
-  for (const SurfaceSample& s : samples) total += s.area;
-  std::vector<SurfaceSample> left;
-  for (const SurfaceSample& s : samples) {
+  for (const AreaSample& s : samples) total += s.area;
+  std::vector<AreaSample> left;
+  for (const AreaSample& s : samples) {
     carried += s.area;
     if (carried * most < total) continue;
     left.push_back(s);

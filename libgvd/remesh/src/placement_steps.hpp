@@ -114,7 +114,7 @@ struct VertexAnchor {
 std::vector<VertexAnchor> make_springs(const Mesh& current, const SpringPlan& plan);
 
 /// A point of a surface that stands for a part of it.
-struct SurfaceSample {
+struct AreaSample {
   Vec3 position;
   Vec3 normal;  ///< of the face
   FaceId face;
@@ -123,17 +123,17 @@ struct SurfaceSample {
 
 /// Cuts each face into equal triangles, about `count` in all and at least one a face, and gives their centroids. Cost:
 /// O(n + count).
-std::vector<SurfaceSample> sample_surface(const Mesh& mesh, double count);
+std::vector<AreaSample> sample_surface(const Mesh& mesh, double count);
 
 /// At most `most` samples where there are more: each stands for some that follow each other and have an equal share of
 /// the area, or for a larger one alone. Samples without area are all kept. Deterministic. Cost: O(n).
-std::vector<SurfaceSample> thin_out(std::vector<SurfaceSample> samples, double most);
+std::vector<AreaSample> thin_out(std::vector<AreaSample> samples, double most);
 
 /// The surface that a mesh is fitted to.
 struct FitTarget {
   const Mesh* surface = nullptr;
   const ClosestPointTree* tree = nullptr;  ///< of the surface
-  std::vector<SurfaceSample> samples;      ///< of the surface
+  std::vector<AreaSample> samples;         ///< of the surface
   double count = 0;                        ///< of samples of the mesh
   int threads = 0;
   Progress progress = {};  ///< may be empty
