@@ -12,7 +12,7 @@ from typing import Any, TypeVar, cast
 from ._error import refuse
 
 _MOST = {"threads": (1 << 31) - 1, "coarse": (1 << 63) - 1, "iterations": (1 << 31) - 1, "relax": (1 << 31) - 1,
-         "max_added": (1 << 63) - 1}
+         "max_added": (1 << 63) - 1, "generator": (1 << 63) - 1}
 """What the library's integers hold; the others are limited where they are used."""
 
 F = TypeVar("F", bound=Callable[..., Any])

@@ -8,6 +8,7 @@
 #include "calls.hpp"
 #include "gvd/charts.hpp"
 #include "gvd/check.hpp"
+#include "gvd/diagram_editor.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/write_file.hpp"
@@ -106,6 +107,58 @@ py::list charts(const Cut& made) {
   }
   return result;
 }
+
+/// An editor and copies of its diagrams: each stays as it is when the next change is made.
+class Editor {
+ public:
+  Editor(const SharedMesh& input, const PointList& generators, const ComputeOptions& compute,
+         const py::object& progress)
+      : input_(input) {
+    DiagramOptions options = compute.make();
+    options.progress = [this](std::string_view step, double fraction) { return (*reported_)(step, fraction); };
+    change(progress, [&] { editor_.emplace(input_->mesh, generators.points, options); });
+  }
+
+  const MeshDiagram& diagram() const { return diagram_; }
+
+  MeshDiagram move(std::int64_t g, const PointList& to, const py::object& progress) {
+    return change(progress, [&] { editor_->move(find(g), to.points.at(0)); });
+  }
+  MeshDiagram add(const PointList& point, const py::object& progress) {
+    return change(progress, [&] { editor_->add(point.points.at(0)); });
+  }
+  MeshDiagram remove(std::int64_t g, const py::object& progress) {
+    return change(progress, [&] { editor_->remove(find(g)); });
+  }
+
+ private:
+  GeneratorId find(std::int64_t g) const {
+    if (g >= 0 && g < std::ssize(editor_->generators())) return GeneratorId(g);
+    throw Error(ErrorCode::precondition, fmt::format("generator: there is no generator {}", g), g);
+  }
+
+  /// Throws Error{precondition} where another thread, or the progress function, is in the middle of a change.
+  template <class Work>
+  MeshDiagram change(const py::object& progress, const Work& work) {
+    if (std::exchange(busy_, true)) throw Error(ErrorCode::precondition, "the editor is in the middle of a change");
+    const struct Done {
+      bool& busy;
+      ~Done() { busy = false; }
+    } done{busy_};
+    auto made = run_unlocked(progress, [&](const Progress& reported) {
+      reported_ = &reported;
+      work();
+      return std::make_shared<const Diagram>(editor_->diagram());
+    });
+    return diagram_ = {input_, std::move(made)};
+  }
+
+  SharedMesh input_;
+  bool busy_ = false;                   // read and written with the interpreter's lock
+  const Progress* reported_ = nullptr;  // of the change that is being made
+  std::optional<DiagramEditor> editor_;
+  MeshDiagram diagram_;
+};
 
 /// Adds the members `write` and `page`, which every result has.
 template <class Result, class Class>
@@ -240,6 +293,12 @@ void bind_diagram(py::module_& module) {
   module.def("diagram", &make_diagram<PointList, &PointList::points>);
   module.def("diagram", &make_diagram<CurveSet, &CurveSet::curves>);
   module.def("diagram_inside", &diagram_inside);
+  py::class_<Editor>(module, "DiagramEditor")
+      .def(py::init<const SharedMesh&, const PointList&, const ComputeOptions&, const py::object&>())
+      .def("diagram", &Editor::diagram)
+      .def("move", &Editor::move)
+      .def("add", &Editor::add)
+      .def("remove", &Editor::remove);
 }
 
 }  // namespace gvd::python
