@@ -9,7 +9,7 @@
 // block, so pages make them in a worker. Objects free their memory when they are collected, or by free().
 import create from './gvd.mjs';
 import wasmBinary from './load.mjs';
-import { checkIndices, checkNames, entries, Error, isGiven, isSingle, oneOf, refuse } from './points.mjs';
+import { checkIndices, checkNames, checkNumbers, checkText, entries, Error, flat, isGiven, isSingle, oneOf, refuse } from './points.mjs';
 
 const native = await create({ wasmBinary, Error });
 const collected = new FinalizationRegistry((handle) => handle.delete());
@@ -20,16 +20,23 @@ export const version = native.version();
 /** An object of the module. */
 class Handle {
   constructor(handle) {
-    this._native = handle;
+    this._handle = { native: handle };
     collected.register(this, handle, this);
   }
 
+  get _native() {
+    return this._handle.native ?? refuse('this object was freed');
+  }
+
   free() {
+    if (!this._handle.native) return;
     collected.unregister(this);
-    this._native.delete();
+    this._handle.native.delete();
+    this._handle.native = null;
   }
 
   to_bytes(format, options = {}) {
+    checkText('format', format);
     checkNames('to_bytes', options, 'no_curves ascii_ply region_materials');
     return this._native.write(format.toLowerCase().replace(/^\./, ''), options);
   }
@@ -41,10 +48,10 @@ function forward(target, ...names) {
 }
 
 function lazy(target, name, take) {
+  const values = new WeakMap();
   const get = function () {
-    const value = take(this);
-    Object.defineProperty(this, name, { value, enumerable: true });
-    return value;
+    if (!values.has(this)) values.set(this, take(this));
+    return values.get(this);
   };
   Object.defineProperty(target.prototype, name, { get, configurable: true });
 }
@@ -57,15 +64,21 @@ const isAscending = (levels) =>
   levels.length > 0 && Array.from(levels).every((n, i) => Number.isSafeInteger(n) && n > (i ? levels[i - 1] : 0));
 
 /** n as a first argument, or in the options. */
-const withCount = (n, options) => (isGiven(n) ? { n, ...options } : options);
+function withCount(n, options) {
+  if (isGiven(n) && isGiven(options.n)) refuse('n is given twice');
+  return isGiven(n) ? { ...options, n } : options;
+}
 
 export class Mesh extends Handle {
   constructor(vertices, faces, { on_defect = 'error', corners = 3, ...others } = {}) {
     checkNames('Mesh', others, 'on_defect corners');
-    const flat = (list) => (Array.isArray(list) && Array.isArray(list[0]) ? list.flat() : list);
-    const size = Array.isArray(faces) && Array.isArray(faces[0]) ? faces[0].length : corners;
-    if (Array.isArray(faces[0]) && faces.some((face) => face.length !== size)) refuse('faces: all have equally many corners');
-    const [at, of] = [flat(vertices), flat(faces)];
+    checkText('on_defect', on_defect);
+    const size = faces?.[0]?.length ?? corners;
+    if (!Number.isInteger(size) || size < 3) refuse(`corners: a whole number from 3 on is needed, not ${size}`);
+    const [at, of] = [flat('vertices', vertices, 3), flat('faces', faces, size)];
+    checkNumbers('vertices', at);
+    checkNumbers('faces', of);
+    checkIndices('faces', of);
     if (at.length % 3) refuse(`vertices: three coordinates each are needed, not ${at.length} in all`);
     if (of.length % size) refuse(`faces: ${size} corners each are needed, not ${of.length} in all`);
     super(native.mesh_from_arrays(at, of, size, on_defect));
@@ -73,7 +86,7 @@ export class Mesh extends Handle {
 
   static _wrap(handle) {
     const mesh = Object.create(Mesh.prototype);
-    mesh._native = handle;
+    mesh._handle = { native: handle };
     collected.register(mesh, handle, mesh);
     return mesh;
   }
@@ -99,7 +112,8 @@ export class Mesh extends Handle {
   }
 
   distances(points, { each = false, ...options } = {}) {
-    return each ? this._native.rows(entries('points', points), this._at('distances', options)) : this.nearest(points, options).distances;
+    const given = this._at('distances', options);
+    return each ? this._native.rows(entries('points', points), given) : this._native.nearest(sources(points), given).distances;
   }
 
   /** The rows of distances(points, { each: true }), one after the other, in the memory of one. */
@@ -138,7 +152,7 @@ export class Mesh extends Handle {
 
   _at(call, options) {
     checkNames(call, options, 'at progress');
-    return options.at === undefined ? options : { ...options, at: entries('at', options.at) };
+    return isGiven(options.at) ? { ...options, at: entries('at', options.at) } : options;
   }
 
   path(start, end, options = {}) {
@@ -149,17 +163,20 @@ export class Mesh extends Handle {
 
   isolines(points, levels, options = {}) {
     checkNames('isolines', options, 'progress');
+    checkNumbers('levels', levels);
     return this._native.isolines(entries('points', points), levels, options);
   }
 
   voronoi(points, { max_snap, merge_coincident = false, ...options } = {}) {
     checkNames('voronoi', options, `max_snap merge_coincident weights ${COMPUTE}`);
+    if (isGiven(options.weights)) checkNumbers('weights', options.weights);
     const coincident = merge_coincident ? 'merge' : 'refuse';
     return new Diagram(this, native.voronoi(this._native, sources(points, { max_snap, coincident }), options));
   }
 
   balance(points, options = {}) {
     checkNames('balance', options, 'density shares weights progress');
+    for (const name of ['shares', 'weights']) if (isGiven(options[name])) checkNumbers(name, options[name]);
     this._checkElements('density', options.density);
     const found = native.balance(this._native, entries('points', points, { coincident: 'refuse' }), options);
     return { ...found, diagram: new Diagram(this, found.diagram) };
@@ -209,9 +226,9 @@ export class Mesh extends Handle {
   _start(options) {
     const given = { ...options };
     for (const name of ['generators', 'fixed']) {
-      if (given[name] !== undefined) given[name] = entries(name, given[name], { coincident: 'refuse' });
+      if (isGiven(given[name])) given[name] = entries(name, given[name], { coincident: 'refuse' });
     }
-    if (given.generators === undefined) given.sampler = true;
+    if (!isGiven(given.generators)) given.sampler = true;
     if (typeof given.density === 'string') {
       if (given.density !== 'curvature') refuse(`density: 'curvature' or an array is needed, not '${given.density}'`);
       given.weighs_curvature = true;
@@ -222,8 +239,10 @@ export class Mesh extends Handle {
   }
 
   _checkElements(name, values) {
+    if (!isGiven(values)) return;
+    checkNumbers(name, values);
     const counts = [this.vertices.length / 3, this.faces.length / 3];
-    if (isGiven(values) && !counts.includes(values.length)) {
+    if (!counts.includes(values.length)) {
       refuse(`${name}: a number for each of ${counts[0]} vertices or ${counts[1]} faces is needed, not ${values.length}`);
     }
   }
@@ -354,6 +373,7 @@ export class Relaxation extends Handle {
   }
 
   points_to_bytes(format) {
+    checkText('format', format);
     return this._native.write_samples(format);
   }
 }
@@ -378,14 +398,25 @@ forward(Remesh, 'figures', 'certificate');
 lazy(Remesh, 'mesh', (self) => Mesh._wrap(self._native.mesh()));
 lazy(Remesh, 'diagram', (self) => new Diagram(self.surface, self._native.diagram()));
 
+function checkBytes(bytes) {
+  if (!(bytes instanceof Uint8Array || bytes instanceof ArrayBuffer)) refuse('a Uint8Array or an ArrayBuffer is needed');
+}
+
 /** Reads the bytes of an OBJ, PLY, OFF, STL, GLB or legacy VTK file; `name` is the file's, for messages. */
 export function read(bytes, name, { on_defect = 'repair', ...others } = {}) {
   checkNames('read', others, 'on_defect');
+  checkBytes(bytes);
+  checkText('name', name);
+  checkText('on_defect', on_defect);
   return Mesh._wrap(native.mesh_from_bytes(bytes, name, on_defect));
 }
 
 /** The numbers of a file that has one for each vertex or face: text, .npy, and FreeSurfer's .annot and values. */
-export const read_values = (bytes, name) => native.parse_values(bytes, name);
+export function read_values(bytes, name) {
+  checkBytes(bytes);
+  checkText('name', name);
+  return native.parse_values(bytes, name);
+}
 
 /** The bytes that gzip packed, as `read` takes them; other bytes as they are. */
 export async function unpack(bytes) {

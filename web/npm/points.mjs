@@ -22,7 +22,22 @@ const POSITION = 2;
 
 const isList = (value) => Array.isArray(value) || ArrayBuffer.isView(value);
 
-/** Whether one vertex was given, or one position as an array of its own, and not a list. */
+/** Refuses all but an array of numbers, or of true and false; the module would take any other item for a number. */
+export function checkNumbers(name, given) {
+  if (!isList(given)) refuse(`${name}: an array of numbers is needed, not ${given}`);
+  const bad = given.findIndex((value) => typeof value !== 'number' && typeof value !== 'boolean');
+  if (bad >= 0) refuse(`${name}: item ${bad} is ${given[bad]}, and no number`, bad);
+}
+
+/** One array of numbers, from one or from an array of rows with `size` numbers each. */
+export function flat(name, given, size) {
+  if (!isList(given) || !isList(given[0])) return given;
+  const odd = given.findIndex((row) => row?.length !== size);
+  if (odd >= 0) refuse(`${name}: each has ${size} numbers, but not item ${odd}`, odd);
+  return given.flatMap((row) => [...row]);
+}
+
+/** Whether one vertex was given, and not a list. */
 export const isSingle = (given) => typeof given === 'number';
 
 export function checkIndices(name, ids) {
@@ -61,8 +76,7 @@ export function entries(name, given, rules = {}) {
     if (given?.face !== undefined) return ofFaces(name, given.face, given.bary);
     if (given instanceof Float64Array || given instanceof Float32Array) return ofPositions(name, given);
     if (isList(given) && given.length > 0 && isList(given[0])) {
-      if (given.some((item) => item.length !== 3)) refuse(`${name}: positions have three coordinates each`);
-      return ofPositions(name, given.flatMap((item) => [...item]));
+      return ofPositions(name, flat(name, given, 3));
     }
     if (isList(given)) return { kind: VERTEX, id: given, at: [] };
     return refuse(`${name}: vertices, {face, bary} or positions are needed, not ${typeof given}`);
@@ -75,10 +89,16 @@ export function entries(name, given, rules = {}) {
 
 /** Refuses options that a call does not have: `names` are those that it has, between blanks. */
 export function checkNames(call, options, names) {
-  const known = names.split(' ');
-  for (const name of Object.keys(options)) {
+  const known = [...new Set(names.split(' '))];
+  for (const [name, value] of Object.entries(options)) {
     if (!known.includes(name)) refuse(`${call}: there is no option '${name}'; there are ${known.join(', ')}`);
+    if (/^progress$|^on_/.test(name) && isGiven(value) && typeof value !== 'function') refuse(`${name}: a function is needed`);
   }
+}
+
+/** Refuses all but text, such as a name or a format. */
+export function checkText(name, given) {
+  if (typeof given !== 'string') refuse(`${name}: text is needed, not ${given}`);
 }
 
 export const isGiven = (value) => value !== undefined && value !== null;

@@ -170,6 +170,13 @@ test('an edited diagram is a new one of the same generators', () => {
   assert.deepEqual(editor.generators, there);
 });
 
+test('objects may be frozen, and options null', () => {
+  const square = Object.freeze(new Mesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]));
+  assert.equal(square.vertices, square.vertices);
+  assert.equal(square.lloyd(2, { generators: null, fixed: null, density: null, iterations: 1 }).areas.length, 2);
+  assert.equal(square.distances(0, { at: null }).length, 4);
+});
+
 test('relaxation reports its iterations', () => {
   const mesh = gvd.read(readFileSync(join(data, 'torus.ply')), 'torus.ply');
   const energies = [];
@@ -207,6 +214,8 @@ test('a file that was written reads back', () => {
 
 test('what can not be done is an error of one line', () => {
   const square = new Mesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]);
+  const freed = new Mesh(square.vertices, [new Int32Array([0, 1, 2]), [0, 2, 3]]);
+  for (let i = 0; i < 2; ++i) freed.free();
   const kRefused = [
     [() => gvd.read(new TextEncoder().encode('v 0 0 x\nf 1 2 3'), 'bad.obj'), 'unreadable_input', /^bad\.obj:1: coordinate z is 'x'/],
     [() => gvd.read(new Uint8Array([31, 139, 8, 0]), 'a.obj.gz'), 'unreadable_input', /unpack it first/],
@@ -230,6 +239,22 @@ test('what can not be done is an error of one line', () => {
     [() => square.log_map([0, 1]), 'invalid_option', /one point/],
     [() => square.voronoi([0, 2]).cut({ uv: 'planar' }), 'invalid_option', /one of logmap, flat/],
     [() => square.sample(3, { progress: () => false }), 'interrupted', /./],
+    [() => square.sample(3, { progress: 5 }), 'invalid_option', /progress: a function/],
+    [() => square.sample(3, { n: 2 }), 'invalid_option', /n is given twice/],
+    [() => square.isolines(0, 0.1), 'invalid_option', /levels: an array of numbers/],
+    [() => square.voronoi([0, 1], { weights: 3 }), 'invalid_option', /weights: an array/],
+    [() => square.voronoi([[0, 0, 0], null]), 'invalid_option', /but not item 1/],
+    [() => square.distances(0, { onto: 1 }), 'invalid_option', /^distances: /],
+    [() => square.to_bytes(), 'invalid_option', /format: text/],
+    [() => new Mesh(), 'invalid_option', /vertices: an array/],
+    [() => new Mesh([0, 0, 0, 1, 0, 0, 0, 1, 0], [0.7, 1, 2]), 'invalid_option', /0\.7 is no whole number/],
+    [() => new Mesh([[0, 0], [1, 0, 0, 0], [0, 1, 0]], [[0, 1, 2]]), 'invalid_option', /but not item 0/],
+    [() => new Mesh([[0, 0, 0], [1, 0, null], [0, 1, 0]], [[0, 1, 2]]), 'invalid_option', /item 5 is null/],
+    [() => new Mesh([0, 0, 0], [0, 0, 0], { corners: 0 }), 'invalid_option', /corners: a whole number from 3 on/],
+    [() => new Mesh([0, 0, 0], [0, 0, 0], { on_defect: 3 }), 'invalid_option', /on_defect: text/],
+    [() => gvd.read(new Uint8Array([1])), 'invalid_option', /name: text/],
+    [() => gvd.read('v 0 0 0', 'a.obj'), 'invalid_option', /a Uint8Array/],
+    [() => freed.distances(0), 'invalid_option', /was freed/],
   ];
   for (const [call, code, message] of kRefused) {
     assert.throws(call, (error) => {
