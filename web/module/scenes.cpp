@@ -61,6 +61,20 @@ val Scenes::of_distances(const val& points) {
   });
 }
 
+val Scenes::write_distances(const val& points, const std::string& format) const {
+  return guarded([&] {
+    const Mesh& mesh = input_->mesh;
+    DistanceTable table;
+    table.sources = resolve(mesh, "points", points);
+    const VertexDistances found = measure(mesh, table.sources, nullptr, {});
+    table.rows = {found.distance.raw()};
+    table.nearest = found.label.raw();
+    const LabelledMesh written{.mesh = mesh, .vertex_label = &found.label, .vertex_distance = &found.distance};
+    const auto json = [&](std::ostream& out) { write_distances_json(out, mesh, table); };
+    return write_result(written, format, Given(mesh, val::object()), {{"json", json}});
+  });
+}
+
 val Scenes::to_page(const val& positions) const {
   std::vector<float> moved;
   const auto at = emscripten::convertJSArrayToNumberVector<double>(positions);
@@ -75,6 +89,7 @@ void bind_scenes() {
       .constructor<SharedMesh>()
       .function("of_diagram", &Scenes::of_diagram)
       .function("of_distances", &Scenes::of_distances)
+      .function("write_distances", &Scenes::write_distances)
       .function("to_page", &Scenes::to_page);
 }
 

@@ -19,6 +19,8 @@ class Scenes {
   val of_diagram(const MeshDiagram& of);
   /// Distances from the nearest point, with isolines.
   val of_distances(const val& points);
+  /// A file of these distances, as gvd-distance writes it.
+  val write_distances(const val& points, const std::string& format) const;
 
   /// Positions, three coordinates each, in the coordinates of the scenes.
   val to_page(const val& positions) const;

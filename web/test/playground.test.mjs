@@ -63,6 +63,28 @@ const tests = {
     await page.close();
   },
 
+  async 'opens a model without a link that does not fit it'() {
+    const page = await open('#model=torus.ply&g=999999_0.2_0.2');
+    assert.equal(await count(page), 30);
+    assert.match(await message(page), /no face 999999/);
+    assert.equal(new URL(page.url()).hash.includes('999999'), false);
+    await page.close();
+  },
+
+  async 'saves what the commands write'() {
+    const page = await open('#model=torus.ply&n=5');
+    const regions = JSON.parse(await save(page, 'json'));
+    assert.ok(regions.face_labels.length === 1600 && regions.face_labels.every((label) => label >= 0));
+    await page.selectOption('#play-show', 'distances');
+    await idle(page);
+    assert.equal(JSON.parse(await save(page, 'json')).schema, 'gvd-distance/1');
+    assert.match(await save(page, 'obj'), /^f /m);
+    await page.selectOption('#play-show', 'remesh');
+    await idle(page);
+    assert.match(await message(page), /^A manifold with the topology of the surface; at most [\d.]+ % of the diagonal/);
+    await page.close();
+  },
+
   async 'adds, selects and removes generators, with undo and redo'() {
     const page = await open('#model=torus.ply&n=3');
     assert.equal(await count(page), 3);

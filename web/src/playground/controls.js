@@ -39,7 +39,8 @@ export class Controls {
   }
 
   async copy(text, told) {
-    await navigator.clipboard?.writeText(text).then(() => this.tell(told), () => this.tell(text));
+    const copied = navigator.clipboard?.writeText(text) ?? Promise.reject();  // pages without https have none
+    await copied.then(() => this.tell(told), () => this.tell(text));
   }
 
   // Shows a state, and which of undo and redo are possible.
@@ -52,10 +53,11 @@ export class Controls {
     by_id('play-redo').disabled = at === states.length - 1;
     by_id('play-link').disabled = !model;
     by_id('play-path').disabled = show === 'remesh';
+    by_id('play-save').querySelector('[value=glb]').disabled = show === 'distances';  // as by the command
   }
 
-  mark_selected(generator) {
-    by_id('play-remove').disabled = generator === null;
+  mark_selected(removable) {
+    by_id('play-remove').disabled = !removable;
   }
 
   show_recipe({ shell, python }) {

@@ -36,7 +36,6 @@ export class Playground extends Viewer {
     this.listen_to_generators();
     this.controls.follow(first, this.history);
     this.controls.show_recipe(this.recipe());
-    this.write_link();
   }
 
   get state() {
@@ -54,8 +53,8 @@ export class Playground extends Viewer {
   }
 
   on_key(event) {
-    if (event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement) return;
     const key = event.key.toLowerCase(), command = event.ctrlKey || event.metaKey;
+    if (!command && (event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement)) return;
     if (key === 'delete' || key === 'backspace') this.remove_selected();
     else if (command && key === 'z') this.step(event.shiftKey ? 1 : -1);
     else if (command && key === 'y') this.step(1);
@@ -76,7 +75,7 @@ export class Playground extends Viewer {
   // Selects a generator, or none where it is null.
   select(generator) {
     this.selected = generator;
-    this.controls.mark_selected(generator);
+    this.controls.mark_selected(generator !== null && this.points.length > 1);
   }
 
   // The next generator in view after the selected one, or the one before where `by` is -1.
@@ -95,7 +94,7 @@ export class Playground extends Viewer {
     if (this.selected === null || !this.shows_input()) return;
     const { offsetX, offsetY } = this.pixel_of(this.points[this.selected]);
     const under = this.surface_at({ offsetX: offsetX + kNudge * right, offsetY: offsetY + kNudge * down });
-    if (under) this.change({ generators: this.points.with(this.selected, { face: under.face, bary: under.bary }) });
+    if (under) this.change({ generators: this.points.with(this.selected, { face: under.face, bary: under.bary }) }, this.selected);
   }
 
   // Adds a generator where the pointer is.
@@ -145,7 +144,8 @@ export class Playground extends Viewer {
   }
 
   take(event) {
-    if (event.button !== 0 || !event.isPrimary || this.path_start !== undefined) return;
+    if (!event.isPrimary) return this.let_go();
+    if (event.button !== 0 || this.path_start !== undefined) return;
     const generator = this.generator_at(event);
     this.select(generator);
     if (generator === null) return;
@@ -174,13 +174,22 @@ export class Playground extends Viewer {
     if (!this.dragged) super.pick();
   }
 
+  // A second finger: the generator goes back to its place.
+  let_go() {
+    if (!this.dragged) return;
+    this.dragged = null;
+    this.stage.controls.enabled = true;
+    this.stage.hold(false);
+    this.follow_state();
+  }
+
   drop(event) {
     if (event.pointerId !== this.dragged?.from.pointerId) return;
     const { points, generator } = this.dragged;
     this.dragged = null;
     this.stage.controls.enabled = true;
     this.stage.hold(false);
-    if (points) this.change({ generators: points });
+    if (points) this.change({ generators: points }, generator);
     else this.pin(generator);  // a click
   }
 
@@ -220,23 +229,23 @@ export class Playground extends Viewer {
 
   remove_selected() {
     if (this.selected === null || this.points.length < 2) return;
-    const generators = without(this.points, this.selected);
-    this.select(null);
-    this.change({ generators });
+    this.change({ generators: without(this.points, this.selected) });
   }
 
-  // A new state, which undo takes back.
-  change(fields) {
+  // A new state, which undo takes back; `selected` is the generator that stays selected.
+  change(fields, selected = null) {
+    this.dragged = null;  // as when a key is pressed meanwhile
     this.history.push({ ...this.state, ...fields });
-    return this.follow_state();
+    return this.follow_state(selected);
   }
 
   step(by) {
     if (this.history.move(by)) this.follow_state();
   }
 
-  async follow_state() {
+  async follow_state(selected = null) {
     const { state } = this;
+    this.select(selected);
     this.controls.follow(state, this.history);
     this.write_link();
     await this.show(state, (args) => this.engine.ask_latest('show', args));
@@ -270,6 +279,11 @@ export class Playground extends Viewer {
     this.pick();
   }
 
+  // The input is drawn with a coarse mesh.
+  own_switches() {
+    return super.own_switches().map((own) => ({ ...own, overlay: true }));
+  }
+
   // Not of each place of a dragged generator where pictures are slow: drawing the panels takes as long as half of one.
   show_panels(on) {
     if (!this.dragged || !this.stage.quick) super.show_panels(on);
@@ -281,9 +295,10 @@ export class Playground extends Viewer {
   }
 
   async relax() {
-    const report = ({ scene }) => this.replace(with_arrays(scene));
+    const { state } = this, report = (scene) => this.state === state && this.replace(with_arrays(scene));
     const answer = await this.attempt(() => this.engine.ask('relax', { count: this.state.count, generators: this.state.generators }, report));
-    if (answer) await this.change({ generators: answer.points, show: 'diagram' });
+    const rounded = ({ face, bary }) => ({ face, bary: round_bary(bary) });
+    if (answer && this.state === state) await this.change({ generators: answer.points.map(rounded), show: 'diagram' });
   }
 
   async save(format) {
@@ -297,12 +312,12 @@ export class Playground extends Viewer {
     this.opened = opened;
     this.history = new History(state);
     this.points = scene.points;
-    this.selected = null;
+    this.select(null);
+    if (this.path_start) this.path_start = null;  // it lies on the mesh before
     this.face_map.invalidate();
     this.show_other(with_arrays(scene));
     this.controls.follow(state, this.history);
     this.controls.show_recipe(this.recipe());
-    this.write_link();
   }
 
   // The camera of a link: its place and what it looks at.
@@ -313,15 +328,17 @@ export class Playground extends Viewer {
     this.stage.request_draw();
   }
 
-  // Runs what asks the worker, with the message of its error where it has one.
+  // Runs what asks the worker, with the message of its error where it has one. Null if another mesh was opened meanwhile.
   async attempt(ask) {
+    const { opened } = this;
     this.controls.set_busy(1);
     try {
       const answer = await ask();
+      if (opened !== this.opened) return null;
       if (answer) this.controls.tell('');
       return answer;
     } catch (error) {
-      this.controls.tell(error.message);
+      if (opened === this.opened) this.controls.tell(error.message);
       return null;
     } finally {
       this.controls.set_busy(-1);
@@ -341,6 +358,6 @@ export class Playground extends Viewer {
 
   // Only shipped models can be named.
   write_link() {
-    if (this.state.model) history.replaceState(null, '', this.link());
+    history.replaceState(null, '', this.state.model ? this.link() : location.href.replace(/#.*/, ''));
   }
 }

@@ -1,11 +1,14 @@
 // The shell command and the lines of Python that give the same result as the page.
 
-const quoted = (text) => (/^[\w./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+// A file's name for the shell; one that begins like an option gets a folder.
+function quoted(name) {
+  const path = name.startsWith('-') ? `./${name}` : name;
+  return /^[\w./-]+$/.test(path) ? path : `'${path.replaceAll("'", "'\\''")}'`;
+}
 
 // What each picture is called in both, and the file that it writes.
 const kRecipes = {
   diagram: { command: 'gvd-segment', call: 'segment', output: 'regions.ply' },
-  relaxed: { command: 'gvd-lloyd', call: 'lloyd', output: 'samples.ply' },
   remesh: { command: 'gvd-remesh', call: 'remesh', output: 'coarse.obj' },
   equal: { command: 'gvd-segment', output: 'equal.ply', options: ' --balance area --cut' },
   distances: { command: 'gvd-distance', output: 'distances.ply' },

@@ -24,9 +24,15 @@ async function make_engine() {
 class Start {
   constructor(engine) {
     this.engine = engine;
-    by_id('play-model').append(...kModels.map(([value, textContent]) => element('option', { value, textContent })), element('option', { value: '', textContent: 'Your own file …' }));
-    by_id('play-model').addEventListener('change', ({ target }) => (target.value ? this.open_model({ ...kFirst, model: target.value }) : by_id('play-file').click()));
-    by_id('play-file').addEventListener('change', ({ target }) => target.files[0] && this.open_file(target.files[0]));
+    this.own = element('option', { value: 'own', hidden: true });
+    const models = [...kModels, ['', 'Your own file …']].map(([value, textContent]) => element('option', { value, textContent }));
+    by_id('play-model').append(...models, this.own);
+    by_id('play-model').addEventListener('change', ({ target: { value } }) => (value ? this.open_model({ ...kFirst, model: value }) : by_id('play-file').click()));
+    by_id('play-file').addEventListener('cancel', () => this.show_model());
+    by_id('play-file').addEventListener('change', ({ target }) => {
+      if (target.files[0]) this.open_file(target.files[0]);
+      target.value = '';  // so that the same file can be chosen again
+    });
     addEventListener('dragover', (event) => event.preventDefault());
     addEventListener('drop', (event) => {
       event.preventDefault();
@@ -40,15 +46,28 @@ class Start {
     return this.open_model({ ...kFirst, ...parse_link(location.hash, models, shows) });
   }
 
+  // A link that does not fit its model, as one of another version: the model is opened without it.
   async open_model({ camera, ...state }) {
-    await this.open(state.model, embedded(`model-${state.model}`), state, camera);
+    const open = (state, camera) => this.open(state.model, embedded(`model-${state.model}`), state, camera);
+    const failed = await open(state, camera);
+    if (!failed || this.playground) return;
+    const again = await open({ ...kFirst, model: state.model });
+    if (again) throw again;
+    this.playground.controls.tell(failed.message);
   }
 
   async open_file(file) {
     await this.open(file.name, file.arrayBuffer(), { ...kFirst, model: '' });
   }
 
-  // A mesh that can't be read leaves what is there as it is.
+  // An own file has an option of its own, so that another one can be chosen after it.
+  show_model() {
+    const { model } = this.playground.state;
+    if (!model) Object.assign(this.own, { textContent: this.playground.opened.name, hidden: false });
+    by_id('play-model').value = model || 'own';
+  }
+
+  // A mesh that can't be read or shown leaves what is there as it is. Returns the error, if any.
   async open(name, reading, state, camera) {
     document.documentElement.dataset.computing = 'true';
     try {
@@ -57,13 +76,16 @@ class Start {
       if (this.playground) this.playground.open(opened, state, scene);
       else this.playground = new Playground(this.engine, opened, state, scene);
       if (camera) this.playground.look_from(camera);
+      this.playground.write_link();
       by_id('title').textContent = name;
-      by_id('play-model').value = state.model;
+      this.show_model();
       this.playground.controls.tell(opened.notes.join('\n'));
     } catch (error) {
-      if (!this.playground) throw error;
+      if (!this.playground) return error;
       this.playground.controls.tell(error.message);
-      by_id('play-model').value = this.playground.state.model;
+      this.playground.write_link();
+      this.show_model();
+      return error;
     } finally {
       document.documentElement.dataset.computing = 'false';
     }

@@ -71,21 +71,41 @@ const balance = (points) => {
   const { diagram, converged } = gvd.balance(mesh, entries(points), {});
   return Object.assign(diagram, { note: converged ? '' : 'Not all areas are equal: masses jump where a bisector passes a corner of the surface.' });
 };
-const keep = (kind, make) => (points, use) => use(kept(kind, points, () => make(points)));
+// Farthest generators are relaxed before, as by the command; lists stay where they are.
+const remesh = (points, listed) => gvd.remesh(mesh, listed ? { generators: entries(points) } : { n: points.length, sampler: true });
 
-// What is made of generators: a scene of it, and a file.
+// What a remesh has kept of the surface.
+function describe_remesh(made) {
+  const { input_to_output, output_to_input } = made.figures(), farthest = Math.max(input_to_output.hausdorff, output_to_input.hausdorff);
+  const percent = ((100 * farthest) / mesh.summary().bbox_diagonal).toPrecision(3);
+  const kept = made.certificate().ok ? 'A manifold with the topology of the surface' : 'No certificate';
+  return `${kept}; at most ${percent} % of the diagonal from it.`;
+}
+
+// What is made of generators: a scene of it, and a file, of `part` of it where there is one.
 const kShows = {
-  diagram: { name: 'regions', make: exact_diagram, scene: of_diagram },
-  equal: { name: 'equal', make: keep('equal', balance), scene: (diagram) => ({ ...of_diagram(diagram), note: diagram.note }) },
+  diagram: {
+    name: 'regions',
+    make: exact_diagram,
+    scene: of_diagram,
+    part: (diagram, use) => using(diagram.segment({}), use),
+  },
+  equal: {
+    name: 'equal',
+    make: (points, use) => use(kept('equal', points, () => balance(points))),
+    scene: (diagram) => ({ ...of_diagram(diagram), note: diagram.note }),
+    part: (diagram, use) => using(diagram.cut({}), use),
+  },
   distances: {
     name: 'distances',
-    make: keep('distances', (points) => scenes.of_distances(entries(points))),
-    scene: (scene) => scene,
+    make: (points, use) => use(points),
+    scene: (points) => kept('distances', points, () => scenes.of_distances(entries(points))),
+    part: (points, use) => use({ write: (format) => scenes.write_distances(entries(points), format) }),
   },
   remesh: {
     name: 'coarse',
-    make: keep('remesh', (points) => gvd.remesh(mesh, { generators: entries(points) })),
-    scene: (remesh) => gvd.remesh_scene(scenes, remesh),
+    make: (points, use, listed) => use(kept('remesh', { points, listed }, () => remesh(points, listed))),
+    scene: (made) => ({ ...gvd.remesh_scene(scenes, made), note: describe_remesh(made) }),
   },
 };
 
@@ -115,28 +135,27 @@ const handlers = {
 
   show(asked) {
     const points = generators_of(asked), { make, scene } = kShows[asked.show];
-    return { points, ...make(points, scene) };
+    return { points, ...make(points, scene, Boolean(asked.generators)) };
   },
 
   // Each iteration is shown, by the diagram of its generators.
   relax(asked, report) {
-    const on_iteration = (count, energy, points) => report({ scene: using(gvd.voronoi(mesh, entries(to_points(points)), { method: 'gbgvd' }), of_diagram) });
+    const on_iteration = (count, energy, points) => report(using(gvd.voronoi(mesh, entries(to_points(points)), { method: 'gbgvd' }), of_diagram));
     return using(gvd.lloyd(mesh, { generators: entries(generators_of(asked)), on_iteration }), (relaxed) =>
       using(relaxed.diagram(), (diagram) => ({ points: to_points(diagram.generators()) })));
   },
 
   path({ from, to }) {
     const [path] = mesh.paths(entries([from]), entries([to]), {});
-    if (!path.complete) throw new GvdError('no path leads there');
+    if (path.end < 0) throw new GvdError('no path leads there');
     return { points: scenes.to_page(path.positions), length: path.length };
   },
 
   file({ show, format, ...asked }) {
-    const { name, make } = kShows[show], points = generators_of(asked);
-    if (format === 'csv' || show === 'distances') return { name: format === 'csv' ? 'generators' : name, bytes: exact_diagram(points, (diagram) => diagram.write(format, {})) };
-    const write = (made) => ({ bytes: made.write(format, {}) });
-    const cut_first = (diagram) => using(diagram.cut({}), write);
-    return { name, ...make(points, show === 'equal' && format !== 'json' ? cut_first : write) };
+    const points = generators_of(asked), write = (made) => ({ bytes: made.write(format, {}) });
+    if (format === 'csv') return { name: 'generators', ...exact_diagram(points, write) };
+    const { name, make, part = (made, use) => use(made) } = kShows[show];
+    return { name, ...make(points, (made) => part(made, write), Boolean(asked.generators)) };
   },
 };
 
