@@ -36,19 +36,19 @@ export function format_share(share) {
   return percent >= 1 ? percent.toFixed(1) : String(Number(percent.toPrecision(2)));
 }
 
-// The name of a figure, with a text that a click on it shows, if there is one.
-function explain(name) {
-  const words = kWords[name.replace(/,.*/, '')];
-  return words ? element('details', { className: 'words' }, element('summary', { textContent: name, title: words }), element('p', { textContent: words })) : name;
+// The row of a figure. If there is a text about it, a click on its name shows that in a row below.
+function make_rows([name, value]) {
+  const words = kWords[name.replace(/,.*/, '')], head = element('th', { scope: 'row' }, name);
+  const row = element('tr', {}, head, element('td', { textContent: value }));
+  if (!words) return [row];
+  const button = element('button', { type: 'button', textContent: name, title: words, ariaExpanded: 'false' });
+  const text = element('tr', { className: 'words', hidden: true }, element('td', { colSpan: 2, textContent: words }));
+  button.addEventListener('click', () => (button.ariaExpanded = String(!(text.hidden = !text.hidden))));
+  head.replaceChildren(button);
+  return [row, text];
 }
 
-function fill_rows(body, rows) {
-  body.replaceChildren(
-    ...rows.map(([name, value]) =>
-      element('tr', {}, element('th', { scope: 'row' }, explain(name)), element('td', { textContent: value })),
-    ),
-  );
-}
+const fill_rows = (body, rows) => body.replaceChildren(...rows.flatMap(make_rows));
 
 // The buttons that choose a scene, if there are several. Scenes of iterations without a name have none: the slider
 // chooses them. Calls `choose` with the scene's index. Returns a function that marks the button of a scene, if any.

@@ -589,7 +589,11 @@ const tests = {
     assert.equal(await words.isVisible(), false);
     await page.getByText('Euler count').click();
     assert.ok(await words.isVisible());
+    const text = await words.boundingBox(), panel = await page.locator('#figures').boundingBox();
+    assert.ok(text.width > 0.8 * panel.width, `text of ${text.width} pixels in a panel of ${panel.width}`);
     await picture(page, 'words');
+    await page.getByText('Euler count').click();
+    assert.equal(await words.isVisible(), false);
     await close(page);
   },
 
