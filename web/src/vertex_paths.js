@@ -1,6 +1,6 @@
 // Shortest paths of vertices, which a click shows. They are the exact ones that the file holds: none is computed here.
 import { read_array } from './data.js';
-import { format_number } from './panel.js';
+import { format_number, group_digits } from './panel.js';
 
 const square_distance = (p, i, q, k) => (p[3 * i] - q[3 * k]) ** 2 + (p[3 * i + 1] - q[3 * k + 1]) ** 2 + (p[3 * i + 2] - q[3 * k + 2]) ** 2;
 
@@ -37,7 +37,7 @@ export class VertexPaths {
       ['Exact length', length(distances[vertex])],
       ['Source', String(source.index)],
       ['Click to vertex', length(near.distance)],
-      ['Stored paths', `${this.vertices.length} of ${positions.length / 3} vertices`],
+      ['Stored paths', group_digits(`${this.vertices.length} of ${positions.length / 3} vertices`)],
     ];
     const points = this.points.subarray(3 * first, 3 * last);
     return { points, counts: [last - first], card: { title: `Path from vertex ${vertex}`, rows } };

@@ -426,7 +426,7 @@ const tests = {
   async 'has a slider over the iterations, in their order'() {
     const torus = make_torus(12, 8);
     const page = await open({ page_address: write_page('iterations', { ...torus, iterations: [30, 0, 20, 10] }) });
-    const slider = page.locator('#iterations input'), text = page.locator('#iterations output');
+    const slider = page.getByRole('slider', { name: 'Iteration' }), text = page.locator('#iterations output');
     assert.ok(await page.locator('#scenes').isHidden());
     assert.equal(await text.innerText(), 'Iteration 30 of 30');
     await slider.focus();
