@@ -220,6 +220,21 @@ test('a surface is seen first from the side with its shape, unless the usual sid
   assert.ok(view(smooth)[2] > 0.7 && view(smooth)[0] > 0.4, `${view(smooth)}`);
 });
 
+test('an opening is seen first obliquely, a cap without much inside from outside', () => {
+  const axes = { up: [0, 1, 0], ahead: [0, 0, 1], side: [1, 0, 0] }, n = 24, m = 48;
+  const view_cap = (degrees) => {  // round the z axis
+    const positions = [], faces = [];
+    for (let i = 0; i <= n; ++i) for (let j = 0; j < m; ++j) {
+      const a = (degrees * Math.PI * i) / (180 * n), b = (2 * Math.PI * j) / m, u = m * i + j, v = m * i + ((j + 1) % m);
+      positions.push(Math.sin(a) * Math.cos(b), Math.sin(a) * Math.sin(b), Math.cos(a));
+      if (i < n) faces.push(u, u + m, v, v, u + m, v + m);
+    }
+    return choose_first_view(positions, faces, axes)[2];
+  };
+  for (const degrees of [10, 60, 75]) assert.ok(view_cap(degrees) > 0.9, `${degrees}: ${view_cap(degrees)}`);
+  for (const degrees of [90, 110, 130]) assert.ok(Math.abs(view_cap(degrees) + 0.55) < 0.25, `${degrees}: ${view_cap(degrees)}`);
+});
+
 test('a ray through the canvas finds its point of a face', () => {
   const corners = [[0, 0, 0], [4, 0, 1], [0, 2, -1]], bary = [0.5, 0.2, 0.3];
   const point = [0, 1, 2].map((k) => bary.reduce((sum, b, i) => sum + b * corners[i][k], 0));
