@@ -1,4 +1,4 @@
-// The bytes of the module, in Node.js and in browsers. A page in one file has them inside instead (web/build-playground.mjs).
+// The bytes of the module, in Node.js and in browsers. A page in one file has them inside instead (web/build_playground.mjs).
 const url = new URL('gvd.wasm', import.meta.url);
 
 async function fetchBytes() {

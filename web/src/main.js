@@ -10,7 +10,7 @@ import { show_legend } from './legend.js';
 import { bisector_width, make_mark_materials } from './marks.js';
 import { make_overlay_material, make_surface_materials } from './materials.js';
 import * as panel from './panel.js';
-import { has_light_overlay, Picture } from './picture.js';
+import { Picture } from './picture.js';
 import { Pictures } from './pictures.js';
 import { RegionTable } from './region_table.js';
 import { Shading } from './shading.js';
