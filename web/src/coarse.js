@@ -57,7 +57,7 @@ function choose_triangles(cube) {
   return kept;
 }
 
-// Of {positions, normals, codes, distances, parents, barys} the same with fewer triangles, or null where that gains little.
+// Fewer triangles {positions, normals, codes, distances, parents, barys} for those given, or null where that gains little.
 // Positions are means of their cubes, all else is that of a triangle that was there.
 export function make_coarse(triangles, cubes = kCubes) {
   const { cube, size } = number_cubes(triangles.positions, cubes);

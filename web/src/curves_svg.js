@@ -33,7 +33,10 @@ function make_view({ camera, width, height }, id_map) {
 // fill, ring}.
 export function curves_svg(stage, id_map, { surface, lines, dots }) {
   const see = make_view(stage, id_map), { width, height } = stage;
-  const paths = lines.map((line) => `<path id="${line.name}" d="${visible_paths(line, see)}" stroke="${line.colour}" stroke-width="${line.width.toFixed(2)}"/>`);
+  const paths = lines.map((line) => {
+    const d = visible_paths(line, see);
+    return `<path id="${line.name}" d="${d}" stroke="${line.colour}" stroke-width="${line.width.toFixed(2)}"/>`;
+  });
   const circles = dots.map(({ name, points, radius, fill, ring }) => {
     const seen = Array.from({ length: points.length / 3 }, (_, i) => see(new Vector3().fromArray(points, 3 * i))).filter(Boolean);
     const marks = seen.map(({ x, y }) => `<circle cx="${x.toFixed(2)}" cy="${y.toFixed(2)}" r="${radius.toFixed(2)}"/>`);

@@ -55,7 +55,8 @@ function vertex_rows({ surface, distance, generators, given }, { vertex }, scale
   const rows = [], { edges, boundary } = count_edges(surface.faces, vertex);
   if (distance) rows.push(['Distance', format_distance(distance.vertices[vertex], distance)]);
   const exact = surface.distances[vertex];
-  if (exact !== undefined) rows.push(['Exact distance', Number.isFinite(exact) ? format_number(Number((exact * scale).toPrecision(6))) : 'inf']);
+  const format_exact = () => (Number.isFinite(exact) ? format_number(Number((exact * scale).toPrecision(6))) : 'inf');
+  if (exact !== undefined) rows.push(['Exact distance', format_exact()]);
   rows.push(['Valence', boundary ? `${edges}, on the boundary` : String(edges)]);
   if (!generators.length) return rows;
   rows.push(['Generator', vertex < given ? String(vertex) : `${vertex}, added`]);

@@ -21,8 +21,8 @@ export function covered() {
 // The panels that were open when the window became narrow; those that the page names where it was narrow at first.
 let open_when_wide = null;
 
-// Opens the panels that the page names, on a phone none but the first below a picture that is `wide`, and shows the first
-// of them.
+// Opens the panels that the page names, and shows the first of them. A phone has none open, but the first one below a
+// picture that is `wide`.
 export function open_first_panels(wide = false) {
   open_when_wide = null;
   for (const box of panels()) box.open = !phone.matches && box.dataset.open !== undefined;

@@ -1,9 +1,9 @@
 // The text beside the picture: switches, figures, and the card of the region under the pointer.
 
-// What figures mean.
+// The meaning of figures, by their names.
 const kWords = {
   'Euler characteristic': 'Vertices - edges + faces: 2 for a closed surface like a sphere, 2 less for each handle, 1 less for each hole.',
-  'Euler count': 'The branch points that were found, of those that the topology of the surface and its regions demands. Equal: no bisector is missing.',
+  'Euler count': 'Branch points found, of those that the topology of the surface and its regions demands. Equal: no bisector is missing.',
   'Disc regions': 'Regions in one piece and without holes. Others reach round a handle or meet themselves.',
   'Branch points': 'Where three or more regions meet: points with three or more nearest generators.',
   Bisectors: 'Curves between two regions: points with two nearest generators.',

@@ -50,7 +50,7 @@ export class Picture {
     this.group.add(this.mesh, this.inside);
   }
 
-  // What is drawn of some triangles, with all that does not depend on the way of colouring.
+  // The geometry of some triangles, with all that does not depend on the way of colouring.
   dress(triangles) {
     const geometry = make_geometry(triangles);
     if (this.distance) add_distances(geometry, triangles, this.distance);
@@ -106,7 +106,7 @@ export class Picture {
     return kFaceValues[key] ? this.face_scale(key) : { above: key === 'surface_distance' && this.distance.exceeds };
   }
 
-  // Of a way of colouring by faces {values, range, below, above}.
+  // The values and the scale of a way of colouring by faces: {values, range, below, above}.
   face_scale(key) {
     const { value, step } = kFaceValues[key], { positions, faces } = this.surface;
     const make = (values) => ({ values, ...usual_range(values, step) });

@@ -48,7 +48,8 @@ export class Pictures {
 
   // Curves and dots as paths, over a picture of the surface without them.
   save_svg() {
-    const { stage, id_map, picture } = this.viewer, shown = Object.entries(picture.marks).filter(([name, mark]) => mark?.visible && name !== 'shadow');
+    const { stage, id_map, picture } = this.viewer;
+    const shown = Object.entries(picture.marks).filter(([name, mark]) => mark?.visible && name !== 'shadow');
     for (const [, mark] of shown) mark.visible = false;
     const surface = stage.take_picture(kSvgRatio).toDataURL('image/png');
     for (const [, mark] of shown) mark.visible = true;
@@ -60,16 +61,27 @@ export class Pictures {
     save_blob(new Blob([svg], { type: 'image/svg+xml' }), this.name('svg'));
   }
 
-  // What curves_svg draws of the marks that are shown.
+  // The lines and dots of the marks that are shown, as curves_svg takes them.
   vector_marks(shown) {
-    const { stage, picture, materials } = this.viewer, { entry, dot_sizes } = picture, theme = this.theme(), pixels = stage.pixels_per_unit();
-    const line = (name, colour, width) => ({ name, points: read_array(entry[name].points), counts: read_array(entry[name].counts), colour, width });
-    const dot = (name, size, fill, ring) => ({ name, points: read_array(entry[name]), radius: (size * pixels) / 2, fill, ring });
-    const made = (list, make) => list.filter(([name]) => shown.includes(name)).map((parts) => make(...parts));
+    const { stage, picture, materials } = this.viewer, { entry, dot_sizes } = picture, theme = this.theme();
+    const arrays = ({ points, counts }) => ({ points: read_array(points), counts: read_array(counts) });
+    const line = (name, colour, width) => ({ name, ...arrays(entry[name]), colour, width });
+    const radius = (size) => (size * stage.pixels_per_unit()) / 2;
+    const dot = (name, size, fill, ring) => ({ name, points: read_array(entry[name]), radius: radius(size), fill, ring });
+    const made = (make, ...list) => list.filter(([name]) => shown.includes(name)).map((parts) => make(...parts));
     return {
-      lines: made([['bisectors', theme.line, materials.line.uniforms.width.value], ['isolines', theme.isoline, kMarkWidths.isolines], ['paths', theme.path, kMarkWidths.paths]], line),
-      dots: made([['branch_points', dot_sizes.branch_point, theme.branch_point, theme.generator], ['generators', dot_sizes.generator, theme.generator, theme.branch_point],
-                  ['added_generators', dot_sizes.generator, theme.added_generator, theme.branch_point]], dot),
+      lines: made(
+        line,
+        ['bisectors', theme.line, materials.line.uniforms.width.value],
+        ['isolines', theme.isoline, kMarkWidths.isolines],
+        ['paths', theme.path, kMarkWidths.paths],
+      ),
+      dots: made(
+        dot,
+        ['branch_points', dot_sizes.branch_point, theme.branch_point, theme.generator],
+        ['generators', dot_sizes.generator, theme.generator, theme.branch_point],
+        ['added_generators', dot_sizes.generator, theme.added_generator, theme.branch_point],
+      ),
     };
   }
 

@@ -26,8 +26,9 @@ function make_ground({ positions }, up, radius) {
     low.min(p);
     high.max(p);
   }
-  const half = (kGroundSide * radius) / 2, middle = low.clone().add(high).multiplyScalar(0.5);
-  const at = (x, z) => new Vector3().addScaledVector(side, middle.x + x * half).addScaledVector(up, low.y - 0.002 * radius).addScaledVector(across, middle.z + z * half);
+  const half = (kGroundSide * radius) / 2, middle = low.clone().add(high).multiplyScalar(0.5).setY(low.y - 0.002 * radius);
+  const in_plane = (x, z) => new Vector3().addScaledVector(side, middle.x + x * half).addScaledVector(across, middle.z + z * half);
+  const at = (x, z) => in_plane(x, z).addScaledVector(up, middle.y);
   const n = kGroundPoints, points = new Float32Array(3 * n * n), normals = points.slice();
   for (let i = 0; i < n * n; ++i) {
     at(((i % n) + 0.5) / (n / 2) - 1, (Math.floor(i / n) + 0.5) / (n / 2) - 1).toArray(points, 3 * i);
@@ -64,8 +65,8 @@ export class Shading {
     this.known = new Map();  // by mesh and axis that points up
   }
 
-  // Of a picture: {shares, shadow}, the shares of the sky at the corners of faces, null where there are too many, and
-  // the ground. Pictures with the same mesh share them.
+  // The shade {shares, shadow} of a picture: the shares of the sky at the corners of faces, null where there are too many,
+  // and the ground. Pictures with the same mesh have the same one.
   of({ entry, surface, coarse, geometry }) {
     const { renderer, bounds, camera } = this.stage, up = camera.up.clone();
     const mesh = entry.positions.blob ?? entry.positions, key = [...up].join(' ');

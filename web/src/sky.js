@@ -64,7 +64,7 @@ function make_texture(values) {
 }
 
 export class Sky {
-  // Of a geometry inside a sphere of `radius` round the origin. Light from below the axis `up` counts less.
+  // The geometry lies inside a sphere of `radius` round the origin. Light from below the axis `up` counts less.
   constructor(renderer, geometry, radius, up) {
     this.renderer = renderer;
     this.camera = new OrthographicCamera();
@@ -74,17 +74,19 @@ export class Sky {
     this.tiles = new WebGLRenderTarget(depths.image.width, depths.image.height, { format: RedFormat, depthTexture: depths });
     const uniforms = { radius, up, first: 0, narrow: 1, depths, points: null, normals: null };
     this.uniforms = Object.fromEntries(Object.entries(uniforms).map(([key, value]) => [key, { value }]));
-    const material = { glslVersion: GLSL3, uniforms: this.uniforms, blending: NoBlending };
-    const empty = 'out vec4 none; void main() { none = vec4(1.0); }';
+    const draw_all = 'void main() { gl_Position = vec4(position, 1.0); }', empty = 'out vec4 none; void main() { none = vec4(1.0); }';
+    const depth_material = { vertexShader: kDepthVertex, fragmentShader: empty, side: DoubleSide, colorWrite: false };
+    const look_material = { vertexShader: draw_all, fragmentShader: kLookFragment, depthTest: false, depthWrite: false };
     this.copies = new InstancedBufferGeometry();
     this.copies.setAttribute('position', geometry.getAttribute('position'));
     if (geometry.index) this.copies.setIndex(geometry.index);
-    this.surface = this.scene_of(this.copies, new ShaderMaterial({ ...material, vertexShader: kDepthVertex, fragmentShader: empty, side: DoubleSide, colorWrite: false }));
-    this.quad = this.scene_of(new PlaneGeometry(2, 2), new ShaderMaterial({ ...material, vertexShader: 'void main() { gl_Position = vec4(position, 1.0); }', fragmentShader: kLookFragment, depthTest: false, depthWrite: false }));
+    this.surface = this.scene_of(this.copies, depth_material);
+    this.quad = this.scene_of(new PlaneGeometry(2, 2), look_material);
   }
 
   scene_of(geometry, material) {
-    const mesh = new Mesh(geometry, material);
+    const common = { glslVersion: GLSL3, uniforms: this.uniforms, blending: NoBlending };
+    const mesh = new Mesh(geometry, new ShaderMaterial({ ...common, ...material }));
     mesh.frustumCulled = false;
     return new Scene().add(mesh);
   }

@@ -48,14 +48,14 @@ function sides(positions, faces, f) {
   return [least, Math.max(Math.min(a, b), Math.min(Math.max(a, b), c)), most];
 }
 
-// Four times the area of the triangle with the sides a <= b <= c, stable for thin ones (Kahan, Miscalculating area and
-// angles of a needle-like triangle, 2014).
+// Four times the area of the triangle with the sides a <= b <= c, stable for thin ones.
+// Source: Kahan, Miscalculating area and angles of a needle-like triangle, 2014.
 function four_areas(a, b, c) {
   return Math.sqrt(Math.max(0, (c + (b + a)) * (a - (c - b)) * (a + (c - b)) * (c + (b - a))));
 }
 
-// Of face `f` 6 A / (sqrt 3 p h), with the area A, half the perimeter p and the longest edge h: 1 where it is
-// equilateral, 0 where it has no area. It is `q_average` of gvd-remesh, per face.
+// The quality of face `f`, 6 A / (√3 p h), with the area A, half the perimeter p and the longest edge h: 1 for an
+// equilateral one, 0 for one without area. Its mean is `q_average` of gvd-remesh.
 export function face_quality(positions, faces, f) {
   const [a, b, c] = sides(positions, faces, f), scale = (a + b + c) * c;
   return scale > 0 ? Math.min(1, (3 * four_areas(a, b, c)) / (Math.sqrt(3) * scale)) : 0;

@@ -2,9 +2,12 @@
 import { read_array } from './data.js';
 import { format_number, group_digits } from './panel.js';
 
-const square_distance = (p, i, q, k) => (p[3 * i] - q[3 * k]) ** 2 + (p[3 * i + 1] - q[3 * k + 1]) ** 2 + (p[3 * i + 2] - q[3 * k + 2]) ** 2;
+function square_distance(p, i, q, k) {
+  const x = p[3 * i] - q[3 * k], y = p[3 * i + 1] - q[3 * k + 1], z = p[3 * i + 2] - q[3 * k + 2];
+  return x * x + y * y + z * z;
+}
 
-// Of the points `at(i)` of `points`, with i from 0 to `count` - 1, the one nearest to point `k` of `others`.
+// The point nearest to point `k` of `others`, among the points `at(i)` of `points` with i from 0 to `count` - 1.
 function nearest_point(points, others, k, count, at) {
   let best = 0, least = Infinity;
   for (let i = 0; i < count; ++i) {

@@ -1,8 +1,8 @@
 // The state of the playground as text behind the # of a link, and back.
 //
-// A state has the name of a shipped model, the number of farthest generators or the generators themselves, what is shown
-// of them, and the camera. Generators are (face, second and third barycentric coordinate), rounded when they are dropped,
-// so that a link holds all of them exactly.
+// A state has the name of a shipped model, generators or the number of farthest ones, what is shown of them, and the
+// camera. Generators are (face, second and third barycentric coordinate). They are rounded when they are dropped, so that
+// a link holds them exactly.
 
 const kDigits = 6;  // of barycentric coordinates
 
