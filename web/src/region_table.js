@@ -8,7 +8,7 @@ const kColumns = [
   ['label', 'Region'],
   ['area', 'Area'],
   ['energy', 'Energy'],
-  ['neighbours', 'Nb.', 'Number of neighbours'],
+  ['neighbours', 'Next to', 'Number of neighbours'],
 ];
 
 function value_of(cell, label, key) {

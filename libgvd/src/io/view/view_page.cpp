@@ -346,7 +346,7 @@ std::vector<ViewScene> make_region_scenes(const LabelledMesh& shown) {
   std::vector<ViewScene> scenes{make_view_scene(is_cut ? "Regions" : "Whole faces, as in the file", shown)};
   if (is_cut) return scenes;
   // Cells are shown on the mesh of the diagram: distances differ on the two sides of a border between regions.
-  scenes.insert(scenes.begin(), make_view_scene("Cells", shown.surface(), *shown.diagram));
+  scenes.insert(scenes.begin(), make_view_scene("Diagram", shown.surface(), *shown.diagram));
   scenes[0].region_color = scenes[1].region_color;
   return scenes;
 }
