@@ -233,10 +233,14 @@ TEST_CASE("orientation: the minority of each component is flipped") {
   PolygonSoup soup = soup_of(test::make_sphere(1));
   for (const std::size_t f : {4U, 17U, 30U}) std::swap(soup.corners[3 * f], soup.corners[3 * f + 1]);
   const CheckedMesh checked = require_repaired(soup, DefectKind::inconsistent_orientation, 3, 4);
+  CHECK(checked.defects.messages.front().starts_with(
+      "3 faces are against the orientation of most of their component, first face"));
   CHECK(compute_mesh_summary(checked.mesh).euler_characteristic == 2);
   // Of two faces with opposite orientation the first one is kept as it is.
   const CheckedMesh two =
       require_repaired(points_soup(4, {{0, 1, 2}, {0, 1, 3}}), DefectKind::inconsistent_orientation, 1, 1);
+  CHECK(two.defects.messages.front().starts_with(
+      "1 face is against the orientation of most of its component, first face 1"));
   CHECK(two.mesh.vertices(FaceId(0)) == std::array{VertexId(0), VertexId(1), VertexId(2)});
 }
 

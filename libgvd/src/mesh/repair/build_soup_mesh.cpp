@@ -352,8 +352,10 @@ std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, De
     }
   }
   log.add(DefectKind::inconsistent_orientation, count, first,
-          fmt::format("{} against the orientation of most of their component, first face {}",
-                      counted(count, "face is", "faces are"), first),
+          fmt::format("{}, first face {}",
+                      counted(count, "face is against the orientation of most of its component",
+                              "faces are against the orientation of most of their component"),
+                      first),
           "flipped");
   return std::move(orientations.one_sided);
 }
