@@ -213,11 +213,14 @@ test('a file that was written reads back', () => {
 });
 
 test('what can not be done is an error of one line', () => {
+  const stl = new Uint8Array(134);  // of one triangle; with this count the length has 33 bits, and 88 in the lower 32
+  new DataView(stl.buffer).setUint32(80, 85899346, true);
   const square = new Mesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]);
   const freed = new Mesh(square.vertices, [new Int32Array([0, 1, 2]), [0, 2, 3]]);
   for (let i = 0; i < 2; ++i) freed.free();
   const kRefused = [
     [() => gvd.read(new TextEncoder().encode('v 0 0 x\nf 1 2 3'), 'bad.obj'), 'unreadable_input', /^bad\.obj:1: coordinate z is 'x'/],
+    [() => gvd.read(stl, 'a.stl'), 'unreadable_input', /85899346 triangles it should have 4294967384 bytes, not 134/],
     [() => gvd.read(new Uint8Array([31, 139, 8, 0]), 'a.obj.gz'), 'unreadable_input', /unpack it first/],
     [() => new Mesh([0, 0, 0], [0, 1, 2]), 'precondition', /./],
     [() => square.voronoi([0, 0]), 'precondition', /coincide/],

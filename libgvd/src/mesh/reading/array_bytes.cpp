@@ -68,6 +68,7 @@ bool append_inflated(std::string& content, std::string_view packed, std::uint64_
   if (size > kMostDeflated * packed.size()) return false;
   limit.spend(size + packed.size());
   const std::size_t begin = content.size();
+  if (size > content.max_size() - begin) throw std::bad_alloc();
   content.resize(begin + size);
   uLongf made = size;
   const int status = uncompress(reinterpret_cast<Bytef*>(content.data() + begin), &made,

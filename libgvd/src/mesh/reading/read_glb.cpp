@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -73,13 +74,13 @@ class GlbFile {
     const auto found = object.find(key);
     if (found == object.end() && otherwise) return *otherwise;
     if (found == object.end() || !found->is_number_unsigned()) refuse(fmt::format("'{}' is no index or count", key));
-    return found->get<std::size_t>();
+    return as_size(*found);
   }
 
   /// A value that is a whole number from 0.
   std::size_t index(const Json& value, const char* what) const {
     if (!value.is_number_unsigned()) refuse(fmt::format("an index of {} is no whole number", what));
-    return value.get<std::size_t>();
+    return as_size(value);
   }
 
   /// Numbers or vectors of two or three numbers; those that stand for fractions are divided, -128 as -127.
@@ -101,7 +102,7 @@ class GlbFile {
       refuse(fmt::format("accessor {} has {}, and its view has {} bytes", a, counted(count, "element", "elements"),
                          view.size()));
     }
-    limit_.spend(count * read.size * sizeof(double));
+    limit_.spend(std::uint64_t(count) * read.size * sizeof(double));
     read.numbers.reserve(count * read.size);
     const bool is_fraction = accessor.value("normalized", false) && stored.kind != StoredNumber::Kind::real;
     const double scale = is_fraction ? largest(stored) : 1, least = is_fraction ? -scale : -kInfinity;
@@ -119,6 +120,11 @@ class GlbFile {
   }
 
  private:
+  /// The largest size for numbers beyond it: nothing has so many elements, and a remainder would pass for a count.
+  static std::size_t as_size(const Json& value) {
+    return std::size_t(std::min<std::uint64_t>(value.get<std::uint64_t>(), std::numeric_limits<std::size_t>::max()));
+  }
+
   std::uint32_t word(std::size_t at) const {
     if (at + 4 > bytes_.size()) refuse(fmt::format("the file ends at byte {}, inside a header", bytes_.size()));
     return static_cast<std::uint32_t>(StoredNumber{.size = 4}.read_bits(bytes_.data() + at));
@@ -328,7 +334,7 @@ class GlbParser {
 
   std::vector<double> read_indices(const Json& primitive, std::size_t vertices) {
     if (primitive.contains("indices")) return file_.read_accessor(file_.number(primitive, "indices")).numbers;
-    file_.spend(vertices * sizeof(double));
+    file_.spend(std::uint64_t(vertices) * sizeof(double));
     std::vector<double> all(vertices);
     std::iota(all.begin(), all.end(), 0.0);
     return all;

@@ -18,8 +18,9 @@
 namespace gvd {
 namespace {
 
-constexpr std::size_t kStlHeader = 84;    // 80 bytes of text and the triangle count
-constexpr std::size_t kStlTriangle = 50;  // a normal, three vertices, two bytes of attributes
+// 64 bits, because the length of a file with 2^32 - 1 triangles has 38: WebAssembly's sizes have 32.
+constexpr std::uint64_t kStlHeader = 84;    // 80 bytes of text and the triangle count
+constexpr std::uint64_t kStlTriangle = 50;  // a normal, three vertices, two bytes of attributes
 
 /// Four bytes as a number, the lowest first.
 std::uint32_t little_endian(const char* bytes) {
