@@ -37,6 +37,7 @@ const kToggles = [
   ['added_generators', 'Added generators'],
   ['branch_points', 'Branch points'],
   ['wireframe', 'Wireframe'],
+  ['checker', 'Checkerboard'],
   ['smooth', 'Smooth shading'],
   ['shadow', 'Shade and shadow'],
   ['overlay', 'Other surface'],  // the scene names it

@@ -12,6 +12,7 @@ attribute float value;
 attribute float share;
 attribute float open;
 attribute vec2 lattice;
+attribute vec2 chart;
 flat varying float v_code;
 flat varying vec2 v_lattice;
 varying float v_distance;
@@ -19,9 +20,11 @@ varying float v_value;
 varying float v_share;
 varying float v_open;
 varying vec2 v_bary;
+varying vec2 v_chart;
 varying vec3 v_normal;
 varying vec3 v_view;
 void main() {
+  v_chart = chart;
   v_code = code;
   v_distance = distance;
   v_value = value;
@@ -42,7 +45,7 @@ uniform highp sampler2D lattices;
 uniform vec3 plain;
 uniform int source;
 uniform bool show_lines, smooth_normals, shaded;
-uniform float largest_distance, line_spacing, pinned;
+uniform float largest_distance, line_spacing, pinned, checks;
 flat varying float v_code;
 flat varying vec2 v_lattice;
 varying float v_distance;
@@ -50,6 +53,7 @@ varying float v_value;
 varying float v_share;
 varying float v_open;
 varying vec2 v_bary;
+varying vec2 v_chart;
 varying vec3 v_normal;
 varying vec3 v_view;
 
@@ -86,6 +90,13 @@ vec3 base_colour(bool reached) {
   return plain;
 }
 
+// The share of dark squares in a pixel of a checkerboard, by the integral along each side.
+float dark_share(vec2 p) {
+  vec2 width = max(fwidth(p), 1e-3), from = (p - 0.5 * width) / 2.0, to = (p + 0.5 * width) / 2.0;
+  vec2 balance = 2.0 * (abs(fract(from) - 0.5) - abs(fract(to) - 0.5)) / width;
+  return 0.5 - 0.5 * balance.x * balance.y;
+}
+
 // Light from the camera's upper left and from the sky, of which the point sees the share open.
 vec3 light(vec3 base, vec3 n, vec3 eye, float open) {
   vec3 key = normalize(vec3(-0.45, 0.7, 0.7)), fill = normalize(vec3(0.8, -0.05, 0.5));
@@ -103,6 +114,7 @@ void main() {
   bool reached = v_distance >= 0.0;
   vec3 base = base_colour(reached);
   if (v_code == pinned) base = mix(base, vec3(1.0), 0.45);
+  if (checks > 0.0) base *= 1.0 - 0.3 * dark_share(v_chart * checks);
   if (show_lines && reached) {
     float step = v_distance / line_spacing;
     float width = max(fwidth(step), 1e-6);
@@ -151,6 +163,7 @@ function make_uniforms() {
     largest_distance: { value: 1 },
     line_spacing: { value: 1 },
     pinned: { value: -1 },
+    checks: { value: 0 },
   };
 }
 

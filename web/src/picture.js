@@ -8,7 +8,7 @@ import { kSources } from './materials.js';
 import { make_overlay } from './overlay.js';
 import { group_digits } from './panel.js';
 import { ramp } from './ramp.js';
-import { add_distances, make_geometry, make_surface, set_face_values, set_open_shares } from './surface.js';
+import { add_chart, add_distances, make_geometry, make_surface, set_face_values, set_open_shares } from './surface.js';
 import { SurfaceDistance } from './surface_distance.js';
 import { VertexPaths } from './vertex_paths.js';
 import { face_angle, face_quality, face_values, position_in, round_step, triangles_area, usual_range, value_range } from './values.js';
@@ -16,6 +16,7 @@ import { face_angle, face_quality, face_values, position_in, round_step, triangl
 const kManyTriangles = 300000;  // with more, fewer are drawn while the surface turns
 // Ways of colouring by a value of each face, and the steps by which the ends of its scale are rounded.
 const kFaceValues = { quality: { value: face_quality, step: 0.05 }, angle: { value: face_angle, step: 5 } };
+const kChecks = 16;             // squares of the checkerboard along the side of the texture, for one region
 const kCoarseStep = 0.012;      // shortest segment of bisectors then, in half diagonals of the box
 
 // Whether the scene's overlay has so few triangles that it is shown from the start, and while the surface turns.
@@ -54,6 +55,7 @@ export class Picture {
   dress(triangles) {
     const geometry = make_geometry(triangles);
     if (this.distance) add_distances(geometry, triangles, this.distance);
+    if (this.entry.texture) add_chart(geometry, triangles, read_array(this.entry.texture));
     return geometry;
   }
 
@@ -82,6 +84,7 @@ export class Picture {
     if (key === 'area' || key === 'energy') return this.surface.labelled && this.range(key) !== null;
     if (key === 'surface_distance') return Boolean(this.distance);
     if (key === 'overlay') return Boolean(this.entry.overlay);
+    if (key === 'checker') return Boolean(this.entry.texture);
     if (['quality', 'angle', 'plain', 'wireframe', 'smooth', 'shadow'].includes(key)) return true;
     return Boolean(this.marks[key]);
   }
@@ -227,6 +230,7 @@ export class Picture {
     uniforms.show_lines.value = on.lines && this.offers('lines');
     uniforms.smooth_normals.value = on.smooth;
     uniforms.shaded.value = on.shadow && Boolean(this.shading?.shares);
+    uniforms.checks.value = on.checker && this.entry.texture ? kChecks * Math.sqrt(Math.max(1, this.entry.cells.length)) : 0;
     uniforms.largest_distance.value = largest;
     uniforms.line_spacing.value = round_step(largest * this.scale, 12) / this.scale;
     for (const dots of [generator, added_generator, branch_point]) dots.uniforms.spacing.value = this.spacing;

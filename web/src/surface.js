@@ -82,6 +82,15 @@ export function set_face_values(geometry, { parents }, { values, range }) {
   geometry.setAttribute('value', new BufferAttribute(bytes, 1, true));
 }
 
+// Adds the attribute `chart`: the texture coordinates of the triangles' corners, from those of the faces' corners.
+export function add_chart(geometry, { parents, barys }, texture) {
+  const chart = Float32Array.from({ length: (2 * barys.length) / 3 }, (_, n) => {
+    const b = 3 * (n >> 1), c = 9 * parents[Math.floor(n / 6)] + (n & 1);
+    return barys[b] * texture[c] + barys[b + 1] * texture[c + 3] + barys[b + 2] * texture[c + 6];
+  });
+  geometry.setAttribute('chart', new BufferAttribute(chart, 2));
+}
+
 function add_faces(triangles, mesh, codes) {
   for (let f = 0; f < mesh.faces.length / 3; ++f) {
     const code = codes.length ? codes[f] : kUnreached;

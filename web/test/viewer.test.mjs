@@ -144,8 +144,8 @@ async function find_bright_spots(source) {
 
 // A page with one scene in place of the sample's; returns its address. `points` are generators.
 // `iterations`: of further scenes without a name, beside that of the first.
-function write_page(name, { positions, faces, points = [], up = 'y', iterations = [] }) {
-  const arrays = [Float32Array.from(positions), Uint32Array.from(faces), Float32Array.from(points)];
+function write_page(name, { positions, faces, points = [], texture = [], up = 'y', iterations = [] }) {
+  const arrays = [Float32Array.from(positions), Uint32Array.from(faces), Float32Array.from(points), Float32Array.from(texture)];
   const blobs = arrays.map((array, k) => {
     const text = deflateSync(Buffer.from(array.buffer)).toString('base64');
     return `<script type="application/octet-stream" id="blob-${k}">${text}</script>`;
@@ -153,6 +153,7 @@ function write_page(name, { positions, faces, points = [], up = 'y', iterations 
   const scene = { name, wireframe: false, smooth: true, cells: [], figures: [] };
   scene.positions = { blob: 0, type: 'f32', count: arrays[0].length };
   scene.faces = { blob: 1, type: 'u32', count: arrays[1].length };
+  if (texture.length) scene.texture = { blob: 3, type: 'f32', count: texture.length };
   if (points.length) scene.generators = { blob: 2, type: 'f32', count: points.length };
   const manifest = { schema: 'gvd-view/1', title: name, up, scale: 1, origin: [0, 0, 0], scenes: [scene] };
   if (iterations.length) scene.iteration = iterations.shift();
@@ -733,6 +734,21 @@ const tests = {
       assert.ok(below > 0.6, `${up}: ${below} of it in the lower half`);
       await close(page);
     }
+  },
+
+  async 'a checkerboard shows texture coordinates: half of it is dark, and all within one square'() {
+    const quad = { positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], faces: [0, 1, 2, 0, 2, 3] };
+    const corners = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0];
+    const changed = async (name, texture) => {
+      const page = await open({ page_address: write_page(name, { ...quad, texture }) }), before = await shot(page, kBeside);
+      await page.locator('#toggle-checker').check();
+      const share = (await page.evaluate(count_differing, [before, await shot(page), 8])) / (1000 * 700);
+      await picture(page, name);
+      await close(page);
+      return share;
+    };
+    const half = (await changed('one-square', corners.map((_, i) => (i % 3 ? 0.03 : 0.1)))) / 2, share = await changed('checker', corners);
+    assert.ok(half > 0.05 && Math.abs(share - half) < 0.1 * half, `${share} of the page, and a half is ${half}`);
   },
 
   async 'large meshes turn with fewer triangles, and rest with all'() {

@@ -37,6 +37,9 @@ TEST_CASE("a scene whose parts do not fit is refused") {
   bad.face_label[FaceId(0)] = GeneratorId(4);
   CHECK(code_of(bad) == ErrorCode::precondition);
   bad = good;
+  bad.texture.resize(3);
+  CHECK(code_of(bad) == ErrorCode::precondition);
+  bad = good;
   bad.pieces.front().face = FaceId(mesh.face_count());
   CHECK(code_of(bad) == ErrorCode::precondition);
   bad = good;

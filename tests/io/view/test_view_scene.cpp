@@ -55,9 +55,14 @@ TEST_CASE("the scene of a labelled mesh shows its labels, and counts the faces t
   CHECK(scenes[0].vertex_distance == diagram.vertex_distance);
   CHECK(scenes[1].mesh == &finer);
   const IdVector<FaceId, FaceId> parent(std::size_t(finer.face_count()), FaceId(0));
+  Appearance appearance;
+  appearance.texture.resize(std::size_t(finer.halfedge_count()), {0.25, 0.5});
+  shown.appearance = &appearance;
+  CHECK(make_view_scene("Whole faces", shown).texture.empty());
   shown.face_parent = &parent;
   CHECK(make_region_scenes(shown).size() == 1);
   const ViewScene scene = make_view_scene("A name", shown);
+  CHECK(scene.texture == appearance.texture);
   CHECK(scene.name == "A name");
   CHECK(scene.mesh == &finer);
   CHECK(scene.face_label == label);

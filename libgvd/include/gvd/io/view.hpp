@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gvd/appearance.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/distance_samples.hpp"
 #include "gvd/exact_field.hpp"
@@ -62,6 +63,7 @@ struct ViewScene {
   std::vector<Vec3> generators;                ///< the given ones, in the order of their ids
   std::vector<Vec3> added_generators;          ///< added by a command; drawn in a colour of their own
   std::vector<Vec3> branch_points;
+  std::vector<Uv> texture;  ///< coordinates of the faces' corners, for a checkerboard; not finite where there are none
   IdVector<GeneratorId, Cell> cells;          ///< for the figures of regions and, where faces are cut, their colours
   IdVector<GeneratorId, double> cell_energy;  ///< integral of the squared distance per cell, mesh units to the fourth
   std::optional<ViewSurfaceDistance> surface_distance;

@@ -76,6 +76,7 @@ class SceneEncoder {
     if (!scene_.generators.empty()) entry["generators"] = points(scene_.generators);
     if (!scene_.added_generators.empty()) entry["added_generators"] = points(scene_.added_generators);
     if (!scene_.branch_points.empty()) entry["branch_points"] = points(scene_.branch_points);
+    if (!scene_.texture.empty()) entry["texture"] = texture();
     if (scene_.surface_distance) entry["surface_distance"] = surface_distance(*scene_.surface_distance);
     if (scene_.overlay) entry["overlay"] = overlay(*scene_.overlay);
     if (!scene_.vertex_generators.empty()) entry["vertex_generators"] = points(scene_.vertex_generators);
@@ -110,6 +111,16 @@ class SceneEncoder {
     values.reserve(given.size());
     for (const double d : given) values.push_back(float(d / frame_.scale));
     return blobs_.add_floats(values);
+  }
+
+  /// Three numbers for each corner, as the page reads coordinates; the last one is 0. So are those that are not finite.
+  json texture() {
+    std::vector<double> values;
+    for (const Uv& uv : scene_.texture) {
+      const bool is_placed = is_finite(uv);
+      values.insert(values.end(), {is_placed ? uv[0] : 0, is_placed ? uv[1] : 0, 0});
+    }
+    return blobs_.add_coordinates(values);
   }
 
   /// The lattice as multiples of its largest value / 65535.

@@ -282,6 +282,7 @@ void check_view_scene(const ViewScene& scene) {
   }
   check_size("face labels", scene.face_label.count(), scene.mesh->face_count());
   check_size("vertex distances", scene.vertex_distance.count(), scene.mesh->vertex_count());
+  check_size("texture coordinates", int(scene.texture.size()), scene.mesh->halfedge_count());
   check_size("cell energies", scene.cell_energy.count(), scene.cells.count());
   check_size("generators of vertices", int(scene.vertex_generators.size()), scene.mesh->vertex_count());
   if (scene.surface_distance) check_surface_distance(scene);
@@ -337,6 +338,7 @@ ViewScene make_view_scene(std::string name, const LabelledMesh& shown) {
   scene.figures = io::make_figures(mesh, *shown.diagram, shown.mesh);
   if (shown.face_parent != nullptr) {
     scene.figures.insert(scene.figures.begin() + 1, {"Faces before the cut", fmt::format("{}", mesh.face_count())});
+    if (shown.has_texture()) scene.texture = shown.appearance->texture;
   }
   return scene;
 }
