@@ -152,10 +152,14 @@ void write_arrays(Run& run, const LabelledMesh& output) {
       [&](std::ostream& out) { write_distances_csv(out, distances); });
 }
 
-void write_files(Run& run, const LabelledMesh& output, const OutputWriter& write_json) {
+void write_files(Run& run, const PartedSurface& surface, const LabelledMesh& output, const OutputWriter& write_json) {
   write_arrays(run, output);
   write_output_files(run, output, {{"json", write_json}});
-  write_view_file(run, "gvd-segment", [&] { return make_region_scenes(output); });
+  write_view_file(run, "gvd-segment", [&] {
+    std::vector<ViewScene> scenes = make_region_scenes(output);
+    for (ViewScene& scene : scenes) scene.borders = surface.borders();
+    return scenes;
+  });
 }
 
 /// Lengths are in mesh units. Returns the length of the borders by that of the bisectors, where these have a length.
@@ -209,7 +213,7 @@ void write_whole_faces(Run& run, const PartedSurface& surface, const CheckedMesh
   output.diagram_mesh = &mesh;
   output.face_numbers = &numbers;
   output.appearance = &checked.appearance;
-  write_files(run, output,
+  write_files(run, surface, output,
               [&](std::ostream& out) { write_segmentation_json(out, input, written, segmentation, numbers); });
   write_diagram_file(run, input, written);
 }
@@ -242,7 +246,7 @@ std::optional<Charts> write_cut_faces(Run& run, const PartedSurface& surface, co
   output.appearance = &appearance;
   Diagram restricted;
   const Diagram& written = surface.restrict(diagram, restricted);
-  write_files(run, output, [&](std::ostream& out) { write_cut_json(out, input, written, cut, vertices); });
+  write_files(run, surface, output, [&](std::ostream& out) { write_cut_json(out, input, written, cut, vertices); });
   write_diagram_file(run, input, written);
   return made;
 }

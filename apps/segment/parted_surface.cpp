@@ -145,6 +145,18 @@ std::vector<SurfacePoint> PartedSurface::make_generators(Run& run) const {
   return points;
 }
 
+std::vector<std::vector<Vec3>> PartedSurface::borders() const {
+  std::vector<std::vector<Vec3>> borders;
+  const Mesh& mesh = input_.mesh;
+  if (!is_parted()) return borders;
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e), twin = mesh.twin(h);
+    if (!twin.valid() || regions_[Mesh::face(h)] == regions_[Mesh::face(twin)]) continue;
+    borders.push_back({mesh.position(mesh.from(h)), mesh.position(mesh.to(h))});
+  }
+  return borders;
+}
+
 void PartedSurface::note_samples(Run& run, const RegionSamples& samples) const {
   Json& results = run.report().results()["within"];
   results["parts"] = samples.parts;

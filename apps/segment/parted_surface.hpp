@@ -50,6 +50,9 @@ class PartedSurface {
   /// With levels, adds the labels of the last one: those of the faces themselves.
   void add_labels(const IdVector<FaceId, GeneratorId>& labels, std::vector<FaceNumbers>& numbers) const;
 
+  /// The edges between two regions, or beside faces that are left out.
+  std::vector<std::vector<Vec3>> borders() const;
+
   bool is_left_out(FaceId f) const { return is_parted() && regions_[f] < 0; }
 
  private:

@@ -31,6 +31,7 @@ const kColourings = [
 const kToggles = [
   ['lines', 'Lines of equal distance'],
   ['bisectors', 'Bisectors'],
+  ['borders', 'Borders of given regions'],
   ['isolines', 'Isolines'],
   ['paths', 'Paths'],
   ['generators', 'Generators'],
@@ -44,7 +45,7 @@ const kToggles = [
 ];
 // What a scene is coloured by where it does not offer what was chosen, the first that it offers.
 const kUsual = ['regions', 'distance', 'plain'];
-const kMarks = ['bisectors', 'isolines', 'paths', 'generators', 'added_generators', 'branch_points'];
+const kMarks = ['bisectors', 'borders', 'isolines', 'paths', 'generators', 'added_generators', 'branch_points'];
 const dark_scheme = matchMedia('(prefers-color-scheme: dark)');
 
 // The positions of all scenes, three coordinates each; scenes with the same mesh count once.
@@ -363,6 +364,7 @@ export class Viewer {
     const theme = kThemes[dark_scheme.matches ? 'dark' : 'light'];
     this.stage.renderer.setClearColor(theme.page, 0);
     this.materials.line.uniforms.colour.value.set(theme.line);
+    this.materials.border.uniforms.colour.value.set(theme.line);
     this.materials.isoline.uniforms.colour.value.set(theme.isoline);
     this.materials.path.uniforms.colour.value.set(theme.path);
     this.set_wire_colour();

@@ -7,12 +7,13 @@ import { make_dot_material, make_line_material, make_wire_material } from './mat
 const kBisectors = { least: 0.6, most: 2.4, share: 0.06 };
 const kGenerators = { least: 3, most: 14, share: 0.3 };
 const kBranchPoints = { least: 2.5, most: 10, share: 0.22 };
-export const kMarkWidths = { isolines: 1.2, paths: 3 };
+export const kMarkWidths = { borders: 3.5, isolines: 1.2, paths: 3 };
 const kLargestDot = 0.036;  // of half the diagonal of the picture's box
 
 export function make_mark_materials() {
   return {
     line: make_line_material(kBisectors.most),
+    border: make_line_material(kMarkWidths.borders),
     isoline: make_line_material(kMarkWidths.isolines),
     path: make_line_material(kMarkWidths.paths),
     wire: make_wire_material(),

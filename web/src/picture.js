@@ -63,6 +63,7 @@ export class Picture {
     const { entry, materials } = this;
     this.marks = {
       bisectors: read_lines(entry.bisectors, materials.line),
+      borders: read_lines(entry.borders, materials.border),
       isolines: read_lines(entry.isolines, materials.isoline),
       paths: read_lines(entry.paths, materials.path),
       generators: make_dots(entry.generators, materials.generator),

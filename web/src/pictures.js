@@ -73,6 +73,7 @@ export class Pictures {
       lines: made(
         line,
         ['bisectors', theme.line, materials.line.uniforms.width.value],
+        ['borders', theme.line, kMarkWidths.borders],
         ['isolines', theme.isoline, kMarkWidths.isolines],
         ['paths', theme.path, kMarkWidths.paths],
       ),

@@ -415,8 +415,11 @@ const tests = {
     assert.ok(await page.locator('#toggle-wireframe').isChecked());
     assert.match(await page.locator('#toggles').innerText(), /Generators\s+2\s+Added generators\s+1\s+Wireframe/);
     const all = await picture(page);
-    await page.locator('#toggle-generators').uncheck();
-    assert.notEqual(await picture(page), all);
+    for (const key of ['generators', 'borders']) {
+      await page.locator(`#toggle-${key}`).uncheck();
+      assert.notEqual(await picture(page), all, key);
+      await page.locator(`#toggle-${key}`).check();
+    }
     await picture(page, 'third');
     await page.getByText('24 generators').click();
     assert.equal(await page.locator('#toggle-wireframe').isChecked(), false);

@@ -227,6 +227,7 @@ TEST_CASE("gvd-segment: the page shows the labels of the file's faces, whole or 
     CHECK(manifest["scenes"].back()["figures"][0] == nlohmann::json({"Faces", std::to_string(labels.size())}));
     CHECK(manifest["scenes"].size() == (is_cut ? 1 : 2));
     CHECK(manifest["scenes"][0].contains("pieces") == !is_cut);
+    CHECK(manifest["scenes"][0].contains("borders") == is_masked);
   }
 }
 

@@ -168,6 +168,8 @@ TEST_CASE("write a page with four scenes to the file that GVD_VIEW_SAMPLE names"
   third.figures = {{"Faces", "256"}};
   third.generators = {torus.position(VertexId(0)), torus.position(VertexId(40))};
   third.added_generators = {torus.position(VertexId(4))};
+  for (int i = 0; i < 128; i += 8)
+    third.borders.push_back({torus.position(VertexId(i)), torus.position(VertexId(i + 1))});
   const Mesh coarse = make_sphere(0);
   ViewScene fourth = make_remesh_sample(coarse, sphere);
   fourth.name = "A remesh";

@@ -57,6 +57,7 @@ struct ViewScene {
   std::vector<Rgb> region_color;               ///< of each label; empty: chosen so that neighbours differ
   IdVector<VertexId, double> vertex_distance;  ///< infinity where no generator reaches
   std::vector<std::vector<Vec3>> bisectors;    ///< polylines; a closed one repeats its first point at its end
+  std::vector<std::vector<Vec3>> borders;      ///< of given regions, that the cells keep to
   std::vector<std::vector<Vec3>> isolines;     ///< curves of equal distance; a closed one repeats its first point
   std::vector<std::vector<Vec3>> paths;        ///< shortest paths
   ViewVertexPaths vertex_paths;                ///< for clicks; needs distances

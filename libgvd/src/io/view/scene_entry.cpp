@@ -70,6 +70,7 @@ class SceneEncoder {
     if (entry.contains("codes")) entry["fills"] = fills();
     if (!scene_.pieces.empty()) entry["pieces"] = pieces();
     if (!scene_.bisectors.empty()) entry["bisectors"] = polylines(scene_.bisectors);
+    if (!scene_.borders.empty()) entry["borders"] = polylines(scene_.borders);
     if (!scene_.isolines.empty()) entry["isolines"] = polylines(scene_.isolines);
     if (!scene_.paths.empty()) entry["paths"] = polylines(scene_.paths);
     if (!scene_.vertex_paths.vertices.empty()) entry["vertex_paths"] = vertex_paths();

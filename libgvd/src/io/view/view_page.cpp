@@ -295,6 +295,7 @@ void check_view_scene(const ViewScene& scene) {
   check_finite("added generator", scene.added_generators);
   check_finite("branch point", scene.branch_points);
   for (const std::vector<Vec3>& polyline : scene.bisectors) check_finite("bisector point", polyline);
+  for (const std::vector<Vec3>& polyline : scene.borders) check_finite("border point", polyline);
   for (const std::vector<Vec3>& polyline : scene.isolines) check_finite("isoline point", polyline);
   for (const std::vector<Vec3>& polyline : scene.paths) check_finite("path point", polyline);
   check_vertex_paths(scene);
