@@ -1,4 +1,5 @@
 // A diagram that is edited has the bytes of a new diagram.
+#include <cmath>
 #include <random>
 #include <string>
 #include <string_view>
@@ -116,6 +117,26 @@ TEST_CASE("a thousand random edits on twenty meshes have the bytes of new diagra
   CHECK(local > 450);  // the others are on meshes of few cells
 }
 
+// All windows of a generator may lie in parts of one face, which each change splits anew.
+TEST_CASE("many generators in one face can be moved") {
+  for (const Mesh& mesh : {test::make_triangle(), test::make_pillow(), test::make_sphere(3)}) {
+    std::mt19937 random(7);
+    const auto inside = [&random] {
+      const double u = (random() % 997 + 1) / 1000.0, v = (1 - u) * double(random() % 997 + 1) / 1000.0;
+      return make_surface_point(FaceId(0), {u, v, 1 - u - v});
+    };
+    std::vector<SurfacePoint> points = test::random_generators(mesh, mesh.face_count() < 100 ? 1 : 60, 1);
+    const std::size_t others = points.size();
+    for (int i = 0; i < 12; ++i) points.push_back(inside());
+    DiagramEditor editor(mesh, points);
+    for (int i = 0; i < 60; ++i) {
+      INFO(mesh.face_count() << " faces, move " << i);
+      editor.move(GeneratorId(others + random() % 12), inside());
+      REQUIRE(test::same_diagram(editor.diagram(), compute_diagram(mesh, editor.generators())));
+    }
+  }
+}
+
 TEST_CASE("generators can be removed down to one, and added again") {
   const Mesh mesh = test::make_two_components();
   DiagramEditor editor(mesh, test::random_generators(mesh, 8, 1));
@@ -164,6 +185,7 @@ TEST_CASE("an edit that is refused changes nothing") {
   CHECK_THROWS_AS(editor.move(GeneratorId(12), before.generators[4]), Error);
   CHECK_THROWS_AS(editor.move(GeneratorId(), before.generators[4]), Error);
   CHECK_THROWS_AS(editor.add({FaceId(mesh.face_count()), {1, 0, 0}}), Error);
+  CHECK_THROWS_AS(editor.move(GeneratorId(3), {FaceId(0), {std::nan(""), 0.5, 0.5}}), Error);
   CHECK_THROWS_AS(editor.remove(GeneratorId(12)), Error);
   CHECK(test::same_diagram(editor.diagram(), before));
   editor.move(GeneratorId(3), vertex_point(mesh, VertexId(0)));

@@ -224,6 +224,7 @@ class Remesher {
       update_diagram();
       events_ += result_.diagram.report.propagation_events;
     }
+    editor_.reset();
     if (is_worth_searching()) search_fewer();
     if (missing() < 0) exchange();
     repair_thin_triangles();

@@ -44,9 +44,10 @@ CommonElements find_common_elements(const WorkingMesh& before, const WorkingMesh
     if (!common.after[f].valid()) common.only_before.push_back(f);
   }
   for (const VertexId v : input.vertices()) common.vertex_before[v] = v;
-  for (const GeneratorId g : after.generator_vertices().ids()) {
-    if (std::ranges::find(changed.after, g) != changed.after.end()) continue;
-    common.vertex_before[after.vertex(g)] = before.vertex(g);
+  IdVector<GeneratorId, std::uint8_t> has_changed(after.generator_vertices().size(), 0);
+  for (const GeneratorId g : changed.after) has_changed[g] = 1;
+  for (const GeneratorId g : has_changed.ids()) {
+    if (has_changed[g] == 0) common.vertex_before[after.vertex(g)] = before.vertex(g);
   }
   return common;
 }

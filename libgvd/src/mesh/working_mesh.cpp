@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -46,6 +47,9 @@ void check_points(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
   if (points.empty()) throw Error(ErrorCode::precondition, "there is no generator; give at least one");
   for (std::size_t i = 0; i < points.size(); ++i) {
     const FaceId f = points[i].face;
+    if (!std::ranges::all_of(points[i].bary, [](double b) { return std::isfinite(b); })) {
+      throw Error(ErrorCode::precondition, fmt::format("generator {} has a coordinate that is no number", i), i);
+    }
     if (f.valid() && f.value() < mesh.face_count()) continue;
     throw Error(ErrorCode::precondition,
                 fmt::format("generator {} lies in face {}, and the mesh has {}", i, f.value(),

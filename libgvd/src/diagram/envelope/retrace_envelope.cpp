@@ -149,9 +149,10 @@ void RetracingTracer::close_faces(TracedDiagram& traced) const {
       return now[static_cast<std::size_t>(std::ranges::find(past, id, &BoundaryCrossing::id) - past.begin())].id;
     };
     from_before.append(old, f, crossing, traced.faces);
-    for (const StraightenedFace& s : before.straightened) {
-      if (s.face == old) traced.straightened.push_back({f, s.error});
-    }
+  }
+  for (const StraightenedFace& s : before.straightened) {
+    const FaceId f = known_->common.after[s.face];
+    if (f.valid() && kept_[f] != 0) traced.straightened.push_back({f, s.error});
   }
   std::ranges::sort(traced.straightened, {}, &StraightenedFace::face);
 }

@@ -89,6 +89,7 @@ void PropagationState::restart(const Mesh& changed_mesh, std::span<const FaceId>
   first_waiting.resize(mesh->halfedge_count(), -1);
   if (frames.has_needles) apex_path.resize(mesh->halfedge_count());
   face_state.resize(mesh->face_count());
+  bucket_count = count_buckets(frames, bucket_width, partitions.count());
   restart();
 }
 

@@ -10,7 +10,7 @@
 // more generators take part.
 // Source: none; windows as in propagate_windows.cpp. The queue keeps the order of any two windows whatever else it
 // holds, so that the same windows meet in the same order.
-// Invariant: field and record have the bits of a whole propagation.
+// Invariant: field and record have the bits of a whole propagation, unless shortest paths tie (see the end).
 //
 // Why a strip is enough. Consider the propagation of all generators, P, and that of those that take part, Q. In both,
 // a face gets its windows from its neighbours and from its corners. Let all halfedges of the strip have the same
@@ -21,6 +21,8 @@
 // The digests have the bucket of each window, but not its place among windows of other halfedges in the bucket. Windows
 // of one bucket are carried in the order in which they were queued, that is in the order of the windows that they
 // descend from, back to the order of the generators. So two windows that exist in P and in Q have the same order there.
+// This has exceptions: windows of others may have queued a halfedge before, and a split face turns the order round its
+// corners. They have an effect where two windows tie to the last bit, as on meshes with symmetries: the first one wins.
 #include "geodesic/windows/propagation/window_updates.hpp"
 
 #include <algorithm>
@@ -267,12 +269,14 @@ class WindowUpdate {
       for (; begin < end; ++begin) for_each_face_around(mesh_, near.faces[begin], [&](FaceId f) { near.add(f); });
     }
     for (const FaceId f : near.faces) select_in(f);
+    for (const FaceId old : common_.only_before) select_in_old(old);
   }
 
   /// Lets all generators with windows in a face before the change take part.
   void select_in(FaceId f) {
-    const FaceId old = common_.before[f];
-    if (!old.valid()) return;
+    if (common_.before[f].valid()) select_in_old(common_.before[f]);
+  }
+  void select_in_old(FaceId old) {
     any_generator(old_mesh_, field_, old, [&](GeneratorId g) {
       if (!is_removed(g)) selected_[g] = 1;
       return false;
