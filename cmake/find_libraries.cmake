@@ -34,5 +34,5 @@ endforeach()
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 # WebAssembly's own exceptions: those that emscripten makes of JavaScript's cost every call a detour.
 add_link_options(-fwasm-exceptions)
-add_compile_options(-fwasm-exceptions -msimd128 -Wno-shorten-64-to-32 -Wno-unused-command-line-argument
+add_compile_options(-fwasm-exceptions -Wno-shorten-64-to-32 -Wno-unused-command-line-argument
   "SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/missing_std.hpp")
