@@ -12,7 +12,7 @@ const kReach = 2.5;                                      // of the ground, in ra
 const kSlow = 100;                                       // milliseconds a frame, beyond which motion has no damping
 const kShares = [1, 0.7, 0.5, 0.35];                     // of the pixels along each side while something moves
 const kSlowPicture = 40;                                 // milliseconds that drawing may take, before fewer pixels are drawn
-const kLookEvery = 5;                                    // milliseconds
+const kTimed = 4;                                        // of so many pictures that move, one is timed
 const kRest = 150;                                       // milliseconds without motion, after which details are drawn
 
 // The unit vector of 'x', 'y', 'z', '-x', '-y' or '-z'.
@@ -36,8 +36,9 @@ export class Stage {
     this.camera = new PerspectiveCamera(kFieldOfView, 1, 0.01, 100);
     this.before_draw = () => {};  // called with whether the surface moves
     this.at_rest = () => {};
-    this.scheduled = this.moving = this.held = this.watching = false;
+    this.scheduled = this.moving = this.held = false;
     this.level = 0;  // of kShares
+    this.moved = 0;  // pictures that moved
     this.drawn = Promise.resolve();  // kept when what was asked for last has been drawn
     this.set_up(up);
     canvas.addEventListener('keydown', (event) => this.on_key(event));
@@ -202,8 +203,8 @@ export class Stage {
       this.scheduled = false;
       this.controls.update();  // asks for the next frame while the damped motion lasts
       this.choose_pixels();
-      this.draw();
-      this.watch();
+      if (this.moving && this.moved++ % kTimed === 0) this.draw_timed();
+      else this.draw();
       this.judge_speed(performance.now());
       done();
     }));
@@ -221,21 +222,18 @@ export class Stage {
     if (this.renderer.getPixelRatio() !== share * this.ratio) this.renderer.setPixelRatio(share * this.ratio);
   }
 
-  // Looks whether the picture is drawn in time. Where the page itself was busy until it was drawn, nothing is known.
-  watch() {
-    if (!this.moving || this.watching) return;
-    const gl = this.renderer.getContext(), sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0), begun = performance.now();
-    const look = () => {
-      const time = performance.now() - begun, drawn = gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.SIGNALED;
-      if (!drawn && time < kSlowPicture) return setTimeout(look, kLookEvery);
-      this.watching = false;
-      gl.deleteSync(sync);
-      if (!drawn) this.level = Math.min(this.level + 1, kShares.length - 1);
-      else if (time < kSlowPicture / 4) this.level = Math.max(this.level - 1, 0);
-    };
-    gl.flush();
-    this.watching = true;
-    setTimeout(look, kLookEvery);
+  // Draws, and waits until the graphics card has done so: pictures that take it long give the next ones fewer pixels. What
+  // it had to do before does not count, nor what the page does itself.
+  draw_timed() {
+    const gl = this.renderer.getContext(), pixel = new Uint8Array(4);
+    const wait = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    wait();
+    this.draw();
+    const begun = performance.now();
+    wait();
+    const time = performance.now() - begun;
+    if (time > kSlowPicture) this.level = Math.min(this.level + 1, kShares.length - 1);
+    else if (time < kSlowPicture / 4) this.level = Math.max(this.level - 1, 0);
   }
 
   // Damped motion takes some fifty frames: where three in a row are slow, it would go on for seconds.

@@ -175,10 +175,17 @@ const tests = {
 
   async 'after any changes, the result is that of a new page'() {
     const page = await open('#model=figure.obj&n=12');
+    await page.evaluate(() => {
+      const root = document.documentElement;
+      new MutationObserver(() => (window.hasty ||= root.hasAttribute('data-quick'))).observe(root, { attributeFilter: ['data-quick'] });
+    });
     const drag = async (from, to) => {
       await page.mouse.move(...from);
       await page.mouse.down();
-      for (let i = 1; i <= 4; ++i) await page.mouse.move(...from.map((x, k) => x + (i / 4) * (to[k] - x)));
+      for (let i = 1; i <= 10; ++i) {
+        await page.mouse.move(...from.map((x, k) => x + (i / 10) * (to[k] - x)));
+        await page.waitForTimeout(50);
+      }
       await page.mouse.up();
       await idle(page);
     };
@@ -194,6 +201,10 @@ const tests = {
     await idle(page);
     await drag([680, 270], [650, 290]);
     assert.equal(await count(page), 14);
+    await page.waitForSelector(':root:not([data-quick])', { state: 'attached' });
+    const [width, all, hasty] = await page.evaluate(() => [canvas.width, canvas.clientWidth, window.hasty]);
+    assert.ok(hasty, 'without a graphics card, pictures that move are drawn in haste');
+    assert.equal(width, all, 'and the last one with all pixels');
     const other = await open(new URL(page.url()).hash);
     assert.equal(await save(other, 'json'), await save(page, 'json'));
     await Promise.all([page.close(), other.close()]);
