@@ -13,6 +13,8 @@ cd "$work"
 if [ ! -e node_modules/.package-lock.json ] || [ package-lock.json -nt node_modules/.package-lock.json ]; then
   npm ci --loglevel=error --no-update-notifier
 fi
+# The guide is the package's README, in which links to other pages of the guide would lead nowhere.
+sed -E 's/\[([^]]+)\]\([^):]*\)/\1/g' "$here/../docs/guide/javascript.md" > "$package/README.md"
 npm pack --silent --pack-destination "$output" "$package" >/dev/null
 data=$(realpath "$here/../data")
 node build_playground.mjs "$package" "$output/index.html" "$data/figure.obj" "$data/torus.ply" "$data/half_sphere.off"

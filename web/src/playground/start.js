@@ -13,6 +13,12 @@ const kFirst = { model: 'figure.obj', count: 30, generators: null, show: 'diagra
 // The build puts the worker and the models into the page: it works from disk, without a server.
 const embedded = (id) => unpack(by_id(id).textContent);
 
+// The bytes of a file, unpacked where gzip packed it.
+function bytes_of(file) {
+  const packed = file.name.toLowerCase().endsWith('.gz');
+  return packed ? new Response(file.stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer() : file.arrayBuffer();
+}
+
 async function make_engine() {
   const [script, module] = await Promise.all([embedded('worker'), embedded('module')]);
   const address = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
@@ -57,7 +63,7 @@ class Start {
   }
 
   async open_file(file) {
-    await this.open(file.name, file.arrayBuffer(), { ...kFirst, model: '' });
+    await this.open(file.name, bytes_of(file), { ...kFirst, model: '' });
   }
 
   // An own file has an option of its own, so that another one can be chosen after it.
