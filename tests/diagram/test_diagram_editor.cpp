@@ -122,7 +122,7 @@ TEST_CASE("many generators in one face can be moved") {
   for (const Mesh& mesh : {test::make_triangle(), test::make_pillow(), test::make_sphere(3)}) {
     std::mt19937 random(7);
     const auto inside = [&random] {
-      const double u = (random() % 997 + 1) / 1000.0, v = (1 - u) * double(random() % 997 + 1) / 1000.0;
+      const double u = double(random() % 997 + 1) / 1000, v = (1 - u) * double(random() % 997 + 1) / 1000;
       return make_surface_point(FaceId(0), {u, v, 1 - u - v});
     };
     std::vector<SurfacePoint> points = test::random_generators(mesh, mesh.face_count() < 100 ? 1 : 60, 1);
