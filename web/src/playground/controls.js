@@ -4,9 +4,9 @@ import { by_id, element } from '../panel.js';
 // What can be shown of the generators.
 export const kShows = [
   ['diagram', 'Regions'],
-  ['equal', 'Regions of equal area'],
-  ['distances', 'Distances and isolines'],
-  ['remesh', 'Coarse mesh over the surface'],
+  ['equal', 'Equal regions'],
+  ['distances', 'Distances'],
+  ['remesh', 'Coarse mesh'],
 ];
 const kFormats = ['ply', 'obj', 'glb', 'json', 'csv'];
 
