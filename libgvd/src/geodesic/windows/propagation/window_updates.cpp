@@ -92,6 +92,8 @@ void for_each_face_around(const Mesh& mesh, FaceId f, Visit visit) {
   for (const VertexId v : mesh.vertices(f)) for_each_outgoing(mesh, v, [&](HalfedgeId h) { visit(Mesh::face(h)); });
 }
 
+}  // namespace
+
 /// A set of faces: flags for look-ups, and a list, so that nothing visits all faces.
 struct FaceSet {
   IdVector<FaceId, std::uint8_t> contains;
@@ -114,6 +116,8 @@ struct FaceSet {
     }
   }
 };
+
+namespace {
 
 /// Where and how to propagate.
 struct PropagationSite {
