@@ -30,8 +30,8 @@ MOST_FOLDERS = 46
 MOST_READMES = 26
 # Lines of C++ below these folders: what stands today. A feature may raise them, by what its commit says. The aims for the last
 # two are 4300 and 2800.
-MOST_LINES = {("libgvd", "apps", "bench"): 65000, ("apps",): 6650, ("apps/common",): 4290,
-              ("python",): 1330}
+MOST_LINES = {("libgvd", "apps", "bench"): 64710, ("apps",): 6650, ("apps/common",): 4290,
+              ("python",): 1135}
 SHARE_OF_COMMENTS = 0.148  # bindings and build files of the web module have few
 CASTS_PER_THOUSAND_LINES = 6
 
