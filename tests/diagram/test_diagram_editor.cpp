@@ -11,6 +11,7 @@
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/same_diagram.hpp"
+#include "support/tiny_meshes.hpp"
 
 namespace gvd::test_diagram_editor {
 

@@ -372,7 +372,7 @@ struct Assembled {
 /// The parameter on a side at which the images a and b, with their offsets, are equally far.
 double equal_on(int side, const FaceSource& a, const FaceSource& b) {
   const std::array<Vec2, 3> corner{k0, k1, k2};
-  const Vec2 from = corner[std::size_t(side)], to = corner[std::size_t((side + 1) % 3)];
+  const Vec2 &from = corner[std::size_t(side)], &to = corner[std::size_t((side + 1) % 3)];
   const auto error = [&](double t) { return a.distance(from + t * (to - from)) - b.distance(from + t * (to - from)); };
   double low = 0, high = 1;
   const bool rising = error(0) < 0;
