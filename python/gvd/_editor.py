@@ -17,7 +17,7 @@ class DiagramEditor:
 
     `points`: the generators, as `Mesh.voronoi` takes them, no curves. `chord_tolerance`, `max_snap`, `merge_coincident`
     and `threads` are those of `Mesh.voronoi`, too. Each change returns the new diagram, with the bytes that
-    `Mesh.voronoi` gives for `generators`. Earlier diagrams stay as they are.
+    `Mesh.voronoi` gives for `generators` unless shortest paths tie. Earlier diagrams stay as they are.
 
     Errors: `invalid_option` for what is no point; `precondition` for a generator that does not exist, a point that
     coincides with another generator, the last generator's removal, and a change during another one. A change that

@@ -8,17 +8,17 @@ namespace gvd::web {
 namespace {
 
 /// An editor, and the mesh that it reads.
-struct MeshEditor {
+struct EditedMesh {
   SharedMesh input;
   DiagramEditor editor;
 };
-using SharedEditor = std::shared_ptr<MeshEditor>;
+using SharedEditor = std::shared_ptr<EditedMesh>;
 
 SharedEditor edit(const SharedMesh& input, const val& points, const val& given) {
   return guarded([&] {
     const Given options(input->mesh, given);
-    return std::make_shared<MeshEditor>(
-        MeshEditor{input, DiagramEditor(input->mesh, resolve(input->mesh, "points", points), options.diagram())});
+    return std::make_shared<EditedMesh>(
+        EditedMesh{input, DiagramEditor(input->mesh, resolve(input->mesh, "points", points), options.diagram())});
   });
 }
 

@@ -250,7 +250,8 @@ export class Diagram extends Handle {
 
 /**
  * An exact diagram of which one generator after the other is moved, added or removed. Each change computes again what it
- * has an effect on; the diagram is that of `mesh.voronoi(generators)`, bit for bit.
+ * has an effect on; the diagram is that of `mesh.voronoi(generators)`, bit for bit unless shortest paths tie.
+ * Throws `precondition` for a generator that does not exist, a point on another generator, and the last one's removal.
  */
 export class DiagramEditor extends Handle {
   constructor(mesh: Mesh, points: PointsLike, options?: { max_snap?: number } & ComputeOptions);

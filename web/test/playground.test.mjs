@@ -126,6 +126,29 @@ const tests = {
     await page.close();
   },
 
+  async 'a key ends the drag of a generator, and the surface turns again'() {
+    const page = await open('#model=torus.ply&n=3');
+    await page.mouse.click(240, 400);
+    await idle(page);
+    const { camera } = state(page);
+    await page.mouse.move(240, 400);
+    await page.mouse.down();
+    await page.mouse.move(210, 400, { steps: 4 });
+    await page.keyboard.press('Control+z');
+    await page.mouse.move(200, 400, { steps: 4 });
+    await page.mouse.up();
+    await idle(page);
+    assert.equal(await count(page), 3);
+    await page.mouse.move(600, 500);
+    await page.mouse.down();
+    await page.mouse.move(650, 520, { steps: 4 });
+    await page.mouse.up();
+    await page.click('#play-redo');
+    await idle(page);
+    assert.notEqual(state(page).camera, camera);
+    await page.close();
+  },
+
   async 'works by touch on a phone'() {
     const page = await open('#model=torus.ply&n=3', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
     const [x, y] = [195, 265];

@@ -131,7 +131,7 @@ void DiagramEditor::State::change(std::vector<SurfacePoint> generators, const Ch
   const CommonElements common = find_common_elements(*working, *after, changed);
   WindowChange update = windows->update({*working, *after, common, changed}, options.progress);
   if (!have_same_offsets(mesh, diagram.generators.size(), generators.size())) {
-    update.is_changed.assign(update.is_changed.size(), 1);
+    update.is_changed.assign(update.is_changed.size(), 1);  // not `changed`: labels are the same elsewhere
   }
   Diagram next;
   next.generators = std::move(generators);

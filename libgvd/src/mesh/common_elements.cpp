@@ -1,9 +1,8 @@
 // Faces and vertices that two working meshes of one input have in common.
 //
-// Points are inserted edge by edge, then face by face, and flips stay inside one face of the input. So the parts of a
-// face are made in an order that depends on the points in it and on its sides alone, and they are appended in the same
-// order whatever happens elsewhere: both lists of appended parts, without those of faces with other points, correspond
-// one by one.
+// Points are inserted edge by edge, then face by face, and flips stay inside one face of the input. So the order of the
+// parts of a face depends on the points in it and on its sides alone, whatever happens elsewhere. Both lists of
+// appended parts, without those of faces with other points, correspond one by one.
 #include "mesh/common_elements.hpp"
 
 #include <algorithm>

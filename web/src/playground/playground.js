@@ -176,19 +176,22 @@ export class Playground extends Viewer {
 
   // A second finger: the generator goes back to its place.
   let_go() {
-    if (!this.dragged) return;
+    if (this.dragged) this.follow_state();
+  }
+
+  // What was dragged, or null.
+  end_drag() {
+    const { dragged } = this;
+    if (!dragged) return null;
     this.dragged = null;
     this.stage.controls.enabled = true;
     this.stage.hold(false);
-    this.follow_state();
+    return dragged;
   }
 
   drop(event) {
     if (event.pointerId !== this.dragged?.from.pointerId) return;
-    const { points, generator } = this.dragged;
-    this.dragged = null;
-    this.stage.controls.enabled = true;
-    this.stage.hold(false);
+    const { points, generator } = this.end_drag();
     if (points) this.change({ generators: points }, generator);
     else this.pin(generator);  // a click
   }
@@ -234,7 +237,6 @@ export class Playground extends Viewer {
 
   // A new state, which undo takes back; `selected` is the generator that stays selected.
   change(fields, selected = null) {
-    this.dragged = null;  // as when a key is pressed meanwhile
     this.history.push({ ...this.state, ...fields });
     return this.follow_state(selected);
   }
@@ -245,6 +247,7 @@ export class Playground extends Viewer {
 
   async follow_state(selected = null) {
     const { state } = this;
+    this.end_drag();  // of a second finger, or of a key that is pressed meanwhile
     this.select(selected);
     this.controls.follow(state, this.history);
     this.write_link();

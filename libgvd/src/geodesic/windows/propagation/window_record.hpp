@@ -11,8 +11,8 @@
 namespace gvd {
 
 /// What has come to a halfedge: a digest of all windows that were carried from it, in their order and with their
-/// buckets. Two runs that have the same records along a closed strip of faces have the same windows on both sides of
-/// it, as far as these depend on what is beyond the strip.
+/// buckets. Let two runs have the same records along a closed strip of faces. Then what is beyond the strip has had the
+/// same effect on the windows of either side.
 struct HalfedgeRecord {
   std::uint64_t digest = 0;
   std::uint32_t count = 0;  ///< number of windows; those that end at the boundary are counted, too

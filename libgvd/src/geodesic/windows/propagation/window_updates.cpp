@@ -14,13 +14,13 @@
 //
 // Why a strip is enough. Consider the propagation of all generators, P, and that of those that take part, Q. In both,
 // a face gets its windows from its neighbours and from its corners. Let all halfedges of the strip have the same
-// digests in Q and before the change. Then the windows that enter the side of the change through the strip are those
-// that entered it before, and no window of a generator that stayed away is among them. Such a window in a face has its
+// digests in Q and before the change. Then the same windows enter the side of the change through the strip as before.
+// No window of a generator that stayed away is among them. Such a window in a face has its
 // generator in the face's list of windows, or its label at a corner, so the face belongs to the others. By induction
 // over the buckets, P does on the side of the change what Q does, and on the other side what was done before.
 // The digests have the bucket of each window, but not its place among windows of other halfedges in the bucket. Windows
-// of one bucket are carried in the order in which they were queued, that is in the order of the windows that they
-// descend from, back to the order of the generators. So two windows that exist in P and in Q have the same order there.
+// of one bucket are carried in the order in which they were queued. This is the order of the windows that they descend
+// from, back to the order of the generators. So two windows that exist in P and in Q have the same order there.
 // This has exceptions: windows of others may have queued a halfedge before, and a split face turns the order round its
 // corners. They have an effect where two windows tie to the last bit, as on meshes with symmetries: the first one wins.
 #include "geodesic/windows/propagation/window_updates.hpp"
@@ -307,7 +307,7 @@ class WindowUpdate {
   /// depends which windows are kept.
   bool is_different(FaceId f) const {
     const FaceId old = common_.before[f];
-    if (has_other_state(f)) return true;
+    if (has_other_state(f)) return true;  // also where there is no old face
     for (int i = 0; i < 3; ++i) {
       const HalfedgeId h = Mesh::halfedge(f, i), twin = mesh_.twin(h);
       if (records_[h] != record_.halfedge[Mesh::halfedge(old, i)]) return true;
