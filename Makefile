@@ -108,7 +108,7 @@ test:
 	@scripts/check_examples.py $(BUILD)/bin
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
-# libFuzzer, FUZZ_TARGETS of it (off obj ply stl vtp vtk glb gii fs values generators config) or all. The next run goes on where this one ends.
+# libFuzzer, FUZZ_TARGETS of it (off obj ply stl vtp vtu vtk glb gltf gii mni fs values generators config) or all. The next run goes on where this one ends.
 fuzz:
 	@$(install_deps) build fuzz
 	@$(configure) sanitizers $(FUZZ) -DCMAKE_CXX_COMPILER=clang++ -DGVD_BUILD_FUZZERS=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)

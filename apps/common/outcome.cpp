@@ -51,7 +51,8 @@ struct Advice {
 };
 
 constexpr std::array<Advice, 9> kAdvice{{
-    {"name the format", "name the format with --input-format obj, ply, off, stl, vtp, vtk, glb, gii or fs"},
+    {"name the format",
+     "name the format with --input-format obj, ply, off, stl, vtp, vtu, vtk, glb, gltf, gii, mni or fs"},
     {"allow its repair", "allow its repair with --on-defect repair"},
     {"give the list as CSV", "give the list as CSV with --generators-format csv"},
     {"raise max_snap", "raise --max-snap"},

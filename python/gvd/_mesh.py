@@ -494,8 +494,9 @@ def _sampler(n: Optional[int], sampling: str, seed: int, radius: Optional[float]
 
 @checked
 def read(path: PathLike, *, on_defect: Literal["error", "repair", "largest"] = "repair",
-         input_format: Optional[Literal["obj", "ply", "off", "stl", "vtp", "vtk", "glb", "gii", "fs"]] = None) -> Mesh:
-    """Reads an OBJ, PLY, OFF, STL, VTP, legacy VTK, GLB, GIFTI or FreeSurfer file, packed by gzip or not.
+         input_format: Optional[Literal["obj", "ply", "off", "stl", "vtp", "vtu", "vtk", "glb", "gltf", "gii", "mni", "fs"]] = None
+         ) -> Mesh:
+    """Reads an OBJ, PLY, OFF, STL, VTP, VTU, legacy VTK, glTF, GIFTI, MNI or FreeSurfer file, packed by gzip or not.
 
     Defects are repaired where that loses nothing, with a warning for each kind.
 
@@ -516,6 +517,6 @@ def read(path: PathLike, *, on_defect: Literal["error", "repair", "largest"] = "
 def read_values(path: PathLike) -> Floats:
     """The numbers of a file that has one for each vertex, or each face.
 
-    .label.gii, .shape.gii, .func.gii, FreeSurfer's .annot and values such as lh.curv, .npy, or text.
+    .label.gii, .shape.gii, .func.gii, FreeSurfer's .annot and values such as lh.curv, .npy, .csv, or text.
     """
     return _gvd.read_values(os.fspath(path))

@@ -66,16 +66,16 @@ TEST_CASE("commands: the report names the method and what belongs to it") {
   }
 }
 
-TEST_CASE("commands: what they write as VTP and GLB, they read") {
+TEST_CASE("commands: what they write as VTP, VTU and GLB, they read") {
   const ScratchFolder scratch;
   const std::string torus = data_file("torus.ply");
-  CHECK(
-      run_command("gvd-segment", torus + " -n 20 -q -o " + scratch / "a.vtp" + " -o " + scratch / "a.glb").exit_code ==
-      0);
+  CHECK(run_command("gvd-segment",
+                    torus + " -n 20 -q -o " + scratch / "a.vtp" + " -o " + scratch / "a.vtu -o " + scratch / "a.glb")
+            .exit_code == 0);
   for (const std::string& name : built_commands()) {
     std::vector<std::string> meshes;
-    for (const std::string& arguments :
-         {torus, scratch / "a.vtp", scratch / "a.glb", "- --input-format vtp < " + scratch / "a.vtp"}) {
+    for (const std::string& arguments : {torus, scratch / "a.vtp", scratch / "a.vtu", scratch / "a.glb",
+                                         "- --input-format vtp < " + scratch / "a.vtp"}) {
       CAPTURE(name, arguments);
       const std::string report = scratch / "r.json";
       REQUIRE(run_command(name, "-n 20 -q --report " + report + " " + arguments).exit_code == 0);
@@ -83,8 +83,69 @@ TEST_CASE("commands: what they write as VTP and GLB, they read") {
       meshes.push_back(input["vertices"].dump() + " " + input["faces"].dump() + " " +
                        input["euler_characteristic"].dump());
     }
-    CHECK(meshes == std::vector<std::string>(4, meshes[0]));
+    CHECK(meshes == std::vector<std::string>(5, meshes[0]));
   }
+}
+
+TEST_CASE("commands: a .gltf is read with its buffer beside it, which standard input can't have") {
+  const ScratchFolder scratch;
+  const std::string gltf =
+      R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"BUFFER"}]})";
+  const auto with_buffer = [&](const std::string& uri) {
+    std::string text = gltf;
+    return text.replace(text.find("BUFFER"), 6, uri);
+  };
+  // (0, 0, 0), (1, 0, 0), (0, 1, 0) as floats.
+  std::string numbers(36, '\0');
+  for (const std::size_t at : {12, 28}) numbers.replace(at + 2, 2, "\x80\x3f");
+  write_text(scratch / "numbers.bin", numbers);
+  write_text(scratch / "a.gltf", with_buffer("numbers.bin"));
+  write_text(scratch / "away.gltf", with_buffer("../numbers.bin"));
+  write_text(scratch / "inside.gltf",
+             with_buffer("data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"));
+  for (const std::string& arguments :
+       {scratch / "a.gltf", scratch / "inside.gltf", "- --input-format gltf < " + scratch / "inside.gltf"}) {
+    CAPTURE(arguments);
+    const CommandResult result = run_command("gvd-segment", "-n 1 -q -o - --output-format off " + arguments);
+    CAPTURE(result.err);
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.out, Contains("3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2"));
+  }
+  require_error("gvd-segment", "-n 1 - --input-format gltf < " + scratch / "a.gltf", 3,
+                "standard input: buffer 0, 'numbers.bin', is not in the file");
+  require_error("gvd-segment", "-n 1 " + scratch / "away.gltf", 3, "is not in the folder of the mesh");
+}
+
+TEST_CASE("commands: files that are named like OBJ or STL and hold something else are read, or named") {
+  const ScratchFolder scratch;
+  const auto file = [&](const std::string& name, const std::string& text) {
+    write_text(scratch / name, text);
+    return scratch / name;
+  };
+  std::string wide = "\xff\xfe";
+  for (const char c : std::string("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n")) wide += {c, '\0'};
+  for (const std::string& path :
+       {file("wide.obj", wide), file("modelnet.off", "OFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+        file("mni.obj",
+             "P 0.3 0.3 0.4 10 1 3\n0 0 0\n1 0 0\n0 1 0\n\n0 0 1\n0 0 1\n0 0 1\n\n1\n0 1 1 1 1\n\n3\n\n0 1 2\n")}) {
+    CAPTURE(path);
+    const CommandResult result = run_command("gvd-segment", path + " -n 1 -q -o - --output-format off");
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.out, Contains("3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2"));
+  }
+  const std::string counted_none = "solid Part" + std::string(74, '\0') + std::string(100, '\0');
+  require_error("gvd-segment", file("count0.stl", counted_none) + " -n 1", 3,
+                "says that there are 0 triangles, and 100 bytes follow, room for 2 triangles");
+  require_error("gvd-segment", file("x.3mf", "PK\x03\x04 [Content_Types].xml 3D/3dmodel.model") + " -n 1", 3,
+                "the file is a 3MF model; export the mesh as STL, PLY or OBJ");
+  require_error(
+      "gvd-segment",
+      file("lines.vtk",
+           "# vtk DataFile Version 3.0\nl\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 0 0\nLINES 1 3\n2 0 1\n") +
+          " -n 1",
+      3, "the file has 2 vertices and no face; a surface is needed (1 line or vertex is left out)");
 }
 
 TEST_CASE("commands: a bad file is refused in one line that names it") {

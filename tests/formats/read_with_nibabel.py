@@ -77,10 +77,20 @@ def check_inputs():
             continue  # nibabel writes six decimals
         surfaces.append(f"{encoding}.surf.gii")
         write_gifti(surfaces[-1], (singles, "POINTSET", "FLOAT32"), (corners, "TRIANGLE", "INT32"), encoding=encoding)
+    # The names of nibabel's own constants, which some programs write into files.
+    spelled = (work / "B64GZ.surf.gii").read_text()
+    for written, name in (("GZipBase64Binary", "GIFTI_ENCODING_B64GZ"), ("LittleEndian", "GIFTI_ENDIAN_LITTLE"),
+                          ("RowMajorOrder", "GIFTI_IND_ORD_ROW_MAJOR")):
+        assert written in spelled
+        spelled = spelled.replace(written, name)
+    (work / "spelled.surf.gii").write_text(spelled)
+    surfaces.append("spelled.surf.gii")
     freesurfer.write_geometry(work / "n.white", singles, corners, "created by a test")
     freesurfer.write_morph_data(work / "n.curv", weights)
     numpy.save(work / "n.npy", weights)
     (work / "text.txt").write_text(" ".join(map(str, weights.tolist())))
+    (work / "n.csv").write_text("vertex,value\n" + "".join(f"{i},{w}\n" for i, w in enumerate(weights.tolist())))
+    values.append("n.csv")
     compare(surfaces, lambda name: ["gvd-segment", name, "--vertices", "0,45,77", "--ascii-ply"])
     compare(values, lambda name: ["gvd-lloyd", "sheet.off", "-n", "4", "--density", name])
 

@@ -13,9 +13,12 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkStripper
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkPolyDataNormals, vtkStripper
+from vtkmodules.vtkIOExport import vtkGLTFExporter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter, vtkUnstructuredGridWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkIOMINC import vtkMNIObjectWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 work = pathlib.Path(sys.argv[2])
 work.mkdir(parents=True, exist_ok=True)
@@ -113,6 +116,37 @@ for version in (42, 51):
     writer.SetFileVersion(version)
     writer.SetFileTypeToBinary()
     check(write(writer, "grid.vtk", grid.GetOutput()))
+for mode in ("Ascii", "Binary", "Appended"):
+    for compressor in ("None", "ZLib"):
+        writer = vtkXMLUnstructuredGridWriter()
+        getattr(writer, f"SetDataModeTo{mode}")()
+        getattr(writer, f"SetCompressorTypeTo{compressor}")()
+        for encoded in (0, 1) if mode == "Appended" else (0,):
+            writer.SetEncodeAppendedData(encoded)
+            check(write(writer, "grid.vtu", grid.GetOutput()))
+
+mapper, actor, renderer, window = vtkPolyDataMapper(), vtkActor(), vtkRenderer(), vtkRenderWindow()
+mapper.SetInputData(data)
+actor.SetMapper(mapper)
+renderer.AddActor(actor)
+window.AddRenderer(renderer)
+for inline in (0, 1):  # the numbers in files beside it, or in it
+    exporter = vtkGLTFExporter()
+    exporter.SetRenderWindow(window)
+    exporter.SetFileName(str(work / "scene.gltf"))
+    exporter.SetInlineData(inline)
+    exporter.Write()
+    check("scene.gltf", 1e-5)
+
+normals = vtkPolyDataNormals()
+normals.SetInputData(data)
+normals.SplittingOff()
+normals.ConsistencyOff()
+normals.Update()
+writer = vtkMNIObjectWriter()
+check(write(writer, "surface.obj", normals.GetOutput()), 1e-3)  # six digits
+writer.SetFileTypeToBinary()
+refuse(write(writer, "binary.obj", normals.GetOutput()), "a binary object of MNI")
 
 for name in ("sheet.vtk", "sheet.vtp"):
     (work / f"{name}.gz").write_bytes(gzip.compress((work / name).read_bytes()))
@@ -128,5 +162,7 @@ if meshio is not None:
         for binary in (False, True):
             meshio.write(work / "meshio.vtk", mesh, file_format=f"vtk{version}", binary=binary)
             check("meshio.vtk", 1e-9)
-    meshio.write(work / "meshio.vtu", mesh)
-    refuse("meshio.vtu", "UnstructuredGrid")
+    for binary in (False, True):
+        for compression in ("zlib", None):
+            meshio.write(work / "meshio.vtu", mesh, binary=binary, compression=compression)
+            check("meshio.vtu", 0 if binary else 1e-8)

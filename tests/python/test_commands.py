@@ -250,7 +250,7 @@ class SameBytes(unittest.TestCase):
 
     def test_meshes_come_back(self):
         mesh = gvd.read(meshes.TORUS)
-        for extension in ("ply", "obj", "off", "vtp"):
+        for extension in ("ply", "obj", "off", "vtp", "vtu"):
             mesh.to_file(self.folder / f"g.{extension}")
             again = gvd.read(self.folder / f"g.{extension}", input_format=extension)
             numpy.testing.assert_array_equal(again.vertices, mesh.vertices)

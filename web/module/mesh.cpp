@@ -32,8 +32,9 @@ SharedMesh mesh_from_bytes(const std::string& bytes, const std::string& name, co
   return guarded([&] {
     const auto format = detect_format(bytes, name);
     if (!format) {
-      throw Error(ErrorCode::unreadable_input,
-                  name + ": neither the content nor the name's extension is that of OBJ, PLY, OFF, STL, GLB or VTK");
+      throw Error(
+          ErrorCode::unreadable_input,
+          name + ": neither the content nor the name's extension is that of OBJ, PLY, OFF, STL, glTF, MNI or VTK");
     }
     return std::make_shared<CheckedMesh>(build_mesh(parse_soup(bytes, *format, name), policy_of(on_defect), name));
   });

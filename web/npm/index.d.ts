@@ -349,7 +349,7 @@ export class RemeshMap extends Handle {
   readonly one_to_one: boolean;
 }
 
-/** Reads the bytes of an OBJ, PLY, OFF, STL, GLB or legacy VTK file; `name` is the file's, for messages. */
+/** Reads the bytes of an OBJ, PLY, OFF, STL, glTF (buffers inside), MNI or legacy VTK file; `name` is the file's, for messages. */
 export function read(bytes: Uint8Array | ArrayBuffer, name: string,
                      options?: { on_defect?: 'error' | 'repair' | 'largest' }): Mesh;
 

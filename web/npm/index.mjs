@@ -402,7 +402,7 @@ function checkBytes(bytes) {
   if (!(bytes instanceof Uint8Array || bytes instanceof ArrayBuffer)) refuse('a Uint8Array or an ArrayBuffer is needed');
 }
 
-/** Reads the bytes of an OBJ, PLY, OFF, STL, GLB or legacy VTK file; `name` is the file's, for messages. */
+/** Reads the bytes of an OBJ, PLY, OFF, STL, glTF (buffers inside), MNI or legacy VTK file; `name` is the file's, for messages. */
 export function read(bytes, name, { on_defect = 'repair', ...others } = {}) {
   checkNames('read', others, 'on_defect');
   checkBytes(bytes);

@@ -87,8 +87,8 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
   check_commands(options.input.path);
   if (options.input.path == "-" && !options.input.format) {
     refuse(
-        "standard input has no extension: name its format with --input-format obj, ply, off, stl, vtp, vtk, glb, "
-        "gii or fs");
+        "standard input has no extension: name its format with --input-format obj, ply, off, stl, vtp, vtu, vtk, glb, "
+        "gltf, gii, mni or fs");
   }
   if (piped.size() > 1) {
     refuse(fmt::format("{} and {} are both standard input, which holds one of them: name a file for the other",

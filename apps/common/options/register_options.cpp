@@ -29,10 +29,10 @@ void register_input(CLI::App& app, InputOptions& input) {
     input.paths = paths;
     input.path = paths.front();
   };
-  app.add_option_function<std::vector<std::string>>(
-         "INPUT", store,
-         "The mesh (.obj, .ply, .off, .stl, .vtp, .vtk, .glb, .gii or FreeSurfer's, each also with .gz), or - for "
-         "standard input; several inputs need --output-dir")
+  app.add_option_function<std::vector<std::string>>("INPUT", store,
+                                                    "The mesh (.obj, .ply, .off, .stl, .vtp, .vtu, .vtk, .glb, .gltf, "
+                                                    ".gii, MNI's, FreeSurfer's; also .gz), or - for "
+                                                    "standard input; several need --output-dir")
       ->required()
       ->type_name("")
       ->check(not_empty("file"));
@@ -70,7 +70,7 @@ std::string append_vertices(const std::string& text, std::vector<std::int64_t>& 
 
 void register_lists(CLI::App& app, GeneratorOptions& generators) {
   add_file(app, "--generators", generators.file,
-           "File that lists the generators (text, .csv or .json), or - for standard input")
+           "File that lists the generators (text, .csv, .json, .ply or .xyz), or - for standard input")
       ->excludes("--count", "--radius", "--sampling", "--seed");
   add_choice(app, "--generators-format", generators.format, kGeneratorFormatNames,
              "Format of that list, otherwise detected from extension and content")
@@ -315,7 +315,7 @@ void register_constraints(CLI::App& app, ConstraintOptions& constraints) {
   app.add_option("--density", constraints.density,
                  "Weight of the surface, above 0, which makes cells smaller where it is larger: 'curvature', a file "
                  "with a number for each vertex or each face (text, .npy, .shape.gii or FreeSurfer's), or the name of "
-                 "a property of a PLY input")
+                 "a property of a PLY, VTP or VTU input")
       ->type_name("curvature|FILE|PROPERTY");
   add_number(
       app, "--gradation", constraints.gradation, kGradation,

@@ -33,8 +33,9 @@ struct MeshProperty {
 };
 
 /// PLY: the properties of vertices but for their coordinates, and of polygons, in the file's order. Those of a texture,
-/// which `read_soup` reads, and of strips of triangles are left out. Nothing of other formats, also where they have
-/// data of points and cells. `format` overrides the detection.
+/// which `read_soup` reads, and of strips of triangles are left out. OBJ: the colours of vertices as `red`, `green`,
+/// `blue` and, where a vertex has one, `alpha`, of 8 bits. Nothing of other formats, also where they have data of
+/// points and cells. `format` overrides the detection.
 /// Throws Error{unreadable_input} where the file can't be read. Cost: O(bytes).
 std::vector<MeshProperty> read_mesh_properties(const std::filesystem::path& path,
                                                std::optional<MeshFormat> format = {});

@@ -15,20 +15,21 @@
 
 namespace gvd {
 
-enum class MeshFormat { obj, ply, off, stl, vtp, vtk, glb, gii, fs };
+enum class MeshFormat { obj, ply, off, stl, vtp, vtu, vtk, glb, gltf, gii, mni, fs };
 inline const Choices<MeshFormat> kMeshFormatNames{
-    {"obj", MeshFormat::obj}, {"ply", MeshFormat::ply}, {"off", MeshFormat::off},
-    {"stl", MeshFormat::stl}, {"vtp", MeshFormat::vtp}, {"vtk", MeshFormat::vtk},
-    {"glb", MeshFormat::glb}, {"gii", MeshFormat::gii}, {"fs", MeshFormat::fs}};
+    {"obj", MeshFormat::obj},   {"ply", MeshFormat::ply}, {"off", MeshFormat::off}, {"stl", MeshFormat::stl},
+    {"vtp", MeshFormat::vtp},   {"vtu", MeshFormat::vtu}, {"vtk", MeshFormat::vtk}, {"glb", MeshFormat::glb},
+    {"gltf", MeshFormat::gltf}, {"gii", MeshFormat::gii}, {"mni", MeshFormat::mni}, {"fs", MeshFormat::fs}};
 
 /// The format that a file name's extension, or a bare name such as "ply", stands for, in upper or lower case; nothing
 /// for any other name. An extension .gz behind it is ignored.
 std::optional<MeshFormat> format_from_extension(std::string_view name);
 
-/// The format of a file. The content decides first. GLB, VTP, VTK, GIFTI and FreeSurfer's surfaces begin with a mark,
-/// PLY and OFF with a first line. STL is known by its length or first word, OBJ by its first statement. Otherwise the
-/// extension of `name` decides. Nothing where neither is known. The content of a gzip file says nothing.
-/// Cost: O(1), and O(length) of leading comments.
+/// The format of a file. The content decides first. GLB, VTP, VTU, VTK, GIFTI and FreeSurfer's surfaces begin with a
+/// mark, PLY, OFF and MNI's objects with a first line, glTF is JSON with a member `asset`. STL is known by its length
+/// or first word, OBJ by its first statement. Otherwise the extension of `name` decides. Nothing where neither is
+/// known. The content of a gzip file says nothing. Cost: O(1), O(length) of leading comments, and of glTF and UTF-16
+/// O(bytes).
 std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name);
 
 /// Polygons as a file gives them. How they are connected is not known.
@@ -52,14 +53,15 @@ struct PolygonSoup {
 /// Throws Error{precondition} for a corner that is no vertex. Cost: O(n).
 PolygonSoup make_soup(std::span<const double> coordinates, std::span<const std::int64_t> corners, std::size_t size = 3);
 
-/// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF), STL (ascii and binary), VTP, VTK, GLB,
-/// GIFTI or FreeSurfer's triangles. VTK is the legacy format, with PolyData or the surface cells of an unstructured
-/// grid. Each may be packed by gzip.
+/// Reads a file as OBJ, PLY (ascii and binary), OFF (also COFF, NOFF, STOFF), STL (ascii and binary), VTP, VTU, VTK,
+/// glTF (.glb and .gltf), GIFTI, MNI's polygons or FreeSurfer's triangles. VTK is the legacy format, with PolyData; of
+/// its unstructured grids and those of VTU, cells of a surface are read. Each may be packed by gzip, and text may be
+/// UTF-16 with a byte order mark. Buffers of glTF may be files beside it, in its folder or below, nowhere else.
 ///
 /// `format` overrides the detection. Numbers do not depend on the locale. Vertices and polygons keep their order.
 /// Properties: (1) every index is in range; (2) every coordinate is finite; (3) there is at least one polygon;
-/// (4) memory is bounded by a multiple of the file's size, whatever counts its header gives: gzip may unfold to 200
-/// times the size of the file, and 1 MB.
+/// (4) memory is bounded by a multiple of the file's size, with that of its buffers, whatever counts its header gives:
+/// gzip may unfold to 200 times the size of the file, and 1 MB.
 /// Throws Error{unreadable_input} with the file and the line (in text) or byte (in binary files), and
 /// Error{precondition} for a coordinate that is not finite or for more vertices than 2,147,483,647.
 /// Cost: O(bytes).
@@ -73,13 +75,14 @@ struct SoupProperty {
 
 enum class SoupElement { vertex, polygon };
 
-/// The property of this name of a PLY file's vertices or faces, of those that are preferred where both have one. None
-/// where the file has no such property, or is no PLY file. Throws Error{unreadable_input} where it can't be read.
+/// The property of this name of a PLY file's vertices or faces, or an array of a VTP's or VTU's points or cells; of
+/// those that are preferred where both have one. Names of arrays may differ in upper and lower case. None where the
+/// file has no such property, or is another one. Throws Error{unreadable_input} where it can't be read.
 /// Cost: O(bytes).
 std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property,
                                                SoupElement preferred = SoupElement::vertex);
 
-/// `read_soup` from bytes in memory; `name` stands for the file in messages.
+/// `read_soup` from bytes in memory; `name` stands for the file in messages. A glTF must have its buffers inside.
 PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name);
 
 }  // namespace gvd

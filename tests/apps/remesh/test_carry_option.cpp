@@ -52,6 +52,23 @@ TEST_CASE("gvd-remesh --carry: generators at the vertices keep the values of the
   }
 }
 
+TEST_CASE(
+    "gvd-remesh --carry: the colours of an OBJ's vertices are on PLY output, from a file and from standard input") {
+  const ScratchFolder scratch;
+  write_text(scratch / "in.obj",
+             "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 0 0 1 0.5 0.5 0.5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const std::string options = " --vertices 0,1,2,3 --carry -o ";
+  run_remesh(scratch / "in.obj" + options + scratch / "out.ply");
+  const auto properties = read_mesh_properties(scratch / "out.ply");
+  REQUIRE(properties.size() == 3);
+  CHECK(properties[0].name == "red");
+  CHECK(properties[0].values == std::vector<double>{255, 0, 0, 128});
+  CHECK(properties[1].values == std::vector<double>{0, 255, 0, 128});
+  CHECK(properties[2].values == std::vector<double>{0, 0, 255, 128});
+  run_remesh("- --input-format obj" + options + scratch / "stream.ply" + " < " + scratch / "in.obj");
+  CHECK(read_text(scratch / "stream.ply") == read_text(scratch / "out.ply"));
+}
+
 TEST_CASE("gvd-remesh: without --carry the output has coordinates and faces only") {
   const ScratchFolder scratch;
   write_text(scratch / "in.ply", kTetrahedron);

@@ -92,10 +92,13 @@ def off_seeds():
 
 def obj_seeds():
     yield from (obj(*shape) for shape in SHAPES)
+    yield obj(*TETRAHEDRON).encode("utf-16")
     yield "o a\r\nv 0 0 0 1 # c\r\nv 1 0 0\r\nv 0 1 0\r\nvt 0 0\r\nvn 0 0 1\r\nf 1/1/1 2//1 3/1\r\nl 1 2 3\r\n"
     yield "f -3 -2 -1\nf 1 2 \\\n3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\ng x\nusemtl y\n"
     yield ("mtllib a.mtl\nusemtl a b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 1\nvt 1 0.5 0\nvt nan\nf 1/1 2/2 3/-2 4/9\nusemtl c\n"
            "f 1/1/1 2/2/1 4/2\n")
+    yield "v 0 0 0 1 0.5 0\nv 1 0 0 0 1 0 1\nv 0 1 0 255 0 0\nsurf 0 1 0 1 1 2\nf 1 2 3\n"
+    yield "v 0 0 0\nv 1 0 0\nv 0 1 0\n#MRGB ff0a0b0cff01020300ffffff\nf 1 2 3\n"
     yield "v 1e-310 -0 +1e400\nv 1e75 1e-75 0\nv 0 0 1\nf 1 2 3\nf 1 2 9999999999\n"
 
 
@@ -217,6 +220,43 @@ def glb(points, faces, kind, nodes='[{"mesh":0}]', texture=False):
             + struct.pack("<II", len(binary), 0x004E4942) + binary)
 
 
+def vtu(points, faces, form, packed):
+    """An UnstructuredGrid: PolyData with other names, and types of cells."""
+    types = f'<DataArray Name="types" type="UInt8" format="ascii">{numbers([7] * len(faces))}</DataArray></Cells>'
+    made = vtp(points, faces, form, packed)
+    for old, new in (("PolyData", "UnstructuredGrid"), ("NumberOfPolys", "NumberOfCells"), ("<Polys>", "<Cells>"), ("</Polys>", types)):
+        made = made.replace(old.encode(), new.encode())
+    return made
+
+
+def vtu_seeds():
+    for shape in SHAPES:
+        for form in ("ascii", "binary", "raw", "base64"):
+            yield vtu(*shape, form, False)
+    yield vtu(*TETRAHEDRON, "binary", True)
+
+
+def gltf(binary_gltf):
+    """A binary glTF as JSON, with its numbers in Base64."""
+    length = struct.unpack("<I", binary_gltf[12:16])[0]
+    numbers_of = base64.b64encode(binary_gltf[28 + length:])
+    return binary_gltf[20:20 + length].replace(b'"buffers":[{', b'"buffers":[{"uri":"data:;base64,' + numbers_of + b'",')
+
+
+def gltf_seeds():
+    for seed in glb_seeds():
+        yield gltf(seed)
+
+
+def mni_seeds():
+    for points, faces in SHAPES:
+        ends = [sum(map(len, faces[: i + 1])) for i in range(len(faces))]
+        lines = lambda rows: "".join(f" {numbers(row)}\n" for row in rows)
+        for colors in ("0 1 1 1 1\n", "1\n" + lines([(1, 0, 0, 1)] * len(faces)), "2\n" + lines([(1, 0, 0, 1)] * len(points))):
+            yield (f"P 0.3 0.3 0.4 10 1 {len(points)}\n{lines(points)}\n{lines([(0, 0, 1)] * len(points))}\n {len(faces)}\n {colors}\n"
+                   f"{lines([ends])}\n{lines(faces)}")
+
+
 def glb_seeds():
     for shape in SHAPES:
         for kind in "BHI":
@@ -286,6 +326,8 @@ def value_seeds():
         header = f"{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}\n".encode()
         yield b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header + data
     yield "1 2.5,-3e2 # four\n1e-310 inf nan\n"
+    yield "face,label\n1,5\n0,3\n"
+    yield "source,vertex,distance\n0,0,0.5\n0,1,inf\n"
 
 
 def generator_seeds():
@@ -294,10 +336,15 @@ def generator_seeds():
               "p,0,0,0\n3,0.1,0.2,0.7\n5\n"]
     documents = ['{"schema":"gvd-generators/1","generators":[\n{"face":0,"bary":[0.5,0.25,0.25],"position":[0,0,0]},\n'
                  '{"vertex":3},{"position":[1,2,3e4]}]}\n', '{"generators":[],"generators":[{"vertex":1}]}', "[[[[{}]]]]"]
-    for choice, contents in enumerate([lists, tables, documents]):
+    head = "ply\nformat ascii 1.0\nelement vertex 2\n" + "".join(f"property double {n}\n" for n in "xyz")
+    points = [head + "end_header\n0 0 0\n1 0.5 0\n",
+              head + "property int face\n" + "".join(f"property double b{i}\n" for i in range(3))
+              + "end_header\n0 0 0 1 0.25 0.25 0.5\n0 0 0 4 1 0 0\n"]
+    clouds = ["0 0 0\n1 1 1 0 0 1\n"]
+    for choice, contents in enumerate([lists, tables, documents, points, clouds]):
         for content in contents:
             yield chr(choice) + content
-            yield "\x03" + content
+            yield "\x05" + content
 
 
 def config_seeds():
@@ -309,8 +356,8 @@ def config_seeds():
     yield "'a\\b' = 1\nn = 99999999999999999999\n"
 
 
-SEEDS = {"off": off_seeds, "obj": obj_seeds, "ply": ply_seeds, "stl": stl_seeds, "vtp": vtp_seeds, "vtk": vtk_seeds,
-         "glb": glb_seeds, "gii": gii_seeds, "fs": fs_seeds, "values": value_seeds, "generators": generator_seeds,
+SEEDS = {"off": off_seeds, "obj": obj_seeds, "ply": ply_seeds, "stl": stl_seeds, "vtp": vtp_seeds, "vtu": vtu_seeds,
+         "vtk": vtk_seeds, "glb": glb_seeds, "gltf": gltf_seeds, "gii": gii_seeds, "mni": mni_seeds, "fs": fs_seeds, "values": value_seeds, "generators": generator_seeds,
          "config": config_seeds}
 
 

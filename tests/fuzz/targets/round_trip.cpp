@@ -188,7 +188,8 @@ void check_policy(const PolygonSoup& soup, DefectPolicy policy, MeshFormat forma
   check_maps(checked, soup);
   check_appearance(checked.appearance, 3 * checked.input_polygon.size(), checked.input_polygon.size());
   if (policy != DefectPolicy::repair) return;
-  if (format == MeshFormat::vtk) return;  // is not written
+  // These are not written.
+  if (format == MeshFormat::vtk || format == MeshFormat::gltf || format == MeshFormat::mni) return;
   const auto has_floats = {MeshFormat::stl, MeshFormat::glb, MeshFormat::gii, MeshFormat::fs};
   if (std::ranges::find(has_floats, format) != has_floats.end()) return check_written_floats(checked, format);
   check_written(checked, format, false);

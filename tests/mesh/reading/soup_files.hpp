@@ -44,6 +44,19 @@ inline const std::string kVtp =
     "<DataArray Name=\"offsets\" type=\"Int32\" format=\"ascii\">3 6 9 12</DataArray></Polys>\n"
     "</Piece></PolyData></VTKFile>\n";
 
+inline const std::string kVtu =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\"><UnstructuredGrid>\n"
+    "<Piece NumberOfPoints=\"4\" NumberOfCells=\"4\">\n<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+    "format=\"ascii\">0 0 0 1 1 0 1 0 1 0 1 1</DataArray></Points>\n"
+    "<Cells><DataArray Name=\"connectivity\" type=\"Int32\" format=\"ascii\">0 1 2 0 3 1 0 2 3 1 3 2</DataArray>"
+    "<DataArray Name=\"offsets\" type=\"Int32\" format=\"ascii\">3 6 9 12</DataArray>"
+    "<DataArray Name=\"types\" type=\"UInt8\" format=\"ascii\">5 5 7 5</DataArray></Cells>\n"
+    "</Piece></UnstructuredGrid></VTKFile>\n";
+
+inline const std::string kMni =
+    "P 0.3 0.3 0.4 10 1 4\n 0 0 0\n 1 1 0\n 1 0 1\n 0 1 1\n\n 0 0 1\n 0 0 1\n 0 0 1\n 0 0 1\n\n 4\n 0 1 1 1 1\n\n"
+    " 3 6 9 12\n\n 0 1 2 0 3 1 0 2\n 3 1 3 2\n";
+
 inline const std::string kGifti =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE GIFTI SYSTEM \"gifti.dtd\">\n"
     "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"2\"><MetaData/>\n"
@@ -140,6 +153,20 @@ inline std::string glb_description(int indices, const std::string& nodes = R"([{
          R"({"buffer":0,"byteOffset":60,"byteLength":24},{"buffer":0,"byteOffset":84,"byteLength":48}],)"
          R"("buffers":[{"byteLength":132}]})";
 }
+
+/// A glTF of a description without buffers, and the address of its one buffer.
+inline std::string gltf_of(std::string description, const std::string& uri) {
+  const std::string buffers = R"("buffers":[{)";
+  return description.insert(description.find(buffers) + buffers.size(), R"("uri":")" + uri + R"(",)");
+}
+
+/// The numbers of glb_numbers() in Base64, as Python's base64.b64encode writes them.
+inline const std::string kGltfNumbers =
+    "data:application/octet-stream;base64,"
+    "AAAAAAAAAAAAAAAAAACAPwAAgD8AAAAAAACAPwAAAAAAAIA/AAAAAAAAgD8AAIA/AAECAAMBAAIDAQMCAAABAAIAAAADAAEAAAAC"
+    "AAMAAQADAAIAAAAAAAEAAAACAAAAAAAAAAMAAAABAAAAAAAAAAIAAAADAAAAAQAAAAMAAAACAAAA";
+
+inline const std::string kGltf = gltf_of(glb_description(2), kGltfNumbers);
 
 inline std::string binary_stl() {
   std::string bytes(80, ' ');

@@ -91,7 +91,7 @@ TEST_CASE("gifti: what is wrong with a surface is refused in one line") {
   refused("\"ASCII\"", "\"ExternalFileBinary\" ExternalFileName=\"a.dat\"", "the numbers are in another file, 'a.dat'");
   refused("\"ASCII\"", "\"Morse\"", "has the encoding 'Morse'");
   refused("Dim0=\"4\"", "Dim0=\"5\"", "with Dim0 '5' and Dim1 '3' has 12 numbers");
-  refused("Dim0=\"4\"", "Dim0=\"99999999999999\"", "has 99999999999999 numbers, or is damaged");
+  refused("Dim0=\"4\"", "Dim0=\"99999999999999\"", "99999999999999 in one dimension are more than the file can hold");
   refused("Dim1=\"3\"", "Dim1=\"4\"", "has 16 numbers in 4 rows; three in a row are needed");
   refused("Dimensionality=\"2\"", "Dimensionality=\"0\"", "has no dimensions");
   refused("1 3 2<", "1 3 4<", "cell 3 refers to point 4, and there are 4");
@@ -99,12 +99,36 @@ TEST_CASE("gifti: what is wrong with a surface is refused in one line") {
                   ErrorCode::precondition);
   require_refused("<?xml version=\"1.0\"?><VTKFile/>", MeshFormat::gii, "the XML has no element GIFTI");
   for (const std::string encoding : {"Base64Binary", "GZipBase64Binary"}) {
-    require_refused(with_points("FLOAT32", numbers(kFloats).substr(1), encoding), MeshFormat::gii, "or is damaged");
+    const bool is_packed = encoding == "GZipBase64Binary";
+    const std::string part =
+        is_packed ? "or not the 48 bytes that Dim0 '4' and Dim1 '3' promise" : "has 11 numbers, or";
+    require_refused(with_points("FLOAT32", numbers(kFloats).substr(1), encoding), MeshFormat::gii, part);
+    require_refused(with_points("FLOAT32", numbers(kFloats) + "more", encoding), MeshFormat::gii,
+                    is_packed ? part : "has 13 numbers, or");
     require_refused(with_points("STRING", numbers(kFloats), encoding), MeshFormat::gii, "the type 'NIFTI_TYPE_STRING'");
   }
   std::string noise = with_points("FLOAT32", numbers(kFloats), "GZipBase64Binary");
   require_refused(replaced(noise, base64(deflate(numbers(kFloats))), "AAAAAAAAAAAAAAAA"), MeshFormat::gii,
-                  "or is damaged");
+                  "the packed data of an array 'NIFTI_INTENT_POINTSET' are damaged");
+}
+
+TEST_CASE("gifti: encodings, orders and indexing as nibabel spells them") {
+  require_tetrahedron(parse_gii(replaced(kGifti, "\"ASCII\"", "\"GIFTI_ENCODING_ASCII\"")));
+  for (const bool big : {false, true}) {
+    for (const auto& [document, nibabel] :
+         {std::pair("Base64Binary", "GIFTI_ENCODING_B64BIN"), {"GZipBase64Binary", "GIFTI_ENCODING_B64GZ"}}) {
+      INFO(nibabel << big);
+      std::string text = replaced(with_points("FLOAT32", numbers(kFloats, big), document, big), document, nibabel);
+      text =
+          big ? replaced(text, "BigEndian", "GIFTI_ENDIAN_BIG") : replaced(text, "LittleEndian", "GIFTI_ENDIAN_LITTLE");
+      require_tetrahedron(parse_gii(replaced(text, "RowMajorOrder", "GIFTI_IND_ORD_ROW_MAJOR")));
+    }
+  }
+  const std::string columns = replaced(replaced(kGifti, "RowMajorOrder", "GIFTI_IND_ORD_COL_MAJOR"),
+                                       "0 0 0 1 1 0\n1 0 1 0 1 1", "0 1 1 0 0 1 0 1 0 0 1 1");
+  require_tetrahedron(parse_gii(columns));
+  require_refused(replaced(kGifti, "\"ASCII\"", "\"GIFTI_ENCODING_EXTBIN\" ExternalFileName=\"a.dat\""),
+                  MeshFormat::gii, "the numbers are in another file, 'a.dat'");
 }
 
 std::string values_of(const std::string& intent, const std::string& dimensions, const std::string& data) {

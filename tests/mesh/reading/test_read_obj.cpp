@@ -1,3 +1,6 @@
+#include <array>
+
+#include "gvd/mesh_property.hpp"
 #include "mesh/reading/soup_files.hpp"
 
 namespace gvd::test_read_obj {
@@ -60,9 +63,68 @@ TEST_CASE("OBJ: bad bytes are refused with their line") {
   require_refused(kVertices + "f 1 2 3/y\n", MeshFormat::obj, "file:5: '3/y' is no corner of a face");
   require_refused("v 1 2\n", MeshFormat::obj, "file:1: coordinate z is missing");
   require_refused(kVertices, MeshFormat::obj, "4 vertices and no face");
-  require_refused(std::string("\x80\x01\0\xff", 4), MeshFormat::obj, "no face");
+  require_refused(std::string("\x80\x01\0\xff", 4), MeshFormat::obj,
+                  "as an OBJ, the file has neither a vertex nor a face, and it begins with '?");
+  require_refused("# nothing\n", MeshFormat::obj, "and it is blank");
   require_refused("", MeshFormat::obj, "the file is empty");
   CHECK(parse("f 1 2 3\n" + kVertices).corners == std::vector<std::int32_t>{0, 1, 2});  // later vertices are legal
+}
+
+TEST_CASE("OBJ: a file of free-form surfaces or polylines says so, and free-form surfaces beside faces are noted") {
+  const std::string surface = "cstype bspline\ndeg 3 3\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\nend\n";
+  require_refused(kVertices + surface, MeshFormat::obj,
+                  "the file has 4 vertices and no face; a surface is needed (1 free-form surface (statement surf) left "
+                  "out; export the surface as triangles)");
+  require_refused(kVertices + "l 1 2\n", MeshFormat::obj,
+                  "4 vertices and no face; a surface is needed (1 polyline (statement l) left out)");
+  const PolygonSoup soup = parse(kVertices + surface + surface + "s off\nf 1 2 3\n");
+  CHECK(soup.notes ==
+        std::vector<std::string>{"2 free-form surfaces (statement surf) left out; export the surface as triangles"});
+}
+
+using Rows = std::vector<std::vector<double>>;
+
+// The colours of the file, channel by channel.
+Rows colors_of(const std::string& bytes) {
+  Rows values;
+  const std::array<std::string, 4> names{"red", "green", "blue", "alpha"};
+  for (const MeshProperty& property : parse_mesh_properties(bytes, MeshFormat::obj, "file")) {
+    CHECK(property.name == names.at(values.size()));
+    CHECK(property.type == NumberType::uint8);
+    CHECK(property.of_vertices);
+    values.push_back(property.values);
+  }
+  return values;
+}
+
+TEST_CASE("OBJ colours: from 0 to 1, or from 0 to 255 where a number of the file is above 1") {
+  CHECK(colors_of("v 0 0 0 0 0.5 1\nv 1 0 0 1 1 0.002\nf 1 2 1\n") == Rows{{0, 255}, {128, 255}, {255, 1}});
+  CHECK(colors_of("v 0 0 0 0 1 1\nv 1 0 0 2 255 64.4\n") == Rows{{0, 2}, {1, 255}, {1, 64}});
+  CHECK(colors_of("v 0 0 0 0 1 1 0.2\nv 1 0 0 1 1 1\n") == Rows{{0, 255}, {255, 255}, {255, 255}, {51, 255}});
+}
+
+TEST_CASE("OBJ colours: a vertex without one is white; continued lines and comments count as for faces") {
+  CHECK(colors_of("v 0 0 0 # 1 1 1\nv 1 0 0 0 \\\n 0 0 # black\n") == Rows{{255, 0}, {255, 0}, {255, 0}});
+  CHECK(colors_of("v 0 0 0 1\nv 1 0 0 0 0 0\n") == Rows{{255, 0}, {255, 0}, {255, 0}});
+}
+
+TEST_CASE("OBJ colours: weights, normals and other numbers are none") {
+  CHECK(colors_of(kObj).empty());
+  CHECK(colors_of("v 0 0 0 1\nv 1 0 0 0.5\n").empty());
+  CHECK(colors_of("v 0 0 0 0 0 1\nv 1 0 0 0 0 -1\n").empty());
+  CHECK(colors_of("v 0 0 0 0 0 1\nv 1 0 0 0 256 0\n").empty());
+  CHECK(colors_of("v 0 0 0 0 0 1\nv 1 0 0 0 nan 0\n").empty());
+  CHECK(colors_of("v 0 0 0 0 0 1\nv 1 0 0 red 0 0\n").empty());
+  CHECK(colors_of("v 0 0 0 1 2 3 4 5\n").empty());
+  CHECK(colors_of("").empty());
+}
+
+TEST_CASE("OBJ colours: ZBrush's comments, where there is one for each vertex") {
+  const std::string zbrush = "v 0 0 0\nv 1 0 0\nv 0 1 0\n#MRGB ff0a0b0cff010203\n#MRGB 00ffffff\n";
+  CHECK(colors_of(zbrush) == Rows{{10, 1, 255}, {11, 2, 255}, {12, 3, 255}});
+  CHECK(colors_of(zbrush + "v 1 1 1\n").empty());
+  CHECK(colors_of(zbrush + "#MRGB ffxx0000\n") == colors_of(zbrush));
+  CHECK(colors_of("v 0 0 0 1 0 0\n#MRGB ff0a0b0c\n") == Rows{{255}, {0}, {0}});
 }
 
 }  // namespace gvd::test_read_obj

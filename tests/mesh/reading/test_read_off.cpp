@@ -9,12 +9,21 @@ PolygonSoup parse(std::string_view bytes) { return parse_soup(bytes, MeshFormat:
 TEST_CASE("OFF: a tetrahedron, with every form of the header") {
   require_tetrahedron(parse(kOff));
   const std::string body = kOff.substr(kOff.find("0 0 0"));
-  for (const std::string header :
-       {"OFF 4 4 6\n", "OFF\n\n# comment\n 4 4 6 # counts\n", "4 4 6\n", "# first\nOFF # kind\n4 4\n",
-        "OFF\r\n4\t4 0\r\n", "NOFF\n4 4 0\n", "STCNOFF\n4 4 0\n"}) {
+  for (const std::string header : {"OFF 4 4 6\n", "OFF\n\n# comment\n 4 4 6 # counts\n", "4 4 6\n",
+                                   "# first\nOFF # kind\n4 4\n", "OFF\r\n4\t4 0\r\n", "NOFF\n4 4 0\n",
+                                   "STCNOFF\n4 4 0\n", "OFF4 4 6\n", "NOFF4 4 0\n", "OFF4\t4 6 # ModelNet40\n"}) {
     INFO(header);
     require_tetrahedron(parse(header + body));
   }
+}
+
+TEST_CASE("OFF: the counts right behind the keyword are read in every way a file is given") {
+  const std::string bytes = replaced(kOff, "OFF\n", "OFF");
+  CHECK(detect_format(bytes, "a.txt") == MeshFormat::off);
+  CHECK(detect_format(replaced(kOff, "OFF\n", "COFF"), "") == MeshFormat::off);
+  require_refused("OFF4", MeshFormat::off, "the number of vertices is 4, and the file has only 0 more bytes");
+  require_refused("nOFF4 4 6\n", MeshFormat::off, "'nOFF' has vertices that are not three-dimensional");
+  require_refused("OFF99999999999999999999 1 0\n", MeshFormat::off, "should be a whole number");
 }
 
 TEST_CASE("OFF: colours of vertices and faces are skipped") {

@@ -110,7 +110,7 @@ TEST_CASE("PLY: bad data are refused with their line") {
     require_refused(replaced(kPly, from, to), MeshFormat::ply, part);
   };
   refused("1 0 1\n", "1 0\n", "file:13: vertex 2 has too few numbers, or continues on line 14");
-  refused("1 0 1\n", "1 0 1 1\n", "file:13: vertex 2 has '1' too many");
+  refused("1 0 1\n", "1 0 1 1\n", "file:13: vertex 2 has '1' too many; the header declares x, y, z");
   refused("1 0 1\n", "1 zero 1\n", "file:13: y is 'zero', and should be a number");
   refused("3 0 3 1", "3 0 4 1", "file:16: face 1 refers to vertex 4, and there are 4");
   refused("3 0 3 1", "3 0 -1 1", "file:16: face 1 refers to vertex -1");

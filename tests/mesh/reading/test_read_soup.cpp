@@ -30,7 +30,10 @@ std::vector<Sample> samples() {
           {MeshFormat::stl, kStl},
           {MeshFormat::stl, binary_stl()},
           {MeshFormat::vtp, kVtp},
+          {MeshFormat::vtu, kVtu},
           {MeshFormat::vtk, kVtk},
+          {MeshFormat::mni, kMni},
+          {MeshFormat::gltf, kGltf},
           {MeshFormat::glb, glb_of(glb_description(2), glb_numbers())},
           {MeshFormat::gii, kGifti},
           {MeshFormat::fs, freesurfer_surface()}};
@@ -99,9 +102,10 @@ TEST_CASE("files are read whatever their extension, and refused with the reason"
   const TemporaryFile file("a.off", kPly);
   CHECK_THROWS_WITH(read_soup(file.path(), MeshFormat::off), Catch::Matchers::Contains("should be OFF, and is 'ply'"));
   require_file_refused(TemporaryFile("a.off", "").path(), "the file is empty");
-  require_file_refused(
-      TemporaryFile("a.txt", "hello\n").path(),
-      "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTK, GLB, GIFTI or FreeSurfer file");
+  require_file_refused(TemporaryFile("a.txt", "hello\n").path(),
+                       "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTU, VTK, glTF, GIFTI, "
+                       "MNI or FreeSurfer "
+                       "file; name the format");
   for (const char* name : {"a.obj", "a.obj.gz", "gz"}) {
     require_file_refused(TemporaryFile(name, "\x1f\x8b\x08").path(), "gzip's data end after 0 unpacked bytes");
     require_file_refused(TemporaryFile(name, "PK\x03\x04").path(), "the file is compressed by zip; unpack it first");
@@ -213,14 +217,14 @@ TEST_CASE("check_counts: as many vertices and polygons as 32-bit ids can count, 
 
 TEST_CASE("mesh format: names and extensions, upper or lower case") {
   for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off, MeshFormat::stl, MeshFormat::vtp,
-                                  MeshFormat::vtk, MeshFormat::glb}) {
+                                  MeshFormat::vtu, MeshFormat::vtk, MeshFormat::glb, MeshFormat::gltf}) {
     CHECK(format_from_extension(name_in(kMeshFormatNames, format)) == format);
     CHECK(format_from_extension("a.b/model." + std::string(name_in(kMeshFormatNames, format))) == format);
   }
   CHECK(format_from_extension("MODEL.OBJ") == MeshFormat::obj);
   CHECK(format_from_extension("model.obj.gz") == MeshFormat::obj);
   CHECK(format_from_extension("model.VTP.GZ") == MeshFormat::vtp);
-  for (const char* name : {"model.gltf", "model.gz", "model.obj.bz2", "gz"}) CHECK_FALSE(format_from_extension(name));
+  for (const char* name : {"model.3mf", "model.gz", "model.obj.bz2", "gz"}) CHECK_FALSE(format_from_extension(name));
   CHECK_FALSE(format_from_extension(""));
 }
 

@@ -52,6 +52,11 @@ TEST_CASE("STL: bad bytes are refused with their line or byte") {
   wrong = binary;
   wrong.replace(80, 4, "\xff\xff\xff\xff");
   require_refused(wrong, MeshFormat::stl, "4294967295 triangles");
+  wrong.replace(80, 4, std::string(4, '\0'));
+  require_refused(wrong, MeshFormat::stl,
+                  "the header of the STL says that there are 0 triangles, and 200 bytes follow, room for 4 triangles; "
+                  "write the file again");
+  require_refused(wrong.substr(0, 84), MeshFormat::stl, "0 triangles, and none follows");
 }
 
 }  // namespace gvd::test_read_stl

@@ -1,6 +1,8 @@
-// The readers of VTK's files, .vtp and .vtk. tests/formats/write_with_vtk.py has what VTK writes.
+// The readers of VTK's files, .vtp, .vtu and .vtk. tests/formats/write_with_vtk.py has what VTK writes.
+#include "mesh/reading/readers.hpp"
 #include "mesh/reading/soup_files.hpp"
 #include "support/catch.hpp"
+#include "support/refusal.hpp"
 
 namespace gvd::test_read_vtk_files {
 
@@ -60,12 +62,78 @@ TEST_CASE("vtp: appended data, raw and in Base64, may hold anything") {
   require_refused(with_appended("base64", "YAAAAA==!"), MeshFormat::vtp, "ends before its last byte, or is no Base64");
 }
 
+TEST_CASE("vtu: cells of a surface are read, lines are left out, and other cells are refused") {
+  const auto parse_vtu = [](const std::string& bytes) { return parse_soup(bytes, MeshFormat::vtu, "file"); };
+  require_tetrahedron(parse_vtu(kVtu));
+  require_tetrahedron(parse_soup(kVtu, MeshFormat::vtp, "file"));
+  CHECK(detect_format(kVtu, "a.vtp") == MeshFormat::vtu);
+  const std::string piece = kVtu.substr(kVtu.find("<Piece"), kVtu.find("</UnstructuredGrid>") - kVtu.find("<Piece"));
+  CHECK(parse_vtu(replaced(kVtu, piece, piece + piece)).polygon(7)[0] == 5);
+  // A line of two points that no face has.
+  std::string lines =
+      replaced(replaced(kVtu, "NumberOfPoints=\"4\"", "NumberOfPoints=\"6\""), " 0 1 1<", " 0 1 1 8 8 8 9 9 9<");
+  lines = replaced(replaced(lines, "NumberOfCells=\"4\"", "NumberOfCells=\"5\""), "1 3 2<", "1 3 2 4 5<");
+  lines = replaced(replaced(lines, "3 6 9 12<", "3 6 9 12 14<"), "5 5 7 5<", "5 5 7 5 3<");
+  const PolygonSoup without = parse_vtu(lines);
+  CHECK(without.positions.size() == 4);
+  CHECK(without.notes == std::vector<std::string>{"1 line or vertex is left out"});
+  const auto refused = [](const std::string& from, const std::string& to, const std::string& part) {
+    INFO(from << " -> " << to);
+    require_refused(replaced(kVtu, from, to), MeshFormat::vtu, part);
+  };
+  refused("5 5 7 5<", "5 5 10 5<", "cell 2 has the VTK type 10, and only triangles");
+  refused("5 5 7 5<", "5 5 7<", "there are 4 cells and 3 types of cells");
+  refused("NumberOfCells=\"4\"", "NumberOfCells=\"99999999999\"", "has 4 offsets");
+  refused("5 5 7 5<", "3 3 3 3<", "4 vertices and no face; a surface is needed (4 lines and vertices are left out)");
+  refused("1 3 2<", "1 3 4<", "cell 3 refers to point 4, and there are 4");
+}
+
+TEST_CASE("vtp, vtu: an array of cells or points gives numbers of the faces and vertices that were read") {
+  const auto array = [](const std::string& name, const std::string& numbers) {
+    return "<DataArray type=\"Int32\" Name=\"" + name + "\" format=\"ascii\">" + numbers + "</DataArray>";
+  };
+  const auto find = [](const std::string& bytes, const char* name, SoupElement preferred = SoupElement::polygon) {
+    const auto found = parse_vtk_xml_property(bytes, name, "file", preferred);
+    REQUIRE(found.has_value());
+    return std::pair(found->of_vertices, found->values);
+  };
+  using Found = std::pair<bool, std::vector<double>>;
+  // A line of two points that no face has, before the last cell.
+  std::string grid = replaced(replaced(kVtu, "NumberOfPoints=\"4\"", "NumberOfPoints=\"6\""), ">0 0 0 1 1 0",
+                              ">8 8 8 9 9 9 0 0 0 1 1 0");
+  grid = replaced(replaced(grid, "NumberOfCells=\"4\"", "NumberOfCells=\"5\""), "0 1 2 0 3 1 0 2 3 1 3 2<",
+                  "2 3 4 2 5 3 2 4 5 0 1 3 5 4<");
+  grid = replaced(replaced(grid, "3 6 9 12<", "3 6 9 11 14<"), "5 5 7 5<", "5 5 7 3 5<");
+  grid = replaced(grid, "<Points>",
+                  "<PointData>" + array("Height", "1 2 3 4 5 6") + array("Label", "0 0 0 0 0 0") +
+                      "</PointData><CellData>" + array("LABEL", "9 9 9 9 9") + array("Label", "5 6 7 -1 8") +
+                      "</CellData><Points>");
+  require_tetrahedron(parse_soup(grid, MeshFormat::vtu, "file"));
+  CHECK(find(grid, "Label") == Found{false, {5, 6, 7, 8}});
+  CHECK(find(grid, "label") == Found{false, {9, 9, 9, 9}});
+  CHECK(find(grid, "Label", SoupElement::vertex) == Found{true, {0, 0, 0, 0}});
+  CHECK(find(grid, "height") == Found{true, {3, 4, 5, 6}});
+  CHECK_FALSE(parse_vtk_xml_property(grid, "none", "file", SoupElement::polygon).has_value());
+  // VTK numbers a strip behind the polygons. It is read before them, as two triangles.
+  std::string strip = replaced(kVtp, "NumberOfPolys=\"4\"", "NumberOfPolys=\"4\" NumberOfStrips=\"1\"");
+  strip = replaced(strip, "<Polys>",
+                   "<Strips>" + array("connectivity", "0 1 2 3") + array("offsets", "4") + "</Strips><CellData>" +
+                       array("part", "1 2 3 4 5") + "</CellData><Polys>");
+  CHECK(find(strip, "part") == Found{false, {5, 5, 1, 2, 3, 4}});
+  const auto refused = [&](const std::string& from, const std::string& to) {
+    return refusal([&] { parse_vtk_xml_property(replaced(grid, from, to), "Label", "file", SoupElement::polygon); },
+                   ErrorCode::unreadable_input);
+  };
+  CHECK(refused("5 6 7 -1 8", "5 6 7") == "file: the array 'Label' has 3 numbers for 5 cells");
+  CHECK(refused("5 6 7 -1 8", "5 six 7 -1 8") == "file: 'six' is no number in an array of Label");
+}
+
 TEST_CASE("vtp: what is wrong is refused in one line") {
   const auto refused = [](const std::string& from, const std::string& to, const std::string& part) {
     INFO(from << " -> " << to);
     require_refused(replaced(kVtp, from, to), MeshFormat::vtp, part);
   };
-  refused("\"PolyData\"", "\"UnstructuredGrid\"", "the type 'UnstructuredGrid', and only PolyData is read");
+  refused("\"PolyData\"", "\"ImageData\"", "the type 'ImageData', and only PolyData and UnstructuredGrid are read");
   refused("type=\"PolyData\"", "type=\"PolyData\" compressor=\"vtkLZ4DataCompressor\"", "'vtkLZ4DataCompressor'");
   refused("</PolyData>", "", "the XML is damaged");
   refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"", "a piece of 5 points has 12 coordinates");

@@ -78,6 +78,59 @@ TEST_CASE("gzip: a damaged, cut or endless file is refused in one line") {
   CHECK_THROWS_AS(limit.spend(1), Error);
 }
 
+// How an object of MNI shines, and the number of its points.
+std::string binary_surface(bool big_endian) {
+  std::string bytes;
+  for (const float number : {0.3F, 0.3F, 0.4F, 10.F, 1.F}) bytes += bytes_of(number, big_endian);
+  return bytes + bytes_of(std::int32_t{4}, big_endian);
+}
+
+// Text as UTF-16 with a byte order mark.
+std::string utf16(std::string_view text, bool big_endian) {
+  std::string bytes = big_endian ? "\xfe\xff" : "\xff\xfe";
+  for (const char c : text) bytes += big_endian ? std::string{'\0', c} : std::string{c, '\0'};
+  return bytes;
+}
+
+TEST_CASE("utf-16: every text format is read and told apart in both orders of bytes, also through gzip") {
+  for (const auto& [format, bytes] : {std::pair(MeshFormat::obj, kObj),
+                                      {MeshFormat::off, kOff},
+                                      {MeshFormat::ply, kPly},
+                                      {MeshFormat::stl, kStl},
+                                      {MeshFormat::vtp, kVtp},
+                                      {MeshFormat::vtu, kVtu},
+                                      {MeshFormat::vtk, kVtk},
+                                      {MeshFormat::mni, kMni},
+                                      {MeshFormat::gii, replaced(kGifti, "UTF-8", "UTF-16")}}) {
+    for (const bool big : {false, true}) {
+      INFO(name_in(kMeshFormatNames, format) << big);
+      const std::string wide = utf16(bytes, big);
+      CHECK(detect_format(wide, "a.txt") == format);
+      require_tetrahedron(parse_soup(wide, format, "file"));
+      require_tetrahedron(parse_soup(pack(wide), format, "file"));
+    }
+  }
+  require_refused(utf16("<html>", false), MeshFormat::obj, "an HTML page");
+}
+
+TEST_CASE("utf-16: characters of every length become UTF-8, and what is none U+FFFD") {
+  CHECK(to_utf8(std::string_view("\xff\xfe"
+                                 "A\0\xe9\0\xac\x20\x3d\xd8\x00\xde",
+                                 12)) == "A\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80");
+  CHECK(to_utf8(std::string_view("\xfe\xff\xd8\x3d\x00"
+                                 "A\x00",
+                                 7)) ==
+        "\xef\xbf\xbd"
+        "A"
+        "\xef\xbf\xbd");
+  CHECK(to_utf8("\xff\xfe").empty());
+  std::string stl = binary_stl();
+  stl.replace(0, 2, "\xff\xfe");
+  CHECK_FALSE(is_utf16(stl));
+  require_tetrahedron(parse_soup(stl, MeshFormat::stl, "file"));
+  CHECK_FALSE(is_utf16(freesurfer_surface()));
+}
+
 TEST_CASE("content that is no mesh is named, whatever the extension says") {
   const std::vector<std::pair<std::string, std::string>> contents{
       {"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "the file is a Git LFS pointer"},
@@ -88,14 +141,28 @@ TEST_CASE("content that is no mesh is named, whatever the extension says") {
       {"<", "XML of the kind ''"},
       {"\x89PNG\r\n", "a PNG image"},
       {"PK\x03\x04", "compressed by zip"},
-      {"{\"asset\":{}}", "only binary files (.glb) are read"},
+      {"PK\x03\x04 .... [Content_Types].xml .... 3D/3Dmodel.model", "a 3MF model; export the mesh as STL, PLY or OBJ"},
+      {"{\"generators\":[]}", "JSON, and no glTF"},
+      {std::string("v\0 \0"
+                   "0\0 \0"
+                   "0\0",
+                   10),
+       "text in UTF-16 without a byte order mark; save it as UTF-8"},
+      {std::string("\0v\0 \0"
+                   "0\0 ",
+                   8),
+       "text in UTF-16 without a byte order mark"},
+      {std::string("\xff\xfe\0\0v\0\0\0", 8), "text in UTF-32"},
+      {"p" + binary_surface(false), "a binary object of MNI; write it as text, or as PLY"},
+      {"p" + binary_surface(true), "a binary object of MNI"},
       {"$MeshFormat\n4.1 0 8\n", "a Gmsh mesh"}};
   for (const auto& [bytes, part] : contents) {
     for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::stl, MeshFormat::glb}) {
       require_refused(bytes, format, part);
     }
   }
-  for (const std::string& bytes : {kObj, kOff, kPly, kStl, kVtp, kVtk, kGifti, std::string("hello"), std::string()}) {
+  for (const std::string& bytes : {kObj, kOff, kPly, kStl, kVtp, kVtu, kVtk, kMni, kGifti, kGltf, std::string("hello"),
+                                   std::string("p 1"), std::string()}) {
     CHECK(describe_content(bytes).empty());
   }
   std::string stl = binary_stl();

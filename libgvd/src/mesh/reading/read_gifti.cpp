@@ -29,6 +29,13 @@ constexpr std::uint64_t kFree = 1 << 24;
 
 std::string_view intent_of(pugi::xml_node array) { return array.attribute("Intent").value(); }
 
+/// Whether an attribute has this value, as the format's document spells it or as nibabel does: "BigEndian" or
+/// "GIFTI_ENDIAN_BIG".
+bool is_one_of(pugi::xml_node array, const char* attribute, std::string_view document, std::string_view nibabel) {
+  const std::string_view value = array.attribute(attribute).value();
+  return value == document || value == nibabel;
+}
+
 class GiftiParser {
  public:
   GiftiParser(std::string_view bytes, std::string_view name)
@@ -94,7 +101,7 @@ class GiftiParser {
     for (std::uint64_t i = 0; i < dimensions; ++i) {
       const std::uint64_t size = array.attribute(fmt::format("Dim{}", i).c_str()).as_ullong();
       if (i == 0) shape.rows = size;
-      if (size > most_numbers_ / std::max<std::uint64_t>(shape.numbers, 1)) refuse_count(array, size);
+      if (size > most_numbers_ / std::max<std::uint64_t>(shape.numbers, 1)) refuse_size(array, size);
       shape.numbers *= size;
     }
     if (dimensions == 0) refuse(fmt::format("an array {} has no dimensions", quoted(intent_of(array))));
@@ -108,40 +115,50 @@ class GiftiParser {
                          counted(std::int64_t(shape.rows), "row", "rows")));
     }
     std::vector<double> numbers = read_array(array, shape);
-    if (std::string_view(array.attribute("ArrayIndexingOrder").value()) != "ColumnMajorOrder") return numbers;
+    if (!is_one_of(array, "ArrayIndexingOrder", "ColumnMajorOrder", "GIFTI_IND_ORD_COL_MAJOR")) return numbers;
     std::vector<double> by_row(numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) by_row[i] = numbers[i % 3 * shape.rows + i / 3];
     return by_row;
   }
 
   std::vector<double> read_array(pugi::xml_node array, const Shape& shape) {
-    const std::string_view encoding = array.attribute("Encoding").value();
     const char* const text = array.child("Data").child_value();
-    if (encoding == "ExternalFileBinary") {
+    if (is_one_of(array, "Encoding", "ExternalFileBinary", "GIFTI_ENCODING_EXTBIN")) {
       refuse(fmt::format("the numbers are in another file, {}; write all into one, with another encoding",
                          quoted(array.attribute("ExternalFileName").value())));
     }
-    std::vector<double> numbers = encoding == "ASCII" ? parse_array_text(text, quoted(intent_of(array)), name_)
-                                                      : decode(array, encoding, ArrayBytes(text, true), shape.numbers);
+    const bool is_text = is_one_of(array, "Encoding", "ASCII", "GIFTI_ENCODING_ASCII");
+    std::vector<double> numbers = is_text ? parse_array_text(text, quoted(intent_of(array)), name_)
+                                          : decode(array, ArrayBytes(text, true), shape.numbers);
     if (numbers.size() != shape.numbers) refuse_count(array, numbers.size());
     return numbers;
   }
 
-  /// At most `count` numbers of a binary array; fewer where the data end or are damaged.
-  std::vector<double> decode(pugi::xml_node array, std::string_view encoding, ArrayBytes data, std::uint64_t count) {
-    constexpr std::string_view kPrefix = "NIFTI_TYPE_";
-    const std::string_view type_name = array.attribute("DataType").value();
-    auto type = type_name.starts_with(kPrefix) ? find_vtk_type(type_name.substr(kPrefix.size())) : std::nullopt;
-    if (!type || (encoding != "Base64Binary" && encoding != "GZipBase64Binary")) {
-      refuse(fmt::format("an array {} has the encoding {} and the type {}", quoted(intent_of(array)), quoted(encoding),
-                         quoted(type_name)));
-    }
-    type->big_endian = std::string_view(array.attribute("Endian").value()) == "BigEndian";
+  /// `count` numbers of a binary array; fewer where the data end, one more where they go on.
+  std::vector<double> decode(pugi::xml_node array, ArrayBytes data, std::uint64_t count) {
+    const bool is_packed = is_one_of(array, "Encoding", "GZipBase64Binary", "GIFTI_ENCODING_B64GZ");
+    const StoredNumber type = find_type(array, is_packed);
     limit_.spend(count * sizeof(double));
-    if (encoding == "Base64Binary") return type->read_all(data.take(count * type->size));
+    if (!is_packed) return type.read_all(data.take((count + 1) * type.size));
     std::string bytes;
-    if (!append_inflated(bytes, data.take(data.most()), count * type->size, limit_)) bytes.clear();
-    return type->read_all(bytes);
+    if (!append_inflated(bytes, data.take(data.most()), count * type.size, limit_)) {
+      refuse(fmt::format("the packed data of an array {} are damaged, or not the {} that Dim0 {} and Dim1 {} promise",
+                         quoted(intent_of(array)), counted(std::int64_t(count * type.size), "byte", "bytes"),
+                         quoted(array.attribute("Dim0").value()), quoted(array.attribute("Dim1").value())));
+    }
+    return type.read_all(bytes);
+  }
+
+  /// How the numbers of a binary array are stored.
+  StoredNumber find_type(pugi::xml_node array, bool is_packed) const {
+    constexpr std::string_view kPrefix = "NIFTI_TYPE_";
+    const std::string_view name = array.attribute("DataType").value();
+    const auto type = name.starts_with(kPrefix) ? find_vtk_type(name.substr(kPrefix.size())) : std::nullopt;
+    if (!type || (!is_packed && !is_one_of(array, "Encoding", "Base64Binary", "GIFTI_ENCODING_B64BIN"))) {
+      refuse(fmt::format("an array {} has the encoding {} and the type {}", quoted(intent_of(array)),
+                         quoted(array.attribute("Encoding").value()), quoted(name)));
+    }
+    return {type->kind, type->size, is_one_of(array, "Endian", "BigEndian", "GIFTI_ENDIAN_BIG")};
   }
 
   /// Tells of transforms that are not the identity.
@@ -161,6 +178,12 @@ class GiftiParser {
   [[noreturn]] void refuse_count(pugi::xml_node array, std::uint64_t found) const {
     refuse(fmt::format("an array {} with Dim0 {} and Dim1 {} has {} numbers, or is damaged", quoted(intent_of(array)),
                        quoted(array.attribute("Dim0").value()), quoted(array.attribute("Dim1").value()), found));
+  }
+
+  [[noreturn]] void refuse_size(pugi::xml_node array, std::uint64_t size) const {
+    refuse(fmt::format("an array {} has Dim0 {} and Dim1 {}: {} in one dimension are more than the file can hold",
+                       quoted(intent_of(array)), quoted(array.attribute("Dim0").value()),
+                       quoted(array.attribute("Dim1").value()), size));
   }
 
   [[noreturn]] void refuse(std::string_view message) const {

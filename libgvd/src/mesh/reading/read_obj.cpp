@@ -1,13 +1,16 @@
-// Wavefront OBJ: the statements v, vt, f, usemtl and mtllib, in one pass over the lines.
+// Wavefront OBJ: the statements v, vt, f, usemtl and mtllib, in one pass over the lines; and colours of vertices, which
+// few files have, in another.
 //
 // A face may refer to vertices that come later in the file. Such references are kept and checked at the end, so that a
 // message names the line of the face. Indices are 1-based, or negative and counted back from the last vertex so far.
-// Groups, normals and curves are skipped. Wrong numbers of a texture are noted, and not refused: the surface is whole.
+// Groups, normals and curves are skipped, free-form surfaces (NURBS) are told. Wrong numbers of a texture are noted,
+// and not refused: the surface is whole.
 // Source: Wavefront's Advanced Visualizer manual, appendix B1.
 // Invariant: every index that was stored fits 32 bits, whatever the file says.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -24,6 +27,24 @@ namespace {
 struct ForwardReference {
   std::int64_t polygon, index, line;
 };
+
+/// Joins the next line to one that ends in a backslash. `joined` holds the text of the lines.
+void join_continued_lines(TextReader& text, std::string& joined) {
+  const auto continued = [](std::string_view line) {
+    while (line.ends_with('\r') || line.ends_with(' ') || line.ends_with('\t')) line.remove_suffix(1);
+    return line.ends_with('\\') && line.find('#') == std::string_view::npos;
+  };
+  if (!continued(text.line())) return;
+  joined.clear();
+  bool more = true;
+  do {
+    joined += text.line();
+    more = continued(text.line());
+    if (more) joined[joined.rfind('\\')] = ' ';
+    joined += ' ';
+  } while (more && text.next_line());
+  text.replace_line(joined);
+}
 
 class ObjParser {
  public:
@@ -45,49 +66,41 @@ class ObjParser {
       const std::string_view line = text_.line();
       const std::size_t begin = line.find_first_not_of(" \t\v\f");
       const char first = begin == std::string_view::npos ? '\0' : line[begin];
-      if (first != 'v' && first != 'f' && first != 'l' && first != 'u' && first != 'm') continue;
-      if (first == 'v' || first == 'f' || (first == 'l' && lines_wanted_)) join_continued_lines();
-      const std::string_view statement = text_.token();
-      if (statement == "v") {
-        add_vertex();
-      } else if (statement == "vt") {
-        add_texture_vertex();
-      } else if (statement == "f") {
-        if (!lines_wanted_) add_face();
-      } else if (statement == "l") {
-        ++lines_;
-        if (lines_wanted_) add_line();
-      } else if (statement == "usemtl") {
-        use_material(rest_of_line());
-      } else if (statement == "mtllib") {
-        soup_.appearance.material_files.push_back(rest_of_line());
-      }
+      if (first != 'v' && first != 'f' && first != 'l' && first != 'u' && first != 'm' && first != 's') continue;
+      if (first == 'v' || first == 'f' || (first == 'l' && lines_wanted_)) join_continued_lines(text_, joined_);
+      read_statement(text_.token());
     }
     check_forward_references();
     finish_texture();
     finish_materials();
-    if (lines_ > 0 && !lines_wanted_)
+    if (lines_wanted_) return {};
+    if (lines_ > 0)
       soup_.notes.push_back(fmt::format("{} (statement l) left out", counted(lines_, "polyline", "polylines")));
-    return lines_wanted_ ? PolygonSoup() : std::move(soup_);
+    if (free_surfaces_ > 0) {
+      soup_.notes.push_back(fmt::format("{} (statement surf) left out; export the surface as triangles",
+                                        counted(free_surfaces_, "free-form surface", "free-form surfaces")));
+    }
+    return std::move(soup_);
   }
 
  private:
-  /// Joins the next line to one that ends in a backslash.
-  void join_continued_lines() {
-    const auto continued = [](std::string_view line) {
-      while (line.ends_with('\r') || line.ends_with(' ') || line.ends_with('\t')) line.remove_suffix(1);
-      return line.ends_with('\\') && line.find('#') == std::string_view::npos;
-    };
-    if (!continued(text_.line())) return;
-    joined_.clear();
-    bool more = true;
-    do {
-      joined_ += text_.line();
-      more = continued(text_.line());
-      if (more) joined_[joined_.rfind('\\')] = ' ';
-      joined_ += ' ';
-    } while (more && text_.next_line());
-    text_.replace_line(joined_);
+  void read_statement(std::string_view statement) {
+    if (statement == "v") {
+      add_vertex();
+    } else if (statement == "vt") {
+      add_texture_vertex();
+    } else if (statement == "f") {
+      if (!lines_wanted_) add_face();
+    } else if (statement == "l") {
+      ++lines_;
+      if (lines_wanted_) add_line();
+    } else if (statement == "surf") {
+      ++free_surfaces_;
+    } else if (statement == "usemtl") {
+      use_material(rest_of_line());
+    } else if (statement == "mtllib") {
+      soup_.appearance.material_files.push_back(rest_of_line());
+    }
   }
 
   void add_vertex() { soup_.positions.push_back(text_.position(soup_.positions.size())); }
@@ -205,7 +218,7 @@ class ObjParser {
   PolygonSoup soup_;
   std::vector<ForwardReference> forward_;
   std::string joined_;
-  std::int64_t lines_ = 0;
+  std::int64_t lines_ = 0, free_surfaces_ = 0;
   bool lines_wanted_ = false;  // instead of faces
   std::vector<std::array<std::int32_t, 2>> edges_;
   static constexpr double kNone = kNoTexture[0];
@@ -216,7 +229,101 @@ class ObjParser {
   std::int32_t material_ = -1;  // of the next polygon
 };
 
+/// The colours of vertices, as numbers behind their coordinates or in comments.
+///
+/// MeshLab, Metashape and Blender write `v x y z r g b` with numbers from 0 to 1, others from 0 to 255, and MeshLab
+/// also an alpha. Which of the two holds is decided for the whole file, since dark colours of 0 to 255 may all be at
+/// most 1. A single number behind the coordinates is the weight of a curve's point. Numbers that are negative or beyond
+/// 255 are no colours (normals, for example), and then no vertex has one. ZBrush writes `#MRGB` and eight digits for
+/// each vertex: a mask, red, green and blue.
+class ObjColorParser {
+ public:
+  ObjColorParser(std::string_view bytes, std::string_view name) : text_(bytes, name, false) {}
+
+  std::vector<MeshProperty> parse() {
+    while (text_.next_content_line()) {
+      const std::string_view statement = text_.token();
+      if (statement == "v") {
+        join_continued_lines(text_, joined_);
+        read_vertex();
+      } else if (statement == "#MRGB") {
+        read_masked();
+      }
+    }
+    if (are_colors_ && largest_ >= 0) return make_properties(colors_, largest_ <= 1 ? kMost : 1);
+    if (!masked_.empty() && masked_.size() == colors_.size()) return make_properties(masked_, 1);
+    return {};
+  }
+
+ private:
+  using Color = std::array<double, 4>;
+  static constexpr double kMost = 255, kNone = -1;  // a vertex without a colour is white
+
+  void read_vertex() {
+    Color color{kNone, kNone, kNone, kNone};
+    for (int i = 0; i < 3; ++i) text_.token();
+    std::size_t count = 0;
+    for (std::string_view token = text_.token(); !token.empty() && token[0] != '#'; token = text_.token()) {
+      const double number = parse_double(token).value_or(kNone);
+      if (count < color.size()) color[count] = number;
+      ++count;
+    }
+    if (count != 3 && count != 4) {
+      colors_.push_back({kNone, kNone, kNone, kNone});
+      return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      are_colors_ = are_colors_ && color[i] >= 0 && color[i] <= kMost;
+      largest_ = std::max(largest_, color[i]);
+    }
+    has_alpha_ = has_alpha_ || count == 4;
+    colors_.push_back(color);
+  }
+
+  void read_masked() {
+    const std::string_view digits = text_.token();
+    constexpr std::size_t kDigits = 8;
+    for (std::size_t at = 0; at + kDigits <= digits.size(); at += kDigits) {
+      const auto rgb = parse_hexadecimal(digits.substr(at + 2, kDigits - 2));
+      if (!rgb) return;
+      masked_.push_back({double(*rgb >> 16), double(*rgb >> 8 & 0xFF), double(*rgb & 0xFF), kNone});
+    }
+  }
+
+  static std::optional<std::uint32_t> parse_hexadecimal(std::string_view digits) {
+    std::uint32_t value = 0;
+    const char* const end = digits.data() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.data(), end, value, 16);
+    return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+  }
+
+  std::vector<MeshProperty> make_properties(const std::vector<Color>& colors, double scale) const {
+    std::vector<MeshProperty> made;
+    for (const char* name : {"red", "green", "blue", "alpha"}) {
+      const std::size_t channel = made.size();
+      if (channel == 3 && !has_alpha_) break;
+      MeshProperty property{name, NumberType::uint8, true, {}, {}, {}};
+      property.values.reserve(colors.size());
+      for (const Color& color : colors) {
+        property.values.push_back(color[channel] < 0 ? kMost : std::round(scale * color[channel]));
+      }
+      made.push_back(std::move(property));
+    }
+    return made;
+  }
+
+  TextReader text_;
+  std::string joined_;
+  std::vector<Color> colors_, masked_;  // of vertices: in their lines, and in comments
+  double largest_ = kNone;              // of all numbers
+  bool are_colors_ = true, has_alpha_ = false;
+};
+
 }  // namespace
+
+std::vector<MeshProperty> parse_obj_colors(std::string_view bytes, std::string_view name) {
+  return ObjColorParser(bytes, name).parse();
+}
 
 PolygonSoup parse_obj(std::string_view bytes, std::string_view name) { return ObjParser(bytes, name).parse(); }
 

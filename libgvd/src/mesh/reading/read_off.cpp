@@ -1,6 +1,7 @@
 // Geomview's OFF in text: a keyword, the counts, then a line for each vertex and each face.
 //
-// The keyword is optional, and the counts may follow on its line. Numbers of an element may continue on the next lines,
+// The keyword is optional, and the counts may follow on its line, even without a blank: most files of ModelNet40 begin
+// with "OFF642 1280 0". Numbers of an element may continue on the next lines,
 // but what follows them on the last line (a normal, a colour) is skipped.
 // Source: the Geomview manual, section OFF. Binary files and those of other dimensions are refused by their keyword.
 // Invariant: counts are compared with the bytes that are left before they reserve memory.
@@ -11,6 +12,11 @@
 
 namespace gvd {
 namespace {
+
+/// The keyword at the beginning of a word, before the digits of the number of vertices.
+std::string_view without_count(std::string_view word) {
+  return word.substr(0, word.find_last_not_of("0123456789") + 1);
+}
 
 class OffParser {
  public:
@@ -38,9 +44,11 @@ class OffParser {
     const std::string_view line = text_.line();
     const std::string_view word = text_.token();
     if (is_off_keyword(word)) {
-      check_keyword(word);
-      if (word.starts_with("ST")) soup_.appearance.unread.emplace_back(kUnreadTexture);
-      const std::string_view rest = text_.line();
+      const std::string_view keyword = without_count(word);
+      check_keyword(keyword);
+      if (keyword.starts_with("ST")) soup_.appearance.unread.emplace_back(kUnreadTexture);
+      const std::string_view rest = line.substr(std::size_t(keyword.data() + keyword.size() - line.data()));
+      text_.replace_line(rest);
       const std::string_view next = text_.token();
       if (next == "BINARY") text_.refuse("binary OFF is not supported; convert the file to text");
       if (!next.empty()) {
@@ -111,6 +119,7 @@ class OffParser {
 }  // namespace
 
 bool is_off_keyword(std::string_view word) {
+  word = without_count(word);
   if (!word.ends_with("OFF")) return false;
   word.remove_suffix(3);
   return word.find_first_not_of("STCN4n") == std::string_view::npos;

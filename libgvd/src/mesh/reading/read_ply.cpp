@@ -24,6 +24,18 @@
 namespace gvd {
 namespace {
 
+/// The properties of an element for a message: "the list vertex_indices, red"; of many, the first ones.
+std::string describe_properties(const PlyElement& element) {
+  constexpr std::size_t kMost = 6;
+  std::string text;
+  for (std::size_t p = 0; p < std::min(kMost, element.properties.size()); ++p) {
+    const PlyProperty& property = element.properties[p];
+    text += fmt::format("{}{}{}", p > 0 ? ", " : "", property.count_type ? "the list " : "", property.name);
+  }
+  const std::size_t more = element.properties.size() - std::min(kMost, element.properties.size());
+  return more > 0 ? fmt::format("{} and {} more", text, more) : text;
+}
+
 /// Reads the numbers of a text PLY. Each element begins a line.
 class AsciiSource {
  public:
@@ -46,7 +58,10 @@ class AsciiSource {
     if (element.properties.empty()) return;
     text_.end_element(element.name, i);
     const std::string_view extra = text_.token();
-    if (!extra.empty()) text_.refuse(fmt::format("{} {} has {} too many", element.name, i, quoted(extra)), i);
+    if (extra.empty()) return;
+    text_.refuse(fmt::format("{} {} has {} too many; the header declares {}", element.name, i, quoted(extra),
+                             describe_properties(element)),
+                 i);
   }
   double read(NumberType, const PlyProperty& property) { return text_.number(property.name); }
   void skip(NumberType, std::int64_t count, const PlyProperty& property) {
@@ -438,6 +453,14 @@ std::vector<MeshProperty> parse_ply_properties(std::string_view bytes, std::stri
   };
   return read_body(bytes, name, parse_ply_header(bytes, name),
                    [&](auto parser) { return parser.parse_properties(wanted); });
+}
+
+std::vector<MeshProperty> parse_ply_vertices(std::string_view bytes, std::string_view name) {
+  PlyHeader header = parse_ply_header(bytes, name, PlyContent::points);
+  const auto vertex = std::ranges::find(header.elements, "vertex", &PlyElement::name);
+  header.elements.erase(vertex + 1, header.elements.end());
+  const auto wanted = [](const PlyElement& e, int p) { return e.name == "vertex" && !e.properties[p].count_type; };
+  return read_body(bytes, name, header, [&](auto parser) { return parser.parse_properties(wanted); });
 }
 
 LineSoup parse_ply_lines(std::string_view bytes, std::string_view name) {

@@ -132,6 +132,7 @@ class HeaderParser {
         text_.refuse(fmt::format("the element 'vertex' has no number '{}'", name));
       }
     }
+    if (content_ == PlyContent::points) return;
     if (content_ == PlyContent::lines) return check_edges();
     bool has_faces = false;
     for (const PlyElement& element : header_.elements) {

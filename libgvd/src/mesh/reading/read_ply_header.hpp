@@ -49,11 +49,11 @@ struct PlyHeader {
 };
 
 /// What is read from a PLY.
-enum class PlyContent { surface, lines };
+enum class PlyContent { surface, lines, points };
 
 /// Reads the header of a PLY file. Throws Error{unreadable_input} with the line where it is malformed. It needs an
 /// element `vertex` with x, y and z, and for a surface `face` or `tristrips` with a list `vertex_indices` or
-/// `vertex_index`; for lines `edge` with vertex1 and vertex2.
+/// `vertex_index`; for lines `edge` with vertex1 and vertex2; for points nothing else.
 PlyHeader parse_ply_header(std::string_view bytes, std::string_view name, PlyContent content = PlyContent::surface);
 
 }  // namespace gvd

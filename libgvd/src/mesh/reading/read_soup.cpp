@@ -1,8 +1,10 @@
-// Mesh files: finds the format, reads the bytes, unpacks gzip, and hands them to the reader of the format.
+// Mesh files: finds the format, reads the bytes, unpacks gzip, decodes UTF-16, and hands them to the reader of the
+// format.
 //
 // The content decides on the format before the name does, because files with a wrong extension are common. A binary STL
 // has no mark of its own; its length must be the one that its triangle count asks for.
-// Words decide between the text formats: OFF and solid are keywords, and an OBJ begins with one of eleven statements.
+// Words decide between the text formats: OFF and solid are keywords, MNI's surfaces begin with a P and numbers, and an
+// OBJ begins with one of eleven statements. So MNI's files, which are called .obj, are not taken for Wavefront's.
 // Invariant: no count in a header reserves memory that the rest of the file could not fill.
 #include "gvd/read_soup.hpp"
 
@@ -53,23 +55,89 @@ void refuse_foreign(std::string_view bytes, std::string_view name) {
   if (!content.empty()) refuse(name, "the file is " + content);
 }
 
-/// Unpacks the bytes of a gzip file; leaves others as they are.
+/// Unpacks the bytes of a gzip file, and decodes text in UTF-16; leaves others as they are.
 void unpack(std::string& bytes, std::string_view name) {
   if (is_gzip(bytes)) bytes = unpack_gzip(bytes, name);
+  if (is_utf16(bytes)) bytes = to_utf8(bytes);
 }
 
-PolygonSoup parse_unpacked(std::string_view bytes, MeshFormat format, std::string_view name) {
+/// Calls parse(content) with bytes as `unpack` makes them, which are copied only where they change.
+template <class Parse>
+auto with_unpacked(std::string_view bytes, std::string_view name, const Parse& parse) {
+  if (!is_gzip(bytes) && !is_utf16(bytes)) return parse(bytes);
+  std::string content(bytes);
+  unpack(content, name);
+  return parse(std::string_view(content));
+}
+
+/// Says what a file has, which is no surface.
+[[noreturn]] void refuse_faceless(const PolygonSoup& soup, std::string_view bytes, MeshFormat format,
+                                  std::string_view name) {
+  const auto vertices = std::ssize(soup.positions);
+  if (vertices == 0 && soup.notes.empty() && format == MeshFormat::obj) {  // skips what it does not know
+    const std::string word = first_word(bytes);
+    refuse(name, fmt::format("as an OBJ, the file has neither a vertex nor a face, and it {}; name the format",
+                             word.empty() ? std::string("is blank") : "begins with " + gvd::quoted(word)));
+  }
+  if (vertices == 0 && soup.notes.empty()) refuse(name, "the file has no vertex and no face; a surface is needed");
+  refuse(name,
+         fmt::format("the file has {} and no face; a surface is needed{}", counted(vertices, "vertex", "vertices"),
+                     soup.notes.empty() ? "" : fmt::format(" ({})", fmt::join(soup.notes, "; "))));
+}
+
+/// `folder`: where the buffers of a glTF may be.
+PolygonSoup parse_unpacked(std::string_view bytes, MeshFormat format, std::string_view name,
+                           const std::optional<std::filesystem::path>& folder) {
   if (bytes.empty()) refuse(name, "the file is empty");
   refuse_foreign(bytes, name);
-  constexpr std::array kReaders = {parse_obj, parse_ply, parse_off,   parse_stl,       parse_vtp,
-                                   parse_vtk, parse_glb, parse_gifti, parse_freesurfer};
-  PolygonSoup soup = kReaders[static_cast<int>(format)](bytes, name);
-  if (soup.polygon_count() == 0) {
-    refuse(name, fmt::format("the file has {} and no face; a surface is needed",
-                             counted(std::ssize(soup.positions), "vertex", "vertices")));
-  }
+  const auto read = [&] {
+    switch (format) {
+      case MeshFormat::obj:
+        return parse_obj(bytes, name);
+      case MeshFormat::ply:
+        return parse_ply(bytes, name);
+      case MeshFormat::off:
+        return parse_off(bytes, name);
+      case MeshFormat::stl:
+        return parse_stl(bytes, name);
+      case MeshFormat::vtp:
+      case MeshFormat::vtu:
+        return parse_vtk_xml(bytes, name);
+      case MeshFormat::vtk:
+        return parse_vtk(bytes, name);
+      case MeshFormat::glb:
+      case MeshFormat::gltf:
+        return parse_gltf(bytes, name, folder);
+      case MeshFormat::gii:
+        return parse_gifti(bytes, name);
+      case MeshFormat::mni:
+        return parse_mni(bytes, name);
+      case MeshFormat::fs:
+        return parse_freesurfer(bytes, name);
+    }
+    return PolygonSoup();
+  };
+  PolygonSoup soup = read();
+  if (soup.polygon_count() == 0) refuse_faceless(soup, bytes, format, name);
   check_counts(soup.positions.size(), soup.polygon_count(), name);
   return soup;
+}
+
+/// The format that the content has a mark of.
+std::optional<MeshFormat> find_format(std::string_view bytes) {
+  if (is_ply(bytes)) return MeshFormat::ply;
+  if (bytes.starts_with("glTF")) return MeshFormat::glb;
+  if (bytes.starts_with("# vtk DataFile")) return MeshFormat::vtk;
+  if (bytes.starts_with(kFreeSurferSurface)) return MeshFormat::fs;
+  if (is_xml_of(bytes, "<VTKFile")) return is_xml_of(bytes, "UnstructuredGrid") ? MeshFormat::vtu : MeshFormat::vtp;
+  if (is_xml_of(bytes, "<GIFTI")) return MeshFormat::gii;
+  if (is_binary_stl(bytes)) return MeshFormat::stl;
+  if (is_json(bytes) && bytes.find("\"asset\"") != bytes.npos) return MeshFormat::gltf;
+  if (is_mni(bytes)) return MeshFormat::mni;
+  const std::string word = first_word(bytes);
+  if (is_off_keyword(word)) return MeshFormat::off;
+  if (to_lower(word) == "solid") return MeshFormat::stl;
+  return is_obj_statement(word) ? std::optional(MeshFormat::obj) : std::nullopt;
 }
 
 }  // namespace
@@ -85,6 +153,11 @@ bool is_xml_of(std::string_view bytes, std::string_view element) {
   bytes = bytes.substr(0, kSearched);
   const std::size_t first = bytes.find_first_not_of("\xEF\xBB\xBF \t\r\n");
   return first != bytes.npos && bytes[first] == '<' && bytes.find(element) != bytes.npos;
+}
+
+bool is_json(std::string_view bytes) {
+  const std::size_t first = bytes.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  return first != bytes.npos && bytes[first] == '{';
 }
 
 std::string read_file_bytes(const std::filesystem::path& path) {
@@ -103,17 +176,8 @@ std::string read_file_bytes(const std::filesystem::path& path) {
 }
 
 std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view name) {
-  if (is_ply(bytes)) return MeshFormat::ply;
-  if (bytes.starts_with("glTF")) return MeshFormat::glb;
-  if (bytes.starts_with("# vtk DataFile")) return MeshFormat::vtk;
-  if (bytes.starts_with(kFreeSurferSurface)) return MeshFormat::fs;
-  if (is_xml_of(bytes, "<VTKFile")) return MeshFormat::vtp;
-  if (is_xml_of(bytes, "<GIFTI")) return MeshFormat::gii;
-  if (is_binary_stl(bytes)) return MeshFormat::stl;
-  const std::string word = first_word(bytes);
-  if (is_off_keyword(word)) return MeshFormat::off;
-  if (to_lower(word) == "solid") return MeshFormat::stl;
-  if (is_obj_statement(word)) return MeshFormat::obj;
+  const auto found = is_utf16(bytes) ? find_format(to_utf8(bytes)) : find_format(bytes);
+  if (found) return found;
   return name.find('.') == name.npos ? std::nullopt : format_from_extension(name);
 }
 
@@ -144,7 +208,8 @@ PolygonSoup make_soup(std::span<const double> coordinates, std::span<const std::
 }
 
 PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name) {
-  return is_gzip(bytes) ? parse_unpacked(unpack_gzip(bytes, name), format, name) : parse_unpacked(bytes, format, name);
+  return with_unpacked(bytes, name,
+                       [&](std::string_view content) { return parse_unpacked(content, format, name, std::nullopt); });
 }
 
 PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format) {
@@ -155,23 +220,28 @@ PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshForma
   if (!format) {
     refuse_foreign(bytes, name);
     refuse(name,
-           "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTK, GLB, GIFTI or FreeSurfer "
-           "file; name the format");
+           "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTU, VTK, glTF, GIFTI, MNI or "
+           "FreeSurfer file; name the format");
   }
-  return parse_unpacked(bytes, *format, name);
+  return parse_unpacked(bytes, *format, name, path.parent_path());
 }
 
 std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property,
                                                SoupElement preferred) {
   const std::string name = path.string();
   const std::string bytes = read_file_bytes(path);
-  if (bytes.empty() || detect_format(bytes, name) != MeshFormat::ply) return std::nullopt;
-  return parse_ply_property(bytes, property, name, preferred);
+  const auto format = bytes.empty() ? std::nullopt : detect_format(bytes, name);
+  if (format == MeshFormat::vtp || format == MeshFormat::vtu) {
+    return parse_vtk_xml_property(bytes, property, name, preferred);
+  }
+  return format == MeshFormat::ply ? parse_ply_property(bytes, property, name, preferred) : std::nullopt;
 }
 
 std::vector<MeshProperty> parse_mesh_properties(std::string_view bytes, MeshFormat format, std::string_view name) {
-  if (is_gzip(bytes)) return parse_mesh_properties(unpack_gzip(bytes, name), format, name);
-  return format == MeshFormat::ply ? parse_ply_properties(bytes, name) : std::vector<MeshProperty>();
+  return with_unpacked(bytes, name, [&](std::string_view content) {
+    if (format == MeshFormat::obj) return parse_obj_colors(content, name);
+    return format == MeshFormat::ply ? parse_ply_properties(content, name) : std::vector<MeshProperty>();
+  });
 }
 
 std::vector<MeshProperty> read_mesh_properties(const std::filesystem::path& path, std::optional<MeshFormat> format) {

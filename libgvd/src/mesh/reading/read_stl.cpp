@@ -54,6 +54,15 @@ void check_binary_length(std::string_view bytes, std::string_view name) {
   }
   const std::uint64_t count = stl_triangle_count(bytes);
   const std::uint64_t wanted = stl_length(bytes);
+  if (count == 0) {
+    const std::uint64_t left = bytes.size() - kStlHeader;
+    throw Error(
+        ErrorCode::unreadable_input,
+        fmt::format("{}: the header of the STL says that there are 0 triangles, and {}; write the file again", name,
+                    left == 0 ? "none follows"
+                              : fmt::format("{} bytes follow, room for {}", left,
+                                            counted(std::int64_t(left / kStlTriangle), "triangle", "triangles"))));
+  }
   if (bytes.size() < wanted) {
     throw Error(ErrorCode::unreadable_input,
                 fmt::format("{}: the file does not start with 'solid', and as a binary STL of {} it should have {} "

@@ -81,6 +81,11 @@ class TextReader {
 /// Wavefront OBJ: the statements `v`, `vt`, `f`, `usemtl` and `mtllib`; all others are skipped.
 PolygonSoup parse_obj(std::string_view bytes, std::string_view name);
 
+/// The colours of an OBJ's vertices as `red`, `green`, `blue` and, where a vertex has one, `alpha`, of 8 bits; nothing
+/// where it has none. They stand behind the coordinates (`v x y z r g b [a]`) or in ZBrush's comments `#MRGB`.
+/// docs/guide/input.md tells which numbers count as colours.
+std::vector<MeshProperty> parse_obj_colors(std::string_view bytes, std::string_view name);
+
 /// Points, and edges between them by their indices.
 struct LineSoup {
   std::vector<Vec3> positions;
@@ -103,26 +108,48 @@ std::optional<SoupProperty> parse_ply_property(std::string_view bytes, std::stri
 /// The properties of a PLY, as read_mesh_properties returns them.
 std::vector<MeshProperty> parse_ply_properties(std::string_view bytes, std::string_view name);
 
+/// The numbers of a PLY's vertices, coordinates among them, without lists: nothing else of the file is needed.
+std::vector<MeshProperty> parse_ply_vertices(std::string_view bytes, std::string_view name);
+
 /// Geomview's OFF in text, with or without colours, normals and texture coordinates, which are skipped. Each vertex and
 /// each face begins a line.
 PolygonSoup parse_off(std::string_view bytes, std::string_view name);
 
-/// Whether a word is the keyword of an OFF file: OFF, COFF, NOFF, STCNOFF, 4OFF, nOFF and so on.
+/// Whether a word is the keyword of an OFF file: OFF, COFF, NOFF, STCNOFF, 4OFF, nOFF and so on, also with the number
+/// of vertices right behind it.
 bool is_off_keyword(std::string_view word);
 
 /// STL, binary and text: triangles with vertices of their own.
 PolygonSoup parse_stl(std::string_view bytes, std::string_view name);
 
-/// VTK PolyData in XML (.vtp): points, polygons and strips; lines, vertices and all data of points and cells are
-/// skipped. Text, Base64 and appended arrays, plain or compressed by zlib.
-PolygonSoup parse_vtp(std::string_view bytes, std::string_view name);
+/// VTK's PolyData (.vtp) and UnstructuredGrid (.vtu) in XML, whatever its name: points, polygons and strips; lines,
+/// vertices and all data of points and cells are skipped. Text, Base64 and appended arrays, plain or compressed by
+/// zlib.
+PolygonSoup parse_vtk_xml(std::string_view bytes, std::string_view name);
+
+/// One array of CellData or PointData of such a file that has a number for each cell or point, as numbers of the soup's
+/// polygons or vertices, first of the preferred ones: of the name `property`, else of one that differs in upper and
+/// lower case only. None where there is no such array.
+std::optional<SoupProperty> parse_vtk_xml_property(std::string_view bytes, std::string_view property,
+                                                   std::string_view name, SoupElement preferred);
 
 /// Legacy files of VTK (.vtk), text and binary: PolyData, and unstructured grids whose cells are polygons.
 PolygonSoup parse_vtk(std::string_view bytes, std::string_view name);
 
-/// Binary glTF 2.0 (.glb): the triangles of its scene, where the nodes' transforms put them, with the first set of
-/// texture coordinates. Vertices are unwelded.
-PolygonSoup parse_glb(std::string_view bytes, std::string_view name);
+/// glTF 2.0, binary (.glb) or JSON (.gltf): the triangles of its scene, where the nodes' transforms put them, with the
+/// first set of texture coordinates. Vertices are unwelded. Buffers may be files in `folder`, if there is one.
+PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
+                       const std::optional<std::filesystem::path>& folder = {});
+
+/// Whether a text begins with the brace of a JSON object.
+bool is_json(std::string_view bytes);
+
+/// The polygons of MNI's and CIVET's surfaces in text, whose files are called .obj, too. Normals and colours are
+/// skipped.
+PolygonSoup parse_mni(std::string_view bytes, std::string_view name);
+
+/// Whether a file begins as MNI's polygons in text do: `P`, five numbers and the number of points.
+bool is_mni(std::string_view bytes);
 
 /// GIFTI: the points and triangles of a surface. Values, and transforms of coordinates, are left out and noted.
 PolygonSoup parse_gifti(std::string_view bytes, std::string_view name);
@@ -145,7 +172,8 @@ std::vector<double> parse_annotation(std::string_view bytes, std::string_view na
 /// Whether an XML document's first element is this one, given as "<NAME". It is looked for in the first kilobytes.
 bool is_xml_of(std::string_view bytes, std::string_view element);
 
-/// All bytes of a file, unpacked if gzip packed them. Throws Error{unreadable_input} where that is not possible.
+/// All bytes of a file, unpacked if gzip packed them, and in UTF-8 if they are text in UTF-16. Throws
+/// Error{unreadable_input} where that is not possible.
 std::string read_file_bytes(const std::filesystem::path& path);
 
 /// Whether the file has exactly the length that the triangle count in its header asks for.

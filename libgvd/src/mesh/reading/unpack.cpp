@@ -9,6 +9,7 @@
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
 #include "mesh/reading/readers.hpp"
+#include "mesh/reading/stored_numbers.hpp"
 
 namespace gvd {
 namespace {
@@ -21,7 +22,7 @@ struct Mark {
   std::string_view meaning;
 };
 
-constexpr std::array<Mark, 14> kMarks{{
+constexpr std::array<Mark, 13> kMarks{{
     {"version https://git-lfs", "a Git LFS pointer; fetch the file that it stands for with 'git lfs pull'"},
     {"\x89PNG", "a PNG image; give the mesh"},
     {"\xff\xd8\xff", "a JPEG image; give the mesh"},
@@ -37,8 +38,56 @@ constexpr std::array<Mark, 14> kMarks{{
     {"#VRML", "a VRML scene; convert it to GLB, PLY or OBJ"},
     {"$MeshFormat", "a Gmsh mesh; convert it to VTK or OBJ"},
     {"MeshVersionFormatted", "a Medit mesh; convert it to VTK or OBJ"},
-    {"{", "JSON; of glTF, only binary files (.glb) are read"},
 }};
+
+/// Whether a zip archive holds a 3MF model: by the names of its files, which stand before each one, and in the list at
+/// the end of the archive.
+bool is_3mf(std::string_view zip) {
+  constexpr std::size_t kList = 1 << 16;
+  const std::string_view end = zip.substr(zip.size() - std::min(zip.size(), kList));
+  return to_lower(zip.substr(0, kSearchedBytes)).find("3d/3dmodel.model") != std::string::npos ||
+         to_lower(end).find("3d/3dmodel.model") != std::string::npos;
+}
+
+/// Whether a file is an object of MNI in binary: `p`, then five small floats that tell how the surface shines.
+bool is_binary_mni(std::string_view bytes) {
+  constexpr std::size_t kFloats = 5;
+  if (!bytes.starts_with('p') || bytes.size() < 1 + 4 * kFloats) return false;
+  const auto are_small = [&](bool big_endian) {
+    constexpr double kLeast = 1e-3, kMost = 1e3;  // no two letters make such a float
+    const StoredNumber stored{StoredNumber::Kind::real, 4, big_endian};
+    for (std::size_t i = 0; i < kFloats; ++i) {
+      const double number = stored.read(bytes.data() + 1 + 4 * i);
+      if (number != 0 && !(number >= kLeast && number <= kMost)) return false;
+    }
+    return true;
+  };
+  return are_small(false) || are_small(true);
+}
+
+/// Whether a text is UTF-16 that lacks its byte order mark: every second one of its first bytes is a zero.
+bool lacks_byte_order_mark(std::string_view bytes) {
+  if (bytes.size() < 8) return false;
+  const auto is_pair = [&](std::size_t at, std::size_t zero) {
+    return bytes[at + zero] == '\0' && std::uint8_t(bytes[at + 1 - zero]) - 1U < 0x7F;
+  };
+  const auto is_text = [&](std::size_t zero) {
+    return is_pair(0, zero) && is_pair(2, zero) && is_pair(4, zero) && is_pair(6, zero);
+  };
+  return is_text(0) || is_text(1);
+}
+
+/// Appends a character of Unicode in UTF-8.
+void append_utf8(std::string& text, std::uint32_t c) {
+  if (c < 0x80) {
+    text += static_cast<char>(c);
+    return;
+  }
+  const int more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
+  constexpr std::array<std::uint32_t, 4> kFirst{0, 0xC0, 0xE0, 0xF0};
+  text += static_cast<char>(kFirst[std::size_t(more)] | c >> 6 * more);
+  for (int i = more - 1; i >= 0; --i) text += static_cast<char>(0x80 | (c >> 6 * i & 0x3F));
+}
 
 /// The name of an XML document's first element that is no declaration; empty where there is none.
 std::string_view root_element(std::string_view xml) {
@@ -62,14 +111,53 @@ void ExpansionLimit::spend(std::uint64_t bytes) {
 
 bool is_gzip(std::string_view bytes) { return find_compression(bytes) == "gzip" && !is_binary_stl(bytes); }
 
+bool is_utf16(std::string_view bytes) {
+  if (bytes.starts_with(std::string_view("\xff\xfe\0\0", 4))) return false;  // UTF-32
+  return (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) && !is_binary_stl(bytes);
+}
+
+std::string to_utf8(std::string_view utf16) {
+  constexpr std::uint32_t kUnknown = 0xFFFD, kHigh = 0xD800, kLow = 0xDC00, kAbove = 0xE000;
+  const StoredNumber stored{StoredNumber::Kind::unsigned_integer, 2, utf16.starts_with("\xfe\xff")};
+  const auto unit = [&](std::size_t at) {
+    return at + 2 > utf16.size() ? 0 : static_cast<std::uint32_t>(stored.read_bits(utf16.data() + at));
+  };
+  std::string text;
+  text.reserve(utf16.size() / 2);
+  for (std::size_t at = 2; at < utf16.size(); at += 2) {
+    const std::uint32_t first = unit(at), second = unit(at + 2);
+    if (at + 2 > utf16.size()) {  // half of a character
+      append_utf8(text, kUnknown);
+    } else if (first < kHigh || first >= kAbove) {
+      append_utf8(text, first);
+    } else if (first < kLow && second >= kLow && second < kAbove) {
+      append_utf8(text, 0x10000 + ((first - kHigh) << 10) + (second - kLow));
+      at += 2;
+    } else {
+      append_utf8(text, kUnknown);
+    }
+  }
+  return text;
+}
+
 std::string describe_content(std::string_view bytes) {
   if (is_binary_stl(bytes)) return "";  // it begins with anything
+  if (is_binary_mni(bytes)) return "a binary object of MNI; write it as text, or as PLY";
+  if (lacks_byte_order_mark(bytes)) return "text in UTF-16 without a byte order mark; save it as UTF-8";
+  if (bytes.starts_with(std::string_view("\xff\xfe\0\0", 4)) ||
+      bytes.starts_with(std::string_view("\0\0\xfe\xff", 4))) {
+    return "text in UTF-32; save it as UTF-8";
+  }
   const std::string_view program = find_compression(bytes);
+  if (program == "zip" && is_3mf(bytes)) return "a 3MF model; export the mesh as STL, PLY or OBJ";
   if (!program.empty()) return fmt::format("compressed by {}; unpack it first", program);
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
   const auto* mark = std::ranges::find_if(kMarks, [&](const Mark& m) { return bytes.starts_with(m.bytes); });
   if (mark != kMarks.end()) return std::string(mark->meaning);
+  if (is_json(bytes) && bytes.find("\"asset\"") == bytes.npos) {
+    return "JSON, and no glTF, which has a member 'asset'; give the mesh";
+  }
   const std::string begin = to_lower(bytes.substr(0, kSearchedBytes));
   if (begin.starts_with("<!doctype html") || begin.starts_with("<html")) {
     return "an HTML page; download the file that it leads to";
@@ -77,7 +165,7 @@ std::string describe_content(std::string_view bytes) {
   if (!begin.starts_with("<")) return "";
   const std::string_view root = root_element(bytes.substr(0, kSearchedBytes));
   if (root == "VTKFile" || root == "GIFTI") return "";
-  return fmt::format("XML of the kind {}; of XML, only VTK's PolyData (.vtp) and GIFTI (.gii) are read", quoted(root));
+  return fmt::format("XML of the kind {}; of XML, only VTK's (.vtp, .vtu) and GIFTI (.gii) are read", quoted(root));
 }
 
 }  // namespace gvd

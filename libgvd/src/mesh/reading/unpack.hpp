@@ -22,6 +22,8 @@ class ExpansionLimit {
 
   /// Throws Error{unreadable_input} where these bytes are too many.
   void spend(std::uint64_t bytes);
+  /// Another file belongs to the first one.
+  void add_file(std::size_t file_bytes) { left_ += kMostExpansion * file_bytes; }
 
  private:
   std::uint64_t left_;
@@ -35,8 +37,15 @@ bool is_gzip(std::string_view bytes);
 /// goes beyond ExpansionLimit. Cost: O(bytes) of the content.
 std::string unpack_gzip(std::string_view bytes, std::string_view name);
 
+/// Whether a file is text in UTF-16, by its byte order mark. A binary STL may begin in the same way, and counts as
+/// none.
+bool is_utf16(std::string_view bytes);
+
+/// Text in UTF-16 with a byte order mark as UTF-8 without; U+FFFD stands for what is no character. Cost: O(bytes).
+std::string to_utf8(std::string_view utf16);
+
 /// What the content of a file seems to be, where that is no mesh that can be read, and what to do: "an HTML page; ...".
-/// Empty where it has no such mark. Cost: O(1).
+/// Empty where it has no such mark. Cost: O(1), of JSON O(bytes).
 std::string describe_content(std::string_view bytes);
 
 }  // namespace gvd

@@ -59,7 +59,8 @@ std::optional<StoredNumber> find_vtk_type(std::string_view name) {
 void VtkSoup::add_points(const std::vector<double>& coordinates) {
   first_point_ = soup_.positions.size();
   check_counts(first_point_ + coordinates.size() / 3, 0, name_);
-  soup_.positions.reserve(first_point_ + coordinates.size() / 3);
+  // For each of many small pieces, this would take quadratic time.
+  if (first_point_ == 0) soup_.positions.reserve(coordinates.size() / 3);
   for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {
     const Vec3 p(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
     const auto point = std::ssize(soup_.positions);
@@ -89,6 +90,7 @@ void VtkSoup::for_each_cell(const VtkCells& cells, void (VtkSoup::*add)(Corners)
 void VtkSoup::add_polygon(Corners corners) {
   for (const double corner : corners) soup_.corners.push_back(require_index(corner));
   soup_.close_polygon();
+  if (keeps_cells_) polygon_cell_.push_back(cell_);
 }
 
 void VtkSoup::add_strip(Corners corners) {
@@ -143,6 +145,7 @@ void VtkSoup::drop_points_of_lines() {
   for (std::size_t p = 0; p < soup_.positions.size(); ++p) {
     moved[p] = static_cast<std::int32_t>(kept);
     if (state[p] != kDropped) soup_.positions[kept++] = soup_.positions[p];
+    is_kept_.push_back(state[p] != kDropped);
   }
   soup_.positions.resize(kept);
   for (std::int32_t& p : soup_.corners) p = moved[p];
@@ -150,7 +153,7 @@ void VtkSoup::drop_points_of_lines() {
 
 PolygonSoup VtkSoup::take() {
   if (left_out_ > 0) {
-    drop_points_of_lines();
+    if (soup_.polygon_count() > 0) drop_points_of_lines();
     soup_.notes.push_back(
         fmt::format("{} left out", counted(left_out_, "line or vertex is", "lines and vertices are")));
   }

@@ -41,6 +41,14 @@ class VtkSoup {
   void add_cells(const VtkCells& cells, const std::vector<double>& types);
 
   PolygonSoup take();
+  /// Number of cells so far, of all pieces, also those left out.
+  std::int64_t cell_count() const { return cell_; }
+  /// From now on, `polygon_cells` grows.
+  void keep_cells() { keeps_cells_ = true; }
+  /// The cell of each polygon, in the order in which they were added.
+  const std::vector<std::int64_t>& polygon_cells() const { return polygon_cell_; }
+  /// Whether each point that was added is a position of the soup that `take` returned; empty where all are.
+  const std::vector<char>& kept_points() const { return is_kept_; }
   [[noreturn]] void refuse(std::string_view message, std::int64_t element = -1) const;
 
  private:
@@ -61,6 +69,9 @@ class VtkSoup {
   const double* type_ = nullptr;  // of the next cell of an unstructured grid
   std::int64_t left_out_ = 0;
   std::vector<std::int32_t> line_points_;
+  bool keeps_cells_ = false;
+  std::vector<std::int64_t> polygon_cell_;
+  std::vector<char> is_kept_;
 };
 
 }  // namespace gvd

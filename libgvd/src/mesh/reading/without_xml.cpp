@@ -18,8 +18,14 @@ std::string unpack_gzip(std::string_view, std::string_view name) {
   refuse(name, "compressed by gzip, which is not read here; unpack it first");
 }
 
-PolygonSoup parse_vtp(std::string_view, std::string_view name) {
-  refuse(name, "VTP is not read here; convert it to VTK, PLY or OBJ");
+PolygonSoup parse_vtk_xml(std::string_view, std::string_view name) {
+  refuse(name, "VTK's XML (.vtp, .vtu) is not read here; convert it to VTK, PLY or OBJ");
+}
+
+std::optional<SoupProperty> parse_vtk_xml_property(std::string_view, std::string_view, std::string_view name,
+                                                   SoupElement) {
+  parse_vtk_xml({}, name);
+  return std::nullopt;
 }
 
 PolygonSoup parse_gifti(std::string_view, std::string_view name) {

@@ -1,8 +1,8 @@
-// VTK PolyData in XML: text, Base64 and appended arrays, with or without zlib's compression.
+// VTK's PolyData and UnstructuredGrid in XML: text, Base64 and appended arrays, with or without zlib's compression.
 //
 // Appended data need not be XML. So the document is cut at their beginning and closed again before it is parsed, and
 // arrays find their bytes by their offset. The numbers of every array become doubles; a piece's points and polygons
-// are the only arrays that are read.
+// are the only arrays that are read, and one array of their data where it is asked for.
 // Source: VTK File Formats, version 4.2; vtkXMLDataParser for the layout of compressed arrays.
 // Invariant: no count of the file takes memory that its bytes could not fill; deflate's limit goes for blocks.
 #include <fmt/format.h>
@@ -21,20 +21,104 @@
 namespace gvd {
 namespace {
 
-class VtpParser {
+constexpr const char* kGrid = "UnstructuredGrid";
+
+class VtkXmlParser {
  public:
-  VtpParser(std::string_view bytes, std::string_view name)
+  VtkXmlParser(std::string_view bytes, std::string_view name)
       : name_(name), soup_(name), limit_(bytes.size(), name), bytes_(bytes), text_(bytes) {}
 
   PolygonSoup parse() {
     load_document();
-    const pugi::xml_node root = document_.child("VTKFile");
-    read_header(root);
-    for (const pugi::xml_node piece : root.child("PolyData").children("Piece")) read_piece(piece);
+    read_header(document_.child("VTKFile"));
+    visit_pieces([](pugi::xml_node) {});
     return soup_.take();
   }
 
+  std::optional<SoupProperty> parse_property(std::string_view property, SoupElement preferred) {
+    load_document();
+    read_header(document_.child("VTKFile"));
+    const SoupElement other = preferred == SoupElement::vertex ? SoupElement::polygon : SoupElement::vertex;
+    for (const SoupElement element : {preferred, other}) {
+      if (has_array(element, property)) return read_property(element, property);
+    }
+    return std::nullopt;
+  }
+
  private:
+  /// Reads every piece into the soup, and calls done(piece) behind it.
+  template <class Done>
+  void visit_pieces(const Done& done) {
+    const pugi::xml_node root = document_.child("VTKFile");
+    for (const pugi::xml_node piece : root.child("PolyData").children("Piece")) {
+      read_piece(piece);
+      done(piece);
+    }
+    for (const pugi::xml_node piece : root.child(kGrid).children("Piece")) {
+      read_grid_piece(piece);
+      done(piece);
+    }
+  }
+
+  static pugi::xml_node find_array(pugi::xml_node piece, SoupElement element, std::string_view property) {
+    pugi::xml_node similar;
+    for (const pugi::xml_node array :
+         piece.child(element == SoupElement::vertex ? "PointData" : "CellData").children("DataArray")) {
+      const std::string_view name = array.attribute("Name").value();
+      if (name == property) return array;
+      if (!similar && to_lower(name) == to_lower(property)) similar = array;
+    }
+    return similar;
+  }
+
+  bool has_array(SoupElement element, std::string_view property) const {
+    bool is_everywhere = false;
+    const pugi::xml_node root = document_.child("VTKFile");
+    for (const char* kind : {"PolyData", kGrid}) {
+      for (const pugi::xml_node piece : root.child(kind).children("Piece")) {
+        if (count_in(piece, "NumberOfPoints") == 0) continue;
+        if (!find_array(piece, element, property)) return false;
+        is_everywhere = true;
+      }
+    }
+    return is_everywhere;
+  }
+
+  SoupProperty read_property(SoupElement element, std::string_view property) {
+    soup_.keep_cells();
+    std::vector<double> of_file;  // of all points, or of all cells in the order in which they are read
+    visit_pieces([&](pugi::xml_node piece) {
+      if (count_in(piece, "NumberOfPoints") == 0) return;
+      const bool of_points = element == SoupElement::vertex;
+      const std::uint64_t wanted =
+          of_points ? count_in(piece, "NumberOfPoints") : std::uint64_t(soup_.cell_count()) - of_file.size();
+      std::vector<double> numbers = read_array(find_array(piece, element, property), property);
+      if (numbers.size() != wanted) {
+        soup_.refuse(fmt::format(
+            "the array {} has {} for {}", quoted(property), counted(std::ssize(numbers), "number", "numbers"),
+            counted(std::int64_t(wanted), of_points ? "point" : "cell", of_points ? "points" : "cells")));
+      }
+      if (!of_points && std::string_view(piece.parent().name()) == "PolyData") {
+        // VTK numbers strips behind polygons, which are read behind them.
+        const auto strips = std::ptrdiff_t(count_in(piece, "NumberOfStrips"));
+        const auto polygons = std::ptrdiff_t(count_in(piece, "NumberOfPolys"));
+        std::rotate(numbers.end() - strips - polygons, numbers.end() - strips, numbers.end());
+      }
+      of_file.insert(of_file.end(), numbers.begin(), numbers.end());
+    });
+    soup_.take();
+    SoupProperty found{element == SoupElement::vertex, {}};
+    if (!found.of_vertices) {
+      for (const std::int64_t cell : soup_.polygon_cells()) found.values.push_back(of_file[std::size_t(cell)]);
+      return found;
+    }
+    const std::vector<char>& is_kept = soup_.kept_points();
+    for (std::size_t p = 0; p < of_file.size(); ++p) {
+      if (is_kept.empty() || is_kept[p] != 0) found.values.push_back(of_file[p]);
+    }
+    return found;
+  }
+
   void load_document() {
     const std::size_t appended = bytes_.find("<AppendedData");
     if (appended != bytes_.npos) {
@@ -50,9 +134,11 @@ class VtpParser {
 
   void read_header(pugi::xml_node root) {
     const std::string_view type = root.attribute("type").value();
-    if (type != "PolyData") {
-      soup_.refuse(fmt::format("the VTK file has the type {}, and only PolyData is read; extract the surface first",
-                               quoted(type)));
+    if (type != "PolyData" && type != kGrid) {
+      soup_.refuse(
+          fmt::format("the VTK file has the type {}, and only PolyData and UnstructuredGrid are read; extract "
+                      "the surface first",
+                      quoted(type)));
     }
     const std::string_view compressor = root.attribute("compressor").value();
     if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
@@ -66,27 +152,43 @@ class VtpParser {
     is_base64_appended_ = std::string_view(root.child("AppendedData").attribute("encoding").value()) == "base64";
   }
 
-  void read_piece(pugi::xml_node piece) {
-    const auto count = [&](const char* name) { return piece.attribute(name).as_ullong(); };
-    const std::uint64_t points = count("NumberOfPoints");
-    if (points == 0) return;
+  static std::uint64_t count_in(pugi::xml_node piece, const char* name) { return piece.attribute(name).as_ullong(); }
+
+  /// False where the piece is empty.
+  bool read_points(pugi::xml_node piece) {
+    const std::uint64_t points = count_in(piece, "NumberOfPoints");
+    if (points == 0) return false;
     const std::vector<double> coordinates = read_array(piece.child("Points").child("DataArray"), "Points");
     if (coordinates.size() % 3 != 0 || coordinates.size() / 3 != points) {
       soup_.refuse(fmt::format("a piece of {} points has {} coordinates", points, coordinates.size()));
     }
     soup_.add_points(coordinates);
     if (piece.child("PointData").attribute("TCoords")) soup_.leave_out_texture();
+    return true;
+  }
+
+  void read_piece(pugi::xml_node piece) {
+    const auto count = [&](const char* name) { return count_in(piece, name); };
+    if (!read_points(piece)) return;
     if (count("NumberOfVerts") > 0) soup_.leave_out(read_cells(piece, "Verts", count("NumberOfVerts")));
     if (count("NumberOfLines") > 0) soup_.leave_out(read_cells(piece, "Lines", count("NumberOfLines")));
     if (count("NumberOfStrips") > 0) soup_.add_strips(read_cells(piece, "Strips", count("NumberOfStrips")));
     if (count("NumberOfPolys") > 0) soup_.add_polygons(read_cells(piece, "Polys", count("NumberOfPolys")));
   }
 
+  void read_grid_piece(pugi::xml_node piece) {
+    const std::uint64_t count = count_in(piece, "NumberOfCells");
+    if (!read_points(piece) || count == 0) return;
+    const VtkCells cells = read_cells(piece, "Cells", count);
+    soup_.add_cells(cells, read_named(piece, "Cells", "types"));
+  }
+
+  std::vector<double> read_named(pugi::xml_node piece, const char* kind, const char* array) {
+    return read_array(piece.child(kind).find_child_by_attribute("DataArray", "Name", array), kind);
+  }
+
   VtkCells read_cells(pugi::xml_node piece, const char* kind, std::uint64_t count) {
-    const auto read = [&](const char* array) {
-      return read_array(piece.child(kind).find_child_by_attribute("DataArray", "Name", array), kind);
-    };
-    VtkCells cells{read("offsets"), read("connectivity")};
+    VtkCells cells{read_named(piece, kind, "offsets"), read_named(piece, kind, "connectivity")};
     if (cells.ends.size() != count) {
       soup_.refuse(fmt::format("a piece with {} of the cells {} has {} offsets", count, kind, cells.ends.size()));
     }
@@ -167,6 +269,11 @@ class VtpParser {
 
 }  // namespace
 
-PolygonSoup parse_vtp(std::string_view bytes, std::string_view name) { return VtpParser(bytes, name).parse(); }
+PolygonSoup parse_vtk_xml(std::string_view bytes, std::string_view name) { return VtkXmlParser(bytes, name).parse(); }
+
+std::optional<SoupProperty> parse_vtk_xml_property(std::string_view bytes, std::string_view property,
+                                                   std::string_view name, SoupElement preferred) {
+  return VtkXmlParser(bytes, name).parse_property(property, preferred);
+}
 
 }  // namespace gvd

@@ -1,7 +1,8 @@
-// Binary glTF 2.0 (.glb): the triangles of a scene, moved by the transforms of its nodes.
+// glTF 2.0, binary (.glb) and as JSON (.gltf): the triangles of a scene, moved by the transforms of its nodes.
 //
 // A scene is a forest of nodes; a node may have a mesh, a mesh has primitives, and a primitive is a list of triangles
-// with accessors for positions and indices. Accessors are numbers in the binary chunk. Vertices with several normals
+// with accessors for positions and indices. Accessors are numbers in buffers: the binary chunk, data URIs, or files
+// beside the mesh. Vertices with several normals
 // or materials come several times, so that the soup is marked as unwelded, as that of an STL is.
 // Of attributes besides positions, the first set of texture coordinates is read; its v runs downwards. Materials,
 // skins, morph targets and animations are left out: the surface is that of the stored positions.
@@ -20,6 +21,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
+#include "mesh/reading/gltf_buffers.hpp"
 #include "mesh/reading/readers.hpp"
 #include "mesh/reading/stored_numbers.hpp"
 #include "mesh/reading/unpack.hpp"
@@ -30,13 +32,21 @@ namespace {
 using Json = nlohmann::json;
 using Transform = Eigen::Matrix4d;
 
-constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+constexpr std::string_view kMark = "glTF";
+constexpr std::uint32_t kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
 constexpr std::size_t kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6;  // primitive.mode
 
-/// Extensions without which the triangles can't be read.
-constexpr std::array<std::string_view, 3> kUnreadable{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
-                                                      "EXT_mesh_gpu_instancing"};
+/// The extension that compresses single primitives.
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
+
+/// The beginnings of the names of extensions that say nothing about the triangles but how they are painted, lit or
+/// described. A mesh that needs any other extension may be compressed, or stand elsewhere.
+constexpr std::array<std::string_view, 12> kHarmless{
+    "KHR_materials_", "EXT_materials_",        "ADOBE_materials_",      "KHR_texture_",
+    "EXT_texture_",   "MSFT_texture_dds",      "KHR_lights_",           "EXT_lights_",
+    "KHR_xmp",        "KHR_animation_pointer", "KHR_mesh_quantization", "FB_ngon_encoding"};
+constexpr std::string_view kTextureTransform = "KHR_texture_transform";
 
 /// Numbers of an accessor: `size` for each of its elements.
 struct Accessor {
@@ -44,11 +54,16 @@ struct Accessor {
   std::size_t size = 1;
 };
 
-/// The chunks of a file: its description, and the numbers of its binary chunk.
-class GlbFile {
+/// A file: its description, and the numbers of its buffers.
+class GltfFile {
  public:
-  GlbFile(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name), limit_(bytes.size(), name) {
-    read_chunks();
+  GltfFile(std::string_view bytes, std::string_view name, const std::optional<std::filesystem::path>& folder)
+      : bytes_(bytes), name_(name), folder_(folder), limit_(bytes.size(), name) {
+    is_binary_ = bytes.starts_with(kMark);
+    if (!is_binary_ && !is_json(bytes)) refuse("the file begins neither with 'glTF' nor, as JSON, with '{'");
+    gltf_ = Json::parse(is_binary_ ? read_chunks() : bytes);
+    if (!gltf_.is_object()) refuse("the scene's description is no JSON object");
+    check_version();
   }
 
   const Json& description() const { return gltf_; }
@@ -130,8 +145,8 @@ class GlbFile {
     return static_cast<std::uint32_t>(StoredNumber{.size = 4}.read_bits(bytes_.data() + at));
   }
 
-  void read_chunks() {
-    if (word(0) != kMagic) refuse("the file does not begin with 'glTF'");
+  /// Finds the binary chunk, and returns the description.
+  std::string_view read_chunks() {
     if (word(4) != kVersion) refuse(fmt::format("the file has version {} of glTF, and only 2 is read", word(4)));
     bytes_ = bytes_.substr(0, word(8));  // what follows the file's own length is no part of it
     std::string_view json;
@@ -146,8 +161,34 @@ class GlbFile {
       if (kind == kBinaryChunk && binary_.empty()) binary_ = bytes_.substr(begin, length);
       at = begin + length;
     }
-    gltf_ = Json::parse(json);
-    if (!gltf_.is_object()) refuse("the scene's description is no JSON object");
+    return json;
+  }
+
+  void check_version() const {
+    const auto asset = gltf_.find("asset");
+    if (asset == gltf_.end()) return;  // it should be there, and nothing depends on it
+    const std::string version = asset->value("version", "2.0"), least = asset->value("minVersion", "2.0");
+    if (!version.starts_with("2.") || least != "2.0") {
+      refuse(fmt::format("the file has version {} of glTF, and only 2.0 is read",
+                         gvd::quoted(least == "2.0" ? version : least)));
+    }
+  }
+
+  /// The bytes of a buffer. Each one, and each file, is read once. Addresses may be long: they are compared once for
+  /// each buffer, and not for each view.
+  std::string_view find_buffer(std::size_t b) {
+    const auto known = buffers_.find(b);
+    if (known != buffers_.end()) return known->second;
+    const Json& buffer = item("buffers", b);
+    const auto address = buffer.find("uri");
+    if (address == buffer.end()) {
+      if (is_binary_ && b == 0) return binary_;
+      refuse(fmt::format("buffer {} has no address, and only the first one of a .glb may lack it", b));
+    }
+    const auto& uri = address->get_ref<const std::string&>();
+    const auto [content, is_new] = contents_.try_emplace(uri);
+    if (is_new) content->second = read_gltf_buffer(uri, b, folder_, limit_, name_);
+    return buffers_[b] = content->second;
   }
 
   StoredNumber stored_number(std::size_t component_type) const {
@@ -171,30 +212,34 @@ class GlbFile {
     return std::exp2(8.0 * double(stored.size) - (stored.kind == StoredNumber::Kind::signed_integer ? 1 : 0)) - 1;
   }
 
-  std::string_view find_view(std::size_t v) const {
+  std::string_view find_view(std::size_t v) {
     const Json& view = item("bufferViews", v);
-    const std::size_t buffer = number(view, "buffer");
-    if (buffer != 0 || item("buffers", 0).contains("uri")) {
-      refuse(fmt::format("buffer {} is not in the file; export one .glb that has everything", buffer));
-    }
+    const std::size_t b = number(view, "buffer");
+    const std::string_view buffer = find_buffer(b);
     const std::size_t begin = number(view, "byteOffset", 0), length = number(view, "byteLength");
-    if (begin > binary_.size() || length > binary_.size() - begin) {
-      refuse(fmt::format("view {} has {} bytes from {} on, and the binary chunk has {}", v, length, begin,
-                         binary_.size()));
+    if (begin > buffer.size() || length > buffer.size() - begin) {
+      refuse(fmt::format("view {} has {} bytes from {} on, and buffer {} has {}", v, length, begin, b, buffer.size()));
     }
-    return binary_.substr(begin, length);
+    return buffer.substr(begin, length);
   }
 
   std::string_view bytes_, binary_;
+  bool is_binary_ = false;
   std::string name_;
+  std::optional<std::filesystem::path> folder_;
   ExpansionLimit limit_;
   Json gltf_;
+  std::map<std::size_t, std::string_view> buffers_;
+  std::map<std::string_view, std::string> contents_;  // by address, which `gltf_` holds
 };
 
 /// The triangles of a file's scene.
-class GlbParser {
+class GltfParser {
  public:
-  GlbParser(std::string_view bytes, std::string_view name) : file_(bytes, name) { soup_.unwelded = true; }
+  GltfParser(std::string_view bytes, std::string_view name, const std::optional<std::filesystem::path>& folder)
+      : file_(bytes, name, folder) {
+    soup_.unwelded = true;
+  }
 
   PolygonSoup parse() {
     refuse_extensions(file_.description());
@@ -214,8 +259,9 @@ class GlbParser {
   void refuse_extensions(const Json& object) const {
     for (const Json& extension : object.value("extensionsRequired", Json::array())) {
       const auto& name = extension.get_ref<const std::string&>();
-      if (std::ranges::find(kUnreadable, name) == kUnreadable.end()) continue;
-      file_.refuse(fmt::format("the mesh needs glTF's extension {}, which is not read; export it without", name));
+      if (std::ranges::any_of(kHarmless, [&](std::string_view begin) { return name.starts_with(begin); })) continue;
+      file_.refuse(
+          fmt::format("the mesh needs glTF's extension {}, which is not read; export it without", printable(name)));
     }
   }
 
@@ -278,7 +324,7 @@ class GlbParser {
         ++left_out_;
         continue;
       }
-      if (primitive.value("extensions", Json::object()).contains(kUnreadable[0])) {
+      if (primitive.value("extensions", Json::object()).contains(kDraco)) {
         file_.refuse("the mesh is compressed by Draco, which is not read; export it without compression");
       }
       const std::size_t positions = file_.number(primitive.at("attributes"), "POSITION");
@@ -330,6 +376,9 @@ class GlbParser {
     if (has_second_set_) unread.emplace_back("the second texture coordinates");
     if (!file_.array("images").empty()) unread.emplace_back(kUnreadImages);
     if (file_.array("materials").size() > 1) unread.emplace_back("materials");
+    if (std::ranges::find(file_.array("extensionsUsed"), Json(kTextureTransform)) !=
+        file_.array("extensionsUsed").end())
+      unread.emplace_back("transforms of texture coordinates");
   }
 
   std::vector<double> read_indices(const Json& primitive, std::size_t vertices) {
@@ -374,7 +423,7 @@ class GlbParser {
     check_counts(0, soup_.polygon_count(), file_.name());
   }
 
-  GlbFile file_;
+  GltfFile file_;
   std::vector<char> visited_;  // nodes
   std::int64_t left_out_ = 0;
   bool has_sparse_ = false, has_second_set_ = false;  // of texture coordinates
@@ -383,9 +432,10 @@ class GlbParser {
 
 }  // namespace
 
-PolygonSoup parse_glb(std::string_view bytes, std::string_view name) {
+PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
+                       const std::optional<std::filesystem::path>& folder) {
   try {
-    return GlbParser(bytes, name).parse();
+    return GltfParser(bytes, name, folder).parse();
   } catch (const Json::exception& error) {  // a member is missing or has another type
     throw Error(ErrorCode::unreadable_input,
                 fmt::format("{}: the scene's description is damaged: {}", name, printable(error.what(), 120)));

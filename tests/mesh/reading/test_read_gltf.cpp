@@ -2,7 +2,7 @@
 #include "mesh/reading/soup_files.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test_read_glb {
+namespace gvd::test_read_gltf {
 
 using namespace test;
 
@@ -102,12 +102,17 @@ TEST_CASE("glb: what is not read is refused in one clear line") {
   refused(R"("indices":1)", R"("indices":1,"extensions":{"KHR_draco_mesh_compression":{}})", "compressed by Draco");
   refused(R"("count":4)", R"("count":4,"sparse":{})", "accessor 0 is sparse");
   refused(R"("bufferView":0,)", "", "accessor 0 has no numbers");
-  refused(R"("buffers":[{)", R"("buffers":[{"uri":"a.bin",)", "buffer 0 is not in the file");
+  refused(R"({"asset")", R"({"extensionsRequired":["VENDOR_fold"],"asset")",
+          "the mesh needs glTF's extension VENDOR_fold, which is not read; export it without");
+  refused(R"("buffers":[{)", R"("buffers":[{"uri":"a.bin",)", "buffer 0, 'a.bin', is not in the file");
+  refused(R"({"buffer":0,"byteLength":48})", R"({"buffer":1,"byteLength":48})", "there is no item 1 of buffers");
+  refused(R"({"version":"2.0"})", R"({"version":"1.0"})", "the file has version '1.0' of glTF, and only 2.0 is read");
+  refused(R"({"version":"2.0"})", R"({"version":"2.1","minVersion":"2.1"})", "the file has version '2.1' of glTF");
   refused(R"("count":4)", R"("count":5)", "accessor 0 has 5 elements, and its view has 48 bytes");
   refused(R"("count":4)", R"("count":4000000000000000000)", "accessor 0 has 4000000000000000000 elements");
   refused(R"("count":4)", R"("count":-1)", "'count' is no index or count");
   refused(R"("count":4)", R"("count":3)", "an index is 3, and there are 3 vertices");
-  refused(R"("byteOffset":48)", R"("byteOffset":123)", "view 1 has 12 bytes from 123 on, and the binary chunk has 132");
+  refused(R"("byteOffset":48)", R"("byteOffset":123)", "view 1 has 12 bytes from 123 on, and buffer 0 has 132");
   refused(R"("POSITION":0)", R"("POSITION":9)", "there is no item 9 of accessors");
   refused(R"("POSITION":0)", R"("NORMAL":0)", "'POSITION' is no index or count");
   refused(R"("primitives")", R"("primitive")", "the scene's description is damaged");
@@ -125,6 +130,38 @@ TEST_CASE("glb: what is not read is refused in one clear line") {
                   "a coordinate of vertex 1 is not a finite number", ErrorCode::precondition);
 }
 
+TEST_CASE("glb: required extensions that leave the triangles as they are do not matter") {
+  for (const std::string name : {"KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_basisu"}) {
+    require_tetrahedron(
+        parse(replaced(glb_description(1), R"({"asset")", R"({"extensionsRequired":[")" + name + R"("],"asset")")));
+  }
+  const PolygonSoup soup =
+      parse(replaced(glb_description(1), R"({"asset")", R"({"extensionsUsed":["KHR_texture_transform"],"asset")"));
+  CHECK(soup.appearance.unread == std::vector<std::string>{"transforms of texture coordinates"});
+}
+
+TEST_CASE("gltf: JSON with its numbers in Base64 is read, and told from other JSON") {
+  require_tetrahedron(parse_soup(kGltf, MeshFormat::gltf, "file"));
+  require_tetrahedron(parse_soup("\xEF\xBB\xBF \n" + kGltf, MeshFormat::gltf, "file"));
+  require_tetrahedron(parse_soup(kGltf, MeshFormat::glb, "file"));
+  require_tetrahedron(parse_soup(glb_of(kGltf, ""), MeshFormat::gltf, "file"));
+  CHECK(detect_format(kGltf, "a.txt") == MeshFormat::gltf);
+  CHECK_FALSE(detect_format("{}", "a.txt"));
+  require_refused(glb_description(1), MeshFormat::gltf, "buffer 0 has no address");
+  require_refused("glXX", MeshFormat::gltf, "the file begins neither with 'glTF' nor, as JSON, with '{'");
+}
+
+TEST_CASE("gltf: several buffers, each in its own way") {
+  const std::string first = glb_numbers().substr(0, 48);
+  std::string text = replaced(kGltf, R"({"buffer":0,"byteLength":48})", R"({"buffer":1,"byteLength":48})");
+  // (0, 0, 0), (1, 1, 0), (1, 0, 1), (0, 1, 1)
+  text = replaced(
+      text, R"("byteLength":132}])",
+      R"("byteLength":132},{"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAgD8AAAAAAACAPwAAAAAAAIA/AAAAAAAAgD8AAIA/","byteLength":48}])");
+  REQUIRE(first.size() == 48);
+  require_tetrahedron(parse_soup(text, MeshFormat::gltf, "file"));
+}
+
 TEST_CASE("glb: instances are counted, so that a small file can't take all memory") {
   std::string nodes = R"([{"children":[)", instances;
   for (int i = 1; i <= 40000; ++i) {
@@ -139,4 +176,4 @@ TEST_CASE("glb: instances are counted, so that a small file can't take all memor
                   "unfolds to more than 200 times its size");
 }
 
-}  // namespace gvd::test_read_glb
+}  // namespace gvd::test_read_gltf
