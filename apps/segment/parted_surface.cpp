@@ -53,7 +53,7 @@ void add_region_options(CLI::App& app, RegionOptions& regions, GeneratorOptions&
   add_file(
       app, "--within", regions.within,
       "Keep regions and distances inside given regions: a file with a whole number for each face or each vertex, or "
-      "the name of a property of a PLY input; faces with negative numbers are left out",
+      "the name of a property of a PLY, VTP or VTU input; faces with negative numbers are left out",
       "PROPERTY|FILE");
   add_file(app, "--mask", regions.mask, "Leave out the faces whose number in this file or property is not 0",
            "PROPERTY|FILE");

@@ -1,10 +1,13 @@
 // The options of the commands: usage errors, help, and files of options.
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
+#include "gvd/generator_list.hpp"
+#include "gvd/read_soup.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_command_options {
@@ -114,6 +117,23 @@ TEST_CASE("commands: the command line's generators take the place of those of th
     REQUIRE(result.exit_code == 0);
     CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["generators"].size() == 3);
   }
+}
+
+TEST_CASE("commands: the schema of reports has every format of a mesh and of a list") {
+  const auto schema = nlohmann::json::parse(read_text(data_file("../docs/schema/gvd-report-1.schema.json")));
+  const auto& options = schema["properties"]["options"]["properties"];
+  const auto names_of = [&](const char* option) {
+    std::vector<std::string> names;
+    for (const auto& name : options[option]["enum"]) {
+      if (name.is_string()) names.push_back(name);
+    }
+    return names;
+  };
+  const auto are = [](const std::vector<std::string>& names, const std::vector<std::string_view>& wanted) {
+    return std::equal(names.begin(), names.end(), wanted.begin(), wanted.end());
+  };
+  CHECK(are(names_of("input_format"), names_in(kMeshFormatNames)));
+  CHECK(are(names_of("generators_format"), names_in(kGeneratorFormatNames)));
 }
 
 }  // namespace gvd::test_command_options

@@ -92,6 +92,76 @@ TEST_CASE("the format of a list is told from its content") {
     CHECK(detect_generator_format(json) == Format::json);
 }
 
+TEST_CASE("the vertices of a PLY are points in faces where it has them, else positions") {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\nproperty double z\n";
+  const std::string points =
+      head + "property int face\nproperty double b0\nproperty double b1\nproperty double b2\nend_header\n";
+  CHECK(detect_generator_format(points) == GeneratorFormat::ply);
+  const auto parse = [](const std::string& bytes) {
+    return parse_generators(bytes, GeneratorFormat::ply, "list").entries;
+  };
+  const auto in_faces = parse(points + "9 9 9 3 0.25 0.5 0.25\n9 9 9 0 1 0 0\n");
+  REQUIRE(in_faces.size() == 2);
+  CHECK(in_faces[0].kind == GeneratorEntry::Kind::face);
+  CHECK(in_faces[0].index == 3);
+  CHECK(in_faces[0].values == std::array{0.25, 0.5, 0.25});
+  const auto positions =
+      parse(head + "element face 0\nproperty list uchar int vertex_indices\nend_header\n1 2 3\n4 5 6.5\n");
+  REQUIRE(positions.size() == 2);
+  CHECK(positions[1].kind == GeneratorEntry::Kind::position);
+  CHECK(positions[1].values == std::array{4.0, 5.0, 6.5});
+  const auto refused = [&](const std::string& bytes) {
+    return refusal([&] { parse(bytes); }, ErrorCode::unreadable_input);
+  };
+  CHECK(refused(points + "9 9 9 3 0.25 0.5 0.25\n9 9 9 0.5 1 0 0\n") ==
+        "list: point 1 of the PLY has numbers that are no face and coordinates in it");
+  CHECK(refused(head + "end_header\n1 2 nan\n1 2 3\n") == "list: point 0 of the PLY has numbers that are no position");
+  CHECK_THAT(refused(head + "end_header\n1 2 3\n"), Catch::Matchers::Contains("the header promises 2 of element 'vertex'"));
+  CHECK_THAT(refused("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float "
+                     "z\nend_header\n"),
+             Catch::Matchers::Contains("holds no generator"));
+}
+
+TEST_CASE(
+    "the first three numbers of a line of XYZ are a position, whole or not; text takes a position with a normal") {
+  const auto xyz = parse_generators("1 2 3\n4 5 6 0 0 1 255 red\n", GeneratorFormat::xyz, "list").entries;
+  REQUIRE(xyz.size() == 2);
+  CHECK(xyz[0].kind == GeneratorEntry::Kind::position);
+  CHECK(xyz[1].values == std::array{4.0, 5.0, 6.0});
+  CHECK(xyz[1].line == 2);
+  CHECK(refusal([] { parse_generators("1 2\n", GeneratorFormat::xyz, "list"); }, ErrorCode::unreadable_input) ==
+        "list:1: 2 fields of three coordinates");
+  const auto text = parse_generators("4 5 6 0 0 1\n", GeneratorFormat::text, "list").entries;
+  REQUIRE(text.size() == 1);
+  CHECK(text[0].kind == GeneratorEntry::Kind::position);
+  CHECK(text[0].values == std::array{4.0, 5.0, 6.0});
+  CHECK_THAT(
+      refusal([] { parse_generators("4 5 6 0 0 up\n", GeneratorFormat::text, "list"); }, ErrorCode::unreadable_input),
+      Catch::Matchers::Contains("'up' is no finite number"));
+}
+
+TEST_CASE("an array of NumPy is no list, and named") {
+  CHECK(
+      refusal([] { parse_generators("\x93NUMPY\x01", GeneratorFormat::text, "list"); }, ErrorCode::unreadable_input) ==
+      "list: the file is an array of NumPy; write the points as .ply, .xyz or text");
+}
+
+TEST_CASE("a list in UTF-16 is read in every format") {
+  const auto wide = [](std::string_view text) {
+    std::string bytes = "\xff\xfe";
+    for (const char c : text) bytes += {c, '\0'};
+    return bytes;
+  };
+  for (const auto& [text, format] : {std::pair("17\r\n", GeneratorFormat::text),
+                                     {"vertex\r\n17\r\n", GeneratorFormat::csv},
+                                     {"{\"generators\":[{\"vertex\":17}]}", GeneratorFormat::json}}) {
+    CHECK(detect_generator_format(wide(text)) == format);
+    CHECK(parse_generators(wide(text), format, "list").entries.at(0).index == 17);
+  }
+  CHECK(parse_numbers(wide("1 2"), "list") == std::vector<double>{1, 2});
+}
+
 TEST_CASE("a file is read in the given format, in that of its extension, or by its content") {
   const TemporaryFolder folder;
   const std::string json = "{\"generators\":[{\"vertex\":7}]}";

@@ -12,8 +12,9 @@ using namespace test;
 using Catch::Matchers::Contains;
 using Numbers = std::vector<double>;
 
-std::string npy(const std::string& type, const std::string& shape, const std::string& data, int version = 1) {
-  std::string header = "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }\n";
+std::string npy(const std::string& type, const std::string& shape, const std::string& data, int version = 1,
+                const std::string& by_columns = "False") {
+  std::string header = "{'descr': '" + type + "', 'fortran_order': " + by_columns + ", 'shape': " + shape + ", }\n";
   const std::string length =
       version == 1 ? bytes_of(std::uint16_t(header.size())) : bytes_of(std::uint32_t(header.size()));
   return "\x93NUMPY" + std::string{char(version), '\0'} + length + header + data;
@@ -57,6 +58,94 @@ TEST_CASE("values: the content decides on the format") {
   CHECK_THAT(refused(kGifti), Contains("0 arrays of values"));
   CHECK_THAT(refused(std::string(4, '\0')), Contains("ends before the table of regions"));
   CHECK_THAT(refused(kObj), Contains("'v' is no number"));
+}
+
+TEST_CASE("values: a table says which element each row is of, in any order") {
+  CHECK(parse_values("face,label\r\n0,7\r\n1,-1\r\n", "file") == Numbers{7, -1});
+  CHECK(parse_values("# c\n\"vertex\",\"label\"\n2,5\n0,3\n1,4\n", "file") == Numbers{3, 4, 5});
+  CHECK(parse_values("source,vertex,distance\n0,0,0.5\n,1,inf\n", "file") == Numbers{0.5, HUGE_VAL});
+  CHECK(parse_values(std::string("\xff\xfe"
+                                 "1\0 \0"
+                                 "2\0",
+                                 8),
+                     "file") == Numbers{1, 2});
+}
+
+TEST_CASE("values: a table that lacks an element, or has one twice, is refused with its line") {
+  CHECK(refused("face,label\n0,1\n0,2\n") == "file:3: face 0 has a second row");
+  CHECK(refused("face,label\n0,1\n2,2\n") == "file:3: face 2 in a table of 2 rows; each one from 0 on needs a row");
+  CHECK(refused("vertex,label\n-1,1\n") == "file:2: '-1' is no index of a vertex; indices are whole numbers from 0");
+  CHECK(refused("vertex,label\n0,one\n") == "file:2: 'one' is no number");
+  CHECK(refused("vertex,label\n0,1,2\n") == "file:2: 3 fields, but the header has 2; give as many as the header");
+  CHECK(refused("source,vertex\n0,0\n") == "file:1: the header names no column of numbers");
+  CHECK(refused("face,label_1,label_2\n0,1,2\n") == "file: the table has 2 columns of numbers, and one is needed");
+  CHECK_THAT(refused("\n\xef\xbb\xbf\"face,l\n1,5\n"), Contains("file:2: '???"));  // found by libFuzzer
+  CHECK(parse_values("\xef\xbb\xbf"
+                     "face,label\n0,5\n",
+                     "file") == Numbers{5});
+  CHECK(refused("label\n3\n") == "file:1: 'label' is no number");
+}
+
+/// The numbers of a file for a mesh of a square of two triangles.
+std::string values_for_square(const TemporaryFolder& folder, const std::string& bytes, ValueColumns columns) {
+  PolygonSoup soup =
+      make_soup(std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, std::vector<std::int64_t>{0, 1, 2, 0, 2, 3});
+  write_bytes(folder / "values", bytes);
+  const auto found =
+      read_element_values(build_mesh(soup), (folder / "values").string(), {}, SoupElement::polygon, columns);
+  REQUIRE(found.has_value());
+  std::string text = found->soup.of_vertices ? "vertices" : "faces";
+  for (const double value : found->soup.values) text += ' ' + std::to_string(int(value));
+  return text;
+}
+
+TEST_CASE("values: of labels at several levels the last ones count, where they may") {
+  const TemporaryFolder folder;
+  const auto last = [&](const std::string& bytes) { return values_for_square(folder, bytes, ValueColumns::last); };
+  const auto ints = [](std::initializer_list<std::int32_t> values) {
+    std::string bytes;
+    for (const std::int32_t value : values) bytes += bytes_of(value);
+    return bytes;
+  };
+  const std::string rows = npy("<i4", "(2, 3)", ints({1, 2, 3, 4, 5, 6}));
+  CHECK(last(rows) == "faces 3 6");
+  CHECK(last(npy("<i4", "(2, 3)", ints({1, 2, 3, 4, 5, 6}), 1, "True")) == "faces 5 6");
+  CHECK(last("face,label_1,label_2\n1,10,11\n0,12,13\n") == "faces 13 11");
+  CHECK_THAT(refusal([&] { values_for_square(folder, rows, ValueColumns::one); }, ErrorCode::unreadable_input),
+             Contains("the array has the shape '2, 3', and one dimension is needed"));
+  CHECK_THAT(refusal([&] { last(npy("<i4", "(1, 2, 3, 2)", ints({1}))); }, ErrorCode::unreadable_input),
+             Contains("one dimension is needed"));
+  CHECK_THAT(refusal([&] { last(npy("<i4", "(4294967296, 4294967296)", "")); }, ErrorCode::unreadable_input),
+             Contains("one dimension is needed"));
+}
+
+TEST_CASE("values: numbers of what the repair made of the file count where their number is no other's") {
+  const TemporaryFolder folder;
+  // A square of one quadrilateral, with a vertex that no face has.
+  const PolygonSoup soup = make_soup(std::vector<double>{9, 9, 9, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0},
+                                     std::vector<std::int64_t>{1, 2, 3, 4}, 4);
+  const CheckedMesh mesh = build_mesh(soup);
+  const auto kind_of = [&](const std::string& bytes) {
+    write_bytes(folder / "values", bytes);
+    const auto found = read_element_values(mesh, (folder / "values").string(), {});
+    REQUIRE(found.has_value());
+    return std::string(found->of_mesh ? "mesh" : "file") + (found->soup.of_vertices ? " vertices" : " faces");
+  };
+  CHECK(kind_of("1 2 3 4 5") == "file vertices");
+  CHECK(kind_of("1") == "file faces");
+  CHECK(kind_of("1 2 3 4") == "mesh vertices");
+  CHECK(kind_of("1 2") == "mesh faces");
+  CHECK(kind_of("face,label\n0,1\n1,1\n") == "mesh faces");
+  CHECK_THAT(refusal([&] { kind_of("1 2 3"); }, ErrorCode::unreadable_input),
+             Contains("3 numbers; give one for each vertex (5) or each face (1)"));
+}
+
+TEST_CASE("values: a table of faces is none of vertices, and the other way round") {
+  const TemporaryFolder folder;
+  CHECK(values_for_square(folder, "vertex,label\n0,1\n1,1\n2,1\n3,1\n", ValueColumns::one) == "vertices 1 1 1 1");
+  CHECK_THAT(refusal([&] { values_for_square(folder, "face,label\n0,1\n1,1\n2,1\n3,1\n", ValueColumns::one); },
+                     ErrorCode::unreadable_input),
+             Contains("4 numbers; give one for each vertex (4) or each face (2)"));
 }
 
 TEST_CASE("values: what this library writes comes back, also packed by gzip") {

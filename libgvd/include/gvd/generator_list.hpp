@@ -35,20 +35,23 @@ struct GeneratorList {
 };
 
 /// The formats of a list, which docs/guide/generators.md describes.
-enum class GeneratorFormat { text, csv, json };
-inline const Choices<GeneratorFormat> kGeneratorFormatNames{
-    {"text", GeneratorFormat::text}, {"csv", GeneratorFormat::csv}, {"json", GeneratorFormat::json}};
+enum class GeneratorFormat { text, csv, json, ply, xyz };
+inline const Choices<GeneratorFormat> kGeneratorFormatNames{{"text", GeneratorFormat::text},
+                                                            {"csv", GeneratorFormat::csv},
+                                                            {"json", GeneratorFormat::json},
+                                                            {"ply", GeneratorFormat::ply},
+                                                            {"xyz", GeneratorFormat::xyz}};
 
-/// The format that a list is written in. JSON begins with a brace or bracket. A line of CSV that holds more than a
-/// comment has a comma, or is the header `vertex`; anything else is text. Cost: O(length).
+/// The format that a list is written in. PLY begins with `ply`, JSON with a brace or bracket. A line of CSV that holds
+/// more than a comment has a comma, or is the header `vertex`; anything else is text. Cost: O(length).
 GeneratorFormat detect_generator_format(std::string_view content);
 
-/// Parses a list in any locale. `name` is the file's, for messages.
+/// Parses a list in any locale; text may be UTF-16 with a byte order mark. `name` is the file's, for messages.
 /// Throws Error{unreadable_input} with name and line. Cost: O(length).
 GeneratorList parse_generators(std::string_view content, GeneratorFormat format, const std::string& name);
 
-/// Reads a file in the given format, or else in that of its extension: .json, .csv or .txt, or else in that of its
-/// content. Throws Error{unreadable_input} where it can't be read, is damaged or holds no generator.
+/// Reads a file in the given format, or else in that of its extension: .json, .csv, .txt, .ply or .xyz, or else in that
+/// of its content. Throws Error{unreadable_input} where it can't be read, is damaged or holds no generator.
 GeneratorList read_generators(const std::filesystem::path& path, std::optional<GeneratorFormat> format = {});
 
 struct ResolveOptions {
@@ -86,7 +89,8 @@ ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& lis
 /// Cost: O(n log n).
 std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<SurfacePoint>& points);
 
-/// The points as a list that reads back bit by bit, in any locale. Positions are written for other programs.
+/// The points as a list that reads back bit by bit, in any locale. Positions are written for other programs; XYZ has
+/// nothing else, and reads back as the closest points.
 std::string format_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points, GeneratorFormat format);
 
 }  // namespace gvd

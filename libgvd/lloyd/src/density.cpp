@@ -28,6 +28,10 @@ std::vector<double> to_vertices(const CheckedMesh& input, const std::vector<doub
 Density make_density(const CheckedMesh& input, const ElementValues& given) {
   const SoupProperty& property = given.soup;
   try {
+    if (given.of_mesh) {
+      return property.of_vertices ? make_vertex_density(input.mesh, property.values)
+                                  : make_face_density(input.mesh, property.values);
+    }
     if (property.of_vertices) return make_vertex_density(input.mesh, to_vertices(input, property.values));
     std::vector<double> of_faces;
     for (const std::int32_t p : input.input_polygon) of_faces.push_back(property.values[p]);

@@ -20,6 +20,7 @@
 #include "io/parse_lists.hpp"
 #include "io/writers/format_writers.hpp"
 #include "mesh/reading/readers.hpp"
+#include "mesh/reading/unpack.hpp"
 
 namespace gvd {
 namespace {
@@ -169,6 +170,7 @@ std::vector<std::int32_t> unite_touching(const std::vector<std::int32_t>& curve,
 }  // namespace
 
 CurveList parse_curves(std::string_view content, const std::string& name) {
+  if (is_utf16(content)) return parse_curves(to_utf8(content), name);
   const std::string extension = io::bare_extension(std::filesystem::path(name).extension().string());
   const std::optional<MeshFormat> format = detect_format(content, name);
   CurveList list;

@@ -33,12 +33,18 @@
 #include "gvd/text.hpp"
 #include "io/parse_lists.hpp"
 #include "io/writers/format_writers.hpp"
+#include "mesh/reading/unpack.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
 
-void refuse_compressed(std::string_view content, const std::string& name) {
+/// Refuses content that is no list of any format.
+void refuse_foreign(std::string_view content, const std::string& name) {
+  if (content.starts_with("\x93NUMPY")) {
+    throw Error(ErrorCode::unreadable_input,
+                name + ": the file is an array of NumPy; write the points as .ply, .xyz or text");
+  }
   const std::string_view program = find_compression(content);
   if (program.empty()) return;
   throw Error(ErrorCode::unreadable_input,
@@ -64,6 +70,8 @@ std::optional<GeneratorFormat> format_of_extension(const std::filesystem::path& 
   const std::string extension = io::bare_extension(path.extension().string());
   if (extension == "json") return GeneratorFormat::json;
   if (extension == "csv") return GeneratorFormat::csv;
+  if (extension == "ply") return GeneratorFormat::ply;
+  if (extension == "xyz") return GeneratorFormat::xyz;
   return extension == "txt" ? std::optional(GeneratorFormat::text) : std::nullopt;
 }
 
@@ -95,6 +103,29 @@ std::string json_of(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
     separator = ",\n";
   }
   return out + "\n]}\n";
+}
+
+std::string ply_of(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  std::string out = fmt::format("ply\nformat ascii 1.0\nelement vertex {}\n", points.size());
+  for (const char* name : {"double x", "double y", "double z", "int face", "double b0", "double b1", "double b2"}) {
+    out += fmt::format("property {}\n", name);
+  }
+  out += "end_header\n";
+  for (const SurfacePoint& point : points) {
+    const Vec3 p = position(mesh, point);
+    fmt::format_to(std::back_inserter(out), "{} {} {}\n", fmt::join(p.data(), p.data() + 3, " "), point.face.value(),
+                   fmt::join(point.bary, " "));
+  }
+  return out;
+}
+
+std::string xyz_of(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  std::string out;
+  for (const SurfacePoint& point : points) {
+    const Vec3 p = position(mesh, point);
+    fmt::format_to(std::back_inserter(out), "{}\n", fmt::join(p.data(), p.data() + 3, " "));
+  }
+  return out;
 }
 
 using Cube = std::array<std::int64_t, 3>;
@@ -299,6 +330,8 @@ class Resolver {
 }  // namespace
 
 GeneratorFormat detect_generator_format(std::string_view content) {
+  if (is_utf16(content)) return detect_generator_format(to_utf8(content));
+  if (detect_format(content, "") == MeshFormat::ply) return GeneratorFormat::ply;
   const std::vector<detail::ListLine> lines = detail::split_lines(content);
   const std::string_view first = lines.empty() ? std::string_view() : lines.front().text;
   if (first.starts_with('{') || first.starts_with('[')) return GeneratorFormat::json;
@@ -307,10 +340,11 @@ GeneratorFormat detect_generator_format(std::string_view content) {
 }
 
 GeneratorList parse_generators(std::string_view content, GeneratorFormat format, const std::string& name) {
-  refuse_compressed(content, name);
-  const auto parse = format == GeneratorFormat::json  ? detail::parse_json
-                     : format == GeneratorFormat::csv ? detail::parse_csv
-                                                      : detail::parse_text;
+  if (is_utf16(content)) return parse_generators(to_utf8(content), format, name);
+  refuse_foreign(content, name);
+  constexpr std::array kParsers{detail::parse_text, detail::parse_csv, detail::parse_json, detail::parse_ply_points,
+                                detail::parse_xyz};  // in the order of GeneratorFormat
+  const auto parse = kParsers[static_cast<std::size_t>(format)];
   GeneratorList list{name, parse(content, name)};
   if (list.entries.empty())
     throw Error(ErrorCode::unreadable_input, name + ":1: the list holds no generator; write at least one");
@@ -324,12 +358,24 @@ GeneratorList read_generators(const std::filesystem::path& path, std::optional<G
 }
 
 std::string format_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points, GeneratorFormat format) {
-  if (format == GeneratorFormat::text) return text_of(points);
-  return format == GeneratorFormat::csv ? csv_of(mesh, points) : json_of(mesh, points);
+  switch (format) {
+    case GeneratorFormat::csv:
+      return csv_of(mesh, points);
+    case GeneratorFormat::json:
+      return json_of(mesh, points);
+    case GeneratorFormat::ply:
+      return ply_of(mesh, points);
+    case GeneratorFormat::xyz:
+      return xyz_of(mesh, points);
+    case GeneratorFormat::text:
+      break;
+  }
+  return text_of(points);
 }
 
 std::vector<double> parse_numbers(std::string_view content, const std::string& name) {
-  refuse_compressed(content, name);
+  if (is_utf16(content)) return parse_numbers(to_utf8(content), name);
+  refuse_foreign(content, name);
   std::vector<double> numbers;
   for (const auto& [text, line] : detail::split_lines(content)) {
     for (const std::string_view field : detail::split_fields(text, ',')) {

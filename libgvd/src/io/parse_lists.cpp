@@ -21,16 +21,18 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
+#include "mesh/reading/readers.hpp"
 
 namespace gvd::detail {
 namespace {
 
 using Fields = std::vector<std::string_view>;
 
-constexpr std::string_view kBlanks = " \t\r\f\v";
+constexpr std::string_view kBlanks = " \t\r\f\v", kByteOrderMark = "\xef\xbb\xbf";
 
 std::string_view trim(std::string_view text, std::string_view blanks = kBlanks) {
   const std::size_t first = text.find_first_not_of(blanks);
@@ -93,9 +95,10 @@ GeneratorEntry parse_entry(const Fields& fields, const ListLocation& location, c
     entry.kind = fields[0] == "p" ? GeneratorEntry::Kind::position : GeneratorEntry::Kind::face;
     if (entry.kind == GeneratorEntry::Kind::face) entry.index = parse_face(fields[0], location, separator);
     entry.values = parse_values({fields[1], fields[2], fields[3]}, location);
-  } else if (fields.size() == 3) {
+  } else if (fields.size() == 3 || (fields.size() == 6 && separator == ' ')) {  // six: with a normal
     entry.kind = GeneratorEntry::Kind::position;
     entry.values = parse_values({fields[0], fields[1], fields[2]}, location);
+    if (fields.size() == 6) parse_values({fields[3], fields[4], fields[5]}, location);
   } else {
     location.refuse(fmt::format("{}; write a vertex 'V', a face with coordinates '{}' or a position '{}' or '{}'",
                                 counted(std::ssize(fields), "field", "fields"), spell("F b0 b1 b2", separator),
@@ -114,6 +117,18 @@ Fields split_commas(std::string_view text) {
   return fields;
 }
 
+/// The column of this name; -1 where there is none.
+std::ptrdiff_t find_column(const Fields& names, std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? -1 : found - names.begin();
+}
+
+/// The column that numbers the elements of a table: `vertex`, else `face`; -1 where there is none.
+std::ptrdiff_t find_element_column(const Fields& names) {
+  const std::ptrdiff_t vertex = find_column(names, "vertex");
+  return vertex >= 0 ? vertex : find_column(names, "face");
+}
+
 /// The first field of a header is a name: neither a number nor the `p` of a position.
 bool is_header(const Fields& fields) {
   return fields[0] != "p" && !fields[0].empty() && !parse_number<double>(fields[0]);
@@ -127,10 +142,7 @@ struct Columns {
 };
 
 Columns read_header(const Fields& names, const ListLocation& location) {
-  const auto find = [&](std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    return found == names.end() ? -1 : found - names.begin();
-  };
+  const auto find = [&](std::string_view name) { return find_column(names, name); };
   Columns columns{find("vertex"),
                   find("face"),
                   {find("b0"), find("b1"), find("b2")},
@@ -293,7 +305,6 @@ std::vector<GeneratorEntry> parse_entries(const std::vector<ListRow>& rows, cons
 }
 
 std::vector<ListLine> split_lines(std::string_view content) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (content.substr(0, kByteOrderMark.size()) == kByteOrderMark) content.remove_prefix(kByteOrderMark.size());
   std::vector<ListLine> lines;
   std::int32_t number = 0;
@@ -329,6 +340,95 @@ std::vector<GeneratorEntry> parse_csv(std::string_view content, const std::strin
     entries.push_back(read_row(columns, rows[i].fields, {name, rows[i].number}));
   }
   return entries;
+}
+
+std::vector<GeneratorEntry> parse_xyz(std::string_view content, const std::string& name) {
+  std::vector<GeneratorEntry> entries;
+  for (const auto& [text, number] : split_lines(content)) {
+    const Fields fields = split_fields(text);
+    const ListLocation location{name, number};
+    if (fields.size() < 3)
+      location.refuse(fmt::format("{} of three coordinates", counted(std::ssize(fields), "field", "fields")));
+    entries.push_back(
+        {GeneratorEntry::Kind::position, 0, parse_values({fields[0], fields[1], fields[2]}, location), number});
+  }
+  return entries;
+}
+
+std::vector<GeneratorEntry> parse_ply_points(std::string_view content, const std::string& name) {
+  const std::vector<MeshProperty> columns = parse_ply_vertices(content, name);
+  const auto find = [&](const char* wanted) {
+    const auto found = std::ranges::find(columns, wanted, &MeshProperty::name);
+    return found == columns.end() ? nullptr : &found->values;
+  };
+  using Columns = std::array<const std::vector<double>*, 3>;
+  const std::vector<double>* const face = find("face");
+  const Columns bary{find("b0"), find("b1"), find("b2")}, position{find("x"), find("y"), find("z")};
+  const bool has_faces = face != nullptr && std::ranges::find(bary, nullptr) == bary.end();
+  const Columns& three = has_faces ? bary : position;
+  std::vector<GeneratorEntry> entries;
+  for (std::size_t i = 0; i < three[0]->size(); ++i) {
+    GeneratorEntry entry{has_faces ? GeneratorEntry::Kind::face : GeneratorEntry::Kind::position, 0, {}, 0};
+    for (std::size_t k = 0; k < 3; ++k) entry.values[k] = (*three[k])[i];
+    const bool is_finite = std::isfinite(entry.values[0] + entry.values[1] + entry.values[2]);
+    const double index = has_faces ? (*face)[i] : 0;
+    constexpr double kMostFaces = 2147483647;
+    if (!is_finite || !(index >= 0 && index <= kMostFaces) || index != std::floor(index)) {
+      ListLocation{name, 0}.refuse(fmt::format("point {} of the PLY has numbers that are no {}", i,
+                                               has_faces ? "face and coordinates in it" : "position"));
+    }
+    entry.index = static_cast<std::int64_t>(index);
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
+bool is_element_table(std::string_view content) {
+  if (content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
+  while (!content.empty()) {
+    const std::size_t end = std::min(content.find('\n'), content.size());
+    const std::string_view line = content.substr(0, end), text = trim(line.substr(0, line.find('#')));
+    content.remove_prefix(std::min(end + 1, content.size()));
+    if (text.empty()) continue;
+    const Fields names = split_commas(text);
+    return names.size() > 1 && is_header(names) && find_element_column(names) >= 0;
+  }
+  return false;
+}
+
+ElementTable parse_element_table(std::string_view content, const std::string& name) {
+  const std::vector<ListLine> lines = split_lines(content);
+  const Fields names = split_commas(lines.front().text);
+  const std::ptrdiff_t element = find_element_column(names);
+  if (element < 0) ListLocation{name, lines.front().number}.refuse("the header has no column vertex or face");
+  const std::string_view kind = names[element];
+  ElementTable table{kind == "vertex", 0, std::vector<double>(lines.size() - 1)};
+  std::ptrdiff_t last = -1;
+  for (std::ptrdiff_t c = 0; c < std::ssize(names); ++c) {
+    if (c == element || names[c] == "source") continue;
+    last = c;
+    ++table.columns;
+  }
+  if (last < 0) ListLocation{name, lines.front().number}.refuse("the header names no column of numbers");
+  std::vector<char> is_known(table.numbers.size(), 0);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const ListLocation location{name, lines[i].number};
+    const Fields fields = split_commas(lines[i].text);
+    if (fields.size() != names.size()) {
+      location.refuse(fmt::format("{}, but the header has {}; give as many as the header",
+                                  counted(std::ssize(fields), "field", "fields"), names.size()));
+    }
+    const std::int64_t index = parse_index(fields[element], kind, location);
+    if (index >= std::ssize(is_known)) {
+      location.refuse(fmt::format("{} {} in a table of {}; each one from 0 on needs a row", kind, index,
+                                  counted(std::ssize(is_known), "row", "rows")));
+    }
+    if (std::exchange(is_known[index], 1) != 0) location.refuse(fmt::format("{} {} has a second row", kind, index));
+    const auto number = parse_number<double>(fields[last]);
+    if (!number) location.refuse(fmt::format("{} is no number", quoted(fields[last])));
+    table.numbers[index] = *number;
+  }
+  return table;
 }
 
 nlohmann::json parse_document(std::string_view content, const std::string& name) {

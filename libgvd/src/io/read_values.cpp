@@ -1,10 +1,12 @@
 // Numbers of vertices or faces: finds the format by the content, and hands the bytes to its reader. NumPy's is here.
 //
+// A table has a header with a column `face` or `vertex`; any other text is a list of numbers.
 // A text begins with a character, a FreeSurfer annotation with a zero: the highest byte of a count below 16 million.
 // The header of an NPY is a dictionary of Python. Three of its keys are looked for by name, and values follow.
 // Files number the vertices and polygons that they hold; a checked mesh has lost some, has triangles for polygons, and
 // may have new vertices where edges were split. So values fit by their number: one for each vertex of the mesh's file,
-// or one for each polygon. How many polygons it had is known only up to those that the repair removed.
+// one for each polygon, or one for each vertex or face of the checked mesh. How many polygons it had is known only up
+// to those that the repair removed.
 // Source: NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays", versions 1 to 3.
 #include "gvd/read_values.hpp"
 
@@ -17,8 +19,10 @@
 
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
+#include "io/parse_lists.hpp"
 #include "mesh/reading/readers.hpp"
 #include "mesh/reading/stored_numbers.hpp"
+#include "mesh/reading/unpack.hpp"
 
 namespace gvd {
 namespace {
@@ -52,8 +56,21 @@ std::optional<StoredNumber> parse_numpy_type(std::string_view type) {
                       size, type[0] == '>'};
 }
 
-/// The number of elements of a shape such as "12," or "1, 12"; none where more than one dimension has several.
-std::optional<std::uint64_t> parse_shape(std::string_view shape) {
+/// Numbers of a file, and whether it says what has them.
+struct FileValues {
+  std::optional<bool> of_vertices;  ///< otherwise of faces
+  std::vector<double> values;
+};
+
+/// The rows and columns of an array.
+struct ArrayShape {
+  std::uint64_t rows = 1, columns = 1;
+};
+
+/// The shape that text such as "12," or "1, 12" or "12, 3" stands for. A single dimension with several elements counts
+/// as the rows. None where more than two have several, or where they are too many.
+std::optional<ArrayShape> parse_shape(std::string_view shape) {
+  std::vector<std::uint64_t> several;
   std::uint64_t count = 1;
   while (!shape.empty()) {
     const std::size_t end = std::min(shape.find(','), shape.size());
@@ -62,13 +79,18 @@ std::optional<std::uint64_t> parse_shape(std::string_view shape) {
     size.remove_prefix(std::min(size.find_first_not_of(' '), size.size()));
     if (size.empty() && shape.empty()) break;
     const auto number = parse_number<std::uint64_t>(size);
-    if (!number || (count != 1 && *number != 1)) return std::nullopt;
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 53;
+    if (!number || *number > kMost / std::max<std::uint64_t>(count, 1)) return std::nullopt;
     count *= *number;
+    if (*number != 1) several.push_back(*number);
   }
-  return count;
+  if (several.size() > 2) return std::nullopt;
+  several.resize(2, 1);
+  return ArrayShape{several[0], several[1]};
 }
 
-std::vector<double> parse_npy(std::string_view bytes, std::string_view name) {
+/// `columns`: what becomes of an array with several of them.
+FileValues parse_npy(std::string_view bytes, ValueColumns columns, std::string_view name) {
   constexpr std::size_t kVersion = kNumPyMark.size(), kLength = kVersion + 2;
   const StoredNumber length{StoredNumber::Kind::unsigned_integer,
                             bytes.size() > kVersion && bytes[kVersion] == 1 ? 2U : 4U};
@@ -81,17 +103,44 @@ std::vector<double> parse_npy(std::string_view bytes, std::string_view name) {
   const std::string_view type_name = find_in_header(header, "'descr':", "''");
   const auto type = parse_numpy_type(type_name);
   if (!type) refuse_values(name, fmt::format("the array has the type {}, and numbers are needed", quoted(type_name)));
-  const std::string_view shape = find_in_header(header, "'shape':", "()");
-  const auto count = parse_shape(shape);
-  if (!count) {
-    refuse_values(name, fmt::format("the array has the shape {}, and one dimension is needed", quoted(shape)));
+  const std::string_view text = find_in_header(header, "'shape':", "()");
+  const auto shape = parse_shape(text);
+  if (!shape || (shape->columns != 1 && columns == ValueColumns::one)) {
+    refuse_values(name, fmt::format("the array has the shape {}, and one dimension is needed", quoted(text)));
   }
-  if (bytes.size() % type->size != 0 || bytes.size() / type->size != *count) {
+  const std::uint64_t count = shape->rows * shape->columns;
+  if (bytes.size() % type->size != 0 || bytes.size() / type->size != count) {
     refuse_values(name, fmt::format("the array has {}, and the file {} for them",
-                                    counted(std::int64_t(*count), "number", "numbers"),
+                                    counted(std::int64_t(count), "number", "numbers"),
                                     counted(std::ssize(bytes), "byte", "bytes")));
   }
-  return type->read_all(bytes);
+  if (shape->columns <= 1) return {{}, type->read_all(bytes)};
+  // By rows, unless the header says that columns follow each other.
+  const bool by_columns = header.find("'fortran_order': True") != header.npos;
+  const std::uint64_t first = by_columns ? (shape->columns - 1) * shape->rows : shape->columns - 1;
+  const std::uint64_t step = by_columns ? 1 : shape->columns;
+  std::vector<double> last(shape->rows);
+  for (std::uint64_t r = 0; r < shape->rows; ++r) last[r] = type->read(bytes.data() + (first + r * step) * type->size);
+  return {{}, std::move(last)};
+}
+
+FileValues parse_table(std::string_view text, ValueColumns columns, const std::string& name) {
+  detail::ElementTable table = detail::parse_element_table(text, name);
+  if (table.columns != 1 && columns == ValueColumns::one) {
+    refuse_values(name, fmt::format("the table has {} columns of numbers, and one is needed", table.columns));
+  }
+  return {table.of_vertices, std::move(table.numbers)};
+}
+
+FileValues parse_file(std::string_view bytes, ValueColumns columns, std::string_view name) {
+  if (is_utf16(bytes)) return parse_file(to_utf8(bytes), columns, name);
+  if (bytes.starts_with(kNumPyMark)) return parse_npy(bytes, columns, name);
+  if (bytes.starts_with(kFreeSurferValues)) return {true, parse_morphometry(bytes, name)};
+  if (bytes.starts_with(kFreeSurferSurface)) refuse_values(name, "the file is a surface; give values of its vertices");
+  if (is_xml_of(bytes, "<GIFTI")) return {{}, parse_gifti_values(bytes, name)};
+  if (bytes.starts_with('\0')) return {true, parse_annotation(bytes, name)};
+  if (detail::is_element_table(bytes)) return parse_table(bytes, columns, std::string(name));
+  return {{}, parse_numbers(bytes, std::string(name))};
 }
 
 /// How many polygons the file of the mesh had at least: one more than the last one that became a face.
@@ -113,12 +162,21 @@ void check_count(const CheckedMesh& input, const SoupProperty& property, const s
                                   counted(least_polygons(input), "polygon", "polygons")));
 }
 
-/// Whether a list has a number for each vertex of the input or for each of its polygons.
-SoupProperty assign(const CheckedMesh& input, std::vector<double> values, const std::string& name) {
-  const auto count = std::ssize(values);
-  if (count == std::ssize(input.mesh_vertex)) return {true, std::move(values)};
+/// What a list has its numbers for, which only their count tells: the vertices of the input's file, its polygons, or
+/// the vertices or faces that the repair made of them, as files of this library have them. Where several could be, and
+/// the file does not say it, the first of these counts.
+ElementValues assign(const CheckedMesh& input, FileValues&& found, const std::string& name) {
+  const auto count = std::ssize(found.values);
+  const bool may_be_vertices = found.of_vertices.value_or(true), may_be_faces = !found.of_vertices.value_or(false);
+  const auto make = [&](bool of_vertices, bool of_mesh) {
+    return ElementValues{name, {of_vertices, std::move(found.values)}, of_mesh};
+  };
+  if (may_be_vertices && count == std::ssize(input.mesh_vertex)) return make(true, false);
   const std::int64_t polygons = least_polygons(input);
-  if (count == polygons || (count > polygons && lost_polygons(input))) return {false, std::move(values)};
+  if (may_be_faces && count == polygons) return make(false, false);
+  if (may_be_vertices && count == input.mesh.vertex_count()) return make(true, true);
+  if (may_be_faces && count == input.mesh.face_count()) return make(false, true);
+  if (may_be_faces && count > polygons && lost_polygons(input)) return make(false, false);
   refuse_values(name, fmt::format("{}; give one for each vertex ({}) or each face ({})",
                                   counted(count, "number", "numbers"), input.mesh_vertex.size(), polygons));
 }
@@ -126,12 +184,7 @@ SoupProperty assign(const CheckedMesh& input, std::vector<double> values, const 
 }  // namespace
 
 std::vector<double> parse_values(std::string_view bytes, std::string_view name) {
-  if (bytes.starts_with(kNumPyMark)) return parse_npy(bytes, name);
-  if (bytes.starts_with(kFreeSurferValues)) return parse_morphometry(bytes, name);
-  if (bytes.starts_with(kFreeSurferSurface)) refuse_values(name, "the file is a surface; give values of its vertices");
-  if (is_xml_of(bytes, "<GIFTI")) return parse_gifti_values(bytes, name);
-  if (bytes.starts_with('\0')) return parse_annotation(bytes, name);
-  return parse_numbers(bytes, std::string(name));
+  return parse_file(bytes, ValueColumns::one, name).values;
 }
 
 std::vector<double> read_values(const std::filesystem::path& path) {
@@ -139,11 +192,12 @@ std::vector<double> read_values(const std::filesystem::path& path) {
 }
 
 std::optional<ElementValues> read_element_values(const CheckedMesh& input, const std::string& name,
-                                                 const std::filesystem::path& mesh_file, SoupElement preferred) {
+                                                 const std::filesystem::path& mesh_file, SoupElement preferred,
+                                                 ValueColumns columns) {
   // Of a file and a property of one name, the file counts.
   std::error_code ignored;
   if (std::filesystem::is_regular_file(name, ignored)) {
-    return ElementValues{name, assign(input, read_values(name), name)};
+    return assign(input, parse_file(read_file_bytes(name), columns, name), name);
   }
   if (mesh_file.empty()) return std::nullopt;
   std::optional<SoupProperty> property = read_soup_property(mesh_file, name, preferred);

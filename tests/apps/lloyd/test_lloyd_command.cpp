@@ -216,4 +216,33 @@ TEST_CASE("gvd-lloyd: options out of range are usage errors") {
   }
 }
 
+TEST_CASE("gvd-lloyd --points: the samples serve as generators, in faces bit by bit, or as positions") {
+  const ScratchFolder scratch;
+  const CommandResult relaxed =
+      run_command("gvd-lloyd", data_file("figure.obj") + kVertices + "--iterations 3 --points " +
+                                   scratch / "samples.ply" + " -o " + scratch / "list.txt");
+  REQUIRE(relaxed.exit_code == 0);
+  REQUIRE(run_command("gvd-lloyd", data_file("figure.obj") + " -q --generators " + scratch / "list.txt" +
+                                       " --iterations 0 --points " + scratch / "samples.xyz")
+              .exit_code == 0);
+  const auto diagram_of = [&](const std::string& list) {
+    const CommandResult result = run_command(
+        "gvd-segment", data_file("figure.obj") + " -q --diagram " + scratch / "d.json" + " --generators " + list);
+    CAPTURE(list, result.err);
+    REQUIRE(result.exit_code == 0);
+    return read_text(scratch / "d.json");
+  };
+  const std::string wanted = diagram_of(scratch / "list.txt");
+  CHECK(diagram_of(scratch / "samples.ply") == wanted);
+  CHECK(diagram_of("- < " + scratch / "samples.ply") == wanted);
+  const auto positions = nlohmann::json::parse(diagram_of(scratch / "samples.xyz"))["generators"];
+  const auto exact = nlohmann::json::parse(wanted)["generators"];
+  REQUIRE(positions.size() == exact.size());
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(std::abs(positions[i]["position"][k].get<double>() - exact[i]["position"][k].get<double>()) < 1e-12);
+    }
+  }
+}
+
 }  // namespace gvd::test_lloyd_command

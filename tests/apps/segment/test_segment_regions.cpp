@@ -58,6 +58,46 @@ TEST_CASE("gvd-segment --within: one region of all faces changes no byte") {
   }
 }
 
+TEST_CASE("gvd-segment --within: every form in which labels are written gives the same parcels") {
+  const ScratchFolder scratch;
+  run(data_file("figure.obj") + " -q --levels 3,7 -o " + scratch / "l.ply" + " -o " + scratch / "l.vtp" + " -o " +
+      scratch / "l.vtu" + " --face-labels " + scratch / "l.npy");
+  run(data_file("figure.obj") + " -q --levels 3,7 --face-labels " + scratch / "l.csv");
+  run(data_file("figure.obj") + " -q --within " + scratch / "l.csv" + " -n 7 --face-labels " + scratch / "one.csv");
+  std::map<std::string, std::string> made;
+  for (const std::string& arguments :
+       {scratch / "l.ply" + " --within label", scratch / "l.vtp" + " --within Label",
+        scratch / "l.vtu" + " --within label", data_file("figure.obj") + " --within " + scratch / "l.npy",
+        data_file("figure.obj") + " --within " + scratch / "l.csv",
+        data_file("figure.obj") + " --within " + scratch / "one.csv",
+        data_file("figure.obj") + " --mask " + scratch / "l.csv"}) {
+    CAPTURE(arguments);
+    run(arguments + " -q -n 30 --face-labels " + scratch / "made.npy");
+    made[read_text(scratch / "made.npy")] += arguments.find("--mask") == arguments.npos ? "within " : "mask ";
+  }
+  REQUIRE(made.size() == 2);
+  for (const auto& [labels, options] : made) {
+    CHECK((options == "mask " || options == "within within within within within within "));
+  }
+  // A coarser level is named by its property.
+  run(scratch / "l.vtu" + " -q -n 30 --within label_1 --face-labels " + scratch / "made.npy");
+  CHECK(made.count(read_text(scratch / "made.npy")) == 0);
+}
+
+TEST_CASE("gvd-segment --within: labels of the triangles of quadrilaterals fit the file that these came from") {
+  const ScratchFolder scratch;
+  std::ostringstream off;  // eight squares in a row
+  off << "OFF\n18 8 0\n";
+  for (int i = 0; i < 18; ++i) off << i / 2 << ' ' << i % 2 << " 0\n";
+  for (int i = 0; i < 16; i += 2) off << "4 " << i << ' ' << i + 2 << ' ' << i + 3 << ' ' << i + 1 << '\n';
+  write_text(scratch / "quads.off", off.str());
+  run(scratch / "quads.off" + " -q -n 2 --face-labels " + scratch / "f.csv" + " --vertex-labels " + scratch / "v.npy");
+  for (const char* name : {"f.csv", "v.npy"}) {
+    run(scratch / "quads.off" + " -q -n 4 --within " + scratch / name + " --report " + scratch / "r.json");
+    CHECK(read_json(scratch / "r.json")["results"]["within"]["regions"] == 2);
+  }
+}
+
 TEST_CASE("gvd-segment --levels: the same as twice in a row, on any number of threads") {
   const ScratchFolder scratch;
   const auto outputs = [&](const std::string& stem) {

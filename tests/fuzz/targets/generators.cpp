@@ -44,7 +44,8 @@ bool same_bits(const SurfacePoint& a, const SurfacePoint& b) {
 
 /// What was read must come back with the same bits from each format.
 void check_written(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
-  for (const GeneratorFormat format : {GeneratorFormat::text, GeneratorFormat::csv, GeneratorFormat::json}) {
+  for (const GeneratorFormat format :
+       {GeneratorFormat::text, GeneratorFormat::csv, GeneratorFormat::json, GeneratorFormat::ply}) {
     attempt({}, [&] {
       const std::string content = format_generators(mesh, points, format);
       require(detect_generator_format(content) == format, "a written list is taken for another format");
@@ -62,7 +63,7 @@ void check_list(const std::string& content, GeneratorFormat format) {
   require(!list.entries.empty(), "a list without entries");
   for (const GeneratorEntry& entry : list.entries) {
     require(entry.index >= 0, "a negative index");
-    require(entry.line >= 1, "an entry without a line");
+    require(entry.line >= 1 || format == GeneratorFormat::ply, "an entry without a line");
     for (const double value : entry.values) require(std::isfinite(value), "a number is not finite");
   }
   ResolveOptions options;
@@ -79,7 +80,7 @@ void check_list(const std::string& content, GeneratorFormat format) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string content(reinterpret_cast<const char*>(data + 1), size - 1);
-  const int choice = data[0] % 4;
+  const int choice = data[0] % 6;
   attempt({ErrorCode::unreadable_input}, [&] {
     const CurveList curves = parse_curves(content, "curves");
     require(curves.curve.size() == curves.points.entries.size(), "a point of no curve");
@@ -88,6 +89,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       require(curves.curve[a] == curves.curve[b], "a segment between two curves");
     }
   });
-  check_list(content, choice == 3 ? detect_generator_format(content) : static_cast<GeneratorFormat>(choice));
+  check_list(content, choice == 5 ? detect_generator_format(content) : static_cast<GeneratorFormat>(choice));
   return 0;
 }
