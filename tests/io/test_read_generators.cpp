@@ -117,7 +117,8 @@ TEST_CASE("the vertices of a PLY are points in faces where it has them, else pos
   CHECK(refused(points + "9 9 9 3 0.25 0.5 0.25\n9 9 9 0.5 1 0 0\n") ==
         "list: point 1 of the PLY has numbers that are no face and coordinates in it");
   CHECK(refused(head + "end_header\n1 2 nan\n1 2 3\n") == "list: point 0 of the PLY has numbers that are no position");
-  CHECK_THAT(refused(head + "end_header\n1 2 3\n"), Catch::Matchers::Contains("the header promises 2 of element 'vertex'"));
+  CHECK_THAT(refused(head + "end_header\n1 2 3\n"),
+             Catch::Matchers::Contains("the header promises 2 of element 'vertex'"));
   CHECK_THAT(refused("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float "
                      "z\nend_header\n"),
              Catch::Matchers::Contains("holds no generator"));

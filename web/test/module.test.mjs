@@ -217,6 +217,22 @@ test('a file that was written reads back', () => {
   assert.equal(gvd.read(mesh.to_bytes('glb'), 'x.glb').summary.faces, mesh.summary.faces);
 });
 
+test('a .gltf with its numbers inside is read, and a surface of MNI', () => {
+  const mesh = gvd.read(readFileSync(join(data, 'torus.ply')), 'torus.ply');
+  const glb = mesh.to_bytes('glb');
+  const length = new DataView(glb.buffer, glb.byteOffset).getUint32(12, true);
+  const gltf = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + length)));
+  const read = (uri) => {
+    gltf.buffers[0].uri = uri;
+    return gvd.read(new TextEncoder().encode(JSON.stringify(gltf)), 'x.gltf');
+  };
+  const numbers = Buffer.from(glb.subarray(28 + length)).toString('base64');
+  assert.equal(read(`data:application/octet-stream;base64,${numbers}`).summary.faces, mesh.summary.faces);
+  assert.throws(() => read('x.bin'), /buffer 0, 'x\.bin', is not in the file/);
+  const mni = 'P 0.3 0.3 0.4 10 1 3\n0 0 0\n1 0 0\n0 1 0\n\n0 0 1\n0 0 1\n0 0 1\n\n1\n0 1 1 1 1\n\n3\n\n0 1 2\n';
+  assert.equal(gvd.read(new TextEncoder().encode(mni), 'x.obj').summary.faces, 1);
+});
+
 test('what can not be done is an error of one line', () => {
   const stl = new Uint8Array(134);  // of one triangle; with this count the length has 33 bits, and 88 in the lower 32
   new DataView(stl.buffer).setUint32(80, 85899346, true);
