@@ -178,6 +178,24 @@ def check_tries(python, work):
         expect(done.returncode == (0 if is_result else exit_code) and (message in recorded) == is_result, f"{message}, try {attempt}")
 
 
+def check_failed_jobs(bin_folder, work):
+    """A step that fails on all tries has a row with its reason, and the next call makes up for it."""
+    (work / "bin").mkdir()
+    for name in ("gvd-lloyd", "gvd-remesh"):
+        (work / "bin" / name).symlink_to(bin_folder / name)
+    segment = work / "bin/gvd-segment"
+    segment.write_text(f"#!/bin/sh\ncase \"$1\" in *plate.stl) echo 'gvd-segment: error: disk full' >&2; exit 6;; esac\n"
+                       f"exec {bin_folder}/gvd-segment \"$@\"\n")
+    segment.chmod(0o755)
+    done = subprocess.run(command(work, work / "bin", "failed"), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    expect(done.returncode != 0, "a workflow with a failed job fails")
+    rows = {(row["mesh"], row["step"]): row for row in read_rows(work / "failed")}
+    expect("disk full" in rows["plate.stl", "segment"]["error"] and rows["plate.stl", "remesh"]["exit_code"] == "0", "its row")
+    expect(all(rows[mesh, step]["exit_code"] == "0" for mesh in MESHES if mesh != "plate.stl" for step in STEPS), "other rows")
+    run(command(work, bin_folder, "failed"))
+    check_results(work / "failed", ["a{b}.off", "nowhere.off"])
+
+
 def check_workflow(python, bin_folder, work):
     compare = [python, ROOT / "tests/cohort/compare.py"]
     whole, killed = command(work, bin_folder, "whole"), command(work, bin_folder, "killed")
@@ -186,6 +204,7 @@ def check_workflow(python, bin_folder, work):
     run(whole)
     check_results(work / "whole", ["a{b}.off", "nowhere.off"])
     expect("Nothing to be done" in run(whole), "a run that is done")
+    check_failed_jobs(bin_folder, work)
     planned = run([word.replace("regions=9", "regions=8") for word in map(str, whole)] + ["-n", "-q"])
     expect("segment" in planned and "relax" not in planned, "another number of regions changes its step")
     kill_midway(killed, work / "killed")
