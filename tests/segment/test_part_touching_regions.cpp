@@ -190,8 +190,8 @@ TEST_CASE("a cut mesh: where branch points are nearer than rounding, no cell tou
       if (region.components != 1 || region.euler_characteristic != 1) non_discs.push_back(cell.generator);
     }
     CHECK(find_non_disc_regions(cut.mesh, cut.label) == non_discs);
-    const CutVertices vertices = carry_to_cut_vertices(mesh, diagram, cut);
-    CHECK(vertices.label.count() == cut.mesh.vertex_count());
+    const CutVertices carried = carry_to_cut_vertices(mesh, diagram, cut);
+    CHECK(carried.label.count() == cut.mesh.vertex_count());
   }
 }
 
