@@ -195,7 +195,7 @@ bool touches_itself(const SeparatedMesh& separated, const Island& island) {
   }
   std::ranges::sort(vertices);
   const auto are_copies = [](const auto& a, const auto& b) { return a.first == b.first && a.second != b.second; };
-  return std::ranges::adjacent_find(vertices, are_copies) != vertices.end();
+  return std::adjacent_find(vertices.begin(), vertices.end(), are_copies) != vertices.end();
 }
 
 }  // namespace
