@@ -241,6 +241,21 @@ TEST_CASE("gvd-segment --disc --cut: each piece is a disc as a mesh, also where 
   }
 }
 
+TEST_CASE("gvd-segment --disc: a note names regions of whole faces that touch themselves at a vertex") {
+  const ScratchFolder scratch;
+  write_text(scratch / "ring.off", cube_ring());
+  const std::string notes = run(scratch / "ring.off" + " --vertices 5,10,23 --disc -o " + scratch / "a.json");
+  CHECK_THAT(notes, Contains("1 region is no disc although its cell is: 0; whole faces join or touch there; --cut "
+                             "follows the cells\n"));
+  nlohmann::json whole = {{"labels", read_json(scratch / "a.json")["face_labels"]}};
+  const PolygonSoup soup = read_soup(scratch / "ring.off");
+  for (std::size_t f = 0; f < soup.polygon_count(); ++f) {
+    whole["faces"].push_back({soup.polygon(f)[0], soup.polygon(f)[1], soup.polygon(f)[2]});
+  }
+  const int regions = int(read_json(scratch / "a.json")["cells"].size());
+  for (int label = 0; label < regions; ++label) CHECK((euler_of_piece(whole, label) == 1) == (label != 0));
+}
+
 TEST_CASE("gvd-segment --disc and --uv: refusals name what helps") {
   const std::string name = "gvd-segment", figure = data_file("figure.obj") + " -n 6 ";
   require_error(name, figure + "-q --uv flat", 5, "--disc adds generators until every region is a disc");
