@@ -179,6 +179,21 @@ void note_left_out(Run& run, const Appearance& appearance) {
   if (!lost.empty()) note_on_input(run, fmt::format("left out: {}", fmt::join(lost, "; ")));
 }
 
+/// Notes for each format with 32-bit floats that they damage the surface.
+void note_position_loss(Run& run, const Mesh& mesh) {
+  for (const std::string& format : mesh_formats(run.options().output)) {
+    const PositionLoss loss = measure_position_loss(mesh, *parse_output_format(format));
+    if (!loss.is_notable) continue;
+    std::string collapsed;
+    if (loss.collapsed_faces > 0) {
+      collapsed = fmt::format(", and {}", counted(loss.collapsed_faces, "face collapses", "faces collapse"));
+    }
+    run.console().note(fmt::format(
+        ".{} has 32-bit floats, which move vertices by up to {:.2g}{}; .ply, .obj, .off and .vtp keep doubles{}",
+        format, loss.farthest_move, collapsed, format == "glb" ? "" : ", .glb the place"));
+  }
+}
+
 /// Where coordinates are multiples of more than this fraction of a face's mean edge, written points are that far off:
 /// farther than the default chord tolerance lets bisectors be. A smaller share of the area than the second is not told.
 constexpr double kCoarseGrid = 1e-4, kCoarseShare = 1e-3;
@@ -236,9 +251,9 @@ CheckedMesh load_input(Run& run, std::string* standard_input) {
   return checked;
 }
 
-void check_material_files(Run& run, const Appearance& appearance) {
+void check_material_files(Run& run, const Appearance& appearance, bool drops_materials) {
   const OutputOptions& output = run.options().output;
-  if (!appearance.material.empty() && !output.region_materials) return;  // no .mtl is written
+  if (!appearance.material.empty() && !output.region_materials && !drops_materials) return;  // no .mtl is written
   const std::string& input = run.options().input.path;
   for (const std::string& path : output.files) {
     const std::filesystem::path made = std::filesystem::path(path).replace_extension(".mtl");
@@ -359,6 +374,7 @@ void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::
   }
   if (output.files.empty()) return;
   if (mesh.appearance != nullptr) note_left_out(run, *mesh.appearance);
+  note_position_loss(run, mesh.mesh);
   run.timed("write", [&] {
     for (const std::string& file : output.files) write_one(run, file, mesh, own_formats);
   });

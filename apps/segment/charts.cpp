@@ -104,15 +104,15 @@ Diagram make_cells_discs(Run& run, const Mesh& mesh, const Diagram& diagram) {
   return std::move(made.diagram);
 }
 
-void note_non_discs(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label) {
+void note_non_discs(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, const char* why) {
   const std::vector<GeneratorId> regions = find_non_disc_regions(mesh, label);
   if (regions.empty()) return;
   std::vector<std::int32_t> named;
   for (std::size_t i = 0; i < std::min(kNamedRegions, regions.size()); ++i) named.push_back(regions[i].value());
-  run.console().note(fmt::format("{} of whole faces {} although their cells are: {}{}; --cut follows the cells",
-                                 counted(std::ssize(regions), "region", "regions"),
-                                 regions.size() == 1 ? "is no disc" : "are no discs", fmt::join(named, ", "),
-                                 named.size() < regions.size() ? ", ..." : ""));
+  run.console().note(fmt::format("{}: {}{}; {}",
+                                 counted(std::ssize(regions), "region is no disc although its cell is",
+                                         "regions are no discs although their cells are"),
+                                 fmt::join(named, ", "), named.size() < regions.size() ? ", ..." : "", why));
 }
 
 Charts chart_regions(Run& run, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,

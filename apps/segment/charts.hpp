@@ -27,8 +27,8 @@ void report_chart_options(Run& run, const ChartRequest& request);
 /// Adds generators until every cell is a disc, and reports what was added.
 Diagram make_cells_discs(Run& run, const Mesh& mesh, const Diagram& diagram);
 
-/// Notes the regions of whole faces that are no discs although their cells are.
-void note_non_discs(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label);
+/// Notes the regions of a mesh that are no discs although their cells are, and `why`.
+void note_non_discs(Run& run, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, const char* why);
 
 /// The texture coordinates of `cut` that are asked for, reported. Throws what `make_charts` throws, with the option
 /// that helps.

@@ -203,7 +203,9 @@ void write_whole_faces(Run& run, const PartedSurface& surface, const CheckedMesh
   const std::optional<double> ratio = report_segmentation(run, mesh, diagram, segmentation);
   report_regions(run, {surface, diagram, input, segmentation.face_label});
   if (options.labels == FaceLabels::smooth) note_long_borders(run, ratio);
-  if (own.charts.disc) note_non_discs(run, mesh, segmentation.face_label);
+  if (own.charts.disc) {
+    note_non_discs(run, input, segmentation.face_label, "whole faces join or touch there; --cut follows the cells");
+  }
   Diagram restricted;
   const Diagram& written = surface.restrict(diagram, restricted);
   std::vector<FaceNumbers> numbers = surface.numbers();
@@ -233,15 +235,14 @@ std::optional<Charts> write_cut_faces(Run& run, const PartedSurface& surface, co
   }
   run.report().results()["uncut_faces"] = cut.uncut_faces;
   report_regions(run, {surface, diagram, cut.mesh, cut.label, &cut.parent});
+  if (charts.disc) note_non_discs(run, cut.mesh, cut.label, "the given regions touch themselves there");
   LabelledMesh output{cut.mesh,           &cut.label, &cut.parent,    &vertices.label,
                       &vertices.distance, &diagram,   &surface.mesh()};
   output.face_numbers = &cut.numbers;
   std::optional<Charts> made;
   if (charts.uv) {
-    if (!appearance.texture.empty())
-      appearance.unread.emplace_back("texture coordinates of the input, for those of --uv");
     made = chart_regions(run, surface.mesh(), diagram, cut, charts);
-    appearance.texture = made->texture;
+    replace_texture(std::move(made->texture), appearance);
   }
   output.appearance = &appearance;
   Diagram restricted;
@@ -262,7 +263,7 @@ void segment(Run& run, const OwnOptions& own) {
                 "--region-materials: only .obj names materials; write one, as in -o FILE.obj, or leave it out");
   }
   const CheckedMesh input = load_input(run);
-  check_material_files(run, input.appearance);
+  check_material_files(run, input.appearance, own.charts.uv.has_value());
   const PartedSurface surface(run, input, own.regions, options);
   const Mesh& mesh = surface.mesh();
   Diagram diagram = run.options().generators.curves.empty()

@@ -36,6 +36,24 @@ std::string parse_levels(const std::string& text, std::vector<std::int32_t>& lev
   return "";
 }
 
+/// A note names this many regions.
+constexpr std::ptrdiff_t kNamedRegions = 8;
+
+/// Notes the regions that vertices have and no face: each face took the number of other corners, or of a neighbour.
+void note_lost_regions(Run& run, const std::string& name, const SoupProperty& numbers, const FaceRegions& regions) {
+  if (!numbers.of_vertices) return;
+  std::set<double> lost;
+  for (const double number : numbers.values) {
+    if (number >= 0 && number < kInfinity) lost.insert(number);
+  }
+  for (const std::int32_t region : regions) lost.erase(region);
+  if (lost.empty()) return;
+  const auto end = std::next(lost.begin(), std::min(std::ssize(lost), kNamedRegions));
+  run.console().note(fmt::format("--within {}: no face is in {} {}{}: most corners of its faces have other numbers",
+                                 name, lost.size() == 1 ? "region" : "regions", fmt::join(lost.begin(), end, ", "),
+                                 end == lost.end() ? "" : ", ..."));
+}
+
 /// Adds the option in front of an error.
 template <class Work>
 void name_errors(const std::string& option, const std::string& name, const Work& work) {
@@ -100,6 +118,7 @@ void PartedSurface::read_regions(Run& run) {
   if (!options_.within.empty()) {
     const SoupProperty numbers = find_numbers(run, input_, "--within", options_.within, read_region_numbers);
     name_errors("--within", options_.within, [&] { regions_ = make_face_regions(input_.mesh, numbers); });
+    note_lost_regions(run, options_.within, numbers, regions_);
     numbers_.push_back({kRegionName, regions_});
   }
   if (!options_.mask.empty()) {

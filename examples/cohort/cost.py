@@ -18,18 +18,26 @@ LEAST_MINUTES = 5  # a job's start, and Python's, on a busy file system
 # Fewest bytes of a face, with its share of half a vertex, in files whose faces are not counted by their start. Packed files hold
 # more than their bytes tell: they are no default.
 BYTES_OF_A_FACE = {".obj": 28, ".stl": 120, ".vtk": 22, ".glb": 12}
+LEAST_BYTES_OF_A_FACE = 8  # "3 0 1 2\n"; a binary face has 13
 
 
 def estimate_faces(path):
-    """Faces of a mesh by the start of its file, or the most that its bytes can hold. Polygons count once."""
-    size = os.path.getsize(path)
-    with open(path, "rb") as file:
-        start = file.read(65536)
+    """Faces of a mesh by the start of its file, or the most that its bytes can hold. Polygons count once.
+
+    A file that can't be read has none: its steps say why. A damaged one may tell of more faces than it can hold.
+    """
+    try:
+        size = os.path.getsize(path)
+        with open(path, "rb") as file:
+            start = file.read(65536)
+    except OSError:
+        return 0
+    most = size // LEAST_BYTES_OF_A_FACE
     if start.startswith(b"ply") and (found := re.search(rb"\nelement face (\d+)", start)):
-        return int(found[1])
+        return min(int(found[1]), most)
     words = re.sub(rb"#[^\n]*", b"", start).split()
     if len(words) > 2 and words[0].endswith(b"OFF") and words[2].isdigit():
-        return int(words[2])
+        return min(int(words[2]), most)
     if len(start) >= 84 and size == 84 + 50 * struct.unpack_from("<I", start, 80)[0]:
         return struct.unpack_from("<I", start, 80)[0]
     return size // BYTES_OF_A_FACE.get(os.path.splitext(path)[1].lower(), 19)  # binary .ply: 13 and half of 12 bytes

@@ -24,26 +24,46 @@ def flatten(value, name):
     return {} if value is None or isinstance(value, list) else {name: json.dumps(value) if isinstance(value, bool) else value}
 
 
-def read_step(mesh, step):
-    """The row of a step."""
-    folder = pathlib.Path(mesh, step)
-    row = {"mesh": mesh, "step": step, "exit_code": 0, "error": ""}
+def read_result(folder):
+    """What a step has left, as columns of its row."""
     if (folder / "error.json").exists():
-        return row | json.loads((folder / "error.json").read_text())
+        return json.loads((folder / "error.json").read_text())
+    row = {"exit_code": 0}
     report = json.loads((folder / "report.json").read_text())
     for part in ("input", "diagram", "results"):
         row |= flatten(report[part], part)
+    if (folder / "picture_error.txt").exists():
+        row["error"] = (folder / "picture_error.txt").read_text().strip()
     return row | {"peak_memory_bytes": report["peak_memory_bytes"], "milliseconds": sum(report["timings_ms"].values())}
 
 
+def read_step(mesh, step):
+    """The row of a step. One that left nothing, or half a report, says so: its last try failed, or its job was killed."""
+    row = {"mesh": mesh, "step": step, "exit_code": None, "error": ""}
+    folder = pathlib.Path(mesh, step)
+    try:
+        return row | read_result(folder)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        row["error"] = f"no result ({type(error).__name__}): the job failed; its log tells more"
+    try:
+        return row | json.loads(folder.with_name(folder.name + ".failed.json").read_text())
+    except (OSError, ValueError):
+        return row
+
+
 def format_step(row):
-    """The picture of a step, which opens its page, or its error."""
-    if row["error"]:
-        return f'<p class="error"><b>{row["step"]}</b>: {html.escape(row["error"])}</p>'
+    """The picture of a step, which opens its page, or its error. Without a picture, words open the page."""
+    error = f'<p class="error"><b>{row["step"]}</b>: {html.escape(row["error"])}</p>' if row["error"] else ""
+    if row["exit_code"] != 0:
+        return error
     folder = pathlib.Path(row["mesh"], row["step"])
-    picture = base64.b64encode((folder / "thumbnail.png").read_bytes()).decode()
+    link = urllib.parse.quote(str(folder / "page.html"))
     size = f'{row["results.output.vertices"]} vertices' if row["step"] == "remesh" else f'{row["diagram.cells"]} cells'
-    return (f'<figure><a href="{urllib.parse.quote(str(folder / "page.html"))}"><img alt="{html.escape(row["mesh"])}: {row["step"]}" '
+    try:
+        picture = base64.b64encode((folder / "thumbnail.png").read_bytes()).decode()
+    except OSError:
+        return f'<figure><a href="{link}">{row["step"]}: {size}</a>{error}</figure>'
+    return (f'<figure><a href="{link}"><img alt="{html.escape(row["mesh"])}: {row["step"]}" '
             f'src="data:image/png;base64,{picture}"></a><figcaption>{row["step"]}: {size}</figcaption></figure>')
 
 
@@ -67,8 +87,11 @@ def replace_file(path, text):
     os.replace(f"{path}.partial", path)
 
 
-def gather(meshes, steps, table, page):
-    rows = [read_step(mesh, step) for mesh in meshes for step in steps]
+def gather(meshes, steps, table, page, left_out=None):
+    """Writes the table and the page. `left_out`: meshes that no step was given, and why."""
+    why = left_out or {}
+    rows = [{"mesh": mesh, "step": step, "exit_code": None, "error": why[mesh]} if mesh in why else read_step(mesh, step)
+            for mesh in sorted({*meshes, *why}) for step in steps]
     columns = list(dict.fromkeys(column for row in rows for column in row))
     last = ["peak_memory_bytes", "milliseconds"]  # the columns that differ between equal runs
     columns = [column for column in columns if column not in last] + last

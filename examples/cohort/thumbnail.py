@@ -1,10 +1,13 @@
-"""A small picture of a mesh in the colours of its faces: what the commands write as binary .ply, drawn as .png.
+"""A small picture of a mesh in the colours of its faces: what the commands write as .ply, drawn as .png.
 
-Faces are sampled densely enough for the pixels; of all samples in a pixel, the nearest one to the viewer is seen. Needs numpy.
+Faces are sampled densely enough for the pixels; of all samples in a pixel, the nearest one to the viewer is seen. Needs the
+Python package gvd, and numpy.
 """
 import struct
+import warnings
 import zlib
 
+import gvd
 import numpy as np
 
 SIDE = 200  # pixels of the picture
@@ -16,34 +19,26 @@ VIEW = np.array([[0.82, 0.0, -0.57], [-0.2, 0.94, -0.28], [0.54, 0.34, 0.77]])
 LIGHT = np.array([0.25, 0.45, 0.86])
 # For each axis that points up, the axes of the mesh that become x, y and z of the picture, with their signs.
 AXES = {"x": (2, 0, 1), "y": (0, 1, 2), "z": (1, 2, 0)}
-TYPES = {"double": "<f8", "float": "<f4", "int": "<i4", "uint": "<u4", "short": "<i2", "ushort": "<u2", "char": "i1",
-         "uchar": "u1"}
-
-
-def stack(rows, names):
-    return np.stack([rows[name] for name in names], 1)
 
 
 def read_ply(path):
-    """Positions, faces, and colours of the corners of faces, of a binary .ply whose faces are triangles.
+    """Positions, faces, and colours of the corners of faces.
 
     A face that has no region, as the bisectors cross it, has the colours of its vertices.
     """
-    with open(path, "rb") as file:
-        elements = []
-        for line in iter(lambda: file.readline().decode().split(), ["end_header"]):
-            if line[0] == "element":
-                elements.append((int(line[2]), []))
-            elif line[0] == "property" and line[1] == "list":
-                elements[-1][1].extend([("corners", "u1"), ("face", "<i4", 3)])
-            elif line[0] == "property":
-                elements[-1][1].append((line[2], TYPES[line[1]]))
-        vertices, faces = (np.frombuffer(file.read(count * np.dtype(kind).itemsize), kind) for count, kind in elements[:2])
-    points, corners = stack(vertices, "xyz").astype(float), faces["face"]
-    if "red" not in faces.dtype.names or "label" not in faces.dtype.names:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # what is repaired looks the same
+        mesh = gvd.read(path)
+    points, corners, rows = mesh.vertices.copy(), mesh.faces.copy(), {"face": mesh.input_face.copy(), "vertex": mesh.input_vertex.copy()}
+    del mesh  # it holds more than its arrays
+    properties = gvd.read_properties(path)
+    if "red" not in properties["face"] or "label" not in properties["face"]:
         return points, corners, np.broadcast_to(np.array(PLAIN, "u1"), (*corners.shape, 3))
-    of_face, of_vertex = (stack(rows, ("red", "green", "blue")) for rows in (faces, vertices))
-    return points, corners, np.where((faces["label"] < 0)[:, None, None], of_vertex[corners], of_face[:, None, :])
+
+    def colours_of(element):
+        return np.stack([properties[element][name][rows[element]].astype("u1") for name in ("red", "green", "blue")], 1)
+    unlabelled = properties["face"]["label"][rows["face"]] < 0
+    return points, corners, np.where(unlabelled[:, None, None], colours_of("vertex")[corners], colours_of("face")[:, None, :])
 
 
 def project(points, up):

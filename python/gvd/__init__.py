@@ -12,10 +12,11 @@ from ._diagram import Balanced, Bisector, BranchPoints, Cell, Chart, Cut, Diagra
 from ._editor import DiagramEditor
 from ._error import Error
 from ._gvd import version as __version__
-from ._mesh import Mesh, read, read_values
+from ._mesh import Mesh, read, read_properties, read_values
 from ._path import Path
 from ._points import Curves, Points
 from ._remesh import Relaxation, Remesh, RemeshMap
 
 __all__ = ["Balanced", "Bisector", "BranchPoints", "Cell", "Chart", "Curves", "Cut", "Diagram", "DiagramEditor", "Error", "Mesh",
-           "Path", "Points", "Relaxation", "Remesh", "RemeshMap", "Segmentation", "__version__", "read", "read_values"]
+           "Path", "Points", "Relaxation", "Remesh", "RemeshMap", "Segmentation", "__version__", "read",
+           "read_properties", "read_values"]

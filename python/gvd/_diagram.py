@@ -116,7 +116,8 @@ class Diagram(Writable):
     @checked
     def cut(self, *, uv: Optional[Literal["logmap", "flat"]] = None, progress: Progress = None) -> Cut:
         """The mesh with its faces split along the bisectors, so that each lies in one cell. `uv` gives it texture
-        coordinates, as gvd-segment --uv does: see Cut.charts. "flat" needs cells that are discs."""
+        coordinates, as gvd-segment --uv does: see Cut.charts. "flat" needs cells that are discs. An .obj then has the
+        regions' own materials: the images of the mesh's do not fit."""
         with reporting(progress) as callback:
             return Cut(self, self._native.cut(uv, callback))
 

@@ -520,3 +520,16 @@ def read_values(path: PathLike) -> Floats:
     .label.gii, .shape.gii, .func.gii, FreeSurfer's .annot and values such as lh.curv, .npy, .csv, or text.
     """
     return _gvd.read_values(os.fspath(path))
+
+
+@checked
+def read_properties(path: PathLike) -> dict[str, dict[str, Floats]]:
+    """The properties of a PLY but coordinates and texture: of "vertex" and of "face", by their names.
+
+    There is a number for each vertex and each polygon of the file. `mesh.input_vertex` and `mesh.input_face` lead to them
+    from the mesh that `read` makes of it. Lists are left out. Other formats have none.
+    """
+    found: dict[str, dict[str, Floats]] = {"vertex": {}, "face": {}}
+    for element, name, values in _gvd.read_properties(os.fspath(path)):
+        found[element][name] = values
+    return found

@@ -13,6 +13,7 @@
 #include "bindings.hpp"
 #include "calls.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/mesh_property.hpp"
 #include "gvd/names.hpp"
 #include "gvd/read_soup.hpp"
 #include "gvd/read_values.hpp"
@@ -160,6 +161,17 @@ void bind_mesh(py::module_& module) {
   module.def("read_values", [](const std::filesystem::path& path) {
     const std::vector<double> values = run_unlocked(py::none(), [&](const Progress&) { return read_values(path); });
     return py::array_t<double>(py::ssize_t(values.size()), values.data());
+  });
+  module.def("read_properties", [](const std::filesystem::path& path) {
+    const auto properties = run_unlocked(py::none(), [&](const Progress&) { return read_mesh_properties(path); });
+    py::list found;
+    for (const MeshProperty& property : properties) {
+      if (property.count_type) continue;  // a list for each element
+      const std::vector<double>& values = property.values;
+      found.append(py::make_tuple(property.of_vertices ? "vertex" : "face", property.name,
+                                  py::array_t<double>(py::ssize_t(values.size()), values.data())));
+    }
+    return found;
   });
 }
 

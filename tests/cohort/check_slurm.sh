@@ -1,7 +1,7 @@
 #!/bin/bash
 # Runs examples/cohort over Slurm, on a cluster of one node that it starts and stops: the workflow is killed in the middle, and a job
 # of the next run is cancelled. Compares the results with those of a run on this machine.
-# By hand, as root: needs Debian's slurmctld, slurmd, slurm-client, munge and snakemake.
+# By hand, as root: needs Debian's slurmctld, slurmd, slurm-client, munge and snakemake, and the Python package gvd (PYTHONPATH).
 #
 #   tests/cohort/check_slurm.sh BIN_FOLDER WORK_FOLDER
 set -euo pipefail

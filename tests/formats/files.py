@@ -91,6 +91,8 @@ def write_files(bin_folder, work):
     run(bin_folder, work, *sheet, "--cut", *outputs("cut", "vtp", "vtu", "glb", "json"))
     run(bin_folder, work, *sheet, "--cut", *outputs("cut", "ply"), "--ascii-ply")
     run(bin_folder, work, "gvd-remesh", "ball.off", "-n", "30", *outputs("coarse", "ply", "glb"))
+    write_off(work / "far-in.off", [(x + 431234.5, y + 5412345.25, z) for x, y, z in points], faces)
+    run(bin_folder, work, "gvd-segment", "far-in.off", *sheet[2:], *outputs("far", "glb"))
     for name in ("painted", "seam"):
         write_painted(work / f"{name}-in.obj", points, faces, name == "seam")
         painted = ["gvd-segment", f"{name}-in.obj", *sheet[2:], "--cut"]

@@ -66,6 +66,23 @@ class SameBytes(unittest.TestCase):
         self.assertEqual(cut.mesh.texture_coordinates.shape, (len(cut.mesh.faces), 3, 2))
         cut.mesh.to_file(self.folder / "plain.obj")
         self.assertIn("usemtl blue", (self.folder / "plain.obj").read_text())
+        outputs = [part for e in extensions for part in ("-o", f"uv.{e}")]
+        self.run_command("gvd-segment", "t.obj", "--vertices", "0,2", "--uv", "flat", *outputs)
+        charts = regions.diagram.cut(uv="flat")
+        self.assert_same_files(charts, "uv", extensions)
+        charts.to_file(self.folder / "charts.obj")
+        self.assertIn("usemtl region_1", (self.folder / "charts.obj").read_text())
+
+    def test_properties(self):
+        self.run_command("gvd-segment", meshes.FIGURE, "-n", 30, "-o", "p.ply")
+        regions = gvd.read(meshes.FIGURE).segment(30)
+        properties = gvd.read_properties(self.folder / "p.ply")
+        numpy.testing.assert_array_equal(properties["face"]["label"], regions.labels)
+        numpy.testing.assert_array_equal(properties["vertex"]["distance"], numpy.float32(regions.diagram.distances))
+        self.assertEqual(list(properties["face"]), ["label", "red", "green", "blue", "intensity"])
+        self.assertEqual(gvd.read_properties(meshes.FIGURE), {"vertex": {}, "face": {}})
+        with self.assertRaisesRegex(gvd.Error, "none.ply"):
+            gvd.read_properties("none.ply")
 
     def test_charts(self):
         extensions = ["obj", "ply", "glb"]

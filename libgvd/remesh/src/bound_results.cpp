@@ -129,7 +129,7 @@ Cut cut_diagram(const MeshDiagram& of, const std::optional<ChartMap>& charts, co
   made.appearance = carry_to_cut_faces(of.mesh(), of.input->appearance, made.cut);
   if (charts) {
     made.charts = make_charts(of.surface(), of.surface_diagram(), made.cut, {.map = *charts, .progress = progress});
-    made.appearance.texture = std::exchange(made.charts.texture, {});
+    replace_texture(std::exchange(made.charts.texture, {}), made.appearance);
   }
   return made;
 }

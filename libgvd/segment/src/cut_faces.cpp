@@ -11,6 +11,7 @@
 // the same diagonal. Either edge lies inside a parent, so a vertex at its midpoint concerns two triangles only.
 // Corners coincide where rounding has put an added vertex onto another one. The added vertex moves by a few units in
 // the last place; vertices of the input never move.
+// At last, regions that touch themselves at a vertex are parted there (part_touching_regions.cpp).
 #include <algorithm>
 #include <memory>
 #include <span>
@@ -162,6 +163,7 @@ class Cutter {
     separate_coincident_corners(cut_, mesh_.positions().size(), tolerance_);
     report(1);
     build_mesh();
+    part_touching_regions(diagram_.cells, tolerance_, result_);
     return std::move(result_);
   }
 

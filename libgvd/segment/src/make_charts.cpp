@@ -187,6 +187,17 @@ std::vector<Vec2> fill_shelves(const std::vector<Vec2>& sizes, const std::vector
   return at;
 }
 
+/// Whether an island has two vertices that are copies of one.
+bool touches_itself(const SeparatedMesh& separated, const Island& island) {
+  std::vector<std::pair<VertexId, VertexId>> vertices;  // of the input, and of the separated mesh
+  for (const FaceId f : island.faces) {
+    for (const VertexId v : separated.mesh.vertices(f)) vertices.emplace_back(separated.input_vertex[v], v);
+  }
+  std::ranges::sort(vertices);
+  const auto are_copies = [](const auto& a, const auto& b) { return a.first == b.first && a.second != b.second; };
+  return std::adjacent_find(vertices.begin(), vertices.end(), are_copies) != vertices.end();
+}
+
 }  // namespace
 
 double Charts::share(double Chart::*area_of) const {
@@ -237,7 +248,8 @@ std::vector<GeneratorId> find_non_disc_regions(const Mesh& mesh, const IdVector<
   const SeparatedMesh separated = separate_regions(mesh, to_regions(face_label));
   std::map<GeneratorId, std::int64_t> parts;  // 2 for a region that can't be a disc
   for (const Island& island : find_islands(separated.mesh, face_label)) {
-    parts[island.generator] += euler_characteristic(separated.mesh, island) == 1 ? 1 : 2;
+    const bool is_disc = euler_characteristic(separated.mesh, island) == 1 && !touches_itself(separated, island);
+    parts[island.generator] += is_disc ? 1 : 2;
   }
   std::vector<GeneratorId> regions;
   for (const auto& [region, count] : parts) {
@@ -279,6 +291,19 @@ Charts make_charts(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
   check_belongs(mesh, diagram);
   check_cut(mesh, cut);
   return ChartMaker(mesh, diagram, cut, options).run(options.map);
+}
+
+void replace_texture(std::vector<Uv> charts, Appearance& appearance) {
+  if (!appearance.texture.empty()) {
+    appearance.unread.emplace_back("texture coordinates of the input, for those of --uv");
+  }
+  if (!appearance.material.empty()) {
+    appearance.unread.emplace_back("materials of the input, whose images do not fit those of --uv");
+  }
+  appearance.texture = std::move(charts);
+  appearance.material.clear();
+  appearance.materials.clear();
+  appearance.material_files.clear();
 }
 
 }  // namespace gvd

@@ -1,12 +1,20 @@
 // gvd-segment --disc and --uv: cells that are discs, and texture coordinates of the pieces.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
+#include <utility>
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/read_soup.hpp"
+#include "gvd/soup.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_segment_charts {
@@ -145,6 +153,107 @@ TEST_CASE("gvd-segment --uv: --stats has the charts' columns, and a line says th
   std::string box;
   for (const auto& number : chart["box"]) box += "," + number.dump();
   CHECK_THAT(row, Contains(box));
+}
+
+TEST_CASE("gvd-segment --uv: the regions have their own materials, as the input's images do not fit the charts") {
+  const ScratchFolder scratch;
+  write_text(scratch / "paint.mtl", "newmtl skin\n");
+  write_text(scratch / "in.obj",
+             "mtllib paint.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl skin\nf 1/1 2/2 3/3\n");
+  const std::string given = scratch / "in.obj" + " --vertices 0,1 --uv flat -o ";
+  const std::string notes = run(given + scratch / "a.obj");
+  CHECK_THAT(notes, Contains("in.obj: left out: texture coordinates of the input, for those of --uv; materials of the "
+                             "input, whose images do not fit those of --uv\n"));
+  const std::string written = read_text(scratch / "a.obj");
+  CHECK_THAT(written, Contains("mtllib a.mtl\n") && Contains("\nusemtl region_0\n") && Contains("\nusemtl region_1\n"));
+  CHECK_THAT(written, !Contains("paint.mtl") && !Contains("skin"));
+  CHECK_THAT(read_text(scratch / "a.mtl"), Contains("newmtl region_1\n"));
+  // Their file does not replace that of the input.
+  require_error("gvd-segment", given + scratch / "paint.obj", 2, "its materials would replace paint.mtl");
+  CHECK(read_text(scratch / "paint.mtl") == "newmtl skin\n");
+}
+
+/// A closed ring of eight cubes, as the squares of their surface, each of two triangles.
+std::string cube_ring() {
+  const auto is_solid = [](int x, int y, int z) {
+    return z == 0 && x >= 0 && y >= 0 && x < 3 && y < 3 && (x != 1 || y != 1);
+  };
+  std::map<std::array<int, 3>, int> number;
+  std::string vertices, faces;
+  int squares = 0;
+  for (int square = 0; square < 9 * 6; ++square) {
+    const std::array<int, 3> cube{square / 18, square / 6 % 3, 0};
+    const int axis = square % 6 / 2, side = square % 2;
+    std::array<int, 3> beside = cube;
+    beside[std::size_t(axis)] += 2 * side - 1;
+    if (!is_solid(cube[0], cube[1], 0) || is_solid(beside[0], beside[1], beside[2])) continue;
+    std::array<int, 4> corners{};
+    for (int k = 0; k < 4; ++k) {
+      std::array<int, 3> at = cube;
+      at[std::size_t(axis)] += side;
+      at[std::size_t((axis + 1) % 3)] += k == 1 || k == 2 ? 1 : 0;
+      at[std::size_t((axis + 2) % 3)] += k >= 2 ? 1 : 0;
+      const auto [entry, is_new] = number.try_emplace(at, int(number.size()));
+      if (is_new) vertices += fmt::format("{} {} {}\n", at[0], at[1], at[2]);
+      corners[std::size_t(k)] = entry->second;
+    }
+    if (side == 0) std::swap(corners[1], corners[3]);
+    faces += fmt::format("3 {0} {1} {2}\n3 {0} {2} {3}\n", corners[0], corners[1], corners[2], corners[3]);
+    ++squares;
+  }
+  return fmt::format("OFF\n{} {} 0\n", number.size(), 2 * squares) + vertices + faces;
+}
+
+/// The Euler characteristic of the faces with a label, with the vertices that they share.
+int euler_of_piece(const nlohmann::json& cut, int label) {
+  std::set<int> vertices;
+  std::set<std::pair<int, int>> edges;
+  int faces = 0;
+  for (std::size_t f = 0; f < cut["faces"].size(); ++f) {
+    if (cut["labels"][f] != label) continue;
+    ++faces;
+    const auto corners = cut["faces"][f].get<std::array<int, 3>>();
+    for (std::size_t i = 0; i < 3; ++i) {
+      vertices.insert(corners[i]);
+      edges.insert(std::minmax(corners[i], corners[(i + 1) % 3]));
+    }
+  }
+  return int(vertices.size()) - int(edges.size()) + faces;
+}
+
+TEST_CASE("gvd-segment --disc --cut: each piece is a disc as a mesh, also where cells nearly touch themselves") {
+  const ScratchFolder scratch;
+  write_text(scratch / "ring.off", cube_ring());
+  for (const std::string vertices : {"1,24,31", "3,8,13,27,30", "8,13,17,21,27"}) {
+    CAPTURE(vertices);
+    const std::string notes = run(scratch / "ring.off" + " --vertices " + vertices + " --disc --cut -o " +
+                                  scratch / "a.json" + " -o " + scratch / "a.off");
+    CHECK_THAT(notes, !Contains("no disc"));
+    const nlohmann::json written = read_json(scratch / "a.json");
+    for (const auto& cell : written["cells"]) {
+      CHECK(cell["euler_characteristic"] == 1);
+      CHECK(euler_of_piece(written["cut_mesh"], cell["generator"]) == 1);
+    }
+    const PolygonSoup soup = read_soup(scratch / "a.off");
+    const MeshSummary whole = compute_mesh_summary(build_mesh(soup, DefectPolicy::error, "a.off").mesh);
+    CHECK(whole.euler_characteristic == 0);
+    CHECK(whole.boundary_loops == 0);
+  }
+}
+
+TEST_CASE("gvd-segment --disc: a note names regions of whole faces that touch themselves at a vertex") {
+  const ScratchFolder scratch;
+  write_text(scratch / "ring.off", cube_ring());
+  const std::string notes = run(scratch / "ring.off" + " --vertices 5,10,23 --disc -o " + scratch / "a.json");
+  CHECK_THAT(notes, Contains("1 region is no disc although its cell is: 0; whole faces join or touch there; --cut "
+                             "follows the cells\n"));
+  nlohmann::json whole = {{"labels", read_json(scratch / "a.json")["face_labels"]}};
+  const PolygonSoup soup = read_soup(scratch / "ring.off");
+  for (std::size_t f = 0; f < soup.polygon_count(); ++f) {
+    whole["faces"].push_back({soup.polygon(f)[0], soup.polygon(f)[1], soup.polygon(f)[2]});
+  }
+  const int regions = int(read_json(scratch / "a.json")["cells"].size());
+  for (int label = 0; label < regions; ++label) CHECK((euler_of_piece(whole, label) == 1) == (label != 0));
 }
 
 TEST_CASE("gvd-segment --disc and --uv: refusals name what helps") {

@@ -98,6 +98,34 @@ TEST_CASE("gvd-segment --within: labels of the triangles of quadrilaterals fit t
   }
 }
 
+TEST_CASE(
+    "gvd-segment --within: a face of three labels joins a neighbour if it were alone, and a lost label is named") {
+  const ScratchFolder scratch;
+  // Face 0 has corners of 1, 2 and 3, and a neighbour across each side: of 2 below and, across a longer side, of 3.
+  write_text(scratch / "a.off",
+             "OFF\n6 4 0\n0 0 0\n1 0 0\n0.4 1 0\n0.5 -1 0\n1.5 1 0\n-0.5 1 0\n"
+             "3 0 1 2\n3 1 0 3\n3 2 1 4\n3 0 2 5\n");
+  write_text(scratch / "labels.txt", "1\n2\n3\n2\n3\n3\n");
+  const std::string notes = run(scratch / "a.off" + " --within " + scratch / "labels.txt" + " -n 12 --cut -o " +
+                                scratch / "a.json" + " --report " + scratch / "r.json");
+  CHECK_THAT(notes, Contains("labels.txt: no face is in region 1: most corners of its faces have other numbers\n"));
+  CHECK_THAT(notes, Contains("inside 2 regions of 2 connected parts"));
+  const nlohmann::json cut = read_json(scratch / "a.json")["cut_mesh"];
+  const std::vector<int> region_of_face{3, 2, 3, 3};
+  for (std::size_t f = 0; f < cut["parents"].size(); ++f) {
+    CHECK(cut["face_numbers"]["region"][f] == region_of_face[cut["parents"][f].get<std::size_t>()]);
+  }
+  // 12 generators by area: .5 of 2 in region 2.
+  std::map<int, int> generators;
+  const nlohmann::json report = read_json(scratch / "r.json");
+  for (const auto& region : report["results"]["regions"]) ++generators[region["region"]];
+  CHECK(generators == std::map<int, int>{{2, 3}, {3, 9}});
+  // Numbers of faces stay as they are.
+  write_text(scratch / "faces.txt", "1\n2\n3\n3\n");
+  CHECK_THAT(run(scratch / "a.off" + " --within " + scratch / "faces.txt" + " -n 12 -o " + scratch / "b.json"),
+             Contains("inside 3 regions of 4 connected parts") && !Contains("no face is in"));
+}
+
 TEST_CASE("gvd-segment --levels: the same as twice in a row, on any number of threads") {
   const ScratchFolder scratch;
   const auto outputs = [&](const std::string& stem) {

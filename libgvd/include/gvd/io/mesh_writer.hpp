@@ -69,6 +69,18 @@ OutputFormat output_format(const std::filesystem::path& path);
 /// it before long work. A result with the same bounding box fits as well. Cost: O(n).
 void check_format(const Mesh& mesh, OutputFormat format);
 
+/// What the numbers of a file format do to the positions of a mesh.
+struct PositionLoss {
+  double farthest_move = 0;          ///< how far a vertex is moved by rounding, mesh units
+  std::int64_t collapsed_faces = 0;  ///< faces with area that have none afterwards
+  bool is_notable = false;  ///< rounding moves corners by more than a 64th of the edges, on a 1000th of the area
+};
+
+/// The loss of STL, GLB, GIFTI and FreeSurfer's surfaces, which have 32-bit floats; none for other formats, which keep
+/// doubles. Positions of a GLB are relative to a point near the mesh if that is far from the origin, so that they lose
+/// little. Cost: O(n).
+PositionLoss measure_position_loss(const Mesh& mesh, OutputFormat format);
+
 /// A polyline in space to be written with a mesh.
 struct MeshCurve {
   std::string name;              ///< of its group in OBJ, without blanks

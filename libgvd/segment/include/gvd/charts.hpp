@@ -16,8 +16,9 @@
 // Texture coordinates for the regions of a cut mesh: each connected part of a region is an island of the unit square.
 namespace gvd {
 
-/// The regions of labelled faces that are no discs: in several parts, or of an Euler characteristic other than 1.
-/// Ascending. Throws Error{precondition} where there is not one label for each face. Cost: O(n log n).
+/// The regions of labelled faces that are no discs as meshes: in several parts, of an Euler characteristic other than
+/// 1, or touching themselves at a vertex. Ascending. Throws Error{precondition} where there is not one label for each
+/// face. Cost: O(n log n).
 std::vector<GeneratorId> find_non_disc_regions(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label);
 
 /// How a region is laid into the plane.
@@ -90,5 +91,9 @@ inline constexpr double kTear = 4;
 /// if the three do not belong together; Error{interrupted}. Cost: that of an ExactField, and for each chart of a path
 /// to each of its vertices, or up to four sparse systems of them.
 Charts make_charts(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, const ChartOptions& options = {});
+
+/// Puts the texture coordinates of charts in place of those of an appearance, and leaves out its materials: their
+/// images do not fit other coordinates. `unread` names what was there.
+void replace_texture(std::vector<Uv> charts, Appearance& appearance);
 
 }  // namespace gvd

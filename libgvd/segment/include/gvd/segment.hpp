@@ -72,10 +72,15 @@ struct CutMesh {
 /// Splits the faces of a mesh along the bisectors of its diagram.
 ///
 /// If cuts of two faces have the same ends, the result would have one edge with four faces. Each such cut is therefore
-/// split by a vertex of its own at its midpoint.
+/// split by a vertex of its own at its midpoint. Where rounding brings two branch points or bisectors together at one
+/// vertex, a region would touch itself there; a thousandth of the edges at the vertex then goes to the region beside
+/// it.
 ///
 /// Properties: (1) the surface is the same set of points, within rounding; (2) the faces on both sides of an edge share
-/// the vertices on it, so the result has the topology of the input; (3) faces that no bisector touches do not change.
+/// the vertices on it, so the result has the topology of the input; (3) faces that no bisector touches do not change,
+/// but those at a vertex as above; (4) a cell that is a disc is one as a mesh, too: the faces with its label, with the
+/// vertices that they share. Only a given region (`separate_regions`) that touches itself can still make its cells do
+/// so.
 /// Throws Error{precondition} if the diagram was not made of this mesh, Error{no_valid_result} if the result is not a
 /// manifold, Error{interrupted} if `progress` cancels. Cost: O(n log n), and O(k^2) in a face with k corners of pieces.
 CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& progress = {});

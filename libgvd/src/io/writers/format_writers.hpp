@@ -66,8 +66,16 @@ inline std::int32_t label_number(GeneratorId label) { return label.valid() ? lab
 std::vector<NumberedLabel> number_labels(const ColoredMesh& mesh, std::string_view format);
 
 /// Throws Error{unwritable_output} where 32-bit floats can't hold the mesh: a coordinate is too large for one, or the
-/// whole mesh lies between two of them. `format` is the name of the file format, for the message. Cost: O(n).
-void check_single_precision(const Mesh& mesh, std::string_view format);
+/// whole mesh lies between two of them, relative to `origin`. `format` is the name of the file format, for the message.
+/// Cost: O(n).
+void check_single_precision(const Mesh& mesh, std::string_view format, const Vec3& origin = Vec3::Zero());
+
+/// The point that the positions of a GLB are relative to: 0, or a point with floats as coordinates near the centre of a
+/// mesh that is so far from the origin that floats would damage it. Cost: O(n).
+Vec3 glb_translation(const Mesh& mesh);
+
+/// The largest coordinate relative to `origin`, without sign. Cost: O(n).
+double largest_local_coordinate(const Mesh& mesh, const Vec3& origin);
 
 /// Whether texture coordinates are numbers that 32-bit floats can hold, as PLY and GLB have them.
 inline bool fits_floats(const Uv& uv) {

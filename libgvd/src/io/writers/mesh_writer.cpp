@@ -330,22 +330,6 @@ std::string bare_extension(std::string_view extension) {
   return to_lower(extension.substr(extension.starts_with('.') ? 1 : 0));
 }
 
-void check_single_precision(const Mesh& mesh, std::string_view format) {
-  const double largest = mesh.largest_coordinate();
-  using Float = std::numeric_limits<float>;
-  const auto refuse = [&](const std::string& why) {
-    throw Error(ErrorCode::unwritable_output,
-                fmt::format("{} holds 32-bit floats, and {}; choose PLY, OBJ, OFF or VTP", format, why));
-  };
-  if (largest > Float::max()) refuse(fmt::format("the coordinate {} is too large for one", largest));
-  // The distance of neighbouring floats at the largest coordinate: a smaller mesh would collapse.
-  const double step = std::max<double>(largest * Float::epsilon(), Float::min());
-  if (mesh.bbox_diagonal() <= step) {
-    refuse(fmt::format("a mesh of size {} at the coordinate {} is smaller than the step between two of them",
-                       mesh.bbox_diagonal(), largest));
-  }
-}
-
 }  // namespace gvd::io
 
 namespace gvd {
@@ -453,7 +437,9 @@ void check_format(const Mesh& mesh, OutputFormat format) {
        {OutputFormat::freesurfer_surface, "FreeSurfer's surface"},
        {OutputFormat::freesurfer_values, "FreeSurfer's .curv"}}};
   for (const auto& [single, name] : kSingle) {
-    if (format == single) io::check_single_precision(mesh, name);
+    if (format != single) continue;
+    io::check_single_precision(mesh, name,
+                               format == OutputFormat::glb ? io::glb_translation(mesh) : Vec3(Vec3::Zero()));
   }
 }
 

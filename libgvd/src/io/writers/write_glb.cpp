@@ -5,8 +5,9 @@
 // The surface is one primitive, which a renderer draws at once however many regions it has. Each region has vertices of
 // its own, with its colour in COLOR_0 and its label in _LABEL: a vertex on a border, a crease or a seam comes once for
 // each region, normal and texture coordinate. glTF has no unsigned integers for such attributes and takes colours for
-// linear, so both are floats. Positions are 32-bit floats, too, which `check_single_precision` has allowed. Invariant:
-// every view begins where the one before it ends, so that the description and the numbers agree.
+// linear, so both are floats. Positions are 32-bit floats, too, which `check_single_precision` has allowed. Far from
+// the origin they are relative to the translation of both nodes (single_precision.cpp). Invariant: every view begins
+// where the one before it ends, so that the description and the numbers agree.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -44,6 +45,7 @@ class GlbWriter {
   explicit GlbWriter(const ColoredMesh& labelled)
       : labelled_(labelled),
         mesh_(labelled.mesh),
+        translation_(glb_translation(labelled.mesh)),
         surface_(split_shading_vertices(labelled)),
         lines_(collect_lines(labelled)) {
     describe_surface();
@@ -88,11 +90,14 @@ class GlbWriter {
     return gltf_["accessors"].size() - 1;
   }
 
+  /// A position relative to the nodes.
+  Eigen::Vector3f local(const Vec3& p) const { return (p - translation_).cast<float>(); }
+
   /// Adds their bounds to an accessor of positions.
   template <class ForEachPoint>
   void set_bounds(std::size_t accessor, ForEachPoint for_each_point) {
     Eigen::AlignedBox3f box;
-    for_each_point([&box](const Vec3& p) { box.extend(p.cast<float>()); });
+    for_each_point([&](const Vec3& p) { box.extend(local(p)); });
     gltf_["accessors"][accessor]["min"] = {box.min().x(), box.min().y(), box.min().z()};
     gltf_["accessors"][accessor]["max"] = {box.max().x(), box.max().y(), box.max().z()};
   }
@@ -108,7 +113,9 @@ class GlbWriter {
   void add_node(const std::string& name, Json primitives) {
     const std::size_t index = gltf_["meshes"].size();
     gltf_["meshes"].push_back({{"name", name}, {"primitives", std::move(primitives)}});
-    gltf_["nodes"].push_back({{"name", name}, {"mesh", index}});
+    Json node = {{"name", name}, {"mesh", index}};
+    if (!translation_.isZero(0)) node["translation"] = {translation_.x(), translation_.y(), translation_.z()};
+    gltf_["nodes"].push_back(std::move(node));
     gltf_["scenes"][0]["nodes"].push_back(index);
   }
 
@@ -162,7 +169,7 @@ class GlbWriter {
 
   void write_surface(ByteWriter& out) const {
     const std::vector<ShadingVertex>& vertices = surface_.vertices;
-    for (const ShadingVertex& vertex : vertices) out.floats(mesh_.position(vertex.vertex));
+    for (const ShadingVertex& vertex : vertices) out.floats(local(mesh_.position(vertex.vertex)));
     for (const ShadingVertex& vertex : vertices) out.floats(vertex.normal);
     if (has_labels()) {
       std::vector<std::array<double, 3>> linear{to_linear(kUnlabelledColor)};  // before that of label 0
@@ -181,7 +188,7 @@ class GlbWriter {
 
   void write_lines(ByteWriter& out) const {
     for (const OutputLine& line : lines_) {
-      for (const Vec3& p : line.points) out.floats(p);
+      for (const Vec3& p : line.points) out.floats(local(p));
     }
     std::uint32_t next = 0;
     for (const OutputLine& line : lines_) {
@@ -195,6 +202,7 @@ class GlbWriter {
 
   const ColoredMesh& labelled_;
   const Mesh& mesh_;
+  Vec3 translation_;  ///< of all nodes
   ShadingVertices surface_;
   std::vector<OutputLine> lines_;
   Json gltf_;

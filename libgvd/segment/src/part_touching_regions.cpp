@@ -1,0 +1,255 @@
+// Regions of a cut mesh that touch themselves at a vertex, taken apart there.
+//
+// In a diagram no cell touches itself: the cells at a branch point differ, and so do those at a crossing. But two
+// branch points that are nearer to each other than rounding become one vertex of the cut mesh, as where four cells
+// nearly meet, and so do two bisectors that pass a vertex on both sides. Round that vertex the labels are then a b a c:
+// the faces with label a are no disc as a mesh, though their cell is one. One of the two sectors of a gives its corner
+// at the vertex, a tiny part of its faces, to a neighbour. A strip of a cell that is thinner than rounding may also
+// have vanished at the vertex, so that the two sectors of a are not connected any more; then the sector between them
+// gives its corner to a.
+//
+// A sector gives its corner only to a label that has a bisector with its own, so that no label crosses the border of a
+// given region, and never to a label on both of its sides that is connected already, which would close a ring.
+// Invariant: open regions keep their topology, or become connected; each change leaves fewer sectors at its vertex.
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/union_find.hpp"
+#include "cut_steps.hpp"
+#include "gvd/segment.hpp"
+#include "mesh/vertex_ring.hpp"
+
+namespace gvd {
+namespace {
+
+/// The part of an edge that a corner takes, from its vertex on. A face loses a millionth of its area, less than the
+/// chord tolerance leaves undecided.
+constexpr double kCornerShare = 0x1p-10;
+
+/// The shortest side of a corner, in tolerances of positions: its vertices stay distinct, up to the half of an edge.
+constexpr double kCornerTolerances = 16;
+
+/// Consecutive faces round a vertex that have one label, by their halfedges that leave the vertex, counter-clockwise.
+struct Sector {
+  GeneratorId label;
+  std::vector<HalfedgeId> halfedges;
+};
+
+struct VertexSectors {
+  std::vector<Sector> sectors;  ///< counter-clockwise
+  bool closed = false;          ///< the last one is beside the first one
+};
+
+VertexSectors collect_sectors(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, VertexId v) {
+  VertexSectors found{{}, !mesh.is_boundary(v)};
+  std::vector<Sector>& sectors = found.sectors;
+  for_each_outgoing(mesh, v, [&](HalfedgeId h) {
+    const GeneratorId g = label[Mesh::face(h)];
+    if (sectors.empty() || sectors.back().label != g) sectors.push_back({g, {}});
+    sectors.back().halfedges.push_back(h);
+  });
+  if (found.closed && sectors.size() > 1 && sectors.front().label == sectors.back().label) {
+    std::vector<HalfedgeId>& first = sectors.front().halfedges;
+    first.insert(first.begin(), sectors.back().halfedges.begin(), sectors.back().halfedges.end());
+    sectors.pop_back();
+  }
+  return found;
+}
+
+/// The vertices round which a label may have several sectors: where labels change four times, or twice from boundary to
+/// boundary.
+std::vector<VertexId> find_candidates(const CutMesh& cut) {
+  const Mesh& mesh = cut.mesh;
+  IdVector<VertexId, std::int32_t> changes(mesh.vertex_count(), 0);
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e), twin = mesh.twin(h);
+    if (!twin.valid() || cut.label[Mesh::face(h)] == cut.label[Mesh::face(twin)]) continue;
+    ++changes[mesh.from(h)];
+    ++changes[mesh.to(h)];
+  }
+  std::vector<VertexId> found;
+  for (const VertexId v : mesh.vertices()) {
+    if (changes[v] >= (mesh.is_boundary(v) ? 2 : 4)) found.push_back(v);
+  }
+  return found;
+}
+
+/// One round of changes, which do not concern the same faces.
+class CornerRound {
+ public:
+  CornerRound(const IdVector<GeneratorId, Cell>& cells, double tolerance, const CutMesh& cut)
+      : cells_(cells),
+        least_side_(kCornerTolerances * tolerance),
+        cut_(cut),
+        mesh_(cut.mesh),
+        parts_(std::size_t(mesh_.face_count())),
+        positions_(mesh_.positions()) {}
+
+  /// Returns whether a corner changed its label.
+  bool run(const std::vector<VertexId>& candidates) {
+    for (const EdgeId e : mesh_.edges()) {
+      const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
+      if (!twin.valid() || cut_.label[Mesh::face(h)] != cut_.label[Mesh::face(twin)]) continue;
+      parts_.unite(Mesh::face(h).value(), Mesh::face(twin).value());
+    }
+    for (const VertexId v : candidates) visit(v);
+    return !edits_.empty();
+  }
+
+  /// The mesh with the corners as faces of their own.
+  CutMesh make_mesh() && {
+    CutMesh made;
+    made.input_vertices = cut_.input_vertices;
+    made.uncut_faces = cut_.uncut_faces;
+    std::vector<std::array<VertexId, 3>> faces;
+    for (const FaceId f : mesh_.faces()) {
+      const auto edit = edits_.find(f);
+      const std::vector<CutTriangle> triangles =
+          edit == edits_.end() ? std::vector{CutTriangle{mesh_.vertices(f), f, cut_.label[f]}} : split(f, edit->second);
+      for (const CutTriangle& t : triangles) {
+        faces.push_back(t.corners);
+        made.parent.push_back(cut_.parent[f]);
+        made.label.push_back(t.label);
+      }
+    }
+    made.mesh = Mesh(std::move(positions_), std::move(faces));
+    return made;
+  }
+
+ private:
+  /// What happens to a face at one of its corners.
+  struct Edit {
+    HalfedgeId outgoing;                ///< of the face, from the corner
+    VertexId on_next, on_before;        ///< new vertices on the sides after and before the corner; invalid for none
+    std::optional<GeneratorId> corner;  ///< the new label of the corner between the two
+  };
+
+  void visit(VertexId v) {
+    const VertexSectors round = collect_sectors(mesh_, cut_.label, v);
+    std::map<GeneratorId, int> count;
+    for (const Sector& sector : round.sectors) ++count[sector.label];
+    if (std::ranges::all_of(count, [](const auto& label) { return label.second == 1; })) return;
+    // First what connects regions: what is taken apart afterwards is connected elsewhere.
+    for (const bool connects : {true, false}) {
+      for (std::size_t i = 0; i < round.sectors.size(); ++i) {
+        const std::optional<GeneratorId> taker =
+            connects ? find_label_to_connect(round, i) : find_label_to_part(round, i, count[round.sectors[i].label]);
+        if (!taker || !give_corner(v, round.sectors[i], *taker)) continue;
+        --count[round.sectors[i].label];
+        if (!connects) continue;
+        --count[*taker];
+        const auto [before, after] = neighbours(round, i);
+        parts_.unite(part_of(*before), part_of(*after));
+      }
+    }
+  }
+
+  std::pair<const Sector*, const Sector*> neighbours(const VertexSectors& round, std::size_t i) const {
+    const std::size_t n = round.sectors.size();
+    const Sector* const before = i > 0 || round.closed ? &round.sectors[(i + n - 1) % n] : nullptr;
+    const Sector* const after = i + 1 < n || round.closed ? &round.sectors[(i + 1) % n] : nullptr;
+    return {before, after};
+  }
+
+  std::int32_t part_of(const Sector& sector) { return parts_.find(Mesh::face(sector.halfedges.front()).value()); }
+
+  /// Whether the two cells have a bisector.
+  bool may_give(GeneratorId from, GeneratorId to) const {
+    return from.valid() && to.valid() && std::ranges::binary_search(cells_[from].neighbours, to);
+  }
+
+  /// The label on both sides of a sector, if its faces there are not connected.
+  std::optional<GeneratorId> find_label_to_connect(const VertexSectors& round, std::size_t i) {
+    const auto [before, after] = neighbours(round, i);
+    if (before == nullptr || after == nullptr || before == after || before->label != after->label) return std::nullopt;
+    const bool connects = part_of(*before) != part_of(*after);
+    return connects && may_give(round.sectors[i].label, after->label) ? std::optional(after->label) : std::nullopt;
+  }
+
+  /// A label beside one of the `count` sectors of another label, if it is on one side only.
+  std::optional<GeneratorId> find_label_to_part(const VertexSectors& round, std::size_t i, int count) const {
+    const auto [before, after] = neighbours(round, i);
+    if (count < 2 || (before != nullptr && after != nullptr && before->label == after->label)) return std::nullopt;
+    for (const Sector* side : {before, after}) {
+      if (side != nullptr && may_give(round.sectors[i].label, side->label)) return side->label;
+    }
+    return std::nullopt;
+  }
+
+  /// Gives the corners of a sector's faces at v to a label. False if another change of this round concerns one of the
+  /// faces, or an edge is too short.
+  bool give_corner(VertexId v, const Sector& sector, GeneratorId to) {
+    std::map<FaceId, Edit> edits;
+    std::map<EdgeId, VertexId> points;
+    std::vector<Vec3> positions;
+    for (const HalfedgeId h : sector.halfedges) {
+      edits[Mesh::face(h)] = {h, {}, {}, to};
+      for (const EdgeId e : {mesh_.edge(h), mesh_.edge(Mesh::previous(h))}) {
+        if (points.contains(e)) continue;
+        const std::optional<Vec3> at = corner_point(v, e);
+        if (!at) return false;
+        points[e] = VertexId(positions_.size() + positions.size());
+        positions.push_back(*at);
+      }
+    }
+    for (const auto& [e, point] : points) {
+      for (const HalfedgeId h : {mesh_.halfedge(e), mesh_.twin(mesh_.halfedge(e))}) {
+        if (!h.valid()) continue;
+        const bool leaves = mesh_.from(h) == v;
+        Edit& edit = edits[Mesh::face(h)];
+        edit.outgoing = leaves ? h : Mesh::next(h);
+        (leaves ? edit.on_next : edit.on_before) = point;
+      }
+    }
+    if (std::ranges::any_of(edits, [&](const auto& edit) { return edits_.contains(edit.first); })) return false;
+    edits_.merge(edits);
+    positions_.insert(positions_.end(), positions.begin(), positions.end());
+    return true;
+  }
+
+  /// A point on an edge near its end v.
+  std::optional<Vec3> corner_point(VertexId v, EdgeId e) const {
+    const HalfedgeId h = mesh_.halfedge(e);
+    const Vec3& from = mesh_.position(v);
+    const Vec3& to = mesh_.position(mesh_.from(h) == v ? mesh_.to(h) : mesh_.from(h));
+    const double length = (to - from).norm();
+    const double share = std::clamp(least_side_ / length, kCornerShare, 0.5);
+    const Vec3 at = from + share * (to - from);
+    return at == from || at == to ? std::nullopt : std::optional(at);
+  }
+
+  /// The triangles of a face with new vertices on its sides.
+  std::vector<CutTriangle> split(FaceId f, const Edit& edit) const {
+    const VertexId a = mesh_.from(edit.outgoing), b = mesh_.to(edit.outgoing),
+                   c = mesh_.from(Mesh::previous(edit.outgoing));
+    const VertexId p = edit.on_next, q = edit.on_before;
+    const GeneratorId own = cut_.label[f];
+    if (!q.valid()) return {{{a, p, c}, f, own}, {{p, b, c}, f, own}};
+    if (!p.valid()) return {{{a, b, q}, f, own}, {{q, b, c}, f, own}};
+    return {{{a, p, q}, f, edit.corner.value_or(own)}, {{p, b, c}, f, own}, {{p, c, q}, f, own}};
+  }
+
+  const IdVector<GeneratorId, Cell>& cells_;
+  const double least_side_;
+  const CutMesh& cut_;
+  const Mesh& mesh_;
+  UnionFind parts_;  // connected faces with one label
+  std::map<FaceId, Edit> edits_;
+  std::vector<Vec3> positions_;
+};
+
+}  // namespace
+
+void part_touching_regions(const IdVector<GeneratorId, Cell>& cells, double tolerance, CutMesh& cut) {
+  for (auto candidates = find_candidates(cut); !candidates.empty(); candidates = find_candidates(cut)) {
+    CornerRound round(cells, tolerance, cut);
+    if (!round.run(candidates)) return;
+    CutMesh made = std::move(round).make_mesh();
+    cut = std::move(made);
+  }
+}
+
+}  // namespace gvd

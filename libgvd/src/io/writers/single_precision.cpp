@@ -1,0 +1,123 @@
+// What 32-bit floats do to positions: what they can't hold, how far they move vertices, and where GLB puts its origin.
+//
+// A float has 24 bits. A survey at a northing of 5,400,000 m is held in steps of half a metre, whatever its size. STL,
+// GIFTI and FreeSurfer's surfaces have no other numbers, so that users can only be told. In GLB a node has a
+// translation by numbers of JSON: the positions of a mesh that is far from the origin are relative to that. The
+// translation is a float itself, because most readers keep it as one; and it is a multiple of a power of two near the
+// mesh's size, so that it has few digits and positions lose next to nothing when it is subtracted. Invariant: near the
+// origin there is no translation, and the bytes are those of the positions.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "gvd/error.hpp"
+#include "gvd/io/mesh_writer.hpp"
+#include "io/writers/format_writers.hpp"
+
+namespace gvd::io {
+namespace {
+
+using Float = std::numeric_limits<float>;
+using Vec3f = Eigen::Vector3f;
+
+/// A mesh is far from the origin where a coordinate exceeds so many times its diagonal. Floats round by 2^-24 of a
+/// coordinate, so beyond that by more than 2^-20 of the diagonal: a thousandth of the edges of a mesh with a million
+/// faces.
+constexpr double kFarDiagonals = 16;
+
+/// The translation of GLB is a multiple of a power of two of at most this fraction of the diagonal. Local coordinates
+/// are then less than the diagonal.
+constexpr double kTranslationGrid = 1.0 / 4;
+
+/// A face is damaged where a corner moves by more than this part of its mean edge: angles change by about a degree.
+constexpr double kDamagedEdge = 1.0 / 64;
+
+/// The share of the area in damaged faces from which on it is told. Cutting leaves needles, which are less.
+constexpr double kDamagedShare = 1e-3;
+
+Eigen::AlignedBox3d bounding_box(const Mesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : mesh.positions()) box.extend(p);
+  return box;
+}
+
+bool is_far(const Mesh& mesh) { return mesh.largest_coordinate() > kFarDiagonals * mesh.bbox_diagonal(); }
+
+/// The origin of the positions in a format.
+Vec3 origin_in(const Mesh& mesh, OutputFormat format) {
+  return format == OutputFormat::glb ? glb_translation(mesh) : Vec3(Vec3::Zero());
+}
+
+}  // namespace
+
+Vec3 glb_translation(const Mesh& mesh) {
+  if (!is_far(mesh)) return Vec3::Zero();
+  const Vec3 centre = bounding_box(mesh).center();
+  const double grid = std::exp2(std::floor(std::log2(kTranslationGrid * mesh.bbox_diagonal())));
+  Vec3 translation = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(centre[i]) <= mesh.bbox_diagonal()) continue;  // this axis loses nothing
+    // A grid finer than doubles at the centre, or none at all, as for a single point, leaves the centre.
+    const double multiple = grid > 0 ? std::round(centre[i] / grid) * grid : centre[i];
+    translation[i] = static_cast<double>(static_cast<float>(std::isfinite(multiple) ? multiple : centre[i]));
+  }
+  return translation;
+}
+
+void check_single_precision(const Mesh& mesh, std::string_view format, const Vec3& origin) {
+  const double largest = mesh.largest_coordinate();
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ErrorCode::unwritable_output,
+                fmt::format("{} holds 32-bit floats, and {}; choose PLY, OBJ, OFF or VTP", format, why));
+  };
+  if (largest > Float::max()) refuse(fmt::format("the coordinate {} is too large for one", largest));
+  // The distance of neighbouring floats at the largest coordinate: a smaller mesh would collapse.
+  const double local = origin.isZero(0) ? largest : largest_local_coordinate(mesh, origin);
+  const double step = std::max<double>(local * Float::epsilon(), Float::min());
+  if (mesh.bbox_diagonal() <= step) {
+    refuse(fmt::format("a mesh of size {} at the coordinate {} is smaller than the step between two of them",
+                       mesh.bbox_diagonal(), largest));
+  }
+}
+
+double largest_local_coordinate(const Mesh& mesh, const Vec3& origin) {
+  double largest = 0;
+  for (const Vec3& p : mesh.positions()) largest = std::max(largest, (p - origin).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+}  // namespace gvd::io
+
+namespace gvd {
+
+PositionLoss measure_position_loss(const Mesh& mesh, OutputFormat format) {
+  using io::Vec3f;
+  constexpr std::array kSingle{OutputFormat::stl, OutputFormat::glb, OutputFormat::gifti_surface,
+                               OutputFormat::freesurfer_surface};
+  PositionLoss loss;
+  if (std::ranges::find(kSingle, format) == kSingle.end()) return loss;
+  const Vec3 origin = io::origin_in(mesh, format);
+  double area = 0, damaged = 0;
+  for (const FaceId f : mesh.faces()) {
+    std::array<Vec3f, 3> rounded;
+    double moved = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 local = mesh.position(mesh.vertices(f)[i]) - origin;
+      rounded[i] = local.cast<float>();
+      moved = std::max(moved, (rounded[i].cast<double>() - local).norm());
+    }
+    loss.farthest_move = std::max(loss.farthest_move, moved);
+    const Vec3 u = (rounded[1] - rounded[0]).cast<double>(), v = (rounded[2] - rounded[0]).cast<double>();
+    if (mesh.area(f) > 0 && u.cross(v).isZero(0)) ++loss.collapsed_faces;
+    const auto& length = mesh.shape(f).length;
+    area += mesh.area(f);
+    if (moved > io::kDamagedEdge * (length[0] + length[1] + length[2]) / 3) damaged += mesh.area(f);
+  }
+  loss.is_notable = damaged > io::kDamagedShare * area;
+  return loss;
+}
+
+}  // namespace gvd
