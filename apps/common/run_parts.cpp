@@ -34,7 +34,10 @@ namespace {
 std::string name_of(const InputOptions& input) { return input.path == "-" ? kStandardInput : input.path; }
 
 PolygonSoup read(const InputOptions& input, std::string* standard_input) {
-  if (input.path != "-") return read_soup(input.path, input.format);
+  if (input.path != "-") {
+    const WaitForInput wait(input.path);
+    return read_soup(input.path, input.format);
+  }
   std::string bytes = read_standard_input();
   PolygonSoup soup = parse_soup(bytes, *input.format, kStandardInput);
   if (standard_input != nullptr) *standard_input = std::move(bytes);
@@ -67,7 +70,10 @@ GeneratorList read_list(const GeneratorOptions& options) {
     const std::string content = read_standard_input();
     return parse_generators(content, options.format.value_or(detect_generator_format(content)), kStandardInput);
   }
-  if (!options.vertices) return read_generators(options.file, options.format);
+  if (!options.vertices) {
+    const WaitForInput wait(options.file);
+    return read_generators(options.file, options.format);
+  }
   GeneratorList list{options.names.vertices, {}};
   for (const std::int64_t vertex : *options.vertices) {
     list.entries.push_back({GeneratorEntry::Kind::vertex, vertex, {}, 0});
