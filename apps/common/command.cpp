@@ -5,8 +5,12 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <ostream>
+#include <utility>
 
+#include "common/open_page.hpp"
+#include "common/options/config_file.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/outcome.hpp"
 #include "common/process.hpp"
@@ -21,6 +25,14 @@ std::string help_footer(const std::string& examples) {
          "\nExit codes: 0 done, 2 usage, 3 unreadable input, 4 input breaks a precondition,\n"
          "5 no valid result or out of memory, 6 output could not be written,\n"
          "130 interrupted; with several inputs, the code of the first one that failed.\n";
+}
+
+/// The page that --open writes where --view names none.
+std::string default_page(const std::string& input) {
+  const std::filesystem::path name =
+      input == "-" ? std::filesystem::path("stdin") : std::filesystem::path(input).filename();
+  const std::filesystem::path unpacked = file_extension(name.string()) == "gz" ? name.stem() : name;
+  return unpacked.stem().string() + ".gvd.html";
 }
 
 /// The description of a command whose options may not find the memory that they need.
@@ -41,6 +53,19 @@ void Command::add_target(const std::string& name, const std::string& description
   option->group("Output")->excludes("--output-dir");
 }
 
+void Command::print_results(std::function<std::string()> choose_format) {
+  options_.output.prints = true;
+  choose_format_ = std::move(choose_format);
+}
+
+void Command::complete_options() {
+  OutputOptions& output = options_.output;
+  if (output.open && output.view.empty()) output.view = default_page(options_.input.path);
+  if (!output.prints || names_file(output)) return;
+  if (!is_given(*line_.get_option("--output-format"))) output.formats = {choose_format_()};
+  output.files = {"-"};
+}
+
 int Command::run(int argc, const char* const* argv, const std::function<void(Run&)>& body) {
   keep_freed_memory();
   reserve_standard_streams();
@@ -51,6 +76,7 @@ int Command::run(int argc, const char* const* argv, const std::function<void(Run
     if (const auto answer = parse_command_line(line_, rules_, argc, argv)) {
       return write_standard_output([&](std::ostream& out) { out << *answer; });
     }
+    complete_options();
     check_options(options_, info_.formats);
     if (!options_.output.folder.empty()) {
       exit_code = run_several(info_.name, plan_runs(options_), body);
@@ -60,6 +86,11 @@ int Command::run(int argc, const char* const* argv, const std::function<void(Run
     Console console(info_.name, detect_console_style(), options_.quiet, options_.verbose);
     Run run(info_.name, options_, console);
     body(run);
+    console.clear_bar();
+    if (!run.written().empty()) console.note(fmt::format("wrote {}", fmt::join(run.written(), ", ")));
+    if (!options_.output.open) return;
+    const std::string failed = open_page(options_.output.view);
+    if (!failed.empty()) console.note(fmt::format("--open: {}; open {} in a browser", failed, options_.output.view));
   });
   if (outcome.exit_code == kReaderGone) return end_by_broken_pipe();
   if (!outcome.message.empty()) Console(info_.name, {}, false, false).error(outcome.message);

@@ -42,15 +42,23 @@ class Command {
   /// checked as the files of all commands are, with the extensions of `side_extensions`.
   void add_target(const std::string& name, const std::string& description);
 
+  /// From now on, a run for which no file is named writes to standard output, as with -o -. `choose_format` is called
+  /// where --output-format does not name one.
+  void print_results(std::function<std::string()> choose_format);
+
   /// Parses, runs `body` and returns the exit code: 0 where it returns, or else that of `run_guarded`, with its message
   /// in one line on standard error. With --output-dir, runs `body` once for each input: see `run_several`.
   int run(int argc, const char* const* argv, const std::function<void(Run&)>& body);
 
  private:
+  /// Sets the outputs that follow from the absence of others.
+  void complete_options();
+
   CommandInfo info_;
   Options options_;
   CLI::App line_;
   std::vector<ValueRule> rules_;
+  std::function<std::string()> choose_format_;  // empty: nothing is printed unless -o - asks for it
 };
 
 }  // namespace gvd::app

@@ -36,7 +36,10 @@ std::optional<double> parse_creases(const std::string& text) {
 /// Notes and limits are those of a list of generators (run_parts.cpp).
 std::vector<GeneratorCurve> read(Run& run, const CheckedMesh& input, const std::string& file) {
   const GeneratorOptions& asked = run.options().generators;
-  const CurveList list = file == "-" ? parse_curves(read_standard_input(), kStandardInput) : read_curves(file);
+  const CurveList list = [&] {
+    const WaitForInput wait(file);
+    return file == "-" ? parse_curves(read_standard_input(), kStandardInput) : read_curves(file);
+  }();
   ResolvedGenerators snapped;
   const std::vector<GeneratorCurve> curves = resolve_curves(
       input.mesh, list, {.input_vertices = &input.mesh_vertex, .max_snap = asked.max_snap, .progress = run.progress()},

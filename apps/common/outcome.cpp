@@ -145,6 +145,15 @@ constinit thread_local bool t_ending = false;
   }
 }
 
+std::exception_ptr catch_interrupt() {
+  try {
+    check_interrupt();
+  } catch (...) {
+    return std::current_exception();
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::string name_options(std::string message) {
@@ -168,6 +177,8 @@ Outcome run_guarded(const std::function<void()>& work) {
     failure = std::current_exception();
   }
   limit_memory({});  // the message needs some
+  // A signal can make a system call fail, such as the opening of a pipe that nobody reads: that is no error of its own.
+  if (failure && interrupt_requested()) failure = catch_interrupt();
   return failure ? describe_failure(failure) : Outcome();
 }
 
@@ -188,6 +199,7 @@ std::string format_bytes(std::int64_t bytes) {
 void report_termination(const std::string& command, const std::string& input) {
   g_command = command;
   g_input = input;
+  set_command_name(command);
   std::set_terminate(end_with_message);
 }
 

@@ -1,6 +1,7 @@
 // The process of a command: signals, standard streams and memory.
 //
 // A signal only sets a flag, which the progress callback and the steps ask for: so a run ends where it can clean up.
+// While it waits for input, there is nothing to clean up, and nobody to ask; the handler itself ends the process then.
 // --max-memory is the limit of the system for data (setrlimit, RLIMIT_DATA). It holds for every allocation of every
 // thread, C++ or not, and costs nothing. Beyond it malloc gives null and operator new throws std::bad_alloc. The system
 // counts what a thread's stack reserves, 8 MiB, and not what it holds; so these reserves come on top of the limit.
@@ -8,6 +9,7 @@
 #include "common/process.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -17,6 +19,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>  // defines __GLIBC__
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <thread>
@@ -35,7 +38,19 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-extern "C" void raise_flag(int) { interrupted = 1; }
+constexpr const char* kInterruptedMessage = "interrupted; no file is left half-written";
+
+/// The line of a process that a signal ends while it waits for input. Made before, since a handler may allocate
+/// nothing.
+std::string g_interrupted_line;
+volatile std::sig_atomic_t waiting = 0;
+
+extern "C" void raise_flag(int) {
+  interrupted = 1;
+  if (waiting == 0) return;
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, g_interrupted_line.data(), g_interrupted_line.size());
+  ::_exit(kInterrupted);
+}
 
 /// Bytes that the stacks of oneTBB's threads reserve, one for each core.
 rlim_t stack_bytes() {
@@ -66,8 +81,25 @@ void install_signal_handlers() {
 bool interrupt_requested() noexcept { return interrupted != 0; }
 
 void check_interrupt() {
-  if (interrupt_requested()) throw Error(ErrorCode::interrupted, "interrupted; no file is left half-written");
+  if (interrupt_requested()) throw Error(ErrorCode::interrupted, kInterruptedMessage);
 }
+
+void set_command_name(const std::string& command) {
+  g_interrupted_line = fmt::format("{}: error: {}\n", command, kInterruptedMessage);
+}
+
+WaitForInput::WaitForInput(const std::string& file) {
+  std::error_code ignored;
+  if (file != "-" && std::filesystem::is_regular_file(file, ignored)) return;
+  waiting = 1;
+  // A signal that came before only set the flag.
+  if (interrupt_requested()) {
+    waiting = 0;
+    check_interrupt();
+  }
+}
+
+WaitForInput::~WaitForInput() { waiting = 0; }
 
 void reserve_standard_streams() {
   // open() takes the lowest free number. The wrong direction lets writes and reads fail as on the closed stream.
@@ -78,6 +110,7 @@ void reserve_standard_streams() {
 }
 
 std::string read_standard_input() {
+  const WaitForInput wait("-");
   std::string bytes = read_to_end(std::cin);
   check_interrupt();
   if (std::cin.bad()) {

@@ -14,6 +14,21 @@ namespace gvd::app {
 /// or beyond the largest file that is allowed, becomes an error instead of a signal. Clears the flag.
 void install_signal_handlers();
 
+/// Set while an input is read that may never come, such as a pipe or a terminal: a signal then ends the process at
+/// once, with the line `message` on standard error and the exit code of an interrupt. Nothing is written meanwhile, so
+/// nothing is lost. A flag alone would not do: the C++ library begins an interrupted read again.
+class WaitForInput {
+ public:
+  /// `file`: what is read; "-" is standard input. Does nothing for a regular file, whose reading ends by itself.
+  explicit WaitForInput(const std::string& file);
+  ~WaitForInput();
+  WaitForInput(const WaitForInput&) = delete;
+  WaitForInput& operator=(const WaitForInput&) = delete;
+};
+
+/// The name that begins the line of an interrupted wait: "gvd-segment".
+void set_command_name(const std::string& command);
+
 /// Whether the flag is set.
 bool interrupt_requested() noexcept;
 

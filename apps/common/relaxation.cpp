@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "common/process.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/text.hpp"
@@ -22,7 +23,11 @@ std::vector<SurfacePoint> read_fixed(Run& run, const CheckedMesh& input, const s
   if (file.empty()) return {};
   ResolveOptions options;
   options.input_vertices = &input.mesh_vertex;
-  ResolvedGenerators fixed = resolve_generators(input.mesh, read_generators(file), options);
+  const GeneratorList list = [&] {
+    const WaitForInput wait(file);
+    return read_generators(file);
+  }();
+  ResolvedGenerators fixed = resolve_generators(input.mesh, list, options);
   note_far_entry(run, fixed, input.mesh.bbox_diagonal());
   return std::move(fixed.points);
 }

@@ -118,6 +118,9 @@ class Run {
   /// The document of `--report`.
   RunReport& report() { return report_; }
   RunFigures& figures() { return figures_; }
+  /// The files that are written so far, in their order; standard output is none.
+  const std::vector<std::string>& written() const { return written_; }
+  void add_written(const std::string& file) { written_.push_back(file); }
 
   /// For the `progress` fields of the library: draws the bar, and cancels after a signal. Valid while the run lives.
   Progress progress();
@@ -139,6 +142,7 @@ class Run {
   Console& console_;
   RunReport report_;
   RunFigures figures_;
+  std::vector<std::string> written_;
 };
 
 }  // namespace gvd::app

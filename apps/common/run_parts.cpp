@@ -34,7 +34,10 @@ namespace {
 std::string name_of(const InputOptions& input) { return input.path == "-" ? kStandardInput : input.path; }
 
 PolygonSoup read(const InputOptions& input, std::string* standard_input) {
-  if (input.path != "-") return read_soup(input.path, input.format);
+  if (input.path != "-") {
+    const WaitForInput wait(input.path);
+    return read_soup(input.path, input.format);
+  }
   std::string bytes = read_standard_input();
   PolygonSoup soup = parse_soup(bytes, *input.format, kStandardInput);
   if (standard_input != nullptr) *standard_input = std::move(bytes);
@@ -67,7 +70,10 @@ GeneratorList read_list(const GeneratorOptions& options) {
     const std::string content = read_standard_input();
     return parse_generators(content, options.format.value_or(detect_generator_format(content)), kStandardInput);
   }
-  if (!options.vertices) return read_generators(options.file, options.format);
+  if (!options.vertices) {
+    const WaitForInput wait(options.file);
+    return read_generators(options.file, options.format);
+  }
   GeneratorList list{options.names.vertices, {}};
   for (const std::int64_t vertex : *options.vertices) {
     list.entries.push_back({GeneratorEntry::Kind::vertex, vertex, {}, 0});
@@ -134,15 +140,22 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
   const auto own = own_formats.find(format);
   if (own != own_formats.end()) {
     if (standard) return write_standard_output(own->second);
-    return write_file(path, own->second, run.progress());
+    write_file(path, own->second, run.progress());
+    return run.add_written(path);
   }
   const auto known = parse_output_format(format);
   if (!known) throw Error(ErrorCode::invalid_option, "-o " + path + ": this command does not write ." + format);
   const LabelledMesh chosen = choose_content(run.options().output, mesh);
   const OutputWriter write = [&](std::ostream& out) { write_mesh(out, chosen, *known); };
   if (standard) return write_standard_output(write);
-  if (*known != OutputFormat::obj) return write_file(path, write, run.progress());
+  if (*known != OutputFormat::obj) {
+    write_file(path, write, run.progress());
+    return run.add_written(path);
+  }
   write_mesh(path, chosen, run.progress());
+  run.add_written(path);
+  const bool has_own_materials = chosen.face_label != nullptr && !chosen.names_materials();
+  if (has_own_materials) run.add_written(std::filesystem::path(path).replace_extension(".mtl").string());
   if (chosen.names_materials()) note_material_files(run, path, *chosen.appearance);
 }
 
@@ -150,6 +163,7 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
 void write_timed(Run& run, const std::string& step, const std::string& path, const OutputWriter& write) {
   if (path.empty()) return;
   run.timed("write " + step, [&] { write_file(path, write, run.progress()); });
+  run.add_written(path);
 }
 
 /// The formats of this run's files that hold meshes, each once.
@@ -270,6 +284,31 @@ void check_material_files(Run& run, const Appearance& appearance, bool drops_mat
   }
 }
 
+namespace {
+
+/// "50 s", "11 min" or "2 h", with two digits at most: estimates have no more.
+std::string format_duration(double seconds) {
+  constexpr double kMinute = 60, kHour = 3600;
+  if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", std::round(seconds / 10) * 10);
+  return seconds < 2 * kHour ? fmt::format("{:.0f} min", seconds / kMinute) : fmt::format("{:.0f} h", seconds / kHour);
+}
+
+/// Shorter runs need no warning.
+constexpr double kLongRun = 10;  // seconds
+
+}  // namespace
+
+void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost) {
+  const std::int64_t count = run.options().generators.count.value_or(0);
+  const double seconds = cost.microseconds * 1e-6 * double(count);
+  if (count <= mesh.face_count() || seconds < kLongRun) return;
+  run.console().note(fmt::format(
+      "-n {} is more than the mesh has faces ({}): this may take about {} and {:.2g} GB of memory, at {:.2g} ms and "
+      "{:.2g} kB a generator as measured on two cores",
+      count, mesh.face_count(), format_duration(seconds), cost.kilobytes * 1e-6 * double(count),
+      cost.microseconds * 1e-3, cost.kilobytes));
+}
+
 SamplingOptions make_sampling_options(Run& run) {
   const GeneratorOptions& asked = run.options().generators;
   SamplingOptions options;
@@ -293,7 +332,9 @@ void refuse_name(Run& run, const std::string& option, const std::string& name) {
                                                        option, name, file.empty() ? "standard input" : file));
 }
 
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, const Sampler& sampler) {
+namespace {
+
+ResolvedGenerators choose_generators(Run& run, const CheckedMesh& input, const Sampler& sampler) {
   const GeneratorOptions& asked = run.options().generators;
   ResolvedGenerators found = run.timed("generators", [&] {
     const ResolveOptions resolving{
@@ -308,10 +349,21 @@ std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, co
         {found.points[i], position(input.mesh, found.points[i]), found.snap_distance[i]});
   }
   run.console().detail(counted(std::ssize(found.points), "generator", "generators"));
-  return std::move(found.points);
+  return found;
 }
 
-std::vector<SurfacePoint> load_targets(Run& run, const CheckedMesh& input) {
+}  // namespace
+
+std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, const Sampler& sampler) {
+  return choose_generators(run, input, sampler).points;
+}
+
+ListedPoints load_sources(Run& run, const CheckedMesh& input) {
+  ResolvedGenerators found = choose_generators(run, input, sample_generators);
+  return {std::move(found.points), std::move(found.vertex)};
+}
+
+ListedPoints load_targets(Run& run, const CheckedMesh& input) {
   const GeneratorOptions& asked = run.options().targets;
   if (!asked.are_listed()) return {};
   return run.timed("targets", [&] {
@@ -319,7 +371,7 @@ std::vector<SurfacePoint> load_targets(Run& run, const CheckedMesh& input) {
         resolve(input, asked,
                 {.max_snap = run.options().generators.max_snap, .keep_coincident = true, .progress = run.progress()});
     note_changes(run, asked, found, input.mesh.bbox_diagonal());
-    return std::move(found.points);
+    return ListedPoints{std::move(found.points), std::move(found.vertex)};
   });
 }
 
@@ -366,9 +418,7 @@ void report_diagram(Run& run, const Diagram& diagram) {
 
 void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::string, OutputWriter>& own_formats) {
   const OutputOptions& output = run.options().output;
-  const bool has_own =
-      std::any_of(output.own.begin(), output.own.end(), [](const auto& own) { return !own.second.empty(); });
-  if (output.files.empty() && output.report.empty() && output.diagram.empty() && output.view.empty() && !has_own) {
+  if (!names_file(output)) {
     run.console().note(fmt::format("no file was written; name one with -o, --report{} or --view",
                                    run.options().has_diagram ? ", --diagram" : ""));
   }
@@ -403,6 +453,7 @@ void write_view_file(Run& run, const std::string& title, const std::function<std
     write_file(
         path, [&](std::ostream& out) { out << page; }, run.progress());
   });
+  run.add_written(path);
 }
 
 void finish_run(Run& run, const Mesh& mesh, const Diagram& diagram) {
@@ -416,6 +467,7 @@ void write_report(Run& run) {
   check_interrupt();
   run.report().set_peak_memory(peak_memory_bytes());
   write_file(path, [&](std::ostream& out) { run.report().write(out); });
+  run.add_written(path);
 }
 
 }  // namespace gvd::app

@@ -62,11 +62,29 @@ using Sampler = std::function<std::vector<SurfacePoint>(const Mesh&, const Sampl
 std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input,
                                           const Sampler& sampler = sample_generators);
 
+/// What a command takes for each generator, where a mesh has fewer faces than generators: nearly all of the work is in
+/// the generators then, and grows with their number.
+struct GeneratorCost {
+  double microseconds, kilobytes;
+};
+
+/// Notes before the work how long -n may take, where it exceeds the faces of the mesh and that is long.
+void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost);
+
 /// The library's options for sampled generators.
 SamplingOptions make_sampling_options(Run& run);
 
+/// Points of a list of the user's.
+struct ListedPoints {
+  std::vector<SurfacePoint> points;
+  std::vector<std::int64_t> vertices;  ///< of INPUT, as the list names them; -1 for points given otherwise
+};
+
+/// The points of --from, as make_generators chooses and reports them, with the user's numbers.
+ListedPoints load_sources(Run& run, const CheckedMesh& input);
+
 /// The points of --to, in their order, coincident ones too; none without it. Throws what make_generators throws.
-std::vector<SurfacePoint> load_targets(Run& run, const CheckedMesh& input);
+ListedPoints load_targets(Run& run, const CheckedMesh& input);
 
 /// Computes the diagram by the method of the options, and reports it. Throws what compute_diagram throws.
 Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,

@@ -23,6 +23,7 @@
 #include "common/outcome.hpp"
 #include "common/process.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {
@@ -71,7 +72,14 @@ RunResult run_one(const std::string& command, const Options& options, const std:
   const std::string result =
       outcome.exit_code == kDone ? outcome.summary : fmt::format("failed ({}: {})", outcome.exit_code, outcome.summary);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return {input, result, run.figures(), taken.count(), outcome.exit_code, outcome.message, list_figures(run.report())};
+  return {input,
+          result,
+          run.figures(),
+          taken.count(),
+          outcome.exit_code,
+          outcome.message,
+          list_figures(run.report()),
+          run.written().size()};
 }
 
 /// A field of CSV (RFC 4180).
@@ -174,6 +182,13 @@ int run_several(const std::string& command, const std::vector<Options>& runs, co
   if (exit_code == kDone && results.size() < runs.size()) exit_code = kInterrupted;
   Console console(command, {}, runs.front().quiet, false);
   for (const std::string& line : format_results(results)) console.note(line);
+  std::size_t files = 0;
+  for (const RunResult& result : results) files += result.files;
+  const OutputOptions& output = runs.front().output;
+  std::string written =
+      files > 0 ? fmt::format("{} to {}", counted(std::int64_t(files), "file", "files"), output.folder) : "";
+  if (!output.summary.empty() && summary.exit_code == kDone) written += (files > 0 ? ", " : "") + output.summary;
+  if (!written.empty()) console.note("wrote " + written);
   return exit_code;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
@@ -26,6 +27,7 @@ struct RunResult {
   int exit_code = 0;
   std::string error = {};  ///< the message; empty where there is none
   Cells cells = {};        ///< figures of the report
+  std::size_t files = 0;   ///< that it wrote
 };
 
 /// A table of the runs: input, result, regions, E and energy where a run has them, and time. A line each, the first one

@@ -4,6 +4,9 @@
 // The distances form a table with a row for each field: of the vertices as the input file numbers them, or of the
 // points of --to. Unused vertices of the file are infinitely far; copies of a vertex that was cut count as the nearest
 // one. Files hold the table, or the mesh with the distances of its vertices; paths and isolines go where curves fit.
+//
+// --within and --mask part the surface. A point on the border of regions is in each of them, so it may have several
+// places: fields are computed from all places of the sources, and a distance is the least of those of its places.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -21,6 +24,7 @@
 #include "common/curves.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
+#include "distance/measured_surface.hpp"
 #include "gvd/error.hpp"
 #include "gvd/exact_field.hpp"
 #include "gvd/io/distance_writer.hpp"
@@ -32,6 +36,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kExamples =
+    "  gvd-distance bunny.obj --from 17 --to 90\n"
     "  gvd-distance bunny.obj --from 17 -o distances.npy\n"
     "  gvd-distance bunny.obj --from 17 --to 90,4000 --paths -o paths.vtp --view a.html\n"
     "  gvd-distance bunny.obj --from seeds.csv --isolines 0.05 -o curves.obj\n"
@@ -47,6 +52,7 @@ constexpr double kMostLevels = 10'000;
 struct OwnOptions {
   bool each = false, paths = false;
   std::optional<double> max_distance, isolines;  ///< mesh units
+  RegionFiles regions;
 };
 
 bool writes(const Options& options, const std::vector<std::string>& formats) {
@@ -55,6 +61,43 @@ bool writes(const Options& options, const std::vector<std::string>& formats) {
 }
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+
+/// The file of -o that has this format, for messages.
+std::string named(const OutputOptions& output, const std::string& format) {
+  for (const std::string& file : output.files) {
+    if (file != "-" && format_of(output, file) == format) return "-o " + file;
+  }
+  return "--output-format " + format;
+}
+
+/// Refuses a mesh or a text that would hold nothing of what was asked for.
+void check_content(const Options& options, const OwnOptions& own) {
+  const OutputOptions& output = options.output;
+  const bool has_targets = options.targets.are_listed(), has_curves = own.paths || own.isolines;
+  if (!has_curves && writes(options, {"obj"})) {
+    refuse(has_targets
+               ? fmt::format("{}: .obj holds no distances; add --paths for the shortest paths, or write .csv, .npy or "
+                             ".json",
+                             named(output, "obj"))
+               : fmt::format("{}: .obj holds no distances; write .ply, .vtp, .csv, .npy or .json, or add --isolines",
+                             named(output, "obj")));
+  }
+  const bool holds_targets =
+      !output.report.empty() || !output.view.empty() || writes(options, {"npy", "csv", "json", "txt"});
+  for (const char* format : {"ply", "vtp", "vtu"}) {
+    if (!has_targets || has_curves || holds_targets || !writes(options, {format})) continue;
+    refuse(
+        fmt::format("{}: .{} has the distances of all vertices, for which --to does nothing; {}write .csv, .npy or "
+                    ".json, or leave --to out",
+                    named(output, format), format, format == std::string("ply") ? "" : "add --paths, "));
+  }
+  if (own.paths && !writes(options, {"csv", "json", "obj", "vtp", "vtu"}) && output.report.empty() &&
+      output.view.empty()) {
+    refuse(
+        "--paths: only .csv, .json, .obj, .vtp, .vtu, --view and --report hold paths; write one of them or leave "
+        "--paths out");
+  }
+}
 
 /// Refuses options that contradict each other or have no effect.
 void check(const Options& options, const OwnOptions& own) {
@@ -84,6 +127,7 @@ void check(const Options& options, const OwnOptions& own) {
         "--isolines "
         "out");
   }
+  check_content(options, own);
 }
 
 void report_options(Run& run, const OwnOptions& own) {
@@ -92,6 +136,8 @@ void report_options(Run& run, const OwnOptions& own) {
   reported["paths"] = own.paths;
   reported["max_distance"] = or_null(own.max_distance);
   reported["isolines"] = or_null(own.isolines);
+  reported["within"] = or_null(own.regions.within);
+  reported["mask"] = or_null(own.regions.mask);
 }
 
 ExactFieldOptions field_options(Run& run, const OwnOptions& own) {
@@ -114,22 +160,57 @@ void match_vertices(const CheckedMesh& input, const Take& take) {
   }
 }
 
-/// The distances of a field in the order of the table's points, and the nearest sources.
-void add_nearest(DistanceTable& table, const CheckedMesh& input, const ExactField& field) {
-  const std::size_t count = table.targets.empty() ? input.mesh_vertex.size() : table.targets.size();
-  std::vector<double>& row = table.rows.emplace_back(count, kInfinity);
-  table.nearest.resize(count);
-  for (std::size_t i = 0; i < table.targets.size(); ++i) {
-    const ExactField::Nearest nearest = field.nearest(table.targets[i]);
-    row[i] = nearest.distance;
-    table.nearest[i] = nearest.generator;
+/// What is measured: the surface, and where the points of the lists are on it.
+struct Measurement {
+  const CheckedMesh& input;
+  const MeasuredSurface& surface;
+  PlacedPoints sources, targets;
+
+  /// The source of a field from all places of the sources.
+  GeneratorId source(GeneratorId place) const {
+    return place.valid() && !sources.point.empty() ? GeneratorId(sources.point[place.index()]) : place;
   }
-  if (!table.targets.empty()) return;
-  match_vertices(input, [&](std::size_t i, VertexId v) {
-    if (!(field.distance(v) < row[i])) return;
-    row[i] = field.distance(v);
-    table.nearest[i] = field.label(v);
-  });
+};
+
+/// Nearest sources of points, and their distances.
+struct NearestSources {
+  std::vector<double> distance;
+  std::vector<GeneratorId> source;
+
+  explicit NearestSources(std::size_t points) : distance(points, kInfinity), source(points) {}
+  void take(std::size_t point, double d, GeneratorId from) {
+    if (!(d < distance[point])) return;
+    distance[point] = d;
+    source[point] = from;
+  }
+};
+
+/// Those of the vertices of the input's mesh: of several places, the nearest.
+NearestSources find_nearest_of_vertices(const Measurement& measured, const ExactField& field) {
+  NearestSources found(std::size_t(measured.input.mesh.vertex_count()));
+  for (const VertexId v : measured.surface.mesh().vertices()) {
+    found.take(measured.surface.input_vertex(v).index(), field.distance(v), measured.source(field.label(v)));
+  }
+  return found;
+}
+
+/// Adds the distances of a field in the order of the table's points, and the nearest sources. `vertices`: those of the
+/// mesh's vertices.
+void add_nearest(DistanceTable& table, const Measurement& measured, const ExactField& field,
+                 const NearestSources& vertices) {
+  const CheckedMesh& input = measured.input;
+  NearestSources found(table.targets.empty() ? input.mesh_vertex.size() : table.targets.size());
+  for (std::size_t i = 0; i < measured.targets.places.size(); ++i) {
+    const ExactField::Nearest nearest = field.nearest(measured.targets.places[i]);
+    found.take(std::size_t(measured.targets.point[i]), nearest.distance, measured.source(nearest.generator));
+  }
+  if (table.targets.empty()) {
+    match_vertices(input, [&](std::size_t i, VertexId v) {
+      found.take(i, vertices.distance[v.index()], vertices.source[v.index()]);
+    });
+  }
+  table.rows.push_back(std::move(found.distance));
+  table.nearest = std::move(found.source);
 }
 
 /// Sources whose rows are computed at once: enough for all cores, and little beside the table.
@@ -151,38 +232,63 @@ void check_table(const Options& options, std::size_t sources, std::size_t points
 }
 
 /// A row of distances from each source.
-void add_rows(Run& run, const OwnOptions& own, const CheckedMesh& input, DistanceTable& table) {
+void add_rows(Run& run, const OwnOptions& own, const Measurement& measured, DistanceTable& table) {
+  const CheckedMesh& input = measured.input;
+  const Mesh& mesh = measured.surface.mesh();
   const bool has_targets = !table.targets.empty();
-  const std::size_t sources = table.sources.size();
-  const std::size_t columns = has_targets ? table.targets.size() : std::size_t(input.mesh.vertex_count());
-  check_table(run.options(), sources, has_targets ? columns : input.mesh_vertex.size());
+  const std::vector<SurfacePoint>& sources = measured.sources.places;
+  const std::size_t places = has_targets ? measured.targets.places.size() : std::size_t(mesh.vertex_count());
+  const std::size_t points = has_targets ? table.targets.size() : input.mesh_vertex.size();
+  check_table(run.options(), table.sources.size(), points);
+  table.rows.assign(table.sources.size(), std::vector<double>(points, kInfinity));
+  if (places == 0) return;  // all targets are left out
   ExactFieldOptions options = field_options(run, own);
-  std::vector<double> rows;
-  for (std::size_t begin = 0; begin < sources; begin += kSourcesAtOnce) {
-    const std::size_t end = std::min(begin + kSourcesAtOnce, sources);
-    rows.resize((end - begin) * columns);
+  std::vector<double> rows, of_vertices;
+  for (std::size_t begin = 0; begin < sources.size(); begin += kSourcesAtOnce) {
+    const std::size_t end = std::min(begin + kSourcesAtOnce, sources.size());
+    rows.resize((end - begin) * places);
     options.progress = [&, shown = run.progress()](std::string_view step, double done) {
-      return shown(step, (double(begin) + done * double(end - begin)) / double(sources));
+      return shown(step, (double(begin) + done * double(end - begin)) / double(sources.size()));
     };
-    compute_distance_rows(input.mesh, {table.sources.begin() + begin, table.sources.begin() + end},
-                          has_targets ? &table.targets : nullptr, rows, options);
-    for (auto first = rows.begin(); first != rows.end(); first += columns) {
+    compute_distance_rows(mesh, {sources.begin() + begin, sources.begin() + end},
+                          has_targets ? &measured.targets.places : nullptr, rows, options);
+    for (std::size_t source = begin; source < end; ++source) {
+      const auto first = rows.begin() + std::ptrdiff_t((source - begin) * places);
+      std::vector<double>& row = table.rows[std::size_t(measured.sources.point[source])];
+      const auto take = [&](std::size_t i, double d) { row[i] = std::min(row[i], d); };
       if (has_targets) {
-        table.rows.emplace_back(first, first + columns);
+        for (std::size_t k = 0; k < places; ++k) take(std::size_t(measured.targets.point[k]), first[k]);
         continue;
       }
-      std::vector<double>& row = table.rows.emplace_back(input.mesh_vertex.size(), kInfinity);
-      match_vertices(input, [&](std::size_t i, VertexId v) { row[i] = std::min(row[i], first[v.index()]); });
+      of_vertices.assign(std::size_t(input.mesh.vertex_count()), kInfinity);
+      for (const VertexId v : mesh.vertices()) {
+        double& least = of_vertices[measured.surface.input_vertex(v).index()];
+        least = std::min(least, first[v.index()]);
+      }
+      match_vertices(input, [&](std::size_t i, VertexId v) { take(i, of_vertices[v.index()]); });
     }
   }
 }
 
-void add_paths(DistanceTable& table, const Mesh& mesh, const ExactField& field, GeneratorId only) {
+/// Adds a path from each target, out of its nearest place. `only`: the source, where the field is of that one alone.
+void add_paths(DistanceTable& table, const Measurement& measured, const ExactField& field, GeneratorId only) {
+  std::vector<std::optional<SurfacePoint>> starts(table.targets.size());
+  std::vector<double> least(table.targets.size(), kInfinity);
+  for (std::size_t k = 0; k < measured.targets.places.size(); ++k) {
+    const std::size_t target = std::size_t(measured.targets.point[k]);
+    const double d = field.nearest(measured.targets.places[k]).distance;
+    if (!(d < least[target])) continue;
+    least[target] = d;
+    starts[target] = measured.targets.places[k];
+  }
   for (std::size_t i = 0; i < table.targets.size(); ++i) {
-    GeodesicPath path = field.path(table.targets[i]);
-    const GeneratorId source = only.valid() && path.generator.valid() ? only : path.generator;
+    GeodesicPath path{.points = {}, .generator = {}, .length = kInfinity};
+    if (starts[i]) path = field.path(*starts[i]);
+    const GeneratorId source = only.valid() && path.generator.valid() ? only : measured.source(path.generator);
     TargetPath& added = table.paths.emplace_back(TargetPath{std::int32_t(i), source, std::move(path)});
-    for (const SurfacePoint& point : added.path.points) added.positions.push_back(position(mesh, point));
+    for (const SurfacePoint& point : added.path.points) {
+      added.positions.push_back(position(measured.surface.mesh(), point));
+    }
   }
 }
 
@@ -230,7 +336,9 @@ Json describe_targets(const Mesh& mesh, const DistanceTable& table) {
   Json targets = Json::array();
   for (std::size_t i = 0; i < table.targets.size(); ++i) {
     const Vec3 p = position(mesh, table.targets[i]);
-    Json& target = targets.emplace_back(Json{{"face", table.targets[i].face.value()},
+    const std::int64_t vertex = table.target_vertex(i);
+    Json& target = targets.emplace_back(Json{{"vertex", vertex < 0 ? Json() : Json(vertex)},
+                                             {"face", table.targets[i].face.value()},
                                              {"bary", table.targets[i].bary},
                                              {"position", {p.x(), p.y(), p.z()}},
                                              {"distances", Json::array()}});
@@ -243,15 +351,17 @@ Json describe_targets(const Mesh& mesh, const DistanceTable& table) {
 }
 
 void note_targets(Run& run, const DistanceTable& table) {
+  if (contains(run.options().output.files, "-")) return;  // they are on standard output
   std::size_t told = 0;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     for (std::size_t i = 0; i < table.targets.size() && told < kTold; ++i, ++told) {
       const double distance = table.rows[row][i];
+      const std::string target = table.target_name(i);
       run.console().note(
           std::isfinite(distance)
-              ? fmt::format("point {} is {:.9g} from source {}", i, distance, table.source(row, i).value())
-              : fmt::format("point {} is not reached from {}", i,
-                            table.nearest.empty() ? fmt::format("source {}", row) : "any source"));
+              ? fmt::format("{} is {:.9g} from {}", target, distance, table.source_name(table.source(row, i)))
+              : fmt::format("{} is not reached from {}", target,
+                            table.nearest.empty() ? table.source_name(GeneratorId(row)) : "any source"));
     }
   }
   const std::size_t all = table.rows.size() * table.targets.size();
@@ -269,7 +379,15 @@ void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const Dista
     }
   }
   Json& results = run.report().results();
-  results = {{"sources", table.sources.size()}, {"distances", count}, {"unreached", unreached}, {"largest", largest}};
+  results["sources"] = table.sources.size();
+  results["source_vertices"] = Json::array();
+  for (std::size_t i = 0; i < table.sources.size(); ++i) {
+    const std::int64_t vertex = table.source_vertex(GeneratorId(i));
+    results["source_vertices"].push_back(vertex < 0 ? Json() : Json(vertex));
+  }
+  results["distances"] = count;
+  results["unreached"] = unreached;
+  results["largest"] = largest;
   results["targets"] = describe_targets(mesh, table);
   Json& paths = results["paths"] = Json::array();
   for (const auto& [target, source, path, positions] : table.paths) {
@@ -301,6 +419,7 @@ void write_files(Run& run, const CheckedMesh& input, const DistanceTable& table,
   write_output_files(
       run, output,
       {{"npy", [&](std::ostream& out) { write_distances_npy(out, table); }},
+       {"txt", [&](std::ostream& out) { write_distances_text(out, table); }},
        {"csv", [&](std::ostream& out) { has_paths ? write_paths_csv(out, table) : write_distances_csv(out, table); }},
        {"json", [&](std::ostream& out) { write_distances_json(out, mesh, table); }},
        {"shape.gii", [&](std::ostream& out) { write_distances_gifti(out, table); }},
@@ -308,29 +427,30 @@ void write_files(Run& run, const CheckedMesh& input, const DistanceTable& table,
 }
 
 /// One field for the nearest source.
-void measure_nearest(Run& run, const OwnOptions& own, const CheckedMesh& input, DistanceTable& table) {
-  const Mesh& mesh = input.mesh;
+void measure_nearest(Run& run, const OwnOptions& own, const Measurement& measured, DistanceTable& table) {
+  const Mesh &input = measured.input.mesh, &mesh = measured.surface.mesh();
   const bool has_curves = !run.options().generators.curves.empty();
-  const std::vector<GeneratorCurve> curves = has_curves ? load_curves(run, input) : std::vector<GeneratorCurve>();
+  const std::vector<GeneratorCurve> curves =
+      has_curves ? load_curves(run, measured.input) : std::vector<GeneratorCurve>();
   for (const GeneratorCurve& curve : curves) table.sources.push_back(curve.points.front());
+  if (has_curves) table.source_vertices.assign(curves.size(), -1);
   const ExactField field = run.timed("distances", [&] {
     const ExactFieldOptions options = field_options(run, own);
-    return has_curves ? ExactField(mesh, curves, options) : ExactField(mesh, table.sources, options);
+    return has_curves ? ExactField(mesh, curves, options) : ExactField(mesh, measured.sources.places, options);
   });
-  add_nearest(table, input, field);
-  if (own.paths) run.timed("paths", [&] { add_paths(table, mesh, field, GeneratorId()); });
+  const NearestSources vertices = find_nearest_of_vertices(measured, field);
+  add_nearest(table, measured, field, vertices);
+  if (own.paths) run.timed("paths", [&] { add_paths(table, measured, field, GeneratorId()); });
   if (own.isolines) {
     const IsolineOptions options{.threads = run.options().compute.threads, .progress = run.progress()};
     table.isolines = run.timed("isolines", [&] { return field.isolines(choose_levels(mesh, field, own), options); });
   }
-  report_table(run, mesh, own, table);
+  report_table(run, input, own, table);
   IdVector<VertexId, double> distances;
   IdVector<VertexId, GeneratorId> labels;
-  for (const VertexId v : mesh.vertices()) {
-    distances.push_back(field.distance(v));
-    labels.push_back(field.label(v));
-  }
-  write_files(run, input, table, {.mesh = mesh, .vertex_label = &labels, .vertex_distance = &distances});
+  for (const double d : vertices.distance) distances.push_back(d);
+  for (const GeneratorId source : vertices.source) labels.push_back(source);
+  write_files(run, measured.input, table, {.mesh = input, .vertex_label = &labels, .vertex_distance = &distances});
   write_view_file(run, "gvd-distance", [&] {
     std::vector scenes{make_distance_scene("Distances", mesh, field, table)};
     for (const GeneratorCurve& curve : curves) {
@@ -341,21 +461,41 @@ void measure_nearest(Run& run, const OwnOptions& own, const CheckedMesh& input, 
 }
 
 /// The paths from all targets to each source.
-void add_all_paths(Run& run, const OwnOptions& own, const Mesh& mesh, DistanceTable& table) {
+void add_all_paths(Run& run, const OwnOptions& own, const Measurement& measured, DistanceTable& table) {
   ExactFieldOptions options = field_options(run, own);
-  for (std::size_t i = 0; i < table.sources.size(); ++i) {
+  const PlacedPoints& sources = measured.sources;
+  for (std::size_t i = 0, begin = 0; i < table.sources.size(); ++i) {
     options.progress = [&, shown = run.progress()](std::string_view, double done) {
       return shown("paths", (double(i) + done) / double(table.sources.size()));
     };
-    add_paths(table, mesh, ExactField(mesh, {table.sources[i]}, options), GeneratorId(i));
+    std::vector<SurfacePoint> places;
+    for (; begin < sources.places.size() && sources.point[begin] == std::int32_t(i); ++begin) {
+      places.push_back(sources.places[begin]);
+    }
+    add_paths(table, measured, ExactField(measured.surface.mesh(), places, options), GeneratorId(i));
   }
 }
 
-void measure_each(Run& run, const OwnOptions& own, const CheckedMesh& input, DistanceTable& table) {
-  run.timed("distances", [&] { add_rows(run, own, input, table); });
-  if (own.paths) run.timed("paths", [&] { add_all_paths(run, own, input.mesh, table); });
+void measure_each(Run& run, const OwnOptions& own, const Measurement& measured, DistanceTable& table) {
+  const CheckedMesh& input = measured.input;
+  run.timed("distances", [&] { add_rows(run, own, measured, table); });
+  if (own.paths) run.timed("paths", [&] { add_all_paths(run, own, measured, table); });
   report_table(run, input.mesh, own, table);
   write_files(run, input, table, {.mesh = input.mesh});
+}
+
+/// Refuses a source that is nowhere on the surface: its distances would all be infinite.
+void check_sources(const DistanceTable& table, const PlacedPoints& placed) {
+  std::size_t next = 0;
+  for (const std::int32_t point : placed.point) {
+    if (std::size_t(point) > next) break;
+    next = std::size_t(point) + 1;
+  }
+  if (next == table.sources.size()) return;
+  throw Error(ErrorCode::precondition,
+              fmt::format("--from: {} lies in faces that --within or --mask leaves out; choose another",
+                          table.source_name(GeneratorId(next))),
+              std::int64_t(next));
 }
 
 void measure(Run& run, const OwnOptions& own) {
@@ -363,9 +503,18 @@ void measure(Run& run, const OwnOptions& own) {
   report_options(run, own);
   const CheckedMesh input = load_input(run);
   DistanceTable table;
-  if (run.options().generators.curves.empty()) table.sources = make_generators(run, input);
-  table.targets = load_targets(run, input);
-  own.each ? measure_each(run, own, input, table) : measure_nearest(run, own, input, table);
+  if (run.options().generators.curves.empty()) {
+    ListedPoints sources = load_sources(run, input);
+    table.sources = std::move(sources.points);
+    table.source_vertices = std::move(sources.vertices);
+  }
+  ListedPoints targets = load_targets(run, input);
+  table.targets = std::move(targets.points);
+  table.target_vertices = std::move(targets.vertices);
+  const MeasuredSurface surface(run, input, own.regions);
+  const Measurement measured{input, surface, surface.place(table.sources), surface.place(table.targets)};
+  check_sources(table, measured.sources);
+  own.each ? measure_each(run, own, measured, table) : measure_nearest(run, own, measured, table);
   write_report(run);
 }
 
@@ -379,7 +528,7 @@ int main(int argc, char** argv) {
   Command command({"gvd-distance",
                    "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
                    kExamples,
-                   {{"npy", "csv", "ply", "vtp", "vtu", "obj", "json", "shape.gii", "curv"}, false},
+                   {{"npy", "csv", "ply", "vtp", "vtu", "obj", "json", "shape.gii", "curv", "txt"}, false},
                    register_distance_options});
   command.line().option_defaults()->group("Distances");
   add_curves_option(command.line(), command.options().generators, {"--from", "--merge-coincident"});
@@ -390,5 +539,11 @@ int main(int argc, char** argv) {
              "Leave out what is farther than this, in mesh units; the work ends there");
   add_number(command.line(), "--isolines", own.isolines, kPositive,
              "Trace the curves of equal distance at every multiple of this, in mesh units");
+  add_region_files(command.line(), own.regions, "distances and paths");
+  for (const char* option : {"--within", "--mask"}) {
+    command.line().get_option(option)->excludes(command.line().get_option("--curves"));
+  }
+  // Where no file is named: a text that a script reads as it is, or else the simplest format that holds all.
+  command.print_results([&] { return own.isolines ? "json" : own.paths ? "csv" : "txt"; });
   return command.run(argc, argv, [&](Run& run) { measure(run, own); });
 }

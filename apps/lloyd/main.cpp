@@ -37,6 +37,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// 100,000 generators on 5,876 faces took 76 s of processor time and 0.96 GB.
+constexpr GeneratorCost kGeneratorCost{760, 9.6};
+
 /// The command's own options.
 struct OwnOptions {
   LloydOptions relaxation;
@@ -345,6 +348,7 @@ void write_points_file(Run& run, const Mesh& mesh, const LloydResult& relaxed) {
 void lloyd(Run& run, const OwnOptions& own) {
   report_own_options(run.report().options(), own);
   const CheckedMesh input = load_input(run);
+  note_many_generators(run, input.mesh, kGeneratorCost);
   check_material_files(run, input.appearance);
   const Mesh& mesh = input.mesh;
   ConstraintOptions constraints = own.constraints;

@@ -46,6 +46,9 @@ constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 500 --no-refine -o coarse.off\n"
     "  gvd-remesh scans/*.stl -n 500 --output-dir coarse --output-format obj\n";
 
+/// 30,000 generators on 5,876 faces took 14 s of processor time and 0.44 GB.
+constexpr GeneratorCost kGeneratorCost{460, 14.7};
+
 constexpr const char* kMap = "--map";
 
 void report_relaxation(Run& run, const SurfaceRemesh& made) {
@@ -205,6 +208,7 @@ void run_remesh(Run& run, const Settings& settings) {
   run.report().options()["carry"] = settings.carry;
   std::string standard_input;
   const CheckedMesh input = load_input(run, settings.carry ? &standard_input : nullptr);
+  note_many_generators(run, input.mesh, kGeneratorCost);
   if (!settings.carry && !input.appearance.empty() && !run.options().output.files.empty()) {
     note_on_input(run, "texture coordinates and materials are left out; --carry keeps them in .obj, .ply and .glb");
   }

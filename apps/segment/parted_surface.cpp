@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <utility>
 
 #include "common/options/typed_options.hpp"
@@ -36,45 +35,10 @@ std::string parse_levels(const std::string& text, std::vector<std::int32_t>& lev
   return "";
 }
 
-/// A note names this many regions.
-constexpr std::ptrdiff_t kNamedRegions = 8;
-
-/// Notes the regions that vertices have and no face: each face took the number of other corners, or of a neighbour.
-void note_lost_regions(Run& run, const std::string& name, const SoupProperty& numbers, const FaceRegions& regions) {
-  if (!numbers.of_vertices) return;
-  std::set<double> lost;
-  for (const double number : numbers.values) {
-    if (number >= 0 && number < kInfinity) lost.insert(number);
-  }
-  for (const std::int32_t region : regions) lost.erase(region);
-  if (lost.empty()) return;
-  const auto end = std::next(lost.begin(), std::min(std::ssize(lost), kNamedRegions));
-  run.console().note(fmt::format("--within {}: no face is in {} {}{}: most corners of its faces have other numbers",
-                                 name, lost.size() == 1 ? "region" : "regions", fmt::join(lost.begin(), end, ", "),
-                                 end == lost.end() ? "" : ", ..."));
-}
-
-/// Adds the option in front of an error.
-template <class Work>
-void name_errors(const std::string& option, const std::string& name, const Work& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::precondition) throw;
-    throw Error(error.code(), fmt::format("{} {}: {}", option, name, error.what()), error.element());
-  }
-}
-
 }  // namespace
 
 void add_region_options(CLI::App& app, RegionOptions& regions, GeneratorOptions& generators) {
-  add_file(
-      app, "--within", regions.within,
-      "Keep regions and distances inside given regions: a file with a whole number for each face or each vertex, or "
-      "the name of a property of a PLY, VTP or VTU input; faces with negative numbers are left out",
-      "PROPERTY|FILE");
-  add_file(app, "--mask", regions.mask, "Leave out the faces whose number in this file or property is not 0",
-           "PROPERTY|FILE");
+  add_region_files(app, regions, "regions and distances");
   // The number of generators is set, too, as by -n: the rest of the command knows no other one.
   const auto store_count = [&](const std::string& text) -> std::string {
     regions.per_region = generators.count = parse_number_in(text, kCount);
@@ -107,25 +71,13 @@ void report_region_options(Run& run, const RegionOptions& options) {
 PartedSurface::PartedSurface(Run& run, const CheckedMesh& input, const RegionOptions& options,
                              const SegmentOptions& labels)
     : input_(input), options_(options) {
-  if (!options.within.empty() || !options.mask.empty()) run.timed("regions", [&] { read_regions(run); });
+  if (options.are_given()) {
+    GivenRegions found = run.timed("regions", [&] { return read_regions(run, input, options); });
+    if (!found.given.empty()) numbers_.push_back({kRegionName, std::move(found.given)});
+    regions_ = std::move(found.regions);
+  }
   label_levels(run, labels);
   if (is_parted()) separated_ = run.timed("separate", [&] { return separate_regions(input_.mesh, regions_); });
-}
-
-// The region is written as it was given, also for faces that the mask leaves out: users look a label up in their atlas.
-void PartedSurface::read_regions(Run& run) {
-  regions_.assign(input_.mesh.face_vertices().size(), 0);
-  if (!options_.within.empty()) {
-    const SoupProperty numbers = find_numbers(run, input_, "--within", options_.within, read_region_numbers);
-    name_errors("--within", options_.within, [&] { regions_ = make_face_regions(input_.mesh, numbers); });
-    note_lost_regions(run, options_.within, numbers, regions_);
-    numbers_.push_back({kRegionName, regions_});
-  }
-  if (!options_.mask.empty()) {
-    const SoupProperty mask = find_numbers(run, input_, "--mask", options_.mask, read_region_numbers);
-    name_errors("--mask", options_.mask, [&] { mask_regions(input_.mesh, mask, regions_); });
-    if (!numbers_.empty()) update_numbers(regions_, numbers_.back().values);
-  }
 }
 
 // A level needs no report of its own: a run of gvd-segment with its number of generators has the same figures.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/options/options.hpp"
+#include "common/regions.hpp"
 #include "common/run.hpp"
 #include "gvd/face_regions.hpp"
 #include "gvd/io/mesh_writer.hpp"
@@ -15,9 +16,7 @@
 // The regions that gvd-segment keeps to: given ones, those of a mask, and those of the coarser levels.
 namespace gvd::app {
 
-struct RegionOptions {
-  std::string within;                      ///< a file or a property with the region of each face; empty: none
-  std::string mask;                        ///< a file or a property, not 0 for the faces to leave out; empty: none
+struct RegionOptions : RegionFiles {
   std::optional<std::int32_t> per_region;  ///< generators of each region, >= 1
   std::vector<std::int32_t> levels;        ///< numbers of generators, ascending; empty: one level
 };
@@ -57,7 +56,6 @@ class PartedSurface {
 
  private:
   bool is_parted() const { return !regions_.empty(); }
-  void read_regions(Run& run);
   void label_levels(Run& run, const SegmentOptions& labels);
   void note_samples(Run& run, const RegionSamples& samples) const;
 

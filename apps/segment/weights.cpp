@@ -14,6 +14,7 @@
 
 #include "common/balance.hpp"
 #include "common/options/typed_options.hpp"
+#include "common/process.hpp"
 #include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/balance.hpp"
@@ -29,7 +30,10 @@ using Json = nlohmann::ordered_json;
 /// A number for each generator, from a file; none without one.
 std::vector<double> read_for_generators(const char* option, const std::string& file, std::size_t generators) {
   if (file.empty()) return {};
-  std::vector<double> values = read_values(file);
+  std::vector<double> values = [&] {
+    const WaitForInput wait(file);
+    return read_values(file);
+  }();
   if (values.size() == generators) return values;
   throw Error(
       ErrorCode::unreadable_input,

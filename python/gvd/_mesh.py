@@ -253,11 +253,13 @@ class Mesh(Writable):
                [0. , 1. , 0. ]])
         """
         starts, ends = make_entries("start", start), self._resolve("end", end)
+        from_vertex, to_vertex = starts.vertices(), make_entries("end", end).vertices()
         source = self._native.resolve("start", starts[:3], None, "keep")
         with reporting(progress) as callback:
             traced = _gvd.paths(self._native, source, ends, threads, callback)
-        paths = [Path(Points(*points.arrays()), self._native.positions(points), length, complete, end)
-                 for points, end, length, complete in traced]
+        paths = [Path(Points(*points.arrays()), self._native.positions(points), length, complete, end,
+                      from_vertex[i], to_vertex[end] if end >= 0 else -1)
+                 for i, (points, end, length, complete) in enumerate(traced)]
         return paths[0] if starts.single else paths
 
     @checked

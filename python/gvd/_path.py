@@ -18,7 +18,8 @@ class Path(NamedTuple):
 
     `points` and `positions` (k, 3) run from start to end; `length` is in mesh units. `complete` is False where rounding
     ended the points at a vertex before the end; `length` is right nevertheless. `end` is the index of the end that was
-    nearest, -1 where there is none: then the path has no points and its length is infinite.
+    nearest, -1 where there is none: then the path has no points and its length is infinite. `start_vertex` and
+    `end_vertex`: the vertices that start and end were given as, -1 for points that were given otherwise.
     """
 
     points: Points
@@ -26,6 +27,8 @@ class Path(NamedTuple):
     length: float
     complete: bool
     end: int
+    start_vertex: int = -1
+    end_vertex: int = -1
 
     def to_vtk(self) -> Any:
         """The path as a polyline of vtkPolyData."""
@@ -39,7 +42,7 @@ class Path(NamedTuple):
         if name.endswith(".npy"):
             numpy.save(out, self.positions)
         elif name.endswith(".csv"):
-            out.write(_gvd.format_path(*self.points, self.positions, self.length, self.end))
+            out.write(_gvd.format_path(*self.points, self.positions, self.length, self.end, self.start_vertex, self.end_vertex))
         elif name.endswith(".obj"):
             numpy.savetxt(out, self.positions, fmt="v %.17g %.17g %.17g")
             if len(self.positions) > 1:

@@ -32,6 +32,10 @@ class Entries(NamedTuple):
     values: NDArray[numpy.float64]
     single: bool
 
+    def vertices(self) -> list[int]:
+        """The vertices that the points were given as, -1 for the others."""
+        return [int(i) for i in numpy.where(self.kinds == _VERTEX, self.ids, -1)]
+
 
 def _entries(kind: int, index: Any, values: Any, single: bool) -> Entries:
     count = 1 if single else len(index) if index is not None else len(values)

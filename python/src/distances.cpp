@@ -2,6 +2,7 @@
 //
 // Distances to the nearest of several points come from one field, with all threads. Rows, one for each point, come from
 // a field for each: one thread makes a whole row, so that all cores are busy and no row depends on their number.
+#include <algorithm>
 #include <sstream>
 
 #include "arrays.hpp"
@@ -54,14 +55,17 @@ py::list compute_paths(const SharedMesh& input, const PointList& from, const Poi
 
 /// The table of one path, as gvd-distance --paths writes it.
 py::bytes format_path(const Array<std::int32_t>& face, const Array<double>& bary, const Array<double>& positions,
-                      double length, std::int32_t end) {
+                      double length, std::int32_t end, std::int64_t start_vertex, std::int64_t end_vertex) {
   TargetPath path{0, GeneratorId(end), {{}, {}, length}};
   for (py::ssize_t k = 0; k < face.size(); ++k) {
     path.path.points.push_back({FaceId(face.at(k)), {bary.at(k, 0), bary.at(k, 1), bary.at(k, 2)}});
     path.positions.emplace_back(positions.at(k, 0), positions.at(k, 1), positions.at(k, 2));
   }
+  std::vector<std::int64_t> ends(std::size_t(std::max(end, 0)) + 1, -1);
+  ends.back() = end_vertex;
   std::ostringstream out;
-  write_paths_csv(out, {.paths = {std::move(path)}});
+  write_paths_csv(out,
+                  {.source_vertices = std::move(ends), .target_vertices = {start_vertex}, .paths = {std::move(path)}});
   return out.str();
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/run_command.hpp"
@@ -80,6 +81,41 @@ TEST_CASE("gvd-remesh: an interrupt in each long step ends it soon, and no file 
   workplace.require_interrupted("relaxation", "gvd-remesh", {"--sampling", "random", "-n", "2000"});
   workplace.require_interrupted("fit", "gvd-remesh", {"--sampling", "random", "--relax", "none", "-n", "5000"});
   workplace.require_interrupted("view", "gvd-remesh", {"--sampling", "random", "--relax", "none", "-n", "300"});
+}
+
+// Shells start a process behind & without standard input and with SIGINT ignored; SIGTERM arrives.
+TEST_CASE("commands: a signal ends a run that waits for a pipe at once, with 130 and nothing left behind") {
+  const ScratchFolder scratch;
+  const std::string pipe = scratch / "pipe", torus = scratch / "torus.obj";
+  write_simple_obj(torus, make_torus(12, 8));
+  REQUIRE(std::system(("mkfifo " + pipe).c_str()) == 0);
+  // Signals are sent once the command handles them, and waits. `writer` holds the pipe open, and writes nothing.
+  const auto interrupt = [&](const std::string& name, const std::string& arguments, const std::string& writer) {
+    return run_command(
+        name,
+        arguments + " -o " + scratch / "out.ply" + " & run=$!\n" + writer +
+            "while kill -0 $run && ! grep -q 'SigCgt:.*[1-9a-f]' /proc/$run/status; do sleep 0.1; done; sleep 0.5\n"
+            "kill -TERM $run; wait $run; code=$?\n" +
+            (writer.empty() ? "" : "kill $writer\n") + "exit $code");
+  };
+  const std::string holds_open = "sleep 60 > " + pipe + " & writer=$!\n";
+  for (const std::string& writer : {std::string(), holds_open}) {
+    std::vector<std::pair<std::string, std::string>> calls{{"gvd-segment", pipe + " -n 3"},
+                                                           {"gvd-lloyd", pipe + " -n 3"},
+                                                           {"gvd-remesh", pipe + " -n 30"},
+                                                           {"gvd-distance", torus + " --from " + pipe},
+                                                           {"gvd-segment", torus + " --generators " + pipe},
+                                                           {"gvd-segment", torus + " -n 3 --config " + pipe}};
+    for (const auto& [name, arguments] : calls) {
+      CAPTURE(name, arguments, writer);
+      const CommandResult result = interrupt(name, arguments, writer);
+      CHECK(result.exit_code == 130);
+      CHECK(result.err == name + ": error: interrupted; no file is left half-written\n");
+    }
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(scratch / ".")) {
+    CHECK((entry.path().filename() == "pipe" || entry.path().filename() == "torus.obj"));
+  }
 }
 
 }  // namespace gvd::test_command_interrupts

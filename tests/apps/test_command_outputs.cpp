@@ -1,11 +1,14 @@
 // What the commands write: whether they can, which files they must not replace, and the same bytes every time.
 
+#include <chrono>
 #include <filesystem>
 #include <regex>
+#include <thread>
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 
 namespace gvd::test_command_outputs {
 
@@ -173,6 +176,121 @@ TEST_CASE("commands: the same call gives the same bytes") {
       CHECK(read_text(entry.path().string()) == read_text(scratch / "again" + name + "/" + file));
     }
   }
+}
+
+TEST_CASE("commands: a run that succeeds names what it wrote in its last line, unless it is quiet") {
+  const ScratchFolder scratch;
+  const std::string torus = data_file("torus.ply"), ply = scratch / "a.ply", obj = scratch / "a.obj",
+                    report = scratch / "r.json";
+  const std::string given = torus + " -n 5 -o " + ply + " -o - --output-format off -o " + obj + " --report " + report;
+  const CommandResult result = run_command("gvd-segment", given);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.err.ends_with("\ngvd-segment: wrote " + ply + ", " + obj + ", " + scratch / "a.mtl" + ", " + report +
+                             "\n"));
+  CHECK(run_command("gvd-segment", given + " -q").err.empty());
+  for (const std::string& name : built_commands()) {
+    const std::string file = scratch / (name == "gvd-lloyd" ? "b.txt" : "b.obj");
+    CHECK_THAT(run_command(name, torus + " -n 40 -o " + file).err, Contains(name + ": wrote " + file));
+    const std::string nothing = run_command(name, torus + " -n 40").err;
+    CHECK_THAT(nothing, Contains("no file was written; name one") && !Contains("wrote "));
+  }
+  // An error is no success.
+  CHECK_THAT(run_command("gvd-segment", torus + " -n 5 -o /dev/full -o " + ply).err, !Contains("wrote "));
+  const CommandResult several =
+      run_command("gvd-segment", torus + " " + data_file("figure.obj") + " -n 5 --output-dir " + scratch / "out" +
+                                     " --output-format ply,json --view --summary " + scratch / "t.csv");
+  CHECK_THAT(several.err, Contains("gvd-segment: wrote 6 files to " + scratch / "out" + ", " + scratch / "t.csv"));
+}
+
+/// A program that notes its arguments in the file `calls`, and then runs `rest`.
+void write_program(const ScratchFolder& scratch, const std::string& name, const std::string& rest = "") {
+  write_text(scratch / name, "#!/bin/sh\necho " + name + " \"$@\" > " + scratch / "calls" + "\n" + rest + "\n");
+  std::filesystem::permissions(scratch / name, std::filesystem::perms::all);
+}
+
+/// Runs gvd-segment in the scratch folder, where PATH finds only what is there.
+CommandResult run_for_page(const ScratchFolder& scratch, const std::string& environment, const std::string& options) {
+  const std::string bin = std::filesystem::path(GVD_BIN_DIR).string();
+  return run_command("gvd-segment", "--version > /dev/null; cd " + scratch / "." + " && PATH=" + scratch / "." + " " +
+                                        environment + " '" + bin + "/gvd-segment' " + data_file("torus.ply") +
+                                        " -n 5 --open " + options);
+}
+
+/// The call that a program of `write_program` noted, which may come a little after the end of the command.
+std::string take_call(const ScratchFolder& scratch) {
+  std::string call;
+  for (int i = 0; i < 100 && !call.ends_with('\n'); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    call = read_text(scratch / "calls");
+  }
+  std::filesystem::remove(scratch / "calls");
+  return call;
+}
+
+TEST_CASE("commands: --open shows the page, by $BROWSER or xdg-open, and never waits for it") {
+  const ScratchFolder scratch;
+  const std::string page = std::filesystem::path(scratch / "torus.gvd.html").string();
+  const CommandResult none = run_for_page(scratch, "BROWSER=", "");
+  CHECK(none.exit_code == 0);
+  CHECK_THAT(none.err,
+             Contains("wrote torus.gvd.html") &&
+                 Contains("--open: $BROWSER names no program, and there is no xdg-open; open torus.gvd.html"));
+  CHECK(std::filesystem::exists(page));
+  write_program(scratch, "xdg-open");
+  CHECK(run_for_page(scratch, "BROWSER=none", "-q").err.empty());
+  CHECK(take_call(scratch) == "xdg-open " + page + "\n");
+  run_for_page(scratch, "BROWSER=", "--view b.html");
+  CHECK(take_call(scratch) == "xdg-open " + scratch / "b.html" + "\n");
+  write_program(scratch, "fire", "/bin/sleep 30");
+  const auto start = std::chrono::steady_clock::now();
+  const CommandResult shown = run_for_page(scratch, "BROWSER='none:fire --new %s -x'", "");
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(15));
+  CHECK(take_call(scratch) == "fire --new " + page + " -x\n");
+  CHECK_THAT(shown.err, !Contains("--open"));
+  write_program(scratch, "xdg-open", "exit 3");
+  const CommandResult failed = run_for_page(scratch, "BROWSER=", "");
+  CHECK(failed.exit_code == 0);
+  CHECK_THAT(failed.err, Contains("xdg-open failed with exit code 3; open torus.gvd.html in a browser"));
+  require_error("gvd-segment", data_file("torus.ply") + " -n 5 --open --output-dir " + scratch / "out", 2, "--open");
+  require_error("gvd-segment", data_file("torus.ply") + " -n 5 --up z -o " + scratch / "a.ply", 2,
+                "--up requires --view or --open");
+}
+
+TEST_CASE("commands: many more generators than faces are told in advance, with time and memory") {
+  if (kSanitized) return;  // a limit of memory would stop the sanitizer
+  // The limit ends these runs, after the note.
+  const auto notes = [&](const std::string& name, const std::string& count) {
+    const CommandResult result = run_command(name, data_file("figure.obj") + " --max-memory 40M -n " + count);
+    CHECK(result.exit_code == 5);
+    return result.err;
+  };
+  CHECK_THAT(notes("gvd-segment", "1000000"),
+             StartsWith("gvd-segment: -n 1000000 is more than the mesh has faces (5876): this may take about 30 s and "
+                        "3.6 GB of memory, at 0.027 ms and 3.6 kB a generator as measured on two cores\n"));
+  CHECK_THAT(notes("gvd-lloyd", "1000000"), Contains("this may take about 13 min and 9.6 GB"));
+  CHECK_THAT(notes("gvd-remesh", "1000000"), Contains("this may take about 8 min and 15 GB"));
+  // Ten seconds need no warning.
+  CHECK_THAT(run_command("gvd-segment", data_file("figure.obj") + " -n 6000").err, !Contains("may take"));
+}
+
+TEST_CASE("gvd-segment: a page beside a mesh of whole faces names --cut, once") {
+  const ScratchFolder scratch;
+  const std::string torus = data_file("torus.ply"), page = " --view " + scratch / "a.html",
+                    mesh = " -o " + scratch / "a.ply";
+  const auto notes = [&](const std::string& options) {
+    return run_command("gvd-segment", torus + " -n 5" + options).err;
+  };
+  CHECK_THAT(notes(page + mesh), Contains("a.html shows the exact borders, and " + scratch / "a.ply" +
+                                          " has whole faces; --cut splits them"));
+  for (const std::string& options :
+       {page, mesh, page + mesh + " --cut", page + mesh + " --labels nearest", page + " -o " + scratch / "a.json"}) {
+    CHECK_THAT(notes(options), !Contains("whole faces"));
+  }
+  const std::string several = run_command("gvd-segment", torus + " " + data_file("figure.obj") + " -n 5 --output-dir " +
+                                                             scratch / "out" + " --view")
+                                  .err;
+  CHECK(several.find("whole faces") == several.rfind("whole faces"));
+  CHECK_THAT(several, Contains("whole faces"));
 }
 
 }  // namespace gvd::test_command_outputs

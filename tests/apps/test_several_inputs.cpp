@@ -34,7 +34,9 @@ struct Inputs {
               all = data_file("torus.ply") + " " + bad + " " + good, to_out = " -n 9 --output-dir " + out;
 };
 
-TEST_CASE("several inputs: each has its outputs, a failed one does not stop the rest, and a table ends the run") {
+TEST_CASE(
+    "several inputs: each has its outputs, a failed one does not stop the rest, and a table and what was written end "
+    "the run") {
   for (const std::string& name : built_commands()) {
     const Inputs inputs;
     const CommandResult result = run_command(name, inputs.all + inputs.to_out + " --output-format json,ply");
@@ -47,8 +49,9 @@ TEST_CASE("several inputs: each has its outputs, a failed one does not stop the 
     CHECK(std::distance(fs::directory_iterator(inputs.out), {}) == 4);
     CHECK_THAT(result.err, Contains(name + ": error: " + inputs.bad));
     const std::string table = result.err.substr(result.err.find(name + ": input "));
-    CHECK(line_count(table) == 4);
-    CHECK_THAT(table, Contains("torus.ply") && Contains("failed (3: unreadable input)") && EndsWith(" s\n"));
+    CHECK(line_count(table) == 5);
+    CHECK_THAT(table, Contains("torus.ply") && Contains("failed (3: unreadable input)") &&
+                          EndsWith(" s\n" + name + ": wrote 4 files to " + inputs.out + "\n"));
     CHECK_THAT(table, Contains("regions") && Contains(name == "gvd-lloyd" ? "energy" : "time"));
   }
 }

@@ -28,7 +28,9 @@ assert some.shape == (len(files.GENERATORS), 2) and (some == each[:, [0, 5]]).al
 assert numpy.allclose(nearest, distances, rtol=1e-12, atol=1e-14)
 assert numpy.allclose(nearest, each.min(axis=0), rtol=1e-12, atol=1e-14)
 table = numpy.genfromtxt(work / "nearest.csv", delimiter=",", names=True)
-assert table.dtype.names == ("source", "vertex", "distance") and (table["distance"] == nearest).all()
+assert table.dtype.names == ("source", "vertex", "distance", "source_vertex") and (table["distance"] == nearest).all()
+reached = table["source"] >= 0
+assert (table["source_vertex"][reached] == numpy.array(files.GENERATORS)[table["source"][reached].astype(int)]).all()
 
 
 def page_colors(name):

@@ -122,7 +122,8 @@ void check_build(const Options& options) {
   if (options.compute.verify) refuse("--verify: not part of this build; configure it with -DGVD_WITH_CGAL_GPL=ON");
 #endif
   if ((!options.output.view.empty() || options.output.views) && !has_viewer()) {
-    refuse("--view: the viewer is not part of this build; configure it with -DGVD_WITH_VIEWER=ON");
+    refuse((options.output.open ? "--open: the" : "--view: the") +
+           std::string(" viewer is not part of this build; configure it with -DGVD_WITH_VIEWER=ON"));
   }
 }
 

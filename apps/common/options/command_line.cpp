@@ -60,11 +60,12 @@ std::size_t count_edits(const std::string& from, const std::string& to) {
   return now[to.size()];
 }
 
-/// The options of -h, which fit a screen: where meshes and generators come from, and where results go.
+/// The options of -h, which fit a screen: where meshes and generators come from, what is asked for, and where results
+/// go.
 bool is_main(const CLI::Option& option) {
-  constexpr std::array kMain{"INPUT",      "-n",       "--generators", "--error",  "--iterations",
-                             "--features", "--output", "--output-dir", "--report", "--view",
-                             "--cut",      "--stats",  "--points"};
+  constexpr std::array kMain{"INPUT",    "-n",           "--generators", "--from",  "--to",       "--target-edge",
+                             "--error",  "--iterations", "--features",   "--paths", "--isolines", "--cut",
+                             "--output", "--output-dir", "--report",     "--view",  "--stats",    "--points"};
   return std::any_of(kMain.begin(), kMain.end(), [&](const char* name) { return option.check_name(name); });
 }
 

@@ -72,6 +72,13 @@ std::vector<std::string> written_formats(const OutputOptions& output) {
   return written;
 }
 
+bool names_file(const OutputOptions& output) {
+  const bool has_own =
+      std::any_of(output.own.begin(), output.own.end(), [](const auto& own) { return !own.second.empty(); });
+  return has_own || output.open || !output.files.empty() || !output.folder.empty() || !output.report.empty() ||
+         !output.diagram.empty() || !output.view.empty();
+}
+
 DiagramOptions make_diagram_options(const ComputeOptions& compute) {
   DiagramOptions options;
   options.method = compute.method;

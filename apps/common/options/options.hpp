@@ -72,11 +72,13 @@ struct OutputOptions {
   std::string report;
   std::string diagram;
   std::string view;
+  bool open = false;                       ///< show the page of `view` in the browser
   bool views = false;                      ///< into `folder`, a page for each input
   std::string summary;                     ///< a row for each input of `folder`
   std::optional<UpAxis> up;                ///< of the pages
   bool no_curves = false;                  ///< leave the bisectors out of OBJ, VTP and GLB
   bool ascii_ply = false;                  ///< PLY as text
+  bool prints = false;                     ///< to standard output, where no file is named
   bool region_materials = false;           ///< in OBJ, a material for each region, not those of the input
   std::map<std::string, std::string> own;  ///< further files of the command, by the option, empty where not given
 };
@@ -115,6 +117,9 @@ std::string format_of(const OutputOptions& output, const std::string& file);
 
 /// The formats that a run writes to files of `-o`, to standard output, or into the folder.
 std::vector<std::string> written_formats(const OutputOptions& output);
+
+/// Whether a file or folder is named that gets a result.
+bool names_file(const OutputOptions& output);
 
 /// The library's options for every diagram of a run, with its defaults for what is not given, and no progress.
 DiagramOptions make_diagram_options(const ComputeOptions& compute);

@@ -162,7 +162,11 @@ void register_view(CLI::App& app, OutputOptions& output) {
       ->expected(0, 1)
       ->type_name("FILE.html")
       ->check(has_side_extension("--view"));
-  add_choice(app, "--up", output.up, kUpAxisNames, "Axis that points up on the page (default: y)")->needs("--view");
+  add_flag(app, "--open", output.open,
+           "Show the page in the browser ($BROWSER, or else the system's); without --view, it is INPUT.gvd.html in the "
+           "current folder")
+      ->excludes("--output-dir");
+  add_choice(app, "--up", output.up, kUpAxisNames, "Axis that points up on the page (default: y)");
 }
 
 void register_output(CLI::App& app, OutputOptions& output, const Formats& formats) {
@@ -246,15 +250,20 @@ std::vector<ValueRule> output_rules(CLI::App& app, OutputOptions& output) {
       return file == "-" || format_of(output, file) == kFreeSurfer;
     };
     if (!output.folder.empty() || std::any_of(output.files.begin(), output.files.end(), is_chosen)) return "";
+    if (output.prints && !names_file(output)) return "";
     return "--output-format does nothing here: add -o - or --output-dir, or leave --output-format out";
   };
   const auto no_ply = [&output] {
     return why_unused(output, {"ply"}, "--ascii-ply: no .ply is written; write one with {} or leave --ascii-ply out");
   };
+  const auto no_page = [&output]() -> std::string {
+    return output.view.empty() && !output.views && !output.open ? "--up requires --view or --open" : "";
+  };
   const std::vector<CLI::Option*> targets = find_targets(app);
   const auto reset_formats = [&output, formats = output.formats] { output.formats = formats; };
   return {{at("--output-format"), {targets[0], targets[1]}, no_format, reset_formats},
-          {at("--ascii-ply"), targets, no_ply, [&output] { output.ascii_ply = false; }}};
+          {at("--ascii-ply"), targets, no_ply, [&output] { output.ascii_ply = false; }},
+          {at("--up"), {at("--view"), at("--open")}, no_page, [&output] { output.up.reset(); }}};
 }
 
 void register_features(CLI::App& app, ConstraintOptions& constraints) {

@@ -67,6 +67,7 @@ struct ResolveOptions {
 struct ResolvedGenerators {
   std::vector<SurfacePoint> points;                  ///< in the order of the list
   std::vector<std::optional<double>> snap_distance;  ///< from each point to its given position, mesh units
+  std::vector<std::int64_t> vertex;                  ///< that its entry names, of the input file; -1 for other entries
   std::optional<double> longest_snap;                ///< of all entries, merged ones too; mesh units
   std::string farthest;                              ///< name and line of the entry with that distance
   std::int32_t merged = 0;                           ///< entries left out because an earlier one coincides with them

@@ -234,6 +234,7 @@ class Resolver {
       report_progress(options_.progress, "generators", double(result_.points.size()) / double(list_.entries.size()));
       result_.snap_distance.emplace_back();
       result_.points.push_back(resolve(entry));
+      result_.vertex.push_back(entry.kind == Kind::vertex ? entry.index : -1);
     }
     if (!options_.keep_coincident) merge_coincident();
     return std::move(result_);
@@ -310,6 +311,7 @@ class Resolver {
       if (twin == i) {
         kept.points.push_back(result_.points[i]);
         kept.snap_distance.push_back(result_.snap_distance[i]);
+        kept.vertex.push_back(result_.vertex[i]);
       } else if (!options_.merge_coincident) {
         refuse(i, fmt::format(
                       "generator {} is in the same place as generator {} ({}); remove one, or set merge_coincident", i,

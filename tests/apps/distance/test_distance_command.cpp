@@ -125,7 +125,7 @@ TEST_CASE("gvd-distance: on a plane, distances from the nearest of two sources a
   CHECK_THAT(header, Contains("'descr': '<f8'") && Contains("'shape': (49,)"));
   const auto rows = read_csv(csv);
   REQUIRE(rows.size() == 50);
-  CHECK(rows[0] == std::vector<std::string>{"source", "vertex", "distance"});
+  CHECK(rows[0] == std::vector<std::string>{"source", "vertex", "distance", "source_vertex"});
   REQUIRE(output["distances"].size() == 1);
   CHECK(output["points"] == "vertices");
   const std::string text = read_text(ply);
@@ -135,7 +135,7 @@ TEST_CASE("gvd-distance: on a plane, distances from the nearest of two sources a
     const double first = std::hypot(x - 1.3, y - 2.2), second = std::hypot(x - 5, y - 5);
     CHECK(values[v] == Approx(std::min(first, second)).epsilon(1e-13).margin(1e-14));
     CHECK(rows[v + 1] ==
-          std::vector<std::string>{first <= second ? "0" : "1", std::to_string(v), fmt::format("{}", values[v])});
+          std::vector<std::string>{first <= second ? "0" : "1", std::to_string(v), fmt::format("{}", values[v]), "-1"});
     CHECK(output["distances"][0][v] == values[v]);
     CHECK(output["nearest"][v] == (first <= second ? 0 : 1));
     CHECK(std::stod(split(lines[v], ' ')[3]) == Approx(values[v]).epsilon(1e-6));
@@ -159,7 +159,7 @@ TEST_CASE("gvd-distance: round a cube, distances are those of the unfolded faces
     CHECK(path["length"].get<double>() == Approx(known[i]).epsilon(1e-14));
     CHECK(length_of(mesh, points) == Approx(known[i]).epsilon(1e-14));
   }
-  CHECK_THAT(err, Contains("point 2 is 2.23606798 from source 0"));
+  CHECK_THAT(err, Contains("vertex 7 is 2.23606798 from vertex 0"));
 }
 
 TEST_CASE("gvd-distance: paths are as long as the distance, lie on the mesh, and no nearby path is shorter") {
@@ -198,7 +198,8 @@ TEST_CASE("gvd-distance: paths are as long as the distance, lie on the mesh, and
   }
   const auto table = read_csv(csv);
   CHECK(table.size() == rows);
-  CHECK(fmt::format("{}", fmt::join(table[0], ",")) == "path,source,target,length,face,b0,b1,b2,x,y,z");
+  CHECK(fmt::format("{}", fmt::join(table[0], ",")) ==
+        "path,source,target,length,face,b0,b1,b2,x,y,z,source_vertex,target_vertex");
 }
 
 TEST_CASE("gvd-distance: --each has a row for each source, whose least is that of the nearest") {
@@ -265,7 +266,7 @@ TEST_CASE("gvd-distance: what is farther than --max-distance, or in another comp
   CHECK(far.output["distances"][0] == json({1.0, nullptr}));
   CHECK(far.output["paths"][1]["points"].empty());
   CHECK(far.output["paths"][1]["length"].is_null());
-  CHECK_THAT(far.err, Contains("point 1 is not reached from any source"));
+  CHECK_THAT(far.err, Contains("vertex 0 is not reached from any source"));
 }
 
 TEST_CASE("gvd-distance: rows are the vertices of the input file, unused ones too") {
@@ -342,16 +343,17 @@ TEST_CASE("gvd-distance: lists come from standard input, files of options and se
   write_text(list, "24\np 3 3 0\n");
   const CommandResult piped =
       run_command("gvd-distance", mesh + " -q --from 0 --to - -o - --output-format csv < " + list);
-  CHECK(piped.out == "source,target,distance\n0,0,4.242640687119285\n0,1,4.242640687119285\n");
+  CHECK(piped.out ==
+        "source,target,distance,source_vertex,target_vertex\n0,0,4.242640687119285,0,24\n0,1,4.242640687119285,0,-1\n");
   write_text(toml, "from = [0]\nto = [24, 24]\n");
   write_text(list, "48\n\np 3 1 0\np 5 1 0\n");
   const std::string to_vertex_0 = " -q --to 0 -o - --output-format csv --curves ";
   const CommandResult curve = run_command("gvd-distance", mesh + to_vertex_0 + "- < " + list);
-  CHECK_THAT(curve.out, Contains("distance\n1,0,3.16227766"));
+  CHECK_THAT(curve.out, Contains("_vertex\n1,0,3.16227766"));
   CHECK(curve.out == run_command("gvd-distance", mesh + to_vertex_0 + list).out);
   const CommandResult configured =
       run_command("gvd-distance", mesh + " -q --config " + toml + " -o - --output-format csv");
-  CHECK(configured.out == piped.out);
+  CHECK_THAT(configured.out, Contains("\n0,0,4.242640687119285,0,24\n0,1,4.242640687119285,0,24\n"));
   const CommandResult several =
       run_command("gvd-distance", mesh + " " + data_file("torus.ply") + " --from 0 --output-dir " + scratch / "out" +
                                       " --output-format npy,csv");

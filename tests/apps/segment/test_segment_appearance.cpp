@@ -97,7 +97,7 @@ TEST_CASE("gvd-segment: texture coordinates and materials survive, with --cut an
 TEST_CASE("gvd-lloyd and gvd-distance keep texture coordinates and materials, too") {
   const ScratchFolder scratch;
   write_text(scratch / "in.obj", textured_torus());
-  run_command("gvd-distance", scratch / "in.obj" + " --from 0 -o " + scratch / "a.obj");
+  run_command("gvd-distance", scratch / "in.obj" + " --from 0 --isolines 1 -o " + scratch / "a.obj");
   require_angles(read_soup(scratch / "a.obj"));
   require_materials(read_soup(scratch / "a.obj"));
   const std::vector<std::string> built = built_commands();

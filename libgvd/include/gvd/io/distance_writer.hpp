@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <ostream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct TargetPath {
 struct DistanceTable {
   std::vector<SurfacePoint> sources = {};
   std::vector<SurfacePoint> targets = {};  ///< empty: the distances are those of the vertices
+  /// The vertices of the user's file that the sources and targets were given as, -1 for points that were given by other
+  /// coordinates. Empty: not known.
+  std::vector<std::int64_t> source_vertices = {}, target_vertices = {};
   /// A row of all points for each source or, where `nearest` is not empty, one row of the nearest source. Mesh units,
   /// infinity where no source reaches.
   std::vector<std::vector<double>> rows = {};
@@ -47,13 +51,30 @@ struct DistanceTable {
   GeneratorId source(std::size_t row, std::size_t point) const {
     return nearest.empty() ? GeneratorId(row) : nearest[point];
   }
+  /// The user's vertex; -1 where a source or target is none.
+  std::int64_t source_vertex(GeneratorId source) const {
+    return source.valid() && !source_vertices.empty() ? source_vertices[source.index()] : -1;
+  }
+  std::int64_t target_vertex(std::size_t target) const {
+    return target_vertices.empty() ? -1 : target_vertices[target];
+  }
+  /// "vertex 17" in the user's numbers, or "source 2" and "point 2" as their lists count them from 0.
+  std::string source_name(GeneratorId source) const;
+  std::string target_name(std::size_t target) const;
 };
 
 /// Writes the distances as an array of doubles of the shape (points), or (sources, points) of all sources.
 void write_distances_npy(std::ostream& out, const DistanceTable& table);
 
-/// Writes a line for each distance, with the columns source, vertex or target, and distance; -1 and inf where no source
-/// reaches.
+/// Writes the distances as text. A single distance to a target is alone on its line. Otherwise there is a line for each
+/// vertex or target, in their order: its vertex in the user's file, or -1 for a target that is none, and its distances,
+/// one for each row, behind blanks. Numbers have the fewest digits that read back to the same double; inf where no
+/// source reaches.
+void write_distances_text(std::ostream& out, const DistanceTable& table);
+
+/// Writes a line for each distance, with the columns source, vertex or target, and distance. Where the table knows the
+/// user's vertices, source_vertex follows and, where there are targets, target_vertex. Sources and targets are counted
+/// from 0 in their lists; -1 for none, and inf where no source reaches.
 void write_distances_csv(std::ostream& out, const DistanceTable& table);
 
 /// Writes the distances of the vertices as 32-bit floats: GIFTI, with an array for each row, or FreeSurfer's values, of
@@ -61,7 +82,8 @@ void write_distances_csv(std::ostream& out, const DistanceTable& table);
 void write_distances_gifti(std::ostream& out, const DistanceTable& table);
 void write_distances_freesurfer(std::ostream& out, const DistanceTable& table, std::int32_t faces);
 
-/// Writes a line for each point of each path, with the columns path, source, target, length, face, b0, b1, b2, x, y, z.
+/// Writes a line for each point of each path, with the columns path, source, target, length, face, b0, b1, b2, x, y, z,
+/// source_vertex and target_vertex.
 void write_paths_csv(std::ostream& out, const DistanceTable& table);
 
 /// Writes all of it as `gvd-distance/1` (docs/schema). Infinity is null.

@@ -59,8 +59,9 @@ std::vector<ViewFigure> make_figures(const Mesh& mesh, const ViewScene& scene, c
   if (unreached > 0) figures.push_back({"Unreached vertices", fmt::format("{}", unreached)});
   for (std::size_t i = 0; i < std::min(table.paths.size(), kListedPaths); ++i) {
     const TargetPath& path = table.paths[i];
-    figures.push_back({fmt::format("Path from point {} to source {}", path.target, path.source.value()),
-                       fmt::format("{:.6g}", path.path.length)});
+    figures.push_back(
+        {fmt::format("Path from {} to {}", table.target_name(std::size_t(path.target)), table.source_name(path.source)),
+         fmt::format("{:.6g}", path.path.length)});
   }
   figures.push_back({"Vertices with a path for clicks",
                      fmt::format("{} of {}", scene.vertex_paths.vertices.size(), mesh.vertex_count())});

@@ -47,12 +47,18 @@ void print_distances(ByteWriter& out, const DistanceTable& table) {
   io::print_ids(out, table.nearest);
 }
 
+/// Null stands for a point that is no vertex.
+std::string json_vertex(std::int64_t vertex) { return vertex < 0 ? "null" : fmt::format("{}", vertex); }
+
 void print_curves(ByteWriter& out, const Mesh& mesh, const DistanceTable& table) {
   const auto print_point = [&](const SurfacePoint& p) { io::print_point(out, mesh, p); };
   out.text(",\n\"paths\":");
   io::print_lines(out, table.paths, [&](const TargetPath& path) {
-    out.print("{{\"source\":{},\"target\":{},\"length\":{},\"complete\":{},\"points\":", path.source.value(),
-              path.target, io::json_number(path.path.length), path.path.complete);
+    out.print(
+        "{{\"source\":{},\"target\":{},\"source_vertex\":{},\"target_vertex\":{},\"length\":{},\"complete\":{},"
+        "\"points\":",
+        path.source.value(), path.target, json_vertex(table.source_vertex(path.source)),
+        json_vertex(table.target_vertex(path.target)), io::json_number(path.path.length), path.path.complete);
     io::print_array(out, path.path.points, print_point);
     out.text("}");
   });
@@ -75,6 +81,16 @@ MeshCurve make_path_curve(const TargetPath& path, std::size_t index) {
 }
 
 }  // namespace
+
+std::string DistanceTable::source_name(GeneratorId source) const {
+  const std::int64_t vertex = source_vertex(source);
+  return vertex < 0 ? fmt::format("source {}", source.value()) : fmt::format("vertex {}", vertex);
+}
+
+std::string DistanceTable::target_name(std::size_t target) const {
+  const std::int64_t vertex = target_vertex(target);
+  return vertex < 0 ? fmt::format("point {}", target) : fmt::format("vertex {}", vertex);
+}
 
 void write_labels_npy(std::ostream& stream, const std::vector<GeneratorId>& labels) {
   ByteWriter out(stream);
@@ -123,13 +139,31 @@ void write_distances_npy(std::ostream& stream, const DistanceTable& table) {
   out.finish();
 }
 
+void write_distances_text(std::ostream& stream, const DistanceTable& table) {
+  ByteWriter out(stream);
+  const std::size_t points = table.rows.empty() ? 0 : table.rows.front().size();
+  const bool has_targets = !table.targets.empty(), is_single = has_targets && points == 1 && table.rows.size() == 1;
+  for (std::size_t i = 0; i < points; ++i) {
+    if (!is_single) out.print("{} ", has_targets ? table.target_vertex(i) : std::int64_t(i));
+    for (std::size_t row = 0; row < table.rows.size(); ++row) out.print("{}{}", row > 0 ? " " : "", table.rows[row][i]);
+    out.text("\n");
+  }
+  out.finish();
+}
+
 void write_distances_csv(std::ostream& stream, const DistanceTable& table) {
   ByteWriter out(stream);
-  out.print("source,{},distance\n", table.targets.empty() ? "vertex" : "target");
+  const bool has_targets = !table.targets.empty(), has_vertices = !table.source_vertices.empty();
+  out.print("source,{},distance", has_targets ? "target" : "vertex");
+  out.text(!has_vertices ? "\n" : has_targets ? ",source_vertex,target_vertex\n" : ",source_vertex\n");
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     for (std::size_t i = 0; i < table.rows[row].size(); ++i) {
       const double d = table.rows[row][i];
-      out.print("{},{},{}\n", std::isfinite(d) ? table.source(row, i).value() : -1, i, d);
+      const GeneratorId source = std::isfinite(d) ? table.source(row, i) : GeneratorId();
+      out.print("{},{},{}", source.value(), i, d);
+      if (has_vertices) out.print(",{}", table.source_vertex(source));
+      if (has_vertices && has_targets) out.print(",{}", table.target_vertex(i));
+      out.text("\n");
     }
   }
   out.finish();
@@ -137,13 +171,14 @@ void write_distances_csv(std::ostream& stream, const DistanceTable& table) {
 
 void write_paths_csv(std::ostream& stream, const DistanceTable& table) {
   ByteWriter out(stream);
-  out.text("path,source,target,length,face,b0,b1,b2,x,y,z\n");
+  out.text("path,source,target,length,face,b0,b1,b2,x,y,z,source_vertex,target_vertex\n");
   for (std::size_t i = 0; i < table.paths.size(); ++i) {
     const auto& [target, source, path, positions] = table.paths[i];
     for (std::size_t k = 0; k < path.points.size(); ++k) {
       const double* const p = positions[k].data();
-      out.print("{},{},{},{},{},{},{}\n", i, source.value(), target, path.length, path.points[k].face.value(),
-                fmt::join(path.points[k].bary, ","), fmt::join(p, p + 3, ","));
+      out.print("{},{},{},{},{},{},{},{},{}\n", i, source.value(), target, path.length, path.points[k].face.value(),
+                fmt::join(path.points[k].bary, ","), fmt::join(p, p + 3, ","), table.source_vertex(source),
+                table.target_vertex(std::size_t(target)));
     }
   }
   out.finish();
@@ -158,6 +193,15 @@ void write_distances_json(std::ostream& stream, const Mesh& mesh, const Distance
   print_points(table.sources);
   out.text(",\n\"targets\":");
   print_points(table.targets);
+  // Beside the points, whose form all documents share.
+  const auto print_vertices = [&](std::string_view name, std::size_t points, const auto& vertex_of) {
+    out.print(",\n\"{}\":[", name);
+    for (std::size_t i = 0; i < points; ++i) out.print("{}{}", i > 0 ? "," : "", json_vertex(vertex_of(i)));
+    out.text("]");
+  };
+  print_vertices("source_vertices", table.sources.size(),
+                 [&](std::size_t i) { return table.source_vertex(GeneratorId(i)); });
+  print_vertices("target_vertices", table.targets.size(), [&](std::size_t i) { return table.target_vertex(i); });
   print_distances(out, table);
   print_curves(out, mesh, table);
   out.text("}\n");

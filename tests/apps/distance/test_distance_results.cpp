@@ -1,0 +1,204 @@
+// gvd-distance without a file: what was asked for goes to standard output, in the user's own numbers. And the parts of
+// the surface that --within and --mask leave.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "apps/require_error.hpp"
+#include "apps/run_command.hpp"
+#include "support/catch.hpp"
+
+namespace gvd::test_distance_results {
+
+using namespace test;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+
+/// A strip of four squares along x, two triangles each. Vertex i is (i, 0) and 5 + i is (i, 1); the last vertex is in
+/// no face. Faces 2 i and 2 i + 1 are those of square i.
+std::string write_strip(const ScratchFolder& scratch) {
+  std::string text = "OFF\n11 8 0\n";
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 5; ++x) text += fmt::format("{} {} 0\n", x, y);
+  }
+  text += "7 7 7\n";
+  for (int x = 0; x < 4; ++x) text += fmt::format("3 {} {} {}\n3 {} {} {}\n", x, x + 1, x + 6, x, x + 6, x + 5);
+  write_text(scratch / "strip.off", text);
+  return scratch / "strip.off ";
+}
+
+/// Standard output of a run that succeeds.
+std::string output_of(const std::string& arguments) {
+  const CommandResult result = run_command("gvd-distance", arguments);
+  CAPTURE(arguments, result.err);
+  REQUIRE(result.exit_code == 0);
+  return result.out;
+}
+
+/// The numbers of a text with twelve digits, which rounding does not reach.
+std::string rounded(const std::string& text) {
+  std::string result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string before;
+    for (std::string word; words >> word; before = " ") result += before + fmt::format("{:.12g}", std::stod(word));
+    result += '\n';
+  }
+  return result;
+}
+
+TEST_CASE("gvd-distance: without a file, one distance is a number on standard output, and nothing else is") {
+  const ScratchFolder scratch;
+  const std::string strip = write_strip(scratch);
+  for (const char* quiet : {"", " -q", " -v"}) CHECK(rounded(output_of(strip + "--from 0 --to 4" + quiet)) == "4\n");
+  CHECK(output_of(strip + "--from 0 --to 6") == fmt::format("{}\n", std::sqrt(2.0)));
+  CHECK(output_of(strip + "--from 0 --to 0") == "0\n");
+  CHECK(output_of(strip + "--from 0 --to 4 --max-distance 1") == "inf\n");
+  CHECK(run_command("gvd-distance", strip + "-q --from 0 --to 4").err.empty());
+  const CommandResult shell = run_command("gvd-distance", strip + "-q --from 0 --to 4 > " + scratch / "d");
+  CHECK(rounded(read_text(scratch / "d")) == "4\n");
+  // The same double comes back.
+  const std::string exact = output_of(strip + "--from 0 --to 6 --output-format json");
+  CHECK(json::parse(exact)["distances"][0][0] == std::stod(output_of(strip + "--from 0 --to 6")));
+}
+
+TEST_CASE("gvd-distance: without a file, several distances have a line each, behind the user's own vertex") {
+  const ScratchFolder scratch;
+  const std::string strip = write_strip(scratch);
+  CHECK(rounded(output_of(strip + "--from 0 --to 4,2")) == "4 4\n2 2\n");
+  const std::string all = rounded(output_of(strip + "--from 0"));
+  CHECK_THAT(all, Contains("0 0\n1 1\n2 2\n3 3\n4 4\n5 1\n6 1.41421356237\n"));
+  CHECK(all.ends_with("\n10 inf\n"));
+  CHECK(rounded(output_of(strip + "--from 4,0 --each --to 1,3")) == "1 3 1\n3 1 3\n");
+  write_text(scratch / "to.txt", "p 2 0.5 0\n4\n");
+  CHECK(rounded(output_of(strip + "--from 0 --to " + scratch / "to.txt")) == "-1 2.06155281281\n4 4\n");
+}
+
+TEST_CASE("gvd-distance: vertices keep the user's numbers where the mesh was repaired") {
+  const ScratchFolder scratch;
+  // Two triangles that share only a vertex, which is cut apart, behind a vertex in no face.
+  write_text(scratch / "a.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 2 3 4\nf 2 5 6\n");
+  const std::string given = scratch / "a.obj" + " --from 2 --to 1,3,5";
+  CHECK(output_of(given) == fmt::format("1 1\n3 {}\n5 inf\n", std::sqrt(2.0)));
+  CHECK_THAT(output_of(given + " --output-format csv"), Contains("0,0,1,2,1\n") && Contains("-1,2,inf,-1,5\n"));
+  const json document = json::parse(output_of(given + " --paths --output-format json"));
+  CHECK(document["source_vertices"] == json({2}));
+  CHECK(document["target_vertices"] == json({1, 3, 5}));
+  CHECK(document["paths"][1]["source_vertex"] == 2);
+  CHECK(document["paths"][1]["target_vertex"] == 3);
+  CHECK(document["paths"][2]["source_vertex"].is_null());
+  const CommandResult files = run_command("gvd-distance", given + " -o " + scratch / "a.npy");
+  CHECK(files.out.empty());
+  CHECK_THAT(files.err, Contains("vertex 1 is 1 from vertex 2") && Contains("vertex 5 is not reached from any source"));
+}
+
+TEST_CASE("gvd-distance: without a file, paths are a table and isolines JSON, and --output-format chooses") {
+  const ScratchFolder scratch;
+  const std::string strip = write_strip(scratch);
+  const std::string paths = output_of(strip + "--from 0 --to 2,4 --paths");
+  CHECK(paths.starts_with("path,source,target,length,face,b0,b1,b2,x,y,z,source_vertex,target_vertex\n0,0,0,"));
+  CHECK(paths.ends_with(",0,4\n"));
+  const json lines = json::parse(output_of(strip + "--from 0 --isolines 1.5"));
+  CHECK(lines["isolines"].size() == 2);
+  CHECK(json::parse(output_of(strip + "--from 0 --to 4 --output-format json"))["distances"][0][0] == Approx(4));
+  CHECK(output_of(strip + "--from 0 --to 4 -o - --output-format txt") == output_of(strip + "--from 0 --to 4"));
+  CHECK(output_of(strip + "--from 0 -q --report " + scratch / "r.json").empty());
+  require_error("gvd-distance", strip + "--from 0 --to 4 --paths --output-format txt", 2, "--paths: only .csv, .json");
+  require_error("gvd-distance", strip + "--from 0 --isolines 1 --output-format txt", 2, "--isolines: only .obj");
+}
+
+TEST_CASE("gvd-distance: a mesh that would hold nothing of what was asked for is refused, with what to do") {
+  const ScratchFolder scratch;
+  const std::string strip = write_strip(scratch);
+  require_error("gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.obj", 2,
+                "p.obj: .obj holds no distances; add --paths for the shortest paths, or write .csv");
+  require_error("gvd-distance", strip + "--from 0 -o " + scratch / "p.obj", 2, "or add --isolines");
+  require_error("gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.vtp", 2,
+                "for which --to does nothing; add");
+  require_error("gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.ply", 2, "write .csv, .npy or .json");
+  output_of(strip + "--from 0 --to 4 --paths -o " + scratch / "p.obj");
+  output_of(strip + "--from 0 --to 4 -o " + scratch / "p.ply" + " -o " + scratch / "p.csv");
+}
+
+TEST_CASE("gvd-distance: -h names what is asked for") {
+  const std::string help = output_of("-h");
+  for (const char* option : {"--from", "--to", "--paths", "--isolines", "--output"}) CHECK_THAT(help, Contains(option));
+  const std::string remesh = run_command("gvd-remesh", "-h").out;
+  for (const char* option : {"--target-edge", "--error"}) CHECK_THAT(remesh, Contains(option));
+}
+
+TEST_CASE("gvd-distance --mask: distances go round the faces that are left out, and these are not reached") {
+  const ScratchFolder scratch;
+  // The middle of a 3 x 3 grid of squares is left out.
+  std::string text = "OFF\n16 18 0\n", mask;
+  for (int i = 0; i < 16; ++i) text += fmt::format("{} {} 0\n", i % 4, i / 4);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 3; ++x) {
+      const int a = 4 * y + x;
+      text += fmt::format("3 {} {} {}\n3 {} {} {}\n", a, a + 1, a + 5, a, a + 5, a + 4);
+      mask += x == 1 && y == 1 ? "1\n1\n" : "0\n0\n";
+    }
+  }
+  write_text(scratch / "grid.off", text);
+  write_text(scratch / "mask.txt", mask);
+  const std::string given = scratch / "grid.off" + " --mask " + scratch / "mask.txt" + " --from 0 --to ";
+  CHECK(std::stod(output_of(given + "15")) == Approx(2 * std::sqrt(5.0)).epsilon(1e-13));  // past a corner of the hole
+  CHECK(std::stod(output_of(scratch / "grid.off" + " --from 0 --to 15")) == Approx(3 * std::sqrt(2.0)).epsilon(1e-13));
+  CHECK(output_of(given + "5 -q") == fmt::format("{}\n", std::sqrt(2.0)));  // a corner of the hole
+  write_text(scratch / "hole.txt", "p 1.5 1.4 0\n");
+  CHECK(output_of(given + scratch / "hole.txt") == "inf\n");
+  require_error("gvd-distance",
+                scratch / "grid.off" + " -q --mask " + scratch / "mask.txt" + " --from " + scratch / "hole.txt", 4,
+                "--from: source 0 lies in faces that --within or --mask leaves out");
+  const std::string paths = output_of(given + "15 --paths");
+  CHECK_THAT(paths, Contains("15\n"));
+  require_error("gvd-distance", scratch / "grid.off" + " --curves boundary --mask " + scratch / "mask.txt", 2,
+                "--curves");
+}
+
+TEST_CASE("gvd-distance --within: a source reaches its own region, and on a border all regions there") {
+  const ScratchFolder scratch;
+  const std::string strip = write_strip(scratch);
+  write_text(scratch / "two.txt", "0\n0\n0\n0\n1\n1\n1\n1\n");  // the border is x = 2
+  const std::string given = strip + "--within " + scratch / "two.txt" + " -q ";
+  CHECK(rounded(output_of(given + "--from 0 --to 1,2,3,4")) == "1 1\n2 2\n3 inf\n4 inf\n");
+  CHECK_THAT(rounded(output_of(given + "--from 0")), Contains("\n2 2\n3 inf\n"));
+  CHECK(rounded(output_of(given + "--from 2 --to 0,2,4")) == "0 2\n2 0\n4 2\n");
+  CHECK(rounded(output_of(given + "--from 4,2,0 --each --to 3,1")) == "3 1 1 inf\n1 inf 1 1\n");
+  CHECK(rounded(output_of(given + "--from 4,0 --each --to 2")) == "2 2 2\n");
+  CHECK_THAT(output_of(given + "--from 2,0 --to 3 --paths"), Contains("0,0,0,1,") && Contains(",2,3\n"));
+  CHECK(rounded(output_of(given + "--from 2 --each")) == rounded(output_of(given + "--from 2")));
+  const json lines = json::parse(output_of(given + "--from 0 --isolines 1.9"))["isolines"];
+  CHECK(lines.size() == 1);  // none beyond the border
+}
+
+TEST_CASE("--within and --mask: a number that is none is refused with its vertex, in the commands that take them") {
+  const ScratchFolder scratch;
+  const auto write_ply = [&](const std::string& value) {
+    write_text(scratch / "a.ply",
+               "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+               "property float part\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+               "7 7 7 0\n0 0 0 1\n1 0 0 1\n1 1 0 " +
+                   value + "\n0 1 0 1\n3 1 2 3\n3 1 3 4\n");
+  };
+  const auto refused = [&](const std::string& option, const std::string& part) {
+    const std::string mesh = scratch / "a.ply" + option;
+    require_error("gvd-segment", mesh + " -q -n 2 -o " + scratch / "b.ply", 4, part);
+    require_error("gvd-distance", mesh + " -q --from 2", 4, part);
+  };
+  // The other corners outvote the one that is wrong.
+  for (const char* value : {"inf", "-inf", "nan"}) {
+    write_ply(value);
+    refused(" --within part", fmt::format("--within part: the region of vertex 3 is {}; give whole numbers", value));
+    refused(" --mask part", fmt::format("--mask part: the number of vertex 3 is {}; give finite numbers", value));
+  }
+  write_ply("1.5");
+  refused(" --within part", "--within part: the region of vertex 3 is 1.5; give whole numbers of 32 bits");
+}
+
+}  // namespace gvd::test_distance_results
