@@ -12,9 +12,10 @@ def tracked(*patterns):
     return sorted(ROOT / name for name in set(listed.split("\0")) if name and (ROOT / name).is_file())
 
 
-def report(pages, findings):
+def report(files, findings, kind="pages"):
     """Prints the findings and their number. Returns the exit code."""
+    findings = list(findings)
     for finding in findings:
         print(finding)
-    print(f"{len(pages)} pages, {len(findings)} findings")
+    print(f"{len(files)} {kind}, {len(findings)} findings")
     return 1 if findings else 0
