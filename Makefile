@@ -225,6 +225,7 @@ lint:
 	@scripts/check_layout.sh
 	@scripts/check_links.py
 	@scripts/check_names.py
+	@scripts/check_type_names.py
 	@scripts/check_includes.py
 	@scripts/check_sizes.py
 	@$(configure) development build-lint -DGVD_UNITY=OFF

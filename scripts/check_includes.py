@@ -52,7 +52,7 @@ PUBLIC = {
     "libgvd/src/geodesic": "front geodesic_tracing",
     "libgvd/src/geodesic/sampling": "sampling",
     "libgvd/src/geodesic/windows": "exact_field",
-    "libgvd/src/diagram": "diagram check diagram_editor error_measure trace_diagram",
+    "libgvd/src/diagram": "bisector_length diagram check diagram_editor error_measure trace_diagram",
     "libgvd/src/io": "curve_list generator_list read_values",
     "libgvd/src/io/writers": "io/diagram_json io/distance_writer io/label_color io/mesh_writer io/point_writer io/write_file",
     "libgvd/src/io/view": "io/view gvd",

@@ -18,10 +18,10 @@ namespace gvd::test_vertex_rests {
 
 using std::numbers::pi;
 
-std::vector<VertexPath> random_paths(double total, unsigned seed) {
+std::vector<DepartingPath> random_paths(double total, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> share(0, 1);
-  std::vector<VertexPath> paths;
+  std::vector<DepartingPath> paths;
   for (int i = 0; i < 200; ++i) {
     const double at = share(random);
     paths.push_back({total * at * at, share(random)});
@@ -30,9 +30,9 @@ std::vector<VertexPath> random_paths(double total, unsigned seed) {
 }
 
 /// The sum of the definition, path by path.
-double slope_by_definition(double total, bool is_closed, const std::vector<VertexPath>& paths, double direction) {
+double slope_by_definition(double total, bool is_closed, const std::vector<DepartingPath>& paths, double direction) {
   double sum = 0;
-  for (const VertexPath& path : paths) {
+  for (const DepartingPath& path : paths) {
     double between = std::abs(path.angle - direction);
     if (is_closed) between = std::min(between, total - between);
     sum += -2 * path.weight * std::cos(std::min(between, pi));
@@ -43,7 +43,7 @@ double slope_by_definition(double total, bool is_closed, const std::vector<Verte
 TEST_CASE("vertex slope: every direction has the sum over all paths, on cones, planes, saddles and boundaries") {
   for (const double total : {0.5, 2.0, pi, 5.0, 2 * pi, 7.0, 3 * pi, 16.0}) {
     for (const bool is_closed : {true, false}) {
-      const std::vector<VertexPath> paths = random_paths(total, 1);
+      const std::vector<DepartingPath> paths = random_paths(total, 1);
       const VertexSlope slope(total, is_closed, paths);
       double least = 1e9;
       for (int k = 0; k < 500; ++k) {
@@ -66,7 +66,7 @@ TEST_CASE("vertex slope: in the plane it is the gradient, and a saddle can hold 
   const Vec2 pull = 2 * Vec2(std::cos(0.5), std::sin(0.5)) + Vec2(std::cos(2), std::sin(2));
   CHECK(plane.least().slope == Approx(-2 * pull.norm()));
   CHECK(plane.least().angle == Approx(std::atan2(pull.y(), pull.x())));
-  std::vector<VertexPath> all_round;
+  std::vector<DepartingPath> all_round;
   for (int i = 0; i < 90; ++i) all_round.push_back({3 * pi * i / 90, 1});
   CHECK(VertexSlope(3 * pi, true, all_round).least().slope > 0);
   CHECK(VertexSlope(2 * pi, true, {}).least().slope == 0);

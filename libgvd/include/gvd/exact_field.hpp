@@ -35,9 +35,8 @@ struct GeodesicPath {
 };
 
 struct IsolineOptions {
-  /// Largest difference of the distance in the middle of a straight piece from the level, in mean edge lengths, > 0.
-  /// It can be more at a corner of the curve, where shortest paths of two directions meet: up to 7e-3 was measured.
-  double chord_tolerance = 1e-3;
+  /// Largest difference of the distance from the level on a straight piece, in mean edge lengths, > 0.
+  double chord_tolerance = 1e-4;
   int threads = 0;         ///< as in ExactFieldOptions
   Progress progress = {};  ///< may be empty
 };
@@ -96,10 +95,10 @@ class ExactField {
   /// The curves on which the distance is one of `levels`: ascending, above 0, up to the largest distance.
   ///
   /// Properties: (1) each point is on the level to 1e-12 of it: the curves are those of the exact distance, not of one
-  /// interpolated between vertices, and cross an edge as often as the distance does; (2) a curve closes or ends on the
-  /// boundary, and curves do not cross each other on edges; (3) no bit depends on the number of threads. Not found are
-  /// curves round a farthest point that lie inside one face. Where a level crosses the sides of one face more than
-  /// twice, the distance in the middle decides which parts are connected.
+  /// interpolated between vertices, and cross an edge as often as the distance does; (2) corners, where shortest paths
+  /// of two directions meet, are points of the curve; (3) a curve closes or ends on the boundary, and curves do not
+  /// cross each other on edges; (4) no bit depends on the number of threads. A curve round a farthest point inside one
+  /// face is left out only if the distance inside of it rises by less than the tolerance.
   /// Throws Error{invalid_option} where the levels are not as said or the tolerance is not above 0; Error{interrupted}.
   /// Cost: O(windows + points).
   std::vector<Isoline> isolines(const std::vector<double>& levels, const IsolineOptions& options = {}) const;

@@ -67,7 +67,7 @@ double direction_to(const Mesh& mesh, const SurfacePoint& generator, int corner)
 /// the direction `ahead`. Angles at the saddle begin at the direction back to the generator.
 bool would_rest(double total, double ahead, std::span<const PathSample> paths) {
   const double excess = total - 2 * pi;
-  std::vector<VertexPath> from_vertex;
+  std::vector<DepartingPath> from_vertex;
   double bent = 0;
   for (const PathSample& path : paths) {
     const double turn = std::remainder(path.angle - ahead, 2 * pi);
@@ -151,12 +151,12 @@ void add_ways(const Mesh& mesh, const GeneratorConstraints& constraints, const s
 
 }  // namespace
 
-VertexSlope::VertexSlope(double total, bool is_closed, std::vector<VertexPath> paths)
+VertexSlope::VertexSlope(double total, bool is_closed, std::vector<DepartingPath> paths)
     : total_(total), is_closed_(is_closed) {
   std::stable_sort(paths.begin(), paths.end(),
-                   [](const VertexPath& a, const VertexPath& b) { return a.angle < b.angle; });
+                   [](const DepartingPath& a, const DepartingPath& b) { return a.angle < b.angle; });
   sums_.push_back({});
-  for (const VertexPath& path : paths) {
+  for (const DepartingPath& path : paths) {
     angles_.push_back(path.angle);
     sums_.push_back({sums_.back().vector + path.weight * unit_vector(path.angle), sums_.back().weight + path.weight});
   }
@@ -220,7 +220,7 @@ Vec2 steepest_way(const Mesh& mesh, const SurfacePoint& vertex, std::span<const 
                   const Vec2& mean) {
   const TangentFan fan(mesh, vertex);
   if (fan.closed() && std::abs(fan.scale() - 1) < kLeastExcess) return mean;
-  std::vector<VertexPath> from_vertex;
+  std::vector<DepartingPath> from_vertex;
   for (const PathSample& path : paths) {
     from_vertex.push_back({std::min(normalized_angle(path.angle), fan.total()) / fan.scale(), path.weight});
   }

@@ -17,7 +17,7 @@ namespace gvd {
 // At vertices.
 
 /// A path that leaves a vertex.
-struct VertexPath {
+struct DepartingPath {
   double angle;   ///< on the surface, in [0, total angle of the vertex), radians
   double weight;  ///< distance times mass
 };
@@ -34,9 +34,10 @@ class VertexSlope {
  public:
   /// `total`: angle of the faces round the vertex, radians, > 0. `is_closed`: whether they lie all round it.
   /// Cost: O(p log p) for p paths.
-  VertexSlope(double total, bool is_closed, std::vector<VertexPath> paths);
+  VertexSlope(double total, bool is_closed, std::vector<DepartingPath> paths);
 
-  /// Derivative of the energy along a step in a direction, radians as in VertexPath; mesh units cubed. Cost: O(log p).
+  /// Derivative of the energy along a step in a direction, radians as in DepartingPath; mesh units cubed. Cost: O(log
+  /// p).
   double at(double angle) const;
   /// The direction of the least slope, and that slope.
   struct Least {

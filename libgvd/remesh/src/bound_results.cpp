@@ -46,7 +46,7 @@ FaceRegions make_regions(const Mesh& mesh, const RegionOptions& options, std::ve
 
 /// Labels all levels but the last one, so that `regions` become those of the last level but one.
 void label_levels(const Mesh& mesh, const RegionOptions& options, LevelOptions level, FaceRegions& regions,
-                  PartedSurface& parted) {
+                  PartedDiagram& parted) {
   parted.levels = options.levels.size();
   for (std::size_t i = 0; i + 1 < options.levels.size(); ++i) {
     level.generators.sampling.count = options.levels[i];
@@ -77,7 +77,7 @@ LabelledMesh label_surface(const MeshDiagram& of, const IdVector<FaceId, Generat
 
 }  // namespace
 
-void PartedSurface::add_labels(const IdVector<FaceId, GeneratorId>& labels, std::vector<FaceNumbers>& to) const {
+void PartedDiagram::add_labels(const IdVector<FaceId, GeneratorId>& labels, std::vector<FaceNumbers>& to) const {
   if (levels > 0) to.push_back({level_name(levels), to_regions(labels)});
 }
 
@@ -89,7 +89,7 @@ SharedMesh Cut::mesh() const {
 
 MeshDiagram compute_diagram_inside(const SharedMesh& input, const RegionOptions& options, LevelOptions level) {
   const Mesh& mesh = input->mesh;
-  PartedSurface parted;
+  PartedDiagram parted;
   FaceRegions regions = make_regions(mesh, options, parted.numbers);
   label_levels(mesh, options, level, regions, parted);
   // A single level without regions is on the input itself, and its labels are named as those of several.
@@ -97,13 +97,13 @@ MeshDiagram compute_diagram_inside(const SharedMesh& input, const RegionOptions&
   const auto points = make_generators(mesh, parted.separated, regions, options.listed, level.generators);
   parted.diagram = compute_diagram(parted.separated.mesh, points, level.diagram);
   auto on_input = std::make_shared<const Diagram>(restrict_to_input(parted.separated, parted.diagram));
-  return {input, std::move(on_input), std::make_shared<const PartedSurface>(std::move(parted))};
+  return {input, std::move(on_input), std::make_shared<const PartedDiagram>(std::move(parted))};
 }
 
 MeshDiagram make_cells_discs(const MeshDiagram& of, const DiagramOptions& options) {
   auto made = std::make_shared<Diagram>(make_discs(of.surface(), of.surface_diagram(), {options, {}}).diagram);
   if (!of.parted) return {of.input, std::move(made)};
-  auto parted = std::make_shared<PartedSurface>(*of.parted);
+  auto parted = std::make_shared<PartedDiagram>(*of.parted);
   parted->diagram = std::move(*made);
   *made = restrict_to_input(parted->separated, parted->diagram);
   return {of.input, std::move(made), std::move(parted)};

@@ -25,7 +25,7 @@ namespace gvd {
 using SharedMesh = std::shared_ptr<CheckedMesh>;
 
 /// What a diagram inside regions was made on.
-struct PartedSurface {
+struct PartedDiagram {
   SeparatedMesh separated;
   Diagram diagram;                   ///< of the separated mesh
   std::vector<FaceNumbers> numbers;  ///< of the input's faces: regions, and labels of the coarser levels
@@ -39,7 +39,7 @@ struct PartedSurface {
 struct MeshDiagram {
   SharedMesh input;
   std::shared_ptr<const Diagram> diagram;
-  std::shared_ptr<const PartedSurface> parted = {};  ///< null: the diagram is that of the input
+  std::shared_ptr<const PartedDiagram> parted = {};  ///< null: the diagram is that of the input
 
   const Mesh& mesh() const { return input->mesh; }
   /// The mesh and the diagram that has all of its vertices; other ones inside regions.

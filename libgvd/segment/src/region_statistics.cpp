@@ -16,21 +16,13 @@
 
 #include "base/barycentric.hpp"
 #include "face_shares.hpp"
+#include "gvd/bisector_length.hpp"
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
 namespace {
-
-double compute_length(const Mesh& mesh, const Bisector& bisector) {
-  double sum = 0;
-  const std::size_t count = bisector.points.size();
-  for (std::size_t i = bisector.closed ? 0 : 1; i < count; ++i) {
-    sum += (position(mesh, bisector.points[i]) - position(mesh, bisector.points[(i + count - 1) % count])).norm();
-  }
-  return sum;
-}
 
 /// Adds up the figures of all cells.
 class RegionMeter {

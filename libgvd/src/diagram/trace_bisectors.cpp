@@ -12,6 +12,7 @@
 #include <array>
 
 #include "diagram/finish_diagram.hpp"
+#include "gvd/bisector_length.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
@@ -154,22 +155,7 @@ class BisectorTracer {
       add_inner_points(arc, step.forwards, bisector.points);
       bisector.points.push_back(point(step.forwards ? arc.end : arc.begin));
     }
-    return polyline_length(bisector);
-  }
-
-  double polyline_length(const Bisector& bisector) const {
-    const auto vertex = [&](const SurfacePoint& p) { return position(working_.input(), p); };
-    const std::vector<SurfacePoint>& points = bisector.points;
-    double length = 0;
-    Vec3 last = vertex(points.front());
-    const auto advance = [&](const SurfacePoint& p) {
-      const Vec3 next = vertex(p);
-      length += (next - last).norm();
-      last = next;
-    };
-    std::for_each(points.begin() + 1, points.end(), advance);
-    if (bisector.closed) advance(points.front());
-    return length;
+    return compute_length(working_.input(), bisector);
   }
 
   void add_inner_points(const FaceArc& arc, bool forwards, std::vector<SurfacePoint>& points) const {

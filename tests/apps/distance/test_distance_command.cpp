@@ -306,6 +306,38 @@ TEST_CASE("gvd-distance: isolines and paths are lines of OBJ and VTP, and levels
   CHECK(levels[4]["closed"] == 0);
 }
 
+TEST_CASE("gvd-distance: isolines of a coarse mesh are nowhere farther from their level than 1e-4 mean edges") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "a.off", sources = scratch / "sources.txt";
+  write_text(mesh, "OFF\n4 2 0\n0 0 0\n3 0 0\n3 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  write_text(sources, "p 2.556 0.337 0\np 0.889 0.259 0\n");
+  const auto distance = [](const json& a, const json& b, double t) {
+    const auto at = [&](int i) {
+      return (1 - t) * a["position"][i].get<double>() + t * b["position"][i].get<double>();
+    };
+    return std::min(std::hypot(at(0) - 2.556, at(1) - 0.337), std::hypot(at(0) - 0.889, at(1) - 0.259));
+  };
+  for (const char* level : {"0.394", "0.788"}) {
+    const json output = measure(scratch, mesh + " --from " + sources + " --isolines " + level).output;
+    REQUIRE(!output["isolines"].empty());
+    double worst = 0;
+    for (const json& line : output["isolines"]) {
+      const json& points = line["points"];
+      for (std::size_t i = line["closed"] == true ? 0 : 1; i < points.size(); ++i) {
+        const json& before = points[(i + points.size() - 1) % points.size()];
+        for (const double t : {0.0, 0.5, 0.9}) {
+          worst = std::max(worst, std::abs(distance(before, points[i], t) - line["level"].get<double>()));
+        }
+      }
+    }
+    CHECK(worst < 1e-4 * (3 + 3 + 1 + 1 + std::sqrt(10)) / 5);
+  }
+  const json report = measure(scratch, mesh + " --curves boundary --isolines 0.4").report;
+  CHECK(report["results"]["isolines"][0]["curves"] == 1);
+  CHECK(report["results"]["isolines"][0]["closed"] == 1);
+  CHECK(report["results"]["isolines"][0]["length"].get<double>() == Approx(4.8).epsilon(1e-9));
+}
+
 TEST_CASE("gvd-distance: the same bytes on any number of threads") {
   const ScratchFolder scratch;
   const std::vector<std::string> formats{"npy", "csv", "json", "ply", "vtp", "vtu", "obj"};

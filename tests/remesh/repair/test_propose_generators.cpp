@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "gvd/bisector_length.hpp"
 #include "gvd/dual.hpp"
 #include "remesh/dual_defects.hpp"
 #include "repair/repair_steps.hpp"
@@ -49,6 +50,14 @@ TEST_CASE("bisector length: the midpoint is the point nearest to half of the len
   CHECK(middle({0, 0.25, 0.5, 4}) == Approx(0.5));
   CHECK(middle({0, 3.5, 4}) == Approx(3.5));
   CHECK(middle({0, 4}) == 4);  // of two equally near, the later one
+}
+
+TEST_CASE("bisector length: a closed one has the segment back to its first point, and its middle is opposite") {
+  const Mesh mesh = test::make_grid(4, 1);
+  Bisector b = make_bisector({0, 1, 2});
+  b.closed = true;
+  CHECK(compute_length(mesh, b) == Approx(4));
+  CHECK(position(mesh, find_midpoint(mesh, b)).x() == Approx(2));
 }
 
 const GeneratorId kA(0), kB(1), kC(2);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/least.hpp"
+#include "gvd/bisector_length.hpp"
 #include "gvd/error.hpp"
 #include "repair/repair_steps.hpp"
 
@@ -18,23 +19,13 @@ namespace {
 /// Cells round a loop: the dual needs three, so that its edges have different ends. Two may be discs already.
 constexpr int kPartsOfDual = 3, kFewestParts = 2;
 
-double segment_length(const Mesh& mesh, const Bisector& b, std::size_t i) {
-  return (position(mesh, b.points[i]) - position(mesh, b.points[i - 1])).norm();
-}
-
 }  // namespace
-
-double compute_length(const Mesh& mesh, const Bisector& bisector) {
-  double sum = 0;
-  for (std::size_t i = 1; i < bisector.points.size(); ++i) sum += segment_length(mesh, bisector, i);
-  return sum;
-}
 
 SurfacePoint find_midpoint(const Mesh& mesh, const Bisector& bisector) {
   const double half = 0.5 * compute_length(mesh, bisector);
   double sum = 0;
   for (std::size_t i = 1; i < bisector.points.size(); ++i) {
-    const double step = segment_length(mesh, bisector, i);
+    const double step = (position(mesh, bisector.points[i]) - position(mesh, bisector.points[i - 1])).norm();
     if (sum + step >= half) return bisector.points[half - sum < 0.5 * step ? i - 1 : i];
     sum += step;
   }

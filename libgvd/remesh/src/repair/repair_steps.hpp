@@ -196,10 +196,8 @@ class LocalDual {
 
 // propose_generators.cpp
 
-/// Length of the bisector's polyline, mesh units; that of a closed one lacks its last segment. Cost: O(points).
-double compute_length(const Mesh& mesh, const Bisector& bisector);
-
-/// The point of the bisector's polyline nearest to the middle of an open bisector, by arc length. Cost: O(points).
+/// The point of the bisector's polyline nearest to its middle, by arc length from the first
+/// point; of a closed one, opposite to that. Cost: O(points).
 SurfacePoint find_midpoint(const Mesh& mesh, const Bisector& bisector);
 
 struct ProposedGenerators {

@@ -2,28 +2,24 @@
 //
 // Idea: along an edge, each source reaches a level within one interval, whose ends follow in closed form. The union of
 // the intervals is the part of the edge within the level; its ends are the crossings. They are stored once, with the
-// edge. The two faces of the edge read them, and pair the crossings on their sides without letting curves cross. Each
-// crossing so has one curve that comes and one that goes: a curve can only close, or end on the boundary.
-// Inside a face, points are added halfway between two others where the straight piece is not near enough to the level.
-// They are found by the root of the exact distance on the line that crosses the piece at a right angle.
-// Source: the sources of Mitchell, Mount and Papadimitriou (1987); the pairing is that of marching triangles.
+// edge. The two faces of the edge read them, and join the crossings on their sides by the arcs inside (FaceContours).
+// Each crossing so has one curve that comes and one that goes: a curve can only close, or end on the boundary.
+// Source: the sources of Mitchell, Mount and Papadimitriou (1987).
 // Invariant: the nearer side is on the left. Round a face, crossings that leave the level and those that enter it
-// alternate, since the states of an edge's ends are those of the vertices. With more than two of them on a face, the
-// distance in their middle decides whether the near or the far parts are connected.
+// alternate, since the states of an edge's ends are those of the vertices.
 #include "geodesic/windows/trace_isolines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <utility>
 
 #include "base/parallel_chunks.hpp"
-#include "base/plane.hpp"
-#include "base/roots.hpp"
 #include "geodesic/face_layout.hpp"
+#include "geodesic/windows/face_contours.hpp"
 #include "geodesic/windows/window_queries.hpp"
 
 namespace gvd {
@@ -38,12 +34,6 @@ constexpr std::size_t kChunk = 1024;
 /// 1e-13.
 constexpr double kSeam = 1e-12;
 
-/// A straight piece in a face is halved at most so often: the error falls to a quarter each time.
-constexpr int kMostHalvings = 10;
-
-/// Rounding of a level in a face, relative to it: nearer points count as on the level.
-constexpr double kOnLevel = 1e-14;
-
 /// Where a curve crosses an edge.
 struct Crossing {
   EdgeId edge;
@@ -54,7 +44,8 @@ struct Crossing {
 
 /// A curve in a face, from one crossing to another.
 struct Arc {
-  std::int32_t from, to;             // indices of crossings
+  std::int32_t from, to;             // indices of crossings; FaceContour::kClosed where it closes inside the face
+  std::int32_t level;                // index
   std::vector<SurfacePoint> points;  // between them
 };
 
@@ -106,11 +97,13 @@ void cross_edge(const LevelSets& sets, EdgeId e, std::vector<EdgeSource>& source
   const HalfedgeId h = mesh.halfedge(e);
   const double length = mesh.length(h), start = sets.field.distance[mesh.from(h)],
                end = sets.field.distance[mesh.to(h)];
+  // Distances change at most as fast as points move. On fine meshes most edges are between two levels.
+  const double lowest = std::max(start, end) < kInfinity ? 0.5 * (start + end - length) : std::min(start, end) - length;
+  const double slack = kSeam * (length + lowest);
+  const auto first = std::lower_bound(sets.levels.begin(), sets.levels.end(), lowest - slack);
+  const auto last = std::upper_bound(first, sets.levels.end(), 0.5 * (start + end + length) + slack);
+  if (first == last) return;
   collect_edge_sources(mesh, sets.field, h, sources);
-  double least = kInfinity;
-  for (const EdgeSource& s : sources) least = std::min(least, s.least());
-  const auto first = std::lower_bound(sets.levels.begin(), sets.levels.end(), least);
-  const auto last = std::upper_bound(first, sets.levels.end(), 0.5 * (start + end + length));
   std::vector<Reach> reaches;
   for (auto level = first; level != last; ++level) {
     reaches.clear();
@@ -143,115 +136,104 @@ void find_crossings(LevelSets& sets, const ParallelChunks& parallel) {
 /// Finds the arcs in one face after the other, for one thread.
 class FaceTracer {
  public:
-  FaceTracer(const LevelSets& sets, double tolerance) : sets_(sets), tolerance_(tolerance) {}
+  FaceTracer(const LevelSets& sets, double tolerance) : sets_(sets), contours_(tolerance) {}
 
   void trace(FaceId f, std::vector<Arc>& found) {
-    collect_sides(f);
-    if (sides_.empty()) return;
-    collect_face_sources(sets_.mesh, sets_.field, f, *layout_, sources_);
-    for (auto begin = sides_.begin(); begin != sides_.end();) {
-      const auto end = std::find_if(begin, sides_.end(), [&](const Side& side) { return side.level != begin->level; });
-      level_ = sets_.levels[begin->level];
-      pair_sides({std::to_address(begin), std::to_address(end)}, found);
+    const Mesh& mesh = sets_.mesh;
+    collect_crossings(f);
+    const auto levels = levels_inside(f);
+    if (of_face_.empty() && levels.empty()) return;
+    const FaceLayout layout(mesh, f);
+    collect_face_sources(mesh, sets_.field, f, layout, sources_);
+    contours_.enter(layout, sources_);
+    for (auto begin = of_face_.begin(); begin != of_face_.end();) {
+      const auto end = std::find_if(begin, of_face_.end(), [&](const Seen& c) { return c.level != begin->level; });
+      trace_level(f, layout, begin->level, {std::to_address(begin), std::to_address(end)}, found);
       begin = end;
+    }
+    for (auto level = levels.begin(); level != levels.end(); ++level) {
+      const auto index = std::int32_t(std::to_address(level) - sets_.levels.data());
+      if (std::ranges::none_of(of_face_, [&](const Seen& c) { return c.level == index; })) {
+        trace_level(f, layout, index, {}, found);
+      }
     }
   }
 
  private:
-  /// A crossing as seen from the face.
-  struct Side {
+  /// A crossing on a side of the face.
+  struct Seen {
     std::int32_t crossing;
     std::int32_t level;
-    bool leaves;  // counter-clockwise round the face
-    Vec2 at;      // in the layout of the face
+    std::int32_t side;
+    bool is_own;  // the side is the edge's own halfedge
   };
 
-  void collect_sides(FaceId f) {
+  /// Those of all sides, by level, counter-clockwise.
+  void collect_crossings(FaceId f) {
     const Mesh& mesh = sets_.mesh;
-    face_ = f;
-    sides_.clear();
-    layout_.emplace(mesh, f);
-    for (int i = 0; i < 3; ++i) {
+    of_face_.clear();
+    for (std::int32_t i = 0; i < 3; ++i) {
       const HalfedgeId h = Mesh::halfedge(f, i);
       const EdgeId e = mesh.edge(h);
       const bool is_own = mesh.halfedge(e) == h;
-      const Vec2 &from = layout_->corner[i], &to = layout_->corner[(i + 1) % 3];
       const std::int32_t first = sets_.first[e.index()], last = sets_.first[e.index() + 1];
       for (std::int32_t k = first; k < last; ++k) {
         const std::int32_t at = is_own ? k : first + last - 1 - k;
-        const Crossing& c = sets_.crossings[at];
-        const double t = c.t / mesh.length(e);
-        sides_.push_back({at, c.level, c.leaves == is_own, from + (is_own ? t : 1 - t) * (to - from)});
+        of_face_.push_back({at, sets_.crossings[at].level, i, is_own});
       }
     }
-    std::ranges::stable_sort(sides_, {}, &Side::level);
+    std::ranges::stable_sort(of_face_, {}, &Seen::level);
   }
 
-  double distance(const Vec2& p) const {
-    double d = kInfinity;
-    nearest_source(sources_, p, d);
-    return d;
-  }
-
-  /// Pairs the crossings of one level: each one that leaves the near side with the next or with the last that enters
-  /// it.
-  void pair_sides(std::span<const Side> sides, std::vector<Arc>& found) const {
-    const std::size_t n = sides.size();
-    Vec2 middle = Vec2::Zero();
-    for (const Side& side : sides) middle += side.at / double(n);
-    const std::size_t step = n > 2 && distance(middle) <= level_ ? 1 : n - 1;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!sides[i].leaves) continue;
-      const Side& end = sides[(i + step) % n];
-      Arc& arc = found.emplace_back(Arc{sides[i].crossing, end.crossing, {}});
-      halve(sides[i].at, end.at, kMostHalvings, arc.points);
+  /// The levels that may be above the distances of all corners and yet inside the face. Few faces have any.
+  std::span<const double> levels_inside(FaceId f) const {
+    const Mesh& mesh = sets_.mesh;
+    const auto& length = mesh.shape(f).length;
+    double most = 0, limit = kInfinity;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double d = sets_.field.distance[mesh.vertices(f)[i]];
+      most = std::max(most, d);
+      limit = std::min(limit, d + std::max(length[i], length[(i + 2) % 3]));
     }
+    const auto first = std::lower_bound(sets_.levels.begin(), sets_.levels.end(), most);
+    const auto last = std::lower_bound(first, sets_.levels.end(), limit);
+    return {std::to_address(first), std::to_address(last)};
   }
 
-  /// Adds the points between two points of a curve.
-  void halve(const Vec2& a, const Vec2& b, int halvings, std::vector<SurfacePoint>& points) const {
-    const std::optional<Vec2> middle = halvings > 0 ? find_middle(a, b) : std::nullopt;
-    if (!middle) return;
-    halve(a, *middle, halvings - 1, points);
-    Bary bary = layout_->bary(*middle);
-    for (double& weight : bary) weight = std::clamp(weight, 0.0, 1.0);
-    points.push_back(make_surface_point(face_, bary));
-    halve(*middle, b, halvings - 1, points);
-  }
-
-  /// The point on the level beside the middle of a straight piece. None where the middle is near enough to the level,
-  /// or where the level is not beside it within the face.
-  std::optional<Vec2> find_middle(const Vec2& a, const Vec2& b) const {
-    const Vec2 middle = 0.5 * (a + b);
-    const double beyond = distance(middle) - level_;  // distances change at most as fast as points move
-    if (!(std::abs(beyond) > std::max(tolerance_, kOnLevel * level_))) return std::nullopt;
-    const Vec2 to_near = turned_left(b - a).normalized(), across = beyond > 0 ? to_near : Vec2(-to_near);
-    const Bary bary = layout_->bary(middle), rate = layout_->bary_rate(across);
-    double limit = kInfinity;  // where the line leaves the face
-    for (int i = 0; i < 3; ++i) {
-      if (rate[i] < 0) limit = std::min(limit, bary[i] / -rate[i]);
+  void trace_level(FaceId f, const FaceLayout& layout, std::int32_t level, std::span<const Seen> seen,
+                   std::vector<Arc>& found) {
+    const Mesh& mesh = sets_.mesh;
+    sides_.clear();
+    for (const Seen& c : seen) {
+      const Crossing& crossing = sets_.crossings[c.crossing];
+      const double t = std::min(1.0, crossing.t / mesh.length(crossing.edge));
+      const Vec2 &from = layout.corner[c.side], &to = layout.corner[(c.side + 1) % 3];
+      sides_.push_back({std::int32_t(sides_.size()), c.side, from + (c.is_own ? t : 1 - t) * (to - from),
+                        crossing.leaves == c.is_own});
     }
-    const double sign = beyond > 0 ? -1 : 1;
-    const auto offset = [&](double s) { return sign * (distance(middle + s * across) - level_); };
-    // Doubled from the least way that can lead to the level, so that the first crossing is found: curves have sharp
-    // corners where paths of two directions meet, and the other side of a corner is near.
-    double reach = 0, at_end = -1;
-    for (double next = 2 * std::abs(beyond); !(at_end > 0) && reach < limit; next *= 2) {
-      reach = std::min(next, limit);
-      at_end = offset(reach);
+    std::array<bool, 3> is_near{};
+    for (std::size_t i = 0; i < 3; ++i) is_near[i] = sets_.field.distance[mesh.vertices(f)[i]] <= sets_.levels[level];
+    curves_.clear();
+    contours_.trace(sets_.levels[level], is_near, sides_, curves_);
+    for (const FaceContour& curve : curves_) {
+      const auto crossing = [&](std::int32_t id) {
+        return id == FaceContour::kClosed ? FaceContour::kClosed : seen[id].crossing;
+      };
+      Arc& arc = found.emplace_back(Arc{crossing(curve.from), crossing(curve.to), level, {}});
+      for (const Vec2& p : curve.points) {
+        Bary bary = layout.bary(p);
+        for (double& weight : bary) weight = std::clamp(weight, 0.0, 1.0);
+        arc.points.push_back(make_surface_point(f, bary));
+      }
     }
-    if (!(at_end > 0)) return std::nullopt;
-    const double s = find_root({0, reach, -std::abs(beyond), at_end}, kOnLevel * (level_ + reach), offset);
-    return Vec2(middle + s * across);
   }
 
   const LevelSets& sets_;
-  double tolerance_;  // mesh units
-  FaceId face_;
-  std::optional<FaceLayout> layout_;
+  FaceContours contours_;
   std::vector<FaceSource> sources_;
-  std::vector<Side> sides_;  // of the face, by level, counter-clockwise
-  double level_ = 0;
+  std::vector<Seen> of_face_;
+  std::vector<SideCrossing> sides_;  // of one level
+  std::vector<FaceContour> curves_;  // likewise
 };
 
 /// Joins arcs to curves.
@@ -260,12 +242,13 @@ class ArcJoiner {
   ArcJoiner(const LevelSets& sets, const std::vector<Arc>& arcs)
       : sets_(sets), arcs_(arcs), leaving_(sets.crossings.size(), -1), is_entered_(sets.crossings.size(), false) {
     for (std::size_t i = 0; i < arcs.size(); ++i) {
+      if (arcs[i].from == FaceContour::kClosed) continue;
       leaving_[arcs[i].from] = std::int32_t(i);
       is_entered_[arcs[i].to] = true;
     }
   }
 
-  /// Curves that begin on the boundary, then closed ones; by level.
+  /// Curves that begin on the boundary, then closed ones, then those inside faces; by level.
   std::vector<Isoline> run() {
     std::vector<Isoline> lines;
     for (const bool closed : {false, true}) {
@@ -273,10 +256,14 @@ class ArcJoiner {
         if (leaving_[i] < 0 || (!closed && is_entered_[i])) continue;
         Isoline line = follow(std::int32_t(i));
         line.closed = closed;
-        if (closed && line.points.size() > 1 && is_same(line.points.front(), line.points.back()))
-          line.points.pop_back();
-        if (line.points.size() > (closed ? 2 : 1)) lines.push_back(std::move(line));
+        add(std::move(line), lines);
       }
+    }
+    for (const Arc& arc : arcs_) {
+      if (arc.from != FaceContour::kClosed) continue;
+      Isoline line{sets_.levels[arc.level], true, {}};
+      for (const SurfacePoint& p : arc.points) append(line.points, p);
+      add(std::move(line), lines);
     }
     std::ranges::stable_sort(lines, {}, &Isoline::level);
     return lines;
@@ -297,6 +284,12 @@ class ArcJoiner {
     }
   }
 
+  /// Leaves out what is no more than a point.
+  void add(Isoline&& line, std::vector<Isoline>& lines) const {
+    if (line.closed && line.points.size() > 1 && is_same(line.points.front(), line.points.back()))
+      line.points.pop_back();
+    if (line.points.size() > (line.closed ? 2 : 1)) lines.push_back(std::move(line));
+  }
   bool is_same(const SurfacePoint& a, const SurfacePoint& b) const {
     return position(sets_.mesh, a) == position(sets_.mesh, b);
   }
@@ -313,9 +306,9 @@ class ArcJoiner {
 }  // namespace
 
 std::vector<Isoline> trace_isolines(const Mesh& mesh, const WindowField& field, const std::vector<double>& levels,
-                                    const IsolineOptions& options) {
+                                    double mean_edge, const IsolineOptions& options) {
   const ParallelChunks parallel(options.threads, options.progress);
-  const double tolerance = options.chord_tolerance * mesh.mean_edge_length();
+  const double tolerance = options.chord_tolerance * mean_edge;
   LevelSets sets{mesh, field, levels};
   find_crossings(sets, parallel);
   const auto arcs = parallel.collect(cut_into_chunks(mesh.face_count(), kChunk), kFacePart, [&](const Chunk& chunk) {

@@ -9,8 +9,9 @@
 namespace gvd {
 
 /// The curves of equal distance on the mesh that the field was propagated on, by level. All windows must have been
-/// kept. See ExactField::isolines. Cost: O(windows + levels on each edge and face).
+/// kept. `mean_edge`: the length that the chord tolerance is relative to, mesh units. See ExactField::isolines.
+/// Cost: O(windows + levels on each edge and face).
 std::vector<Isoline> trace_isolines(const Mesh& mesh, const WindowField& field, const std::vector<double>& levels,
-                                    const IsolineOptions& options);
+                                    double mean_edge, const IsolineOptions& options);
 
 }  // namespace gvd

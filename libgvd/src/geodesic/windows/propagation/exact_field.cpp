@@ -185,7 +185,9 @@ std::vector<Isoline> ExactField::isolines(const std::vector<double>& levels, con
                 fmt::format("level {} is {}; give ascending levels above 0, up to the largest distance", i, levels[i]),
                 std::int64_t(i));
   }
-  std::vector<Isoline> lines = trace_isolines(state_->working.mesh(), state_->field, levels, options);
+  const WorkingMesh& working = state_->working;
+  std::vector<Isoline> lines =
+      trace_isolines(working.mesh(), state_->field, levels, working.input().mean_edge_length(), options);
   for (Isoline& line : lines) {
     for (SurfacePoint& p : line.points) p = state_->to_input(p);
   }
