@@ -87,6 +87,13 @@ void RunReport::set_input(const MeshSummary& mesh, const DefectReport& defects) 
   input["defects"] = std::move(counts);
 }
 
+std::string RunReport::describe_cuts() const {
+  const std::int64_t cut = (*document_)["input"]["defects"].value("nonmanifold_edges", std::int64_t{0});
+  if (cut == 0) return "";
+  return fmt::format("; sheets were cut apart at {}, and nothing passes from one to the other",
+                     counted(cut, "non-manifold edge", "non-manifold edges"));
+}
+
 void RunReport::set_diagram(const Diagram& diagram) {
   (*document_)["diagram"] = {{"branch_points", diagram.branch_points.size()},
                              {"bisectors", diagram.bisectors.size()},

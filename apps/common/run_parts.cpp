@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "common/options/options.hpp"
+#include "common/options/typed_options.hpp"
 #include "common/process.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
@@ -42,6 +43,23 @@ PolygonSoup read(const InputOptions& input, std::string* standard_input) {
   PolygonSoup soup = parse_soup(bytes, *input.format, kStandardInput);
   if (standard_input != nullptr) *standard_input = std::move(bytes);
   return soup;
+}
+
+/// Errors name the file, as those of `build_mesh`.
+void weld_input(PolygonSoup& soup, const InputOptions& input) {
+  try {
+    weld_soup(soup, *input.weld);
+  } catch (const Error& error) {
+    throw Error(error.code(), fmt::format("{}: {}", name_of(input), error.what()), error.element());
+  }
+}
+
+/// A note of the library with the option that the library can't name.
+std::string with_weld_option(std::string message) {
+  constexpr std::string_view kOfLibrary = "welding would close";
+  const std::size_t at = message.find(kOfLibrary);
+  if (at != message.npos) message.replace(at, kOfLibrary.size(), fmt::format("{} would close", kWeldOption));
+  return message;
 }
 
 /// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
@@ -232,6 +250,43 @@ void note_coarse_coordinates(Run& run, const Mesh& mesh) {
                             grid, edge));
 }
 
+/// The median of numbers, which are reordered; of an even number, the upper one.
+double take_median(std::vector<double>& numbers) {
+  const auto middle = numbers.begin() + std::ssize(numbers) / 2;
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+/// A vertex so many times as far from the middle as half of all vertices is rather a slip than a part of a model: a
+/// town of kilometres beside details of a metre has a thousand.
+constexpr double kFarVertex = 1e4;
+
+/// Notes vertices far outside of the others. The middle is that of the medians, which a few far ones do not move.
+void note_far_vertices(Run& run, const CheckedMesh& checked) {
+  const Mesh& mesh = checked.mesh;
+  Vec3 middle;
+  std::vector<double> numbers(std::size_t(mesh.vertex_count()));
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const VertexId v : mesh.vertices()) numbers[v.index()] = mesh.position(v)[axis];
+    middle[axis] = take_median(numbers);
+  }
+  const auto distance = [&](VertexId v) { return (mesh.position(v) - middle).stableNorm(); };
+  for (const VertexId v : mesh.vertices()) numbers[v.index()] = distance(v);
+  const double usual = take_median(numbers);
+  std::int64_t count = 0;
+  VertexId farthest;
+  for (const VertexId v : mesh.vertices()) {
+    if (!(distance(v) > kFarVertex * usual)) continue;
+    ++count;
+    if (!farthest.valid() || distance(v) > distance(farthest)) farthest = v;
+  }
+  if (count == 0 || usual == 0) return;
+  note_on_input(run, fmt::format("{} far outside: vertex {} is {:.4g} from the middle, where half of all vertices are "
+                                 "within {:.4g}; check its coordinates",
+                                 counted(count, "vertex lies", "vertices lie"), checked.input_vertex[farthest],
+                                 distance(farthest), usual));
+}
+
 }  // namespace
 
 /// A snap beyond this fraction of the bounding box's diagonal is told: the list may be of another model, or in other
@@ -251,10 +306,12 @@ void note_on_input(Run& run, const std::string& message) {
 
 CheckedMesh load_input(Run& run, std::string* standard_input) {
   const InputOptions& input = run.options().input;
-  const PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
+  PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
+  if (input.weld) run.timed("weld", [&] { weld_input(soup, input); });
   CheckedMesh checked = run.timed("check", [&] { return build_mesh(soup, input.on_defect, name_of(input)); });
-  for (const std::string& message : checked.defects.messages) note_on_input(run, message);
+  for (const std::string& message : checked.defects.messages) note_on_input(run, with_weld_option(message));
   note_coarse_coordinates(run, checked.mesh);
+  note_far_vertices(run, checked);
   check_formats(run.options().output, checked.mesh);
   const MeshSummary summary = compute_mesh_summary(checked.mesh);
   run.report().set_input(summary, checked.defects);

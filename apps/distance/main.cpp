@@ -400,9 +400,9 @@ void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const Dista
   results["isolines"] = describe_isolines(mesh, table.isolines);
   note_targets(run, table);
   if (unreached > 0 && table.targets.empty()) {
-    run.console().note(fmt::format("{} of {} to vertices are inf: no source reaches there{}", unreached,
+    run.console().note(fmt::format("{} of {} to vertices are inf: no source reaches there{}{}", unreached,
                                    counted(count, "distance", "distances"),
-                                   own.max_distance ? " within --max-distance" : ""));
+                                   own.max_distance ? " within --max-distance" : "", run.report().describe_cuts()));
   }
   if (own.isolines) {
     run.console().note(fmt::format("{} on {}", counted(std::ssize(table.isolines), "isoline", "isolines"),

@@ -109,7 +109,8 @@ void report_regions(Run& run, const Segmented& made) {
   const auto faces = made.mesh.faces();
   const auto unreached = std::count_if(faces.begin(), faces.end(), is_unreached);
   if (unreached > 0) {
-    run.console().note(fmt::format("{} reached by no generator: label -1", counted(unreached, "face is", "faces are")));
+    run.console().note(fmt::format("{} reached by no generator: label -1{}", counted(unreached, "face is", "faces are"),
+                                   run.report().describe_cuts()));
   }
   Json& results = run.report().results();
   results["faces"] = made.mesh.face_count();

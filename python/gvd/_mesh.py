@@ -494,13 +494,20 @@ def _sampler(n: Optional[int], sampling: str, seed: int, radius: Optional[float]
                         compute or _gvd.ComputeOptions("exact", None, None, 0))
 
 
+def _weld_tolerance(weld: Union[None, bool, float]) -> Optional[float]:
+    if weld is None or weld is False:
+        return None
+    return 0.0 if weld is True else float(weld)
+
+
 @checked
 def read(path: PathLike, *, on_defect: Literal["error", "repair", "largest"] = "repair",
-         input_format: Optional[Literal["obj", "ply", "off", "stl", "vtp", "vtu", "vtk", "glb", "gltf", "gii", "mni", "fs"]] = None
-         ) -> Mesh:
+         input_format: Optional[Literal["obj", "ply", "off", "stl", "vtp", "vtu", "vtk", "glb", "gltf", "gii", "mni", "fs"]] = None,
+         weld: Union[None, bool, float] = None) -> Mesh:
     """Reads an OBJ, PLY, OFF, STL, VTP, VTU, legacy VTK, glTF, GIFTI, MNI or FreeSurfer file, packed by gzip or not.
 
-    Defects are repaired where that loses nothing, with a warning for each kind.
+    Defects are repaired where that loses nothing, with a warning for each kind. `weld`: True joins vertices at the
+    same place, a number all that are within so many mesh units of each other.
 
     >>> import gvd
     >>> gvd.read("data/torus.ply").summary["euler_characteristic"]
@@ -510,7 +517,7 @@ def read(path: PathLike, *, on_defect: Literal["error", "repair", "largest"] = "
         name = os.fspath(path)
     except TypeError:
         refuse(f"read: a path is needed, not {type(path).__name__}")
-    mesh = Mesh._wrap(_gvd.Mesh.from_file(name, input_format, on_defect))
+    mesh = Mesh._wrap(_gvd.Mesh.from_file(name, input_format, on_defect, _weld_tolerance(weld)))
     mesh._warn()
     return mesh
 

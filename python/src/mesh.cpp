@@ -32,12 +32,14 @@ SharedMesh mesh_from_arrays(const Array<double>& positions, const Array<std::int
 }
 
 SharedMesh mesh_from_file(const std::filesystem::path& path, const std::optional<std::string>& format,
-                          const std::string& on_defect) {
+                          const std::string& on_defect, const std::optional<double>& weld) {
   const DefectPolicy policy = choose("on_defect", on_defect, kDefectPolicyNames);
   std::optional<MeshFormat> known;
   if (format) known = choose("input_format", *format, kMeshFormatNames);
   return run_unlocked(py::none(), [&](const Progress&) {
-    return std::make_shared<CheckedMesh>(build_mesh(read_soup(path, known), policy, path.string()));
+    PolygonSoup soup = read_soup(path, known);
+    if (weld) weld_soup(soup, *weld);
+    return std::make_shared<CheckedMesh>(build_mesh(soup, policy, path.string()));
   });
 }
 

@@ -66,6 +66,91 @@ TEST_CASE("commands: the report names the method and what belongs to it") {
   }
 }
 
+// A tetrahedron whose faces have vertices of their own.
+const char* const kLooseTetrahedron =
+    "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 0 0\nv 0 0 1\nv 0 1 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+    "f 1 2 3\nf 4 5 6\nf 7 8 9\nf 10 11 12\n";
+
+TEST_CASE("commands: --weld joins copies of vertices, with or without a number, and does not take INPUT for one") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "loose.obj", report = scratch / "r.json";
+  write_text(mesh, kLooseTetrahedron);
+  write_text(scratch / "weld.toml", "weld = true\n");
+  for (const std::string& options : {"--weld " + mesh, mesh + " --weld", "--weld 1e-6 " + mesh, "--weld=0 " + mesh,
+                                     mesh + " --config " + (scratch / "weld.toml")}) {
+    CAPTURE(options);
+    const CommandResult result = run_command("gvd-segment", options + " -n 2 --report " + report);
+    CAPTURE(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK_THAT(result.err, Contains("8 vertices are welded to others"));
+    const auto content = nlohmann::json::parse(read_text(report));
+    CHECK(content["input"]["vertices"] == 4);
+    CHECK(content["input"]["boundary_loops"] == 0);
+    CHECK(content["input"]["defects"]["unwelded_vertices"] == 8);
+    CHECK(content["results"]["unreached_faces"] == 0);
+  }
+}
+
+TEST_CASE("commands: without --weld a note says how many open edges it would close") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "loose.obj";
+  write_text(mesh, kLooseTetrahedron);
+  const CommandResult result = run_command("gvd-segment", mesh + " -n 4");
+  CHECK(result.exit_code == 0);
+  CHECK_THAT(result.err, Contains("8 boundary vertices are at the position of another one: not joined, the surface is "
+                                  "open there; --weld would close 12 open edges\n"));
+}
+
+TEST_CASE("commands: a tolerance of --weld that is no number from 0 on is a usage error") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "loose.obj";
+  write_text(mesh, kLooseTetrahedron);
+  for (const std::string wrong : {"-1", "nan", "inf", "-inf"}) {
+    CAPTURE(wrong);
+    const CommandResult result = run_command("gvd-segment", mesh + " -n 2 --weld " + wrong);
+    CHECK(result.exit_code == 2);
+    CHECK_THAT(result.err, Contains("'" + wrong + "' is not a finite number from 0 on"));
+  }
+  const CommandResult all = run_command("gvd-segment", mesh + " -n 2 --weld 3");
+  CHECK(all.exit_code == 4);
+  CHECK_THAT(all.err, Contains("loose.obj: welding within 3 joins all vertices: choose a smaller tolerance"));
+}
+
+TEST_CASE("commands: a triangle without area that hangs on nothing does not spoil the rest") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "stray.obj", report = scratch / "r.json";
+  write_text(mesh,
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 5 0 0\nv 6 0 0\nv 8 0 0\n"
+             "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 5 6 7\n");
+  const CommandResult result = run_command("gvd-segment", mesh + " -n 3 --balance area --report " + report);
+  CAPTURE(result.err);
+  CHECK(result.exit_code == 0);
+  CHECK_THAT(result.err,
+             Contains("1 component consists of faces without area only, first the one of face 4: removed\n"));
+  CHECK_THAT(result.err, !Contains("hold the surface together"));
+  CHECK(nlohmann::json::parse(read_text(report))["input"]["defects"]["zero_area_components"] == 1);
+  const CommandResult refused = run_command("gvd-segment", mesh + " -n 3 --on-defect error");
+  CHECK(refused.exit_code == 4);
+  CHECK_THAT(refused.err, Contains("first the one of face 4: repair the mesh, or allow its repair with --on-defect"));
+}
+
+TEST_CASE("commands: a vertex far outside is named") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "far.obj";
+  write_text(mesh, "v 0 0 0\nv 50 0 0\nv 0 50 0\nv 50 50 0\nv 1e7 50 0\nf 1 2 3\nf 2 4 3\nf 2 5 4\n");
+  const CommandResult result = run_command("gvd-segment", mesh + " -n 2");
+  CHECK_THAT(result.err, Contains("1 vertex lies far outside: vertex 4 is 1e+07 from the middle, where half"));
+}
+
+TEST_CASE("commands: faces that no generator reaches because sheets were cut apart are told so") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "fin.obj";
+  write_text(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
+  const CommandResult result = run_command("gvd-segment", mesh + " --vertices 2");
+  CHECK_THAT(result.err, Contains("label -1; sheets were cut apart at 1 non-manifold edge, and nothing passes from "
+                                  "one to the other\n"));
+}
+
 TEST_CASE("commands: what they write as VTP, VTU and GLB, they read") {
   const ScratchFolder scratch;
   const std::string torus = data_file("torus.ply");

@@ -13,6 +13,7 @@
 
 #include "common/options/config_file.hpp"
 #include "common/options/options.hpp"
+#include "common/options/typed_options.hpp"
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
 
@@ -98,6 +99,23 @@ void check_known(const CLI::App& app, const std::string& hint) {
   if (unknown.empty()) return;
   throw Error(ErrorCode::invalid_option,
               fmt::format("unknown option{}: {}{}", unknown.size() > 1 ? "s" : "", fmt::join(unknown, ", "), hint));
+}
+
+/// Joins --weld and the number behind it to one word, and gives it the number 0 where there is none: what follows may
+/// be an INPUT.
+std::vector<std::string> join_weld_number(const std::vector<std::string>& words) {
+  std::vector<std::string> joined;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == "--") {
+      joined.insert(joined.end(), words.begin() + std::ptrdiff_t(i), words.end());
+      break;
+    }
+    joined.push_back(words[i]);
+    if (words[i] != kWeldOption) continue;
+    const bool has_number = i + 1 < words.size() && parse_number<double>(words[i + 1]);
+    joined.back() += has_number ? "=" + words[++i] : "=0";
+  }
+  return joined;
 }
 
 void apply_rules(const std::vector<ValueRule>& rules, const ConfigFile& file) {
@@ -216,7 +234,10 @@ std::optional<std::string> parse_command_line(CLI::App& app, const std::vector<V
   app.allow_extras();
   const std::string hint = fmt::format(" (see {} --help)", app.get_name());
   try {
-    app.parse(argc, argv);
+    const std::vector<std::string> words = join_weld_number({argv, argv + argc});
+    std::vector<const char*> texts;
+    for (const std::string& word : words) texts.push_back(word.c_str());
+    app.parse(static_cast<int>(texts.size()), texts.data());
   } catch (const CLI::CallForVersion& version) {
     return std::string(version.what()) + "\n";
   } catch (const CLI::CallForAllHelp&) {

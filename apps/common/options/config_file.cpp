@@ -120,6 +120,7 @@ TakenTypes taken_types(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   if (option.get_items_expected_max() == 0) return {"b", "true or false"};
   if (type == "N") return {"i", "a whole number"};
+  if (type == "[NUMBER]") return {"ifb", "a number, or true or false"};
   if (type == "NUMBER") return {"if", "a number"};
   if (type == "SIZE") return {"ifs", "a string such as \"2G\", or a number of bytes"};
   if (type == "LIST") return {"is", "an array of whole numbers, such as [3, 17], or a string, such as \"3,17\""};

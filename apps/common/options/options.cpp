@@ -95,6 +95,7 @@ Json to_json(const Options& options) {
   json["input"] = options.input.path;
   json["input_format"] = options.input.format ? Json(name_in(kMeshFormatNames, *options.input.format)) : Json();
   json["on_defect"] = name_in(kDefectPolicyNames, options.input.on_defect);
+  json["weld"] = options.input.weld ? Json(*options.input.weld) : Json();
   if (options.has_diagram) {
     add_generators(json, options.generators);
     add_method(json, options.compute);

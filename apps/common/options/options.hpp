@@ -22,6 +22,7 @@ struct InputOptions {
   std::string path;                  ///< of this run
   std::optional<MeshFormat> format;  ///< nothing: told from content and extension
   DefectPolicy on_defect = DefectPolicy::repair;
+  std::optional<double> weld;  ///< tolerance in mesh units, 0 for exact copies; nothing: as the format asks
 };
 
 /// Largest distance of a result from its input.

@@ -23,6 +23,19 @@ constexpr Range<double> kAngle{std::numeric_limits<double>::min(), 180, "above 0
 constexpr Range<std::int64_t> kCoarseFaces{4, 1000000000, "a whole number from 4 to 1000000000 or 'off'"};
 constexpr Range<double> kGradation{std::numeric_limits<double>::min(), std::numeric_limits<double>::max(), "above 0"};
 
+/// "true" and "false" are those of a TOML file. The command line writes --weld without a number as 0.
+void register_weld(CLI::App& app, InputOptions& input) {
+  const auto store = [&input](const std::string& text) -> std::string {
+    const std::optional<double> tolerance = text == "true" ? 0 : parse_number_in(text, kNotNegative);
+    input.weld = tolerance;
+    const bool is_known = tolerance || text == "false";
+    return is_known ? "" : fmt::format("'{}' is not {}", printable(text), kNotNegative.text);
+  };
+  add_parsed(app, kWeldOption, "[NUMBER]", store,
+             "Join vertices at the same place, as in an STL, or with a number all that are within so many mesh units "
+             "of each other");
+}
+
 void register_input(CLI::App& app, InputOptions& input) {
   app.option_defaults()->group("Input");
   const auto store = [&input](const std::vector<std::string>& paths) {
@@ -41,6 +54,7 @@ void register_input(CLI::App& app, InputOptions& input) {
   add_choice(app, "--on-defect", input.on_defect, kDefectPolicyNames,
              "How to treat defects of the mesh: refuse them, repair them without loss (default), or repair them and "
              "keep only the largest component");
+  register_weld(app, input);
 }
 
 /// Options that choose generators on the surface.

@@ -17,6 +17,9 @@
 // Kinds of options that CLI11 lacks: numbers in any locale, names of values, flags that can be turned off.
 namespace gvd::app {
 
+/// The option whose number may be left out.
+inline constexpr const char* kWeldOption = "--weld";
+
 /// A closed range of accepted values, and its description for messages.
 template <class T>
 struct Range {

@@ -38,6 +38,7 @@ struct PolygonSoup {
   std::vector<std::int32_t> corners;         ///< of all polygons, one after the other: indices into `positions`
   std::vector<std::size_t> first_corner{0};  ///< per polygon, and the number of corners at the end
   bool unwelded = false;                     ///< whether polygons may have vertices of their own (STL, GLB)
+  std::optional<double> weld_tolerance;      ///< of `weld_soup`, in mesh units; nothing where nobody asked for it
   Appearance appearance;                     ///< of the polygons: texture coordinates and materials
   std::vector<std::string> notes;            ///< what the reader left out, one line each
 

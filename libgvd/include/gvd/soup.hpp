@@ -23,7 +23,7 @@ inline const Choices<DefectPolicy> kDefectPolicyNames{
     {"error", DefectPolicy::error}, {"repair", DefectPolicy::repair}, {"largest", DefectPolicy::largest}};
 
 enum class DefectKind {
-  unwelded_vertices,         ///< corners of an STL or GLB: welded where their coordinates are equal (-0 equals 0)
+  unwelded_vertices,         ///< of an STL, a GLB or `weld_soup`: welded where coordinates are equal (-0 equals 0)
   zero_length_edges,         ///< a polygon edge between two vertices at one position: the two are welded
   degenerate_faces,          ///< fewer than three corners without the repeated ones: removed
   duplicate_faces,           ///< the corners of an earlier face, in either direction: removed
@@ -33,6 +33,8 @@ enum class DefectKind {
   nonmanifold_vertices,      ///< several fans of faces, at a vertex on no non-manifold edge: cut apart
   unused_vertices,           ///< in no face: removed
   dropped_components,        ///< all but the largest, under DefectPolicy::largest: no defect of the file
+  one_sided_edges,           ///< few edges that make a component one-sided: cut, the surface is open along them
+  zero_area_components,      ///< components of faces without area: removed
 };
 
 /// The kind's name in reports, such as "nonmanifold_edges".
@@ -50,6 +52,7 @@ struct DefectReport {
   std::vector<Defect> defects;           ///< each kind at most once, those with a count above 0 only
   std::int64_t zero_area_faces = 0;      ///< triangles of three different points on one line: legal, kept
   std::int64_t coincident_vertices = 0;  ///< boundary vertices at the position of another: legal, kept apart
+  std::int64_t closable_edges = 0;       ///< boundary edges that welding vertices at equal positions would join
   std::int64_t split_edges = 0;          ///< non-manifold edges that could be cut only with a new midpoint
   std::vector<std::string> messages;     ///< for the user, one line each: the reader's notes and all of the above
 
@@ -77,15 +80,26 @@ struct CheckedMesh {
 ///
 /// At an edge of three or more faces, two neighbours round the edge stay connected where the inside of the surface lies
 /// between them; the others are cut apart. So bodies that touch along an edge stay closed, and a fin is cut off. Faces
-/// of zero area with three different corners are kept, because without them the surface would have a hole.
+/// of zero area with three different corners are kept, because without them the surface would have a hole. A component
+/// of such faces alone is removed.
 ///
 /// Throws Error{precondition} that names the first offending element, 0-based in the soup. Under `error` that is any
-/// defect. Under the others it is what can't be repaired: a component with one side only (a Moebius strip; under
-/// `largest` only if it is the largest), a polygon that is folded or crosses itself, a coordinate beyond
-/// kLargestCoordinate, a mesh smaller than kSmallestExtent or so thin that rounding hides most triangles, or no face
-/// left. Messages begin with `name`, where there is one: that of the file. Cost: O(n log n) time for n corners, O(n)
-/// memory.
+/// defect. Under the others it is what can't be repaired: a component with one side only, where neighbours disagree
+/// about the orientation at 1 % of its edges or more (a coarse Moebius strip; under `largest` only if it is the
+/// largest), a polygon that is folded or crosses itself, a coordinate beyond kLargestCoordinate, a mesh smaller than
+/// kSmallestExtent or so thin that rounding hides most triangles, or no face left. Messages begin with `name`, where
+/// there is one: that of the file. Cost: O(n log n) time for n corners, O(n) memory.
 CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy = DefectPolicy::repair, std::string_view name = {});
+
+/// Asks `build_mesh` to make one vertex of all that lie within `tolerance` of each other, in mesh units; 0 joins exact
+/// copies. Vertices keep their numbers; those within a tolerance move to the one with the smallest number.
+///
+/// Joined are the connected sets of the graph of all pairs within the tolerance, so that the result does not depend on
+/// the order. A chain of such pairs may move a vertex farther than the tolerance: a note says so. Welding twice is
+/// welding once. What was asked for is no defect: DefectPolicy::error accepts welded vertices.
+/// Throws Error{invalid_option} where the tolerance is negative or not finite, and Error{precondition} where it joins
+/// all vertices. Cost: O(n log n) time, where a box of the tolerance's size has few different points; O(n) memory.
+void weld_soup(PolygonSoup& soup, double tolerance = 0);
 
 /// A mesh that is its own input: each element comes from itself. Cost: O(n).
 CheckedMesh as_input(Mesh mesh);

@@ -315,8 +315,7 @@ class Remesher {
       refuse(defects, fmt::format("{} added in {}{}: give more or other ones{}",
                                   counted(result_.added, "generator was", "generators were"),
                                   counted(result_.rounds, "round", "rounds"),
-                                  describe_need(mesh_, result_.generators.size(), history_),
-                                  may_add <= 0 ? ", or raise max_added" : ""));
+                                  describe_need(mesh_, result_.generators.size(), history_), advise_limit(may_add)));
     }
     const auto [points, narrow] =
         propose_generators(mesh_, result_.diagram, defects, may_add, options_.diagram.progress);
@@ -328,6 +327,14 @@ class Remesher {
     append(points);
     append(nearby.points);
     events_ += nearby.events;
+  }
+
+  /// Whether more generators may be the remedy. Where the defects have grown with them, they are not.
+  const char* advise_limit(std::int64_t may_add) const {
+    if (history_.back().second > history_.front().second) {
+      return "; added generators make it worse, so look at the surface there: it may be thin, folded or far too coarse";
+    }
+    return may_add <= 0 ? ", or raise max_added" : "";
   }
 
   /// Raises the default limit, once, if the raised one is likely to do.

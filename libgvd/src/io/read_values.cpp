@@ -151,7 +151,8 @@ std::int64_t least_polygons(const CheckedMesh& input) {
 /// Whether the repair removed polygons, so that the file may have had more.
 bool lost_polygons(const CheckedMesh& input) {
   return input.defects.count(DefectKind::degenerate_faces) + input.defects.count(DefectKind::duplicate_faces) +
-             input.defects.count(DefectKind::dropped_components) >
+             input.defects.count(DefectKind::dropped_components) +
+             input.defects.count(DefectKind::zero_area_components) >
          0;
 }
 

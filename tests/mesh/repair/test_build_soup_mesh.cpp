@@ -281,6 +281,41 @@ TEST_CASE("unused vertices are dropped, and the maps from input to mesh show it"
   CHECK(checked.input_vertex.raw() == std::vector<std::int32_t>{1, 2, 4});
 }
 
+TEST_CASE("a component of faces without area is dropped and counted, and one that others hang on stays") {
+  PolygonSoup stray = points_soup(3, {{0, 1, 2}});
+  append(stray, make_soup({{5, 0, 0}, {6, 0, 0}, {8, 0, 0}}, {{0, 1, 2}}));
+  const CheckedMesh checked = require_repaired(stray, DefectKind::zero_area_components, 1, 1);
+  CHECK(checked.mesh.face_count() == 1);
+  CHECK(checked.mesh.vertex_count() == 3);
+  CHECK(checked.defects.zero_area_faces == 0);
+  CHECK(checked.mesh_vertex[4] == VertexId());
+  CHECK(checked.defects.messages ==
+        std::vector<std::string>{"1 component consists of faces without area only, first the one of face 1: "
+                                 "removed"});
+  const PolygonSoup filled = make_soup({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 2, 3}, {0, 1, 2}});
+  CHECK(build_mesh(filled, DefectPolicy::error).defects.zero_area_faces == 1);
+  require_refused(make_soup({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}), "no face has an area, first face 0", 0);
+}
+
+TEST_CASE("a face without area that the cut of an edge sets free is dropped") {
+  const PolygonSoup fin =
+      make_soup({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1, 0, 0}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+  const CheckedMesh checked = build_mesh(fin);
+  CHECK(checked.defects.count(DefectKind::nonmanifold_edges) == 1);
+  CHECK(checked.defects.zero_area_faces + checked.defects.count(DefectKind::zero_area_components) == 1);
+}
+
+TEST_CASE("a long band with a half twist is cut where its faces disagree, a short one is refused") {
+  const CheckedMesh checked = require_repaired(make_band(60, true), DefectKind::one_sided_edges, 1, 0);
+  const MeshSummary summary = compute_mesh_summary(checked.mesh);
+  CHECK(summary.boundary_loops == 1);
+  CHECK(summary.euler_characteristic == 1);
+  CHECK(summary.components == 1);
+  CHECK(checked.mesh.face_count() == 120);
+  CHECK_THAT(checked.defects.messages.front(), Catch::Matchers::Contains("cut, the surface has a boundary there"));
+  require_refused(make_band(20, true), "only one side", 0);
+}
+
 TEST_CASE("largest: the component with the largest area, of equals the first") {
   PolygonSoup soup = soup_of(test::make_two_components());
   const CheckedMesh all = build_mesh(soup);
@@ -354,8 +389,9 @@ TEST_CASE("random triangles: the surface keeps its points or is refused") {
       }
       REQUIRE(kept == Approx(given));
       const auto dropped = std::count(seen.begin(), seen.end(), 0);
-      REQUIRE(dropped ==
-              checked.defects.count(DefectKind::degenerate_faces) + checked.defects.count(DefectKind::duplicate_faces));
+      REQUIRE(dropped == checked.defects.count(DefectKind::degenerate_faces) +
+                             checked.defects.count(DefectKind::duplicate_faces) +
+                             checked.defects.count(DefectKind::zero_area_components));
     } catch (const Error& error) {
       REQUIRE(error.code() == ErrorCode::precondition);
       REQUIRE_THAT(error.what(), Catch::Matchers::Contains("only one side") ||

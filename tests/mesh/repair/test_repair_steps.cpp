@@ -79,6 +79,8 @@ TEST_CASE("defect kinds have names for reports") {
   CHECK(name_of(DefectKind::unwelded_vertices) == "unwelded_vertices");
   CHECK(name_of(DefectKind::nonmanifold_edges) == "nonmanifold_edges");
   CHECK(name_of(DefectKind::dropped_components) == "dropped_components");
+  CHECK(name_of(DefectKind::one_sided_edges) == "one_sided_edges");
+  CHECK(name_of(DefectKind::zero_area_components) == "zero_area_components");
 }
 
 }  // namespace gvd::test_repair_steps

@@ -65,6 +65,10 @@ void flip(WorkFaces& work, std::int32_t f) {
   }
 }
 
+/// A component with one side only is cut open where fewer than one of so many edges joins faces of opposite
+/// orientations: then the file's own orientation says where. Elsewhere it says nothing.
+constexpr std::int64_t kLeastEdgesPerTwist = 100;
+
 [[noreturn]] void refuse_one_sided(const WorkFaces& work, const OrientedComponent& component) {
   const std::int32_t first = *std::min_element(component.faces.begin(), component.faces.end());
   const std::int32_t origin = work.origin[first];
@@ -107,6 +111,19 @@ double twice_area(const WorkFaces& work, std::int32_t f, const std::vector<Vec3>
   return (at(b) - at(a)).cross(at(c) - at(a)).stableNorm();
 }
 
+/// A triangle counts as one without area if its height is at most this fraction of its longest side. Dimensionless. Ten
+/// times the rounding error of a position on the side.
+constexpr double kHeightWithoutArea = 1e-15;
+
+/// Whether a face counts as one without area: the same faces as `count_faces_below` counts in the finished mesh.
+bool is_without_area(const WorkFaces& work, std::int32_t f) {
+  double longest = 0;
+  for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
+    longest = std::max(longest, (work.positions[work.to(h)] - work.positions[work.from(h)]).stableNorm());
+  }
+  return twice_area(work, f, work.positions) <= kHeightWithoutArea * longest * longest;
+}
+
 /// The components in the order of their first faces. Fills `component`, the number of each face's component.
 std::vector<Component> find_components(const WorkFaces& work, const std::vector<Vec3>& positions,
                                        std::vector<std::int32_t>& component) {
@@ -133,11 +150,12 @@ std::vector<Component> find_components(const WorkFaces& work, const std::vector<
   return components;
 }
 
-void keep_faces(WorkFaces& work, const std::vector<std::int32_t>& component, std::ptrdiff_t kept) {
+/// Drops all faces but those of the components with a 1 in `kept`.
+void keep_faces(WorkFaces& work, const std::vector<std::int32_t>& component, const std::vector<char>& kept) {
   std::vector<std::int32_t> renumbered(work.faces.size(), -1);
   std::int32_t count = 0;
   for (std::int32_t f = 0; f < work.face_count(); ++f) {
-    if (component[f] == kept) renumbered[f] = count++;
+    if (kept[component[f]]) renumbered[f] = count++;
   }
   for (std::int32_t f = 0; f < work.face_count(); ++f) {
     const std::int32_t to = renumbered[f];
@@ -154,9 +172,10 @@ void keep_faces(WorkFaces& work, const std::vector<std::int32_t>& component, std
   work.twin.resize(3 * count);
 }
 
-constexpr std::array<std::string_view, 10> kKindNames = {
-    "unwelded_vertices",        "zero_length_edges", "degenerate_faces",     "duplicate_faces", "crossing_quads",
-    "inconsistent_orientation", "nonmanifold_edges", "nonmanifold_vertices", "unused_vertices", "dropped_components"};
+constexpr std::array<std::string_view, 12> kKindNames = {
+    "unwelded_vertices", "zero_length_edges",        "degenerate_faces",  "duplicate_faces",
+    "crossing_quads",    "inconsistent_orientation", "nonmanifold_edges", "nonmanifold_vertices",
+    "unused_vertices",   "dropped_components",       "one_sided_edges",   "zero_area_components"};
 
 void examine_positions(const PolygonSoup& soup) {
   if (soup.positions.empty()) refuse_soup("the soup has no vertices", -1);
@@ -208,10 +227,6 @@ void examine_polygons(const PolygonSoup& soup) {
     }
   }
 }
-
-/// A triangle counts as one without area if its height is at most this fraction of its longest side. Dimensionless. Ten
-/// times the rounding error of a position on the side.
-constexpr double kHeightWithoutArea = 1e-15;
 
 /// A triangle whose height is at most this fraction of its longest side has no shape that distances could depend on.
 /// Its corners are rounded by up to 2^-53 of the side, so that the height is off by one part in 128 or more. A tube was
@@ -287,8 +302,8 @@ void require_shapes(const Mesh& mesh) {
                   longest_edge(mesh)));
 }
 
-/// Number of boundary vertices at the position of another boundary vertex that comes from another vertex of the input.
-std::int64_t count_coincident_vertices(const CheckedMesh& checked) {
+/// The boundary vertices of the input, sorted by their positions. Copies that the repair made count once.
+std::vector<PlacedVertex> place_boundary_vertices(const CheckedMesh& checked) {
   std::vector<PlacedVertex> placed;
   for (const VertexId v : checked.mesh.vertices()) {
     if (!checked.mesh.is_boundary(v) || checked.input_vertex[v] < 0) continue;
@@ -297,15 +312,50 @@ std::int64_t count_coincident_vertices(const CheckedMesh& checked) {
   }
   std::sort(placed.begin(), placed.end());
   placed.erase(std::unique(placed.begin(), placed.end()), placed.end());
+  return placed;
+}
+
+/// Number of `placed` vertices at the position of the one before: each comes from another vertex of the input.
+std::int64_t count_coincident_vertices(const std::vector<PlacedVertex>& placed) {
   std::int64_t count = 0;
   for (std::size_t i = 1; i < placed.size(); ++i) count += placed[i - 1].first == placed[i].first;
+  return count;
+}
+
+/// Number of boundary edges that would find a partner if the vertices at each position became one. An edge is known by
+/// the first vertex at each of its ends. Edges between the same vertices of the input were cut apart by the repair.
+std::int64_t count_closable_edges(const CheckedMesh& checked, const std::vector<PlacedVertex>& placed) {
+  const Mesh& mesh = checked.mesh;
+  const auto first_at = [&](VertexId v) {
+    const Vec3& p = mesh.position(v);
+    const PlacedVertex least{{p.x(), p.y(), p.z()}, -1};
+    return std::lower_bound(placed.begin(), placed.end(), least)->second;
+  };
+  using Ends = std::pair<std::int32_t, std::int32_t>;
+  std::vector<std::pair<Ends, Ends>> open;  // the ends once welded, and as they are
+  for (const EdgeId e : mesh.edges()) {
+    if (!mesh.is_boundary(e)) continue;
+    const VertexId a = mesh.from(mesh.halfedge(e)), b = mesh.to(mesh.halfedge(e));
+    if (checked.input_vertex[a] < 0 || checked.input_vertex[b] < 0) continue;
+    open.emplace_back(std::minmax({first_at(a), first_at(b)}),
+                      std::minmax({checked.input_vertex[a], checked.input_vertex[b]}));
+  }
+  std::sort(open.begin(), open.end());
+  open.erase(std::unique(open.begin(), open.end()), open.end());
+  std::int64_t count = 0;
+  for (std::size_t begin = 0, end = 0; begin < open.size(); begin = end) {
+    while (end < open.size() && open[end].first == open[begin].first) ++end;
+    count += std::int64_t((end - begin) / 2 * 2);
+  }
   return count;
 }
 
 void add_remarks(CheckedMesh& checked) {
   DefectReport& report = checked.defects;
   report.zero_area_faces = count_faces_below(checked.mesh, kHeightWithoutArea);
-  report.coincident_vertices = count_coincident_vertices(checked);
+  const std::vector<PlacedVertex> placed = place_boundary_vertices(checked);
+  report.coincident_vertices = count_coincident_vertices(placed);
+  if (report.coincident_vertices > 0) report.closable_edges = count_closable_edges(checked, placed);
   if (report.split_edges > 0) {
     report.messages.push_back(fmt::format("{} along which the surface touches itself: cut by new vertices on them",
                                           counted(report.split_edges, "edge", "edges")));
@@ -315,9 +365,12 @@ void add_remarks(CheckedMesh& checked) {
                                           counted(report.zero_area_faces, "triangle has", "triangles have")));
   }
   if (report.coincident_vertices > 0) {
-    report.messages.push_back(
-        fmt::format("{} at the position of another one: not joined, the surface is open there",
-                    counted(report.coincident_vertices, "boundary vertex is", "boundary vertices are")));
+    report.messages.push_back(fmt::format(
+        "{} at the position of another one: not joined, the surface is open there{}",
+        counted(report.coincident_vertices, "boundary vertex is", "boundary vertices are"),
+        report.closable_edges == 0
+            ? ""
+            : fmt::format("; welding would close {}", counted(report.closable_edges, "open edge", "open edges"))));
   }
 }
 
@@ -331,6 +384,53 @@ EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count) {
     if (edge.size() == 2) work.link(edge[0], edge[1]);
   });
   return nonmanifold_edges;
+}
+
+std::vector<std::int32_t> cut_twists(WorkFaces& work, DefectLog& log) {
+  const auto disagrees = [&](std::int32_t h) {
+    const std::int32_t twin = work.twin[h];
+    return twin > h && work.from(h) == work.from(twin);
+  };
+  std::vector<std::int32_t> ends;
+  bool any = false;
+  for (std::int32_t h = 0; h < work.halfedge_count() && !any; ++h) any = disagrees(h);
+  if (!any) return ends;
+  std::int64_t count = 0;
+  std::int32_t first = -1;  // the halfedge of the smallest face
+  std::vector<signed char> side(work.faces.size(), -1);
+  for (std::int32_t start = 0; start < work.face_count(); ++start) {
+    if (side[start] >= 0) continue;
+    const OrientedComponent component = walk_component(work, start, side);
+    if (component.conflict < 0) continue;
+    std::int64_t edges = 0;
+    std::vector<std::int32_t> twists;
+    for (const std::int32_t f : component.faces) {
+      for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
+        edges += work.twin[h] < 0 || work.twin[h] > h;
+        if (disagrees(h)) twists.push_back(h);
+      }
+    }
+    if (std::ssize(twists) * kLeastEdgesPerTwist >= edges) continue;
+    count += std::ssize(twists);
+    const std::int32_t least = *std::min_element(twists.begin(), twists.end());
+    if (first < 0) first = least;
+    for (const std::int32_t h : twists) {
+      work.twin[work.twin[h]] = -1;
+      work.twin[h] = -1;
+      ends.insert(ends.end(), {work.from(h), work.to(h)});
+    }
+  }
+  if (count == 0) return ends;
+  const auto [low, high] = std::minmax({work.from(first), work.to(first)});
+  const std::int32_t face = work.origin[first / 3];
+  log.add(DefectKind::one_sided_edges, count, face,
+          fmt::format("{} the surface one-sided, like a Moebius strip, first the one between vertices {} and {} of "
+                      "face {}",
+                      counted(count, "edge between faces of opposite orientations makes",
+                              "edges between faces of opposite orientations make"),
+                      low, high, face),
+          "cut, the surface has a boundary there");
+  return ends;
 }
 
 std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, DefectLog& log) {
@@ -360,6 +460,30 @@ std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, De
   return std::move(orientations.one_sided);
 }
 
+void drop_zero_area_components(WorkFaces& work, DefectLog& log) {
+  std::vector<char> without_area(work.faces.size());
+  for (std::int32_t f = 0; f < work.face_count(); ++f) without_area[f] = is_without_area(work, f);
+  if (std::count(without_area.begin(), without_area.end(), 1) == 0) return;
+  std::vector<std::int32_t> component;
+  const std::vector<Component> components = find_components(work, work.positions, component);
+  std::vector<char> has_area(components.size(), 0);
+  for (std::int32_t f = 0; f < work.face_count(); ++f) {
+    if (!without_area[f]) has_area[component[f]] = 1;
+  }
+  const std::int64_t count = std::count(has_area.begin(), has_area.end(), 0);
+  if (count == 0) return;
+  const auto dropped = std::find(has_area.begin(), has_area.end(), 0) - has_area.begin();
+  const std::int32_t first = work.origin[components[dropped].first_face];
+  if (count == std::ssize(components)) {
+    refuse_soup(fmt::format("no face has an area, first face {}: there is no surface", first), first);
+  }
+  keep_faces(work, component, has_area);
+  log.add(DefectKind::zero_area_components, count, first,
+          fmt::format("{} of faces without area only, first the one of face {}",
+                      counted(count, "component consists", "components consist"), first),
+          "removed");
+}
+
 void keep_largest_component(WorkFaces& work, const std::vector<Vec3>& positions, const std::vector<char>& one_sided,
                             DefectLog& log) {
   if (log.policy() != DefectPolicy::largest) return;
@@ -376,7 +500,9 @@ void keep_largest_component(WorkFaces& work, const std::vector<Vec3>& positions,
   const auto kept = largest - components.begin();
   const std::int32_t dropped = components[kept == 0 && components.size() > 1 ? 1 : 0].first_face;
   const std::int32_t first = work.origin[dropped];
-  keep_faces(work, component, kept);
+  std::vector<char> is_kept(components.size(), 0);
+  is_kept[std::size_t(kept)] = 1;
+  keep_faces(work, component, is_kept);
   const std::int64_t count = std::ssize(components) - 1;
   log.add(DefectKind::dropped_components, count, first,
           fmt::format("{} smaller than the largest, first the one of face {}",
@@ -391,13 +517,17 @@ std::int64_t DefectReport::count(DefectKind kind) const {
   return found == defects.end() ? 0 : found->count;
 }
 
+void DefectLog::add_asked(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& message) {
+  if (count == 0) return;
+  report_.defects.push_back({kind, count, first, message});
+  report_.messages.push_back(message);
+}
+
 void DefectLog::add(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& what,
                     const std::string& action) {
   if (count == 0) return;
   if (policy_ == DefectPolicy::error) refuse_soup(what + ": repair the mesh, or allow its repair", first);
-  const std::string message = what + ": " + action;
-  report_.defects.push_back({kind, count, first, message});
-  report_.messages.push_back(message);
+  add_asked(kind, count, first, what + ": " + action);
 }
 
 namespace {
@@ -413,11 +543,14 @@ CheckedMesh build_repaired(const PolygonSoup& soup, DefectPolicy policy) {
   remove_duplicate_faces(polygons, soup.positions.size(), log);
   WorkFaces work = triangulate_polygons(std::move(polygons), soup.positions, log);
   EdgeTable nonmanifold_edges = pair_halfedges(work, soup.positions.size());
+  const std::vector<std::int32_t> twisted = cut_twists(work, log);
   const std::vector<char> one_sided = orient_faces(work, nonmanifold_edges, log);
-  const std::vector<char> on_cut_edge = cut_edges(work, nonmanifold_edges, soup.positions, one_sided, log);
+  std::vector<char> on_cut_edge = cut_edges(work, nonmanifold_edges, soup.positions, one_sided, log);
+  for (const std::int32_t v : twisted) on_cut_edge[v] = 1;
   keep_largest_component(work, soup.positions, one_sided, log);
   cut_vertices(work, soup.positions, on_cut_edge, log);
   split_touching_edges(work, log);
+  drop_zero_area_components(work, log);
   log_unused_vertices(soup, log);
   CheckedMesh checked = assemble(std::move(work), weld);
   require_shapes(checked.mesh);

@@ -197,6 +197,14 @@ std::vector<std::int32_t> weld_vertices(const PolygonSoup& soup, DefectLog& log)
     for (std::int64_t v = 0; v < std::ssize(weld); ++v) {
       if (weld[v] != v && count++ == 0) first = v;
     }
+    if (soup.weld_tolerance) {
+      log.add_asked(DefectKind::unwelded_vertices, count, first,
+                    fmt::format("{} welded to others {}, first vertex {}", counted(count, "vertex is", "vertices are"),
+                                *soup.weld_tolerance == 0 ? "at the same coordinates"
+                                                          : fmt::format("within {:g}", *soup.weld_tolerance),
+                                first));
+      return weld;
+    }
     log.add(DefectKind::unwelded_vertices, count, first,
             fmt::format("{} not welded, first vertex {}", counted(count, "vertex is", "vertices are"), first),
             "welded to the others at the same coordinates");

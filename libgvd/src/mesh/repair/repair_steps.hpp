@@ -29,6 +29,8 @@ class DefectLog {
   /// Adds a defect. `what` says what is wrong and where first, `action` how it was repaired. Does nothing where `count`
   /// is 0.
   void add(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& what, const std::string& action);
+  /// Adds what the user asked for, which no policy refuses. Does nothing where `count` is 0.
+  void add_asked(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& message);
   DefectPolicy policy() const { return policy_; }
   DefectReport& report() { return report_; }
 
@@ -84,7 +86,8 @@ using EdgeTable = std::vector<std::vector<std::int32_t>>;
 // The steps of `build_mesh` in their order. Each one logs the defects that it repairs, and the log throws under
 // DefectPolicy::error. All of them are deterministic. `positions` are those of the soup.
 
-/// Welds vertices at one position: all of them in an STL, elsewhere those that a polygon edge joins.
+/// Welds vertices at one position: all of them in an STL or after `weld_soup`, elsewhere those that a polygon edge
+/// joins.
 /// Returns per input vertex the vertex that replaces it: itself, or an earlier one at the same position.
 /// Cost: O(n log n) for an STL, else O(n).
 std::vector<std::int32_t> weld_vertices(const PolygonSoup& soup, DefectLog& log);
@@ -121,6 +124,11 @@ ProjectedPolygon project_polygon(std::span<const std::int32_t> polygon, const st
 /// or more faces, in the order of `visit_edges`. Cost: that of `visit_edges`.
 EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count);
 
+/// Cuts components with one side only open, along the edges where the orientations of two faces disagree, where these
+/// are fewer than 1 % of the component's edges. Faces keep their orientations. Returns the ends of these edges: the
+/// vertices that `cut_vertices` shall not count. Cost: O(n).
+std::vector<std::int32_t> cut_twists(WorkFaces& work, DefectLog& log);
+
 /// Flips faces so that each component follows the majority of its faces. The halfedges in `nonmanifold_edges` follow
 /// the flips. Returns per face 1 where its component has one side only; DefectPolicy::error and ::repair refuse that
 /// with Error{precondition}. Cost: O(n).
@@ -151,6 +159,10 @@ void cut_vertices(WorkFaces& work, const std::vector<Vec3>& positions, const std
 /// Splitting them changes no point of the surface.
 /// Throws Error{precondition} where an edge is too short for a midpoint. Cost: O(n log n).
 void split_touching_edges(WorkFaces& work, DefectLog& log);
+
+/// Drops the components of which no face has area: nothing else hangs on them. Throws Error{precondition} where no
+/// other component is left. Comes after the cuts, which may leave such components behind. Cost: O(n).
+void drop_zero_area_components(WorkFaces& work, DefectLog& log);
 
 /// The appearance of the soup on the faces of the mesh that it became. The midpoint of a split edge has the texture
 /// coordinates that are linear between the edge's ends. Cost: O(n), and O(k) for each corner of a polygon with k ones.

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 TEST_CASE("options that are not given are null, or their defaults") {
   CHECK(
       to_json(parse_options({"a.obj", "-n", "30"})).dump() ==
-      R"({"input":"a.obj","input_format":null,"on_defect":"repair","n":30,"sampling":"farthest","seed":0,)"
+      R"({"input":"a.obj","input_format":null,"on_defect":"repair","weld":null,"n":30,"sampling":"farthest","seed":0,)"
       R"("generators":null,"generators_format":null,"vertices":null,"radius":null,"max_snap":null,"merge_coincident":false,)"
       R"("method":"exact","chord_tolerance":0.0001,"front":null,"threads":0,"verify":false,"max_memory":null,)"
       R"("output":[],"no_curves":false,"ascii_ply":false,"diagram":null,"view":null,"up":null,"report":null})");
