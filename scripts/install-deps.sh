@@ -24,7 +24,7 @@ packages_of() {
     fuzz)  echo clang libclang-rt-14-dev ;;
     lint)  echo git clang-format clang-tidy clang-tools universal-ctags $(unless_found python3 python3) ;;
     package) echo dpkg-dev file gzip help2man ;;
-    ci)    echo git clang clang-format libclang-rt-14-dev ccache valgrind chromium libcgal-demo universal-ctags python3-meshio python3-networkx python3-nibabel python3-vtk9 python3-tqdm lintian pkg-config zsh fish python3-yaml python3-jinja2 $(unless_found python3 python3) ;;
+    ci)    echo git clang clang-format libclang-rt-14-dev ccache valgrind chromium firefox-esr xvfb libgl1-mesa-dri libcgal-demo universal-ctags python3-meshio python3-networkx python3-nibabel python3-vtk9 python3-tqdm lintian pkg-config zsh fish python3-yaml python3-jinja2 $(unless_found python3 python3) ;;
     cohort) echo snakemake python3-numpy $(packages_of python) ;;
     web)   echo cmake make ninja-build emscripten libeigen3-dev libfmt-dev nlohmann-json3-dev librange-v3-dev libfast-float-dev \
                 $(unless_found node nodejs) $(unless_found npm npm) ;;

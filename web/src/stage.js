@@ -22,6 +22,14 @@ function axis_vector(name) {
   return vector;
 }
 
+function make_renderer(options) {
+  try {
+    return new WebGLRenderer(options);
+  } catch {
+    throw new Error('the browser has no WebGL 2 here. Turn on hardware acceleration in its settings, or use another one.');
+  }
+}
+
 export class Stage {
   // `bounds` is the sphere round everything, `points` the positions that show_all fits into the view; `insets()` gives
   // the pixels at each side that panels cover: {left, right, top, bottom}; `first_view({up, ahead, side})` the direction to
@@ -31,7 +39,7 @@ export class Stage {
     this.points = points;
     this.insets = insets;
     this.first_view = first_view;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.renderer = make_renderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(kFieldOfView, 1, 0.01, 100);
     this.before_draw = () => {};  // called with whether the surface moves

@@ -16,7 +16,7 @@ const browser = await launch();
 
 const failures = [];
 async function open(link = '', { from = browser, ...options } = {}) {
-  const page = await from.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, bypassCSP: true, ...options });
+  const page = await from.newPage({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   page.on('pageerror', (error) => failures.push(error.message));
   await page.goto(address + link);
   await page.waitForSelector(':root[data-ready="true"]', { state: 'attached', timeout: 120000 });
