@@ -55,7 +55,9 @@ help:
 	@echo "make install   install library, headers and commands under PREFIX ($(PREFIX))"
 	@echo "make package   make Debian packages of libraries, commands and the Python package in $(BUILD)/packages"
 	@echo "make format    lay out the sources with clang-format"
-	@echo "make lint      check layout, names, includes, sizes, and what the documents link to and name"
+	@echo "make lint      check layout, names, includes, long files, and what the documents link to and name"
+	@echo "make tidy      run clang-tidy on all sources: TIDY_FLAGS='--last 30' for those of the last thirty commits"
+	@echo "make release-check  check the packages in bare roots, and every command of README and guide in one of its own"
 	@echo "make clean     remove the build trees and the demo's output"
 
 build:
@@ -185,15 +187,12 @@ paper:
 	@scripts/make_paper.py $(BUILD)/paper/paper.json $(BUILD)/paper $(if $(PAPER_NOTE),"$(PAPER_NOTE)")
 
 # Not here: tests labelled `slow`; `install`, which builds against an installed library without sanitizers; `oracle`, most
-# of whose time is that of CGAL's shortest paths; `browser`, which tests a page; and long tests of code that others run here,
-# too: four that only measure quality, and one of a thousand edits. They took an eighth of the time.
-run_by_others = a thousand random edits|within 0.5 % of the limit|within the distance$$|are the gradient of the energy|none of them needless$$
-
+# of whose time is that of CGAL's shortest paths; `browser`, which tests a page; and the long tests that tests/CMakeLists.txt names.
 sanitize:
 	@$(install_deps) build test
 	@$(configure) sanitizers $(SANITIZE) $(CMAKE_FLAGS)
 	@cmake --build $(SANITIZE) -j $(JOBS)
-	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install|oracle|browser" -E "$(run_by_others)"
+	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install|oracle|browser"
 
 # The tests of threads only: everything else works in one thread.
 sanitize-threads:
@@ -227,9 +226,12 @@ lint:
 	@scripts/check_names.py
 	@scripts/check_type_names.py
 	@scripts/check_includes.py
-	@scripts/check_sizes.py
-	@$(configure) development build-lint -DGVD_UNITY=OFF
-	@run-clang-tidy -quiet -p build-lint -j $(JOBS) '$(CURDIR)/(libgvd|apps|tests|bench|data)/.*\.cpp'
+	@scripts/check_long_files.py
+
+# All sources, which takes half an hour on two cores; TIDY_FLAGS='--last 30': those that the last thirty commits changed.
+tidy:
+	@$(install_deps) build test lint
+	@JOBS=$(JOBS) scripts/run_tidy.sh $(TIDY_FLAGS)
 
 clean:
 	@rm -rf build build-* $(DEMO_OUTPUT)
