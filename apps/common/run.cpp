@@ -17,6 +17,7 @@
 
 #include "common/process.hpp"
 #include "gvd/error.hpp"
+#include "gvd/text.hpp"
 #include "gvd/version.hpp"
 
 namespace gvd::app {

@@ -124,7 +124,7 @@ TEST_CASE("welding within a tolerance joins exactly the chains of pairs, in any 
 
 TEST_CASE("welding keeps the texture coordinates of corners") {
   PolygonSoup soup = make_parted_square(0);
-  for (int corner = 0; corner < 6; ++corner) soup.appearance.texture.emplace_back(0.1 * corner, 0.5);
+  for (int corner = 0; corner < 6; ++corner) soup.appearance.texture.push_back({0.1 * corner, 0.5});
   const CheckedMesh checked = weld(soup);
   CHECK(checked.mesh.vertex_count() == 4);
   CHECK(checked.appearance.texture == soup.appearance.texture);
