@@ -133,7 +133,7 @@ async function use_viewer(page, { name, briefly }) {
 }
 
 // The generators in the page's address.
-const generators = (page) => new URLSearchParams(new URL(page.url()).hash.slice(1)).get('g').split('~');
+const generators = async (page) => new URLSearchParams((await page.evaluate(() => location.hash)).slice(1)).get('g')?.split('~') ?? [];
 
 // The diagram as the panels describe it.
 const describe = async (page) => ({ figures: await rows(page, 'figures'), regions: await rows(page, 'region-rows') });
@@ -150,11 +150,11 @@ async function use_playground(page, { name, briefly, browser }) {
   const [from, to] = [[240, 400], [300, 330]];
   await page.mouse.click(...from);  // adds a generator
   await settle(page);
-  const before = { generators: generators(page), ...(await describe(page)) };
+  const before = { generators: await generators(page), ...(await describe(page)) };
   assert.equal(before.generators.length, 31);
   await see(page, `${name}-before`);
   await drag(page, from, to);
-  const after = { generators: generators(page), ...(await describe(page)) };
+  const after = { generators: await generators(page), ...(await describe(page)) };
   await see(page, `${name}-after`);
   assert.deepEqual(after.generators.slice(0, -1), before.generators.slice(0, -1), 'the others stay');
   assert.notEqual(after.generators.at(-1), before.generators.at(-1), 'the one under the mouse has moved');
@@ -164,11 +164,11 @@ async function use_playground(page, { name, briefly, browser }) {
 
   await page.mouse.click(...to);  // selects what is there: another one would be added
   await settle(page);
-  assert.equal(generators(page).length, 31, 'the generator is where the mouse has left it');
+  assert.equal((await generators(page)).length, 31, 'the generator is where the mouse has left it');
   if (briefly) return;
 
   await page.keyboard.press('Escape');
-  const fresh = await open(browser, page.url());
+  const fresh = await open(browser, await page.evaluate(() => location.href));
   await wait_until_ready(fresh);
   assert.deepEqual(await describe(fresh), { figures: after.figures, regions: after.regions }, 'a new page of the same link has the same diagram');
   await close(fresh);
@@ -177,7 +177,8 @@ async function use_playground(page, { name, briefly, browser }) {
     await page.selectOption('#play-show', show);
     await settle(page);
     assert.notDeepEqual(await rows(page, 'figures'), after.figures, show);
-    await expect_drawn(page, `${name}-${show}`, show);
+    await see(page, `${name}-${show}`);
+    assert.ok((await count_changed(page)) > 5000, `${show} is drawn`);
   }
 }
 
