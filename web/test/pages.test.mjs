@@ -243,8 +243,7 @@ const server = await serve();
 await Promise.all(Object.entries(launchers).map(([name, launch]) => use_pages(name, launch, server)));
 await open_without_drawing(listed.find((file) => basename(file) !== 'cohort.html'));
 server.close();
-// A browser asks for the icon of a site where a page has none of its own, as that of a cohort.
-const known = new Set([...pages.map((page) => `/${relative(folder, page)}`), '/favicon.ico']);
+const known = new Set(pages.map((page) => `/${relative(folder, page)}`));
 const others = [...server.asked].filter((path) => !known.has(path));
 if (others.length) fail(`the pages ask for ${others.join(', ')}`);
 process.exit(failures ? 1 : 0);
