@@ -12,6 +12,7 @@ const [folder, ...pages] = process.argv.slice(2).map((path) => resolve(path));
 const kViewport = { width: 1280, height: 800 };
 const kPanels = 300;  // pixels at the right that the panels cover
 const kPatience = 60000;
+const kColourful = 15;  // between the channels of a pixel; those of the ground differ by less than 6
 const kLeastDrawn = 0.03;  // of the picture; an empty canvas has no colourful pixel
 const kPictures = process.env.GVD_PICTURES;  // a folder for what the pages look like
 
@@ -73,7 +74,7 @@ const settle = (page) =>
 async function see(page, name) {
   const options = kPictures && name ? { path: join(kPictures, `${name}.png`) } : {};
   const source = (await page.screenshot(options)).toString('base64');
-  return page.evaluate(async ([source, panels]) => {
+  return page.evaluate(async ([source, panels, least]) => {
     const image = new Image();
     image.src = `data:image/png;base64,${source}`;
     await image.decode();
@@ -83,9 +84,9 @@ async function see(page, name) {
     const { data } = context.getImageData(0, 0, width, height);
     window.seen = [...(window.seen ?? []), data].slice(-2);
     let colourful = 0;
-    for (let i = 0; i < data.length; i += 4) colourful += Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]) > 30;
+    for (let i = 0; i < data.length; i += 4) colourful += Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]) > least;
     return colourful / (width * height);
-  }, [source, kPanels]);
+  }, [source, kPanels, kColourful]);
 }
 
 // How many pixels differ between the last two pictures seen.
