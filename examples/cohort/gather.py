@@ -76,7 +76,7 @@ def format_page(rows, steps):
         articles.append(f'<article><h2>{html.escape(mesh[0]["mesh"])}</h2><p>{faces}</p>'
                         f'<div class="steps">{"".join(map(format_step, mesh))}</div></article>')
     return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{len(meshes)} meshes</title>'
-            f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style></head>\n<body><h1>{len(meshes)} meshes</h1>'
+            f'<meta name="viewport" content="width=device-width"><link rel="icon" href="data:,"><style>{STYLE}</style></head>\n<body><h1>{len(meshes)} meshes</h1>'
             f'<p>{len(meshes) - failed} done, {failed} with errors. A picture opens the page of its result.</p>\n<main>\n'
             + "\n".join(articles) + "\n</main></body></html>\n")
 

@@ -290,6 +290,19 @@ test('what can not be done is an error of one line', () => {
   }
 });
 
+test('Node.js computes the same where it may not evaluate strings', () => {
+  const [package_url, results_url] = [pathToFileURL(join(packed, 'index.mjs')).href, new URL('module_results.mjs', import.meta.url).href];
+  const program = `
+    import { readFileSync } from 'node:fs';
+    import * as gvd from ${JSON.stringify(package_url)};
+    import { results } from ${JSON.stringify(results_url)};
+    const [file, name] = process.argv.slice(1);
+    console.log(JSON.stringify(results(gvd, readFileSync(file), name)));`;
+  const options = ['--disallow-code-generation-from-strings', '--input-type=module', '--eval', program];
+  const there = execFileSync(process.execPath, [...options, join(data, kMeshes[0]), kMeshes[0]], { encoding: 'utf8', maxBuffer: 1 << 28 });
+  assert.deepEqual(JSON.parse(there), JSON.parse(JSON.stringify(found[kMeshes[0]])));
+});
+
 test('a browser computes the same numbers, under a policy that forbids to evaluate strings', async (context) => {
   const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
   if (!existsSync(executablePath)) return context.skip(`no browser at ${executablePath}`);
