@@ -73,7 +73,11 @@ int Command::run(int argc, const char* const* argv, const std::function<void(Run
   int exit_code = kDone;
   const Outcome outcome = run_guarded([&] {
     register_general(line_, options_, fmt::format("{} {}", info_.name, version()));
-    if (const auto answer = parse_command_line(line_, rules_, argc, argv)) {
+    const auto answer = [&] {
+      const WaitForInput wait("--config");  // the file may be a pipe
+      return parse_command_line(line_, rules_, argc, argv);
+    }();
+    if (answer) {
       return write_standard_output([&](std::ostream& out) { out << *answer; });
     }
     complete_options();

@@ -13,7 +13,6 @@
 
 #include "common/options/command_line.hpp"
 #include "common/options/options.hpp"
-#include "common/process.hpp"
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
 
@@ -192,10 +191,7 @@ bool is_given(const CLI::Option& option) {
 }
 
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
-  const std::string file = app_.get_config_ptr()->results().back(), content = [&] {
-    const WaitForInput wait(file);
-    return read_to_end(input);
-  }();
+  const std::string file = app_.get_config_ptr()->results().back(), content = read_to_end(input);
   if (input.bad()) refuse_file(file, "could not be read to its end");
   const std::string_view program = find_compression(content);
   if (!program.empty()) refuse_file(file, fmt::format("the file is compressed by {}; unpack it first", program));

@@ -471,12 +471,9 @@ void drop_zero_area_components(WorkFaces& work, DefectLog& log) {
     if (!without_area[f]) has_area[component[f]] = 1;
   }
   const std::int64_t count = std::count(has_area.begin(), has_area.end(), 0);
-  if (count == 0) return;
+  if (count == 0 || count == std::ssize(components)) return;
   const auto dropped = std::find(has_area.begin(), has_area.end(), 0) - has_area.begin();
   const std::int32_t first = work.origin[components[dropped].first_face];
-  if (count == std::ssize(components)) {
-    refuse_soup(fmt::format("no face has an area, first face {}: there is no surface", first), first);
-  }
   keep_faces(work, component, has_area);
   log.add(DefectKind::zero_area_components, count, first,
           fmt::format("{} of faces without area only, first the one of face {}",

@@ -160,8 +160,8 @@ void cut_vertices(WorkFaces& work, const std::vector<Vec3>& positions, const std
 /// Throws Error{precondition} where an edge is too short for a midpoint. Cost: O(n log n).
 void split_touching_edges(WorkFaces& work, DefectLog& log);
 
-/// Drops the components of which no face has area: nothing else hangs on them. Throws Error{precondition} where no
-/// other component is left. Comes after the cuts, which may leave such components behind. Cost: O(n).
+/// Drops the components of which no face has area: nothing else hangs on them. Where no component has
+/// an area, all are kept. Comes after the cuts, which may leave such components behind. Cost: O(n).
 void drop_zero_area_components(WorkFaces& work, DefectLog& log);
 
 /// The appearance of the soup on the faces of the mesh that it became. The midpoint of a split edge has the texture
