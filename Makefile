@@ -18,6 +18,10 @@ configure    := scripts/configure.sh
 # The Python package, unless its Debian packages are missing.
 python_if_possible = -DGVD_BUILD_PYTHON=$$([ -z "$$(scripts/install-deps.sh --missing python)" ] && echo ON || echo OFF)
 
+# For targets that build some programs only: a new tree has no tests, so that it needs no Catch2, and a tree of `make test` keeps
+# them. `make build` and `make package` build whatever the tree has, so they switch tests off; `make test` goes on where it ended.
+without_tests = $$(grep -qsx GVD_BUILD_TESTS:BOOL=ON $(BUILD)/CMakeCache.txt || echo -DGVD_BUILD_TESTS=OFF)
+
 FUZZ        ?= build-fuzz
 FUZZ_SECONDS ?= 60
 SOUPS_FIRST ?= 1000
@@ -28,7 +32,7 @@ PAPER_MODELS ?= $(GVD_MODELS)
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo python web site pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package format lint clean
+.PHONY: help demo python web site pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package release-check format lint tidy clean
 
 help:
 	@echo "make demo      build, run the commands on a mesh of data/, name the files they wrote"
@@ -78,14 +82,16 @@ pictures: build
 # PYTHONPATH=BUILD/python then finds the package.
 python:
 	@$(install_deps) build python
-	@$(configure) release $(BUILD) -DGVD_BUILD_PYTHON=ON $(CMAKE_FLAGS)
+	@$(configure) release $(BUILD) -DGVD_BUILD_PYTHON=ON $(without_tests) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd_python
 
 # BUILD/web/index.html is one file that works from a disk; beside it is the npm package.
 web:
+	@echo "make web: compiles libgvd for WebAssembly, which takes 2 to 4 minutes the first time, then packs the page and the npm package"
 	@$(install_deps) web
 	@$(configure) web $(BUILD)/web/module $(CMAKE_FLAGS)
 	@cmake --build $(BUILD)/web/module -j $(JOBS)
+	@echo "Packing the page and the npm package. The first time, npm fetches three.js and esbuild"
 	@web/make_web.sh $(BUILD)/web/module $(BUILD)/web
 	@echo "$(BUILD)/web/index.html"
 
@@ -98,8 +104,8 @@ site: build python
 
 # Some figures need models that are not in data/: see scripts/figures.py.
 figures:
-	@$(install_deps) build
-	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(CMAKE_FLAGS)
+	@$(install_deps) build scripts
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(without_tests) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-segment gvd-lloyd gvd-remesh gvd-bench gvd-why-exact
 	@scripts/figures.py write $(BUILD)/bin
 
@@ -119,6 +125,7 @@ fuzz:
 
 # Findings are left in BUILD/battery/findings.
 battery: build
+	@$(install_deps) scripts
 	@tests/battery/battery.py $(BUILD)/bin $(BUILD)/battery --seeds $(BATTERY_SEEDS) --jobs $(JOBS) \
 	  $(if $(BATTERY_CORPUS),--corpus $(BATTERY_CORPUS))
 
@@ -141,45 +148,45 @@ test-runs:
 # COUNT_FLAGS='--write "REASON"' writes the figures that have changed. 77: those of another compiler or system, so nothing is compared.
 count:
 	@$(install_deps) build bench
-	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(CMAKE_FLAGS)
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(without_tests) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-segment gvd-lloyd gvd-remesh gvd-bench
 	@scripts/count_instructions.py $(BUILD)/bin $(COUNT_FLAGS) || [ $$? -eq 77 ]
 
 # Meshes that are not in data/ are found as scripts/figures.py tells.
 performance:
-	@$(install_deps) build
-	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(CMAKE_FLAGS)
+	@$(install_deps) build scripts
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(without_tests) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-segment gvd-bench
 	@scripts/make_performance.py $(BUILD)/bin
 
 bench:
 	@$(install_deps) build
-	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(without_tests) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-bench
 	@$(BUILD)/bin/gvd-bench $(BENCH_FLAGS)
 
 bench-lloyd:
 	@$(install_deps) build
-	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(without_tests) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-bench-lloyd
 	@$(BUILD)/bin/gvd-bench-lloyd $(LLOYD_BENCH_FLAGS)
 
 bench-remesh:
 	@$(install_deps) build
-	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(without_tests) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-bench-remesh
 	@$(BUILD)/bin/gvd-bench-remesh $(REMESH_BENCH_FLAGS)
 
 why-exact:
 	@$(install_deps) build
-	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON -DGVD_BUILD_TESTS=OFF $(CMAKE_FLAGS)
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(without_tests) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-why-exact
 	@$(BUILD)/bin/gvd-why-exact $(WHY_FLAGS)
 
 # Models that PAPER_MODELS has not are replaced by data/figure.obj.
 paper:
-	@$(install_deps) build
-	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(CMAKE_FLAGS)
+	@$(install_deps) build scripts
+	@$(configure) release $(BUILD) -DGVD_BUILD_BENCH=ON $(without_tests) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS) --target gvd-paper gvd-segment gvd-compare
 	@mkdir -p $(BUILD)/paper
 	@$(BUILD)/bin/gvd-paper --runs $(PAPER_RUNS) $(addprefix --models=,$(PAPER_MODELS)) -o $(BUILD)/paper/paper.json
@@ -214,6 +221,11 @@ package:
 	@rm -rf $(BUILD)/packages
 	@SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct || date +%s) cpack --config $(BUILD)/CPackConfig.cmake
 	@ls $(BUILD)/packages/*.deb
+
+# Hours; needs network, and root or sudo. RELEASE_FLAGS='--keep packages python': some checks only, and their roots are kept.
+release-check:
+	@$(install_deps) release
+	@scripts/release_check.sh $(BUILD)/release $(RELEASE_FLAGS)
 
 format:
 	@$(install_deps) lint

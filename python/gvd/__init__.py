@@ -8,14 +8,18 @@
 NumPy arrays go in and come out; what has a name in the commands has the same name here, and gives the same bytes. Long
 calls let other threads run, take progress=True or a function, and end at Ctrl-C. What can't be done raises gvd.Error.
 """
-from ._diagram import Balanced, Bisector, BranchPoints, Cell, Chart, Cut, Diagram, Segmentation
-from ._editor import DiagramEditor
-from ._error import Error
-from ._gvd import version as __version__
-from ._mesh import Mesh, read, read_properties, read_values
-from ._path import Path
-from ._points import Curves, Points
-from ._remesh import Relaxation, Remesh, RemeshMap
+from ._interpreter import check_interpreter
+
+check_interpreter()
+
+from ._diagram import Balanced, Bisector, BranchPoints, Cell, Chart, Cut, Diagram, Segmentation  # noqa: E402
+from ._editor import DiagramEditor  # noqa: E402
+from ._error import Error  # noqa: E402
+from ._gvd import version as __version__  # noqa: E402
+from ._mesh import Mesh, read, read_properties, read_values  # noqa: E402
+from ._path import Path  # noqa: E402
+from ._points import Curves, Points  # noqa: E402
+from ._remesh import Relaxation, Remesh, RemeshMap  # noqa: E402
 
 __all__ = ["Balanced", "Bisector", "BranchPoints", "Cell", "Chart", "Curves", "Cut", "Diagram", "DiagramEditor", "Error", "Mesh",
            "Path", "Points", "Relaxation", "Remesh", "RemeshMap", "Segmentation", "__version__", "read",
