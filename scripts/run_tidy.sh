@@ -18,7 +18,7 @@ list_sources() {
   fi
 }
 
-scripts/configure.sh development "$tree" -DGVD_UNITY=OFF -DGVD_BUILD_FUZZERS=ON > /dev/null
+scripts/configure.sh development "$tree" -DGVD_UNITY=OFF > /dev/null
 # Sources that another configuration compiles (a build without XML, the web module) are not in the list of commands.
 sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "$tree/compile_commands.json" | sort -u > "$tree/compiled"
 list_sources "$@" | sed "s|^|$PWD/|" | sort | comm -12 - "$tree/compiled" > "$tree/sources"

@@ -257,17 +257,18 @@ json measure_qualities(const Evaluation& evaluation) {
   constexpr double kAsBad = 5;     // percent
   const Plan plan{"3", ours_and({"diffusion [8]"}), true, false};
   json rows = json::array();
-  for (const auto& [wanted, low, medium] : {Graded{{"Elephant", 0, {"elephant.m20", "elephant"}}, 52.88, 10.15},
-                                            Graded{{"Rocker", 0, {"rocker_arm"}}, 27.57, 11.88},
-                                            Graded{{"Pegaso", 0, {"pegaso", "spot", "spot.m30"}}, 39.43, 11.62}}) {
+  for (const Graded& graded : {Graded{{"Elephant", 0, {"elephant.m20", "elephant"}}, 52.88, 10.15},
+                               Graded{{"Rocker", 0, {"rocker_arm"}}, 27.57, 11.88},
+                               Graded{{"Pegaso", 0, {"pegaso", "spot", "spot.m30"}}, 39.43, 11.62}}) {
+    const Wanted& wanted = graded.wanted;
     const FoundMesh found = evaluation.models.find(wanted);
     const FoundMesh high = remesh_well(found, found.mesh.face_count());
     const double percent = compute_triangle_quality(found.mesh).percent_below_30;
     const auto add = [&](const char* quality, const FoundMesh& mesh) {
       rows.push_back(measure_row(evaluation, plan, {wanted.model, mesh, kGenerators, quality}));
     };
-    add("low", std::abs(percent - low) <= kAsBad ? found : jitter_mesh(decimate_finer(found), low));
-    add("medium", std::abs(percent - medium) <= kAsBad ? found : jitter_mesh(high, medium));
+    add("low", std::abs(percent - graded.low) <= kAsBad ? found : jitter_mesh(decimate_finer(found), graded.low));
+    add("medium", std::abs(percent - graded.medium) <= kAsBad ? found : jitter_mesh(high, graded.medium));
     add("high", high);
   }
   return rows;

@@ -131,7 +131,8 @@ TEST_CASE("gvd-distance: on a plane, distances from the nearest of two sources a
   const std::string text = read_text(ply);
   const auto lines = split(text.substr(text.find("end_header") + 11), '\n');
   for (int v = 0; v < 49; ++v) {
-    const double x = v % 7, y = v / 7;
+    const int row = v / 7;
+    const double x = v % 7, y = row;
     const double first = std::hypot(x - 1.3, y - 2.2), second = std::hypot(x - 5, y - 5);
     CHECK(values[v] == Approx(std::min(first, second)).epsilon(1e-13).margin(1e-14));
     CHECK(rows[v + 1] ==

@@ -374,6 +374,26 @@ void add_remarks(CheckedMesh& checked) {
   }
 }
 
+/// Whether a halfedge is the first one of an edge at which two faces of opposite orientations meet.
+bool is_twist(const WorkFaces& work, std::int32_t h) {
+  const std::int32_t twin = work.twin[h];
+  return twin > h && work.from(h) == work.from(twin);
+}
+
+/// The twists of a one-sided component, if they are few among its edges: else none.
+std::vector<std::int32_t> find_few_twists(const WorkFaces& work, const OrientedComponent& component) {
+  std::int64_t edges = 0;
+  std::vector<std::int32_t> twists;
+  for (const std::int32_t f : component.faces) {
+    for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
+      edges += work.twin[h] < 0 || work.twin[h] > h;
+      if (is_twist(work, h)) twists.push_back(h);
+    }
+  }
+  if (std::ssize(twists) * kLeastEdgesPerTwist >= edges) twists.clear();
+  return twists;
+}
+
 }  // namespace
 
 EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count) {
@@ -387,33 +407,21 @@ EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count) {
 }
 
 std::vector<std::int32_t> cut_twists(WorkFaces& work, DefectLog& log) {
-  const auto disagrees = [&](std::int32_t h) {
-    const std::int32_t twin = work.twin[h];
-    return twin > h && work.from(h) == work.from(twin);
-  };
   std::vector<std::int32_t> ends;
   bool any = false;
-  for (std::int32_t h = 0; h < work.halfedge_count() && !any; ++h) any = disagrees(h);
+  for (std::int32_t h = 0; h < work.halfedge_count() && !any; ++h) any = is_twist(work, h);
   if (!any) return ends;
   std::int64_t count = 0;
-  std::int32_t first = -1;  // the halfedge of the smallest face
+  std::int32_t first = -1;  // the first twist of the first component that has few
   std::vector<signed char> side(work.faces.size(), -1);
   for (std::int32_t start = 0; start < work.face_count(); ++start) {
     if (side[start] >= 0) continue;
     const OrientedComponent component = walk_component(work, start, side);
     if (component.conflict < 0) continue;
-    std::int64_t edges = 0;
-    std::vector<std::int32_t> twists;
-    for (const std::int32_t f : component.faces) {
-      for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-        edges += work.twin[h] < 0 || work.twin[h] > h;
-        if (disagrees(h)) twists.push_back(h);
-      }
-    }
-    if (std::ssize(twists) * kLeastEdgesPerTwist >= edges) continue;
+    const std::vector<std::int32_t> twists = find_few_twists(work, component);
+    if (twists.empty()) continue;
     count += std::ssize(twists);
-    const std::int32_t least = *std::min_element(twists.begin(), twists.end());
-    if (first < 0) first = least;
+    if (first < 0) first = *std::min_element(twists.begin(), twists.end());
     for (const std::int32_t h : twists) {
       work.twin[work.twin[h]] = -1;
       work.twin[h] = -1;
