@@ -21,7 +21,7 @@ def configured(makefile, work, target, build):
     """How `make TARGET` configures the tree."""
     path = f"{work / 'bin'}:{os.environ['PATH']}"
     ran = subprocess.run(["make", "-f", makefile, "-C", makefile.parent, target, "NO_INSTALL=1", f"BUILD={build}"], text=True,
-                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, "PATH": path, "MAKEFLAGS": ""})
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, "PATH": path, "MAKEFLAGS": "", "CMAKE_FLAGS": ""})
     return next(line for line in ran.stdout.splitlines() if line.startswith("cmake --preset"))
 
 
