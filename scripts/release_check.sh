@@ -124,7 +124,7 @@ check() {
     tail -n 30 "$log" | sed 's/^/    /'
   fi
   if [ -z "$keep" ]; then rm -rf "$folder/roots/$name"; fi
-  summary+=("$(printf '%-10s %s %5d s' "$name" "$result" $((SECONDS - started)))")
+  summary+=("$(printf '%-12s %s %5d s' "$name" "$result" $((SECONDS - started)))")
 }
 
 bare() { check "$1" in_bare_root "$@"; }
