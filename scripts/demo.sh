@@ -13,7 +13,7 @@ announce() {
   else
     echo "  1. installs no package: none is missing, or NO_INSTALL is set, or this is no Debian or Ubuntu"
   fi
-  echo "  2. builds the library and the commands under $1/: some minutes, about 4 CPU minutes."
+  echo "  2. builds the library and the commands under $1/: 2 to 5 minutes on two cores, packages included."
   echo "     It fetches three.js and esbuild from npm into $1/. The next build takes only what has changed"
   echo "  3. runs the commands on $mesh and writes to $2/, in a few seconds. Pages to open in a browser:"
   echo "     $2/segments.html, $2/relaxed.html, $2/coarse.html, $2/distances.html"
