@@ -44,7 +44,7 @@ void register_input(CLI::App& app, InputOptions& input) {
   };
   app.add_option_function<std::vector<std::string>>("INPUT", store,
                                                     "The mesh (.obj, .ply, .off, .stl, .vtp, .vtu, .vtk, .glb, .gltf, "
-                                                    ".gii, MNI's, FreeSurfer's; also .gz), or - for "
+                                                    ".gii, MNI's, FreeSurfer's, also .gz), or - for "
                                                     "standard input; several need --output-dir")
       ->required()
       ->type_name("")

@@ -437,8 +437,12 @@ PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
   try {
     return GltfParser(bytes, name, folder).parse();
   } catch (const Json::exception& error) {  // a member is missing or has another type
+    const std::string_view what(error.what());
+    const std::size_t end_of_code = what.find("] ");  // "[json.exception.type_error.302] type must be ..."
     throw Error(ErrorCode::unreadable_input,
-                fmt::format("{}: the scene's description is damaged: {}", name, printable(error.what(), 120)));
+                fmt::format("{}: the scene's description is damaged, a member is missing or has a wrong type ({}); "
+                            "export the file again",
+                            name, printable(what.substr(end_of_code == what.npos ? 0 : end_of_code + 2), 120)));
   }
 }
 
