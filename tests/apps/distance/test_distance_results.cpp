@@ -177,7 +177,8 @@ TEST_CASE("gvd-distance --within: a source reaches its own region, and on a bord
   CHECK(lines.size() == 1);  // none beyond the border
 }
 
-TEST_CASE("commands: --within and --mask: a number that is none is refused with its vertex, in the commands that take them") {
+TEST_CASE(
+    "commands: --within and --mask: a number that is none is refused with its vertex, in the commands that take them") {
   const ScratchFolder scratch;
   const auto write_ply = [&](const std::string& value) {
     write_text(scratch / "a.ply",
