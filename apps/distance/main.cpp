@@ -48,6 +48,9 @@ constexpr std::size_t kTold = 8;
 /// More levels would fill the memory before anybody could tell them apart.
 constexpr double kMostLevels = 10'000;
 
+/// Nor are more crossings of levels and edges traced: each takes up to a kilobyte until it is written.
+constexpr double kMostCrossings = 2e7;
+
 /// The options of gvd-distance alone.
 struct OwnOptions {
   bool each = false, paths = false;
@@ -292,6 +295,17 @@ void add_paths(DistanceTable& table, const Measurement& measured, const ExactFie
   }
 }
 
+/// How often levels cross edges, at least, from the distances of their ends.
+double count_crossings(const Mesh& mesh, const ExactField& field, double step) {
+  double crossings = 0;
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    const double rise = field.distance(mesh.to(h)) - field.distance(mesh.from(h));
+    if (std::isfinite(rise)) crossings += std::abs(rise) / step;
+  }
+  return crossings;
+}
+
 std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, const OwnOptions& own) {
   double largest = 0;
   for (const VertexId v : mesh.vertices()) {
@@ -303,6 +317,10 @@ std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, con
   if (!(last / step < kMostLevels)) {
     refuse(fmt::format("--isolines {}: makes more than {} levels up to {:.6g}; give a larger step", step, kMostLevels,
                        last));
+  }
+  if (const double crossings = count_crossings(mesh, field, step); crossings > kMostCrossings) {
+    refuse(fmt::format("--isolines {}: the curves would cross edges {:.2g} times, more than {:.2g}; give a larger step",
+                       step, crossings, kMostCrossings));
   }
   std::vector<double> levels;
   for (int i = 1; i * step <= last; ++i) levels.push_back(i * step);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
 #include "apps/require_error.hpp"
@@ -305,6 +306,21 @@ TEST_CASE("gvd-distance: isolines and paths are lines of OBJ and VTP, and levels
   CHECK(levels[0]["length"].get<double>() == Approx(2 * M_PI * 0.75).epsilon(0.01));
   CHECK(levels[4]["curves"] == 4);  // round the corners
   CHECK(levels[4]["closed"] == 0);
+}
+
+TEST_CASE("gvd-distance: isolines that would fill the memory are refused") {
+  const ScratchFolder scratch;
+  // A disc of 5,000 triangles round vertex 0: each of 5,000 spokes crosses each level.
+  constexpr int kSpokes = 5000;
+  std::string vertices = "0 0 0\n", faces;
+  for (int i = 0; i < kSpokes; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kSpokes;
+    vertices += fmt::format("{} {} 0\n", std::cos(angle), std::sin(angle));
+    faces += fmt::format("3 0 {} {}\n", i + 1, (i + 1) % kSpokes + 1);
+  }
+  write_text(scratch / "disc.off", fmt::format("OFF\n{} {} 0\n{}{}", kSpokes + 1, kSpokes, vertices, faces));
+  require_error("gvd-distance", scratch / "disc.off" + " --from 0 --isolines 2.1e-4 -o " + scratch / "a.json", 2,
+                "--isolines 0.00021: the curves would cross edges 2.4e+07 times, more than 2e+07; give a larger step");
 }
 
 TEST_CASE("gvd-distance: isolines of a coarse mesh are nowhere farther from their level than 1e-4 mean edges") {

@@ -22,6 +22,8 @@
 #include <optional>
 #include <utility>
 
+#include "geodesic/windows/path_directions.hpp"
+
 namespace gvd {
 namespace {
 
@@ -42,8 +44,9 @@ constexpr double kTouching = 1e-9;
 /// Chords of an arc turn by this angle at most, radians, so that a small circle is no triangle.
 constexpr double kWidestChord = std::numbers::pi / 6;
 
-/// A curve is halved so often before its arcs are followed: most faces of fine meshes need two or four chords.
-constexpr int kMostChordHalvings = 6;
+/// A curve is halved so often before its arcs are followed. Most faces of fine meshes need two to eight chords; sixteen
+/// halvings close in on a corner that was not found until the chord over it is near enough.
+constexpr int kMostChordHalvings = 16;
 
 /// Sine of the turn from which on a corner is looked for.
 constexpr double kSharpCorner = 0.03;
@@ -57,45 +60,6 @@ constexpr double kFullTurn = 2 * std::numbers::pi;  // radians
 double turn(const Vec2& a, const Vec2& b) {
   const double angle = std::atan2(cross(a, b), a.dot(b));
   return angle < 0 ? angle + kFullTurn : angle;
-}
-
-/// The directions between two, less than half a turn apart: from `right` counter-clockwise to `left`.
-struct Directions {
-  Vec2 right, left;
-
-  void include(const Vec2& d) {
-    if (cross(left, d) > 0) left = d;
-    if (cross(right, d) < 0) right = d;
-  }
-  bool contains(const Vec2& d) const {
-    return cross(right, d) >= 0 && cross(d, left) >= 0 && (d.dot(right) > 0 || d.dot(left) > 0);
-  }
-  bool is_below_half_turn() const { return cross(right, left) > 0 || right.dot(left) > 0; }
-};
-
-/// The directions of a source's straight paths at the points of a triangle. None where none comes there.
-std::optional<Directions> directions_of(const FaceSource& s, const std::array<Vec2, 3>& triangle) {
-  if (s.is_parallel()) return Directions{s.image, s.image};
-  std::optional<Directions> found;
-  for (const Vec2& corner : triangle) {
-    const Vec2 ray = corner - s.image;
-    if (ray.isZero(0)) continue;
-    if (!found) found = Directions{ray, ray};
-    found->include(ray);
-  }
-  if (!found || s.is_corner) return found;
-  const Vec2 to_begin = s.begin - s.image, to_end = s.end - s.image;
-  if (cross(found->right, to_begin) < 0 || cross(found->left, to_end) > 0) return std::nullopt;
-  if (cross(found->left, to_begin) < 0) found->left = to_begin;
-  if (cross(found->right, to_end) > 0) found->right = to_end;
-  return found;
-}
-
-/// The direction of a source's shortest path at p; zero at the source.
-Vec2 direction_of(const FaceSource& s, const Vec2& p) {
-  const Vec2 last = p - s.shortest_path(p).from;
-  const double length = last.norm();
-  return length > 0 ? Vec2(last / length) : Vec2::Zero();
 }
 
 double distance_to_segment(const PlaneSegment& segment, const Vec2& p) {
@@ -238,7 +202,11 @@ std::int32_t FaceContours::nearest(const Range& regions, const Vec2& p, double& 
   std::int32_t best = -1;
   distance = kInfinity;
   for (std::size_t i = regions.begin; i < regions.end; ++i) {
-    const double d = regions_[stack_[i]].source->distance(p);
+    // No path is shorter than the straight line from the image: mostly this tells, without a square root.
+    const FaceSource& s = *regions_[stack_[i]].source;
+    const double left = distance - s.offset;
+    if (left <= 0 || (p - s.image).squaredNorm() >= left * left) continue;
+    const double d = s.distance(p);
     if (!(d < distance)) continue;
     distance = d;
     best = stack_[i];
@@ -274,12 +242,23 @@ FaceContours::Range FaceContours::keep_relevant(const Cell& cell, const Range& c
   const Vec2 centre = (cell.corner[0] + cell.corner[1] + cell.corner[2]) / 3;
   double radius = rounding_, least = kInfinity;
   for (const Vec2& corner : cell.corner) radius = std::max(radius, (corner - centre).norm() + rounding_);
-  const auto distance = [&](std::size_t i) { return regions_[stack_[i]].source->distance(centre); };
-  for (std::size_t i = candidates.begin; i < candidates.end; ++i) least = std::min(least, distance(i));
-  const double limit = std::min(least + 2 * radius, level_ + radius);
+  paths_.clear();
+  for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
+    paths_.push_back(regions_[stack_[i]].source->shortest_path(centre));
+    least = std::min(least, paths_.back().distance);
+  }
+  // Distances of one source are convex, so the tangent plane in the middle bounds them from below.
+  const auto lowest = [&](const FaceSource::Path& path) {
+    const Vec2 last = centre - path.from;
+    const double length = last.norm();
+    if (!(length > rounding_)) return path.distance - radius;
+    const auto rise = [&](const Vec2& corner) { return last.dot(corner - centre) / length; };
+    return path.distance + std::min({rise(cell.corner[0]), rise(cell.corner[1]), rise(cell.corner[2])});
+  };
   const std::size_t begin = stack_.size();
   for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
-    if (distance(i) <= limit) stack_.push_back(stack_[i]);
+    const FaceSource::Path& path = paths_[i - candidates.begin];
+    if (path.distance <= least + 2 * radius && lowest(path) <= level_ + chord_ + join_) stack_.push_back(stack_[i]);
   }
   return {begin, stack_.size()};
 }
@@ -329,7 +308,10 @@ bool FaceContours::follow_all(const Cell& cell, const Range& regions) {
     if (cell.crossings.size() == 2) {
       const SideCrossing& end = cell.crossings[cell.crossings[0].leaves ? 1 : 0];
       piece.to = end.id;
-      if (add_chords(cell, regions, {start.at, end.at}, kMostChordHalvings, piece.points)) {
+      double distance = kInfinity;
+      const CurvePoint from{start.at, nearest(regions, start.at, distance)},
+          to{end.at, nearest(regions, end.at, distance)};
+      if (add_chords(cell, regions, from, to, kMostChordHalvings, piece.points)) {
         pieces_.push_back(std::move(piece));
         continue;
       }
@@ -346,15 +328,26 @@ bool FaceContours::follow_all(const Cell& cell, const Range& regions) {
 
 /// Adds the points between two points of a curve that needs no more than a few chords. Without arcs this is several
 /// times as fast, and serves nearly all faces of fine meshes. False where chords may not be near enough to the level.
-bool FaceContours::add_chords(const Cell& cell, const Range& regions, const PlaneSegment& chord, int halvings,
-                              std::vector<Vec2>& points) {
-  if (is_on_level(regions, chord)) return true;
+bool FaceContours::add_chords(const Cell& cell, const Range& regions, const CurvePoint& from, const CurvePoint& to,
+                              int halvings, std::vector<Vec2>& points) {
+  if (from.region < 0 || to.region < 0) return false;
+  // The middle of a chord that is too long is mostly off the level: one distance tells.
+  const Vec2 halfway = 0.5 * (from.at + to.at);
+  double distance = kInfinity;
+  const std::int32_t at_halfway = nearest(regions, halfway, distance);
+  if (std::abs(distance - level_) <= chord_ && is_on_level(regions, {from.at, to.at})) return true;
   if (halvings == 0) return false;
-  auto middle = find_corner(cell, regions, chord);
-  if (!middle) middle = find_on_level(cell, regions, 0.5 * (chord.from + chord.to));
-  if (!middle || !add_chords(cell, regions, {chord.from, *middle}, halvings - 1, points)) return false;
-  points.push_back(*middle);
-  return add_chords(cell, regions, {*middle, chord.to}, halvings - 1, points);
+  // On its two sides, a corner is a point of the one source and of the other.
+  const auto go_on = [&](const CurvePoint& end, const CurvePoint& begin) {
+    if (!add_chords(cell, regions, from, end, halvings - 1, points)) return false;
+    points.push_back(end.at);
+    return add_chords(cell, regions, begin, to, halvings - 1, points);
+  };
+  if (const auto corner = find_corner(cell, regions, from, to)) {
+    return go_on({*corner, from.region}, {*corner, to.region});
+  }
+  const auto middle = find_on_level(cell, regions, {halfway, at_halfway}, distance);
+  return middle && go_on(*middle, *middle);
 }
 
 /// Whether the distance surely stays as near to the level as a chord may be.
@@ -368,13 +361,14 @@ bool FaceContours::is_on_level(const Range& regions, const PlaneSegment& chord) 
 
 /// The corner between the two ends of a chord, where their nearest sources are equally near. None where it is blunt:
 /// then any point between will do.
-std::optional<Vec2> FaceContours::find_corner(const Cell& cell, const Range& regions, const PlaneSegment& chord) const {
-  double distance = kInfinity;
-  const Region& first = regions_[nearest(regions, chord.from, distance)];
-  const Region& second = regions_[nearest(regions, chord.to, distance)];
-  if (cross(direction_of(*first.source, chord.from), direction_of(*second.source, chord.to)) > -kSharpCorner) {
+std::optional<Vec2> FaceContours::find_corner(const Cell& cell, const Range& regions, const CurvePoint& from,
+                                              const CurvePoint& to) const {
+  if (from.region == to.region) return std::nullopt;
+  const Region &first = regions_[from.region], &second = regions_[to.region];
+  if (cross(direction_of(*first.source, from.at), direction_of(*second.source, to.at)) > -kSharpCorner) {
     return std::nullopt;
   }
+  double distance = kInfinity;
   std::optional<Vec2> corner;
   intersect(first.part[1], second.part[1], [&](const Vec2& p) {
     if (cell.outside(p) > rounding_) return;
@@ -384,14 +378,15 @@ std::optional<Vec2> FaceContours::find_corner(const Cell& cell, const Range& reg
   return corner;
 }
 
-/// The point on the level that a straight path leads to, from a point beside it or on to there. None outside the cell.
-std::optional<Vec2> FaceContours::find_on_level(const Cell& cell, const Range& regions, Vec2 p) const {
+/// The point on the level that a straight path leads to, from a point beside it or on to there. `distance`: of the
+/// point. None outside the cell.
+std::optional<FaceContours::CurvePoint> FaceContours::find_on_level(const Cell& cell, const Range& regions,
+                                                                    CurvePoint p, double distance) const {
   for (int i = 0; i < kMostMoves; ++i) {
-    double distance = kInfinity;
-    const std::int32_t best = nearest(regions, p, distance);
-    if (best < 0 || cell.outside(p) > rounding_) return std::nullopt;
+    if (p.region < 0 || cell.outside(p.at) > rounding_) return std::nullopt;
     if (std::abs(distance - level_) <= rounding_) return p;
-    p += (level_ - distance) * direction_of(*regions_[best].source, p);
+    p.at += (level_ - distance) * direction_of(*regions_[p.region].source, p.at);
+    p.region = nearest(regions, p.at, distance);
   }
   return std::nullopt;
 }

@@ -95,6 +95,11 @@ class FaceContours {
     std::size_t part;
     Vec2 at;
   };
+  /// A point of a curve, and a region that it bounds there: its source is the nearest. -1: none.
+  struct CurvePoint {
+    Vec2 at;
+    std::int32_t region;
+  };
   enum class Stop { leaves_cell, enters_region, part_ends };
   class PartOfWay;
 
@@ -106,11 +111,12 @@ class FaceContours {
   bool has_no_hole(const Cell& cell, const Range& regions) const;
   bool rises_one_way(const Cell& cell, const Range& regions) const;
   bool follow_all(const Cell& cell, const Range& regions);
-  bool add_chords(const Cell& cell, const Range& regions, const PlaneSegment& chord, int halvings,
+  bool add_chords(const Cell& cell, const Range& regions, const CurvePoint& from, const CurvePoint& to, int halvings,
                   std::vector<Vec2>& points);
   bool is_on_level(const Range& regions, const PlaneSegment& chord);
-  std::optional<Vec2> find_corner(const Cell& cell, const Range& regions, const PlaneSegment& chord) const;
-  std::optional<Vec2> find_on_level(const Cell& cell, const Range& regions, Vec2 p) const;
+  std::optional<Vec2> find_corner(const Cell& cell, const Range& regions, const CurvePoint& from,
+                                  const CurvePoint& to) const;
+  std::optional<CurvePoint> find_on_level(const Cell& cell, const Range& regions, CurvePoint p, double distance) const;
   bool follow(const Cell& cell, const Range& regions, const SideCrossing& start, FaceContour& piece);
   Stop advance(const Cell& cell, const Range& regions, Place& place, std::vector<Vec2>& points);
   bool end_at_crossing(const Cell& cell, const Vec2& start, const Vec2& exit, FaceContour& piece);
@@ -140,7 +146,8 @@ class FaceContours {
   std::int32_t side_crossings_ = 0;  // their number
   std::vector<bool> is_taken_;       // [crossing of the cell]
   ChordCheck check_;
-  std::vector<double> stops_;  // on the way round a region, or along a segment
+  std::vector<FaceSource::Path> paths_;  // to the middle of a cell
+  std::vector<double> stops_;            // on the way round a region, or along a segment
 };
 
 }  // namespace gvd
