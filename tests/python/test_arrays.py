@@ -1,7 +1,9 @@
 """Arrays and points of every kind: accepted, or refused in one line."""
 import gc
 import multiprocessing
+import os
 import pickle
+import tempfile
 import unittest
 import warnings
 
@@ -193,6 +195,22 @@ class PointsOfAMesh(unittest.TestCase):
             self.assertNotIn("\n", str(caught.exception))
             self.assertEqual(caught.exception.code, "invalid_option")
         self.assertEqual(len(self.mesh.voronoi([0, 1], threads=numpy.int8(1), chord_tolerance=numpy.float32(1e-3)).cells), 2)
+
+
+class Welding(unittest.TestCase):
+    def read_parts(self, gap, weld):
+        """The Euler characteristic of two triangles that lie `gap` apart: 2 while they are separate, 1 as one square."""
+        with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # what is welded, or could be, is told
+            path = os.path.join(folder, "soup.off")
+            with open(path, "w", encoding="ascii") as soup:
+                soup.write(f"OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 {gap} 0\n1 1 0\n{gap} 1 0\n3 0 1 2\n3 3 4 5\n")
+            return gvd.read(path, weld=weld).summary["euler_characteristic"]
+
+    def test_read_joins_copies_of_vertices_as_asked(self):
+        for gap, weld, parts in ((0, None, 2), (0, False, 2), (0, True, 1), (0.001, True, 2), (0.001, 0.01, 1)):
+            with self.subTest(gap=gap, weld=weld):
+                self.assertEqual(self.read_parts(gap, weld), parts)
 
 
 if __name__ == "__main__":
