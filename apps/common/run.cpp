@@ -17,7 +17,6 @@
 
 #include "common/process.hpp"
 #include "gvd/error.hpp"
-#include "gvd/text.hpp"
 #include "gvd/version.hpp"
 
 namespace gvd::app {
@@ -86,13 +85,6 @@ void RunReport::set_input(const MeshSummary& mesh, const DefectReport& defects) 
   Json& input = (*document_)["input"] = to_json(mesh);
   input["bbox_diagonal"] = mesh.bbox_diagonal;
   input["defects"] = std::move(counts);
-}
-
-std::string RunReport::describe_cuts() const {
-  const std::int64_t cut = (*document_)["input"]["defects"].value("nonmanifold_edges", std::int64_t{0});
-  if (cut == 0) return "";
-  return fmt::format("; sheets were cut apart at {}, and nothing passes from one to the other",
-                     counted(cut, "non-manifold edge", "non-manifold edges"));
 }
 
 void RunReport::set_diagram(const Diagram& diagram) {

@@ -58,9 +58,6 @@ class RunReport {
   /// The error of the diagram that was set.
   void set_error_measure(const ErrorMeasure& error);
   /// Wall time of a step, in milliseconds. A second time under the same name replaces the first.
-  /// Words about the non-manifold edges at which the repair cut the input apart; none where there were none. They go
-  /// behind a note on what no generator reaches.
-  std::string describe_cuts() const;
   void set_time(std::string_view step, double milliseconds);
   /// Largest resident memory of the process.
   void set_peak_memory(std::int64_t bytes);

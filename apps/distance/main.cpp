@@ -22,6 +22,7 @@
 
 #include "common/command.hpp"
 #include "common/curves.hpp"
+#include "common/cut_sheets.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
 #include "distance/measured_surface.hpp"
@@ -386,7 +387,9 @@ void note_targets(Run& run, const DistanceTable& table) {
   if (told < all) run.console().note(fmt::format("... and {} more", all - told));
 }
 
-void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const DistanceTable& table) {
+/// `cuts`: words about cuts of the repair that keep sources from points.
+void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const DistanceTable& table,
+                  const std::string& cuts) {
   std::int64_t count = 0, unreached = 0;
   double largest = 0;
   for (const std::vector<double>& row : table.rows) {
@@ -417,10 +420,11 @@ void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const Dista
   }
   results["isolines"] = describe_isolines(mesh, table.isolines);
   note_targets(run, table);
-  if (unreached > 0 && table.targets.empty()) {
-    run.console().note(fmt::format("{} of {} to vertices are inf: no source reaches there{}{}", unreached,
-                                   counted(count, "distance", "distances"),
-                                   own.max_distance ? " within --max-distance" : "", run.report().describe_cuts()));
+  if (unreached > 0) {
+    run.console().note(fmt::format("{} of {}{} {} inf: no source reaches there{}{}", unreached,
+                                   counted(count, "distance", "distances"), table.targets.empty() ? " to vertices" : "",
+                                   table.targets.empty() || unreached > 1 ? "are" : "is",
+                                   own.max_distance ? " within --max-distance" : "", cuts));
   }
   if (own.isolines) {
     run.console().note(fmt::format("{} on {}", counted(std::ssize(table.isolines), "isoline", "isolines"),
@@ -463,7 +467,10 @@ void measure_nearest(Run& run, const OwnOptions& own, const Measurement& measure
     const IsolineOptions options{.threads = run.options().compute.threads, .progress = run.progress()};
     table.isolines = run.timed("isolines", [&] { return field.isolines(choose_levels(mesh, field, own), options); });
   }
-  report_table(run, input, own, table);
+  report_table(run, input, own, table, describe_cuts(measured.input, [&](FaceId f) {
+                 const auto is_far = [&](VertexId v) { return !std::isfinite(vertices.distance[v.index()]); };
+                 return std::ranges::any_of(input.vertices(f), is_far) ? Reach::unreached : Reach::reached;
+               }));
   IdVector<VertexId, double> distances;
   IdVector<VertexId, GeneratorId> labels;
   for (const double d : vertices.distance) distances.push_back(d);
@@ -498,7 +505,7 @@ void measure_each(Run& run, const OwnOptions& own, const Measurement& measured, 
   const CheckedMesh& input = measured.input;
   run.timed("distances", [&] { add_rows(run, own, measured, table); });
   if (own.paths) run.timed("paths", [&] { add_all_paths(run, own, measured, table); });
-  report_table(run, input.mesh, own, table);
+  report_table(run, input.mesh, own, table, "");  // each source has its own reach
   write_files(run, input, table, {.mesh = input.mesh});
 }
 

@@ -16,6 +16,7 @@
 
 #include "common/command.hpp"
 #include "common/curves.hpp"
+#include "common/cut_sheets.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/error.hpp"
@@ -101,6 +102,17 @@ struct Segmented {
   const IdVector<FaceId, FaceId>* parent = nullptr;  ///< of pieces
 };
 
+/// Words about the cuts of the repair, where they keep generators from faces.
+std::string explain_unreached(const Segmented& made) {
+  IdVector<FaceId, Reach> reach(made.surface.input().mesh.face_count(), Reach::unreached);
+  for (const FaceId f : made.mesh.faces()) {
+    const FaceId whole = made.parent != nullptr ? (*made.parent)[f] : f;
+    if (made.surface.is_left_out(whole)) reach[whole] = Reach::left_out;
+    if (made.label[f].valid()) reach[whole] = Reach::reached;
+  }
+  return describe_cuts(made.surface.input(), [&](FaceId f) { return reach[f]; });
+}
+
 /// Reports the size of each region, and notes the faces that no generator reaches.
 void report_regions(Run& run, const Segmented& made) {
   const auto is_unreached = [&](FaceId f) {
@@ -110,7 +122,7 @@ void report_regions(Run& run, const Segmented& made) {
   const auto unreached = std::count_if(faces.begin(), faces.end(), is_unreached);
   if (unreached > 0) {
     run.console().note(fmt::format("{} reached by no generator: label -1{}", counted(unreached, "face is", "faces are"),
-                                   run.report().describe_cuts()));
+                                   explain_unreached(made)));
   }
   Json& results = run.report().results();
   results["faces"] = made.mesh.face_count();

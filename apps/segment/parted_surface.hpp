@@ -35,6 +35,7 @@ class PartedSurface {
   PartedSurface(Run& run, const CheckedMesh& input, const RegionOptions& options, const SegmentOptions& labels);
 
   /// The input, or its faces with the vertices on borders doubled.
+  const CheckedMesh& input() const { return input_; }
   const Mesh& mesh() const { return is_parted() ? separated_.mesh : input_.mesh; }
 
   /// Generators by the options of the run, sampled inside the regions or moved into them.

@@ -147,8 +147,17 @@ TEST_CASE("commands: faces that no generator reaches because sheets were cut apa
   const std::string mesh = scratch / "fin.obj";
   write_text(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
   const CommandResult result = run_command("gvd-segment", mesh + " --vertices 2");
-  CHECK_THAT(result.err, Contains("label -1; sheets were cut apart at 1 non-manifold edge, and nothing passes from "
-                                  "one to the other\n"));
+  const std::string cut = "; sheets were cut apart at 1 non-manifold edge, and nothing passes from one to the other\n";
+  CHECK_THAT(result.err, Contains("label -1" + cut));
+  const CommandResult distance = run_command("gvd-distance", mesh + " --from 2 --to 4");
+  CHECK(distance.out == "inf\n");
+  CHECK_THAT(distance.err, Contains("1 of 1 distance is inf: no source reaches there" + cut));
+  // A component of its own is not reached for another reason.
+  write_text(mesh,
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 5 0 0\nv 6 0 0\nv 5 1 0\n"
+             "f 1 2 3\nf 2 1 4\nf 1 2 5\nf 6 7 8\n");
+  const CommandResult all = run_command("gvd-segment", mesh + " --vertices 2,3,4");
+  CHECK_THAT(all.err, Contains("label -1\n") && !Contains("nothing passes"));
 }
 
 TEST_CASE("commands: what they write as VTP, VTU and GLB, they read") {

@@ -20,7 +20,8 @@ PACKAGE = pathlib.Path(gvd.__file__).parent
 ALLOWED = r"gvd\._gvd\.\w+(\.__init__)?" "\n"
 
 # What needs files, threads or Python's libraries (docs/guide/javascript.md).
-NOT_IN_JAVASCRIPT = {"to_file", "to_html", "to_vtk", "bisectors_to_vtk", "points_to_file", "out", "threads"}
+NOT_IN_JAVASCRIPT = {"to_file", "to_html", "to_vtk", "bisectors_to_vtk", "points_to_file", "out", "threads",
+                     "start_vertex", "end_vertex"}
 
 
 class Documents(unittest.TestCase):
