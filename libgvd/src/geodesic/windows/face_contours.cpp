@@ -275,28 +275,33 @@ bool FaceContours::has_no_hole(const Cell& cell, const Range& regions) const {
          rises_one_way(cell, regions);
 }
 
-/// Whether all paths to points of the cell have a component in one direction: then the distance has no maximum inside.
-/// Behind a vertex where paths bend, those round an opening's end count: at the corners that they are the shortest to.
-bool FaceContours::rises_one_way(const Cell& cell, const Range& regions) const {
-  std::optional<Directions> all;
-  bool fits = true;
-  for (const bool check : {false, true}) {
-    const auto look_at = [&](const Directions& own) {
-      if (!all) all = own;
-      if (check) fits = fits && own.is_below_half_turn() && all->contains(own.left) && all->contains(own.right);
-      if (!check) all->include(own.right);
-      if (!check) all->include(own.left);
-    };
-    for (std::size_t i = regions.begin; i < regions.end; ++i) {
-      if (const auto own = directions_of(*regions_[stack_[i]].source, cell.corner)) look_at(*own);
-    }
-    for (const Vec2& corner : cell.corner) {
-      double distance = kInfinity;
-      const FaceSource& s = *regions_[nearest(regions, corner, distance)].source;
-      if (const Vec2 last = direction_of(s, corner); !s.is_corner && !last.isZero(0)) look_at({last, last});
-    }
+/// The directions of the paths to points of the cell. Behind a vertex where paths bend, those round an opening's end
+/// count: at the corners that they are the shortest to.
+std::vector<Directions> FaceContours::list_directions(const Cell& cell, const Range& regions) const {
+  std::vector<Directions> found;
+  for (std::size_t i = regions.begin; i < regions.end; ++i) {
+    if (const auto own = directions_of(*regions_[stack_[i]].source, cell.corner)) found.push_back(*own);
   }
-  return fits && (!all || all->is_below_half_turn());
+  for (const Vec2& corner : cell.corner) {
+    double distance = kInfinity;
+    const FaceSource& s = *regions_[nearest(regions, corner, distance)].source;
+    if (const Vec2 last = direction_of(s, corner); !s.is_corner && !last.isZero(0)) found.push_back({last, last});
+  }
+  return found;
+}
+
+/// Whether all paths to points of the cell have a component in one direction: then the distance has no maximum inside.
+bool FaceContours::rises_one_way(const Cell& cell, const Range& regions) const {
+  const std::vector<Directions> found = list_directions(cell, regions);
+  if (found.empty()) return true;
+  Directions all = found.front();
+  for (const Directions& own : found) {
+    all.include(own.right);
+    all.include(own.left);
+  }
+  return all.is_below_half_turn() && std::ranges::all_of(found, [&](const Directions& own) {
+           return own.is_below_half_turn() && all.contains(own.left) && all.contains(own.right);
+         });
 }
 
 bool FaceContours::follow_all(const Cell& cell, const Range& regions) {

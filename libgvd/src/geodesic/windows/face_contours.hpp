@@ -12,6 +12,7 @@
 #include "geodesic/distance_field.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/windows/chord_check.hpp"
+#include "geodesic/windows/path_directions.hpp"
 #include "gvd/vec.hpp"
 
 namespace gvd {
@@ -109,6 +110,7 @@ class FaceContours {
   void visit(Cell cell, const Range& candidates);
   Range keep_relevant(const Cell& cell, const Range& candidates);
   bool has_no_hole(const Cell& cell, const Range& regions) const;
+  std::vector<Directions> list_directions(const Cell& cell, const Range& regions) const;
   bool rises_one_way(const Cell& cell, const Range& regions) const;
   bool follow_all(const Cell& cell, const Range& regions);
   bool add_chords(const Cell& cell, const Range& regions, const CurvePoint& from, const CurvePoint& to, int halvings,
