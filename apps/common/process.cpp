@@ -143,12 +143,12 @@ void release_freed_memory() noexcept {
 }
 
 void limit_memory(std::optional<std::int64_t> bytes) {
-  static const rlimit initial = [] {
+  static const rlimit kInitial = [] {
     rlimit limit{RLIM_INFINITY, RLIM_INFINITY};
     ::getrlimit(RLIMIT_DATA, &limit);
     return limit;
   }();
-  rlimit limit = initial;
+  rlimit limit = kInitial;
   if (bytes) limit.rlim_cur = std::min(limit.rlim_cur, static_cast<rlim_t>(*bytes) + stack_bytes());
   ::setrlimit(RLIMIT_DATA, &limit);
 }

@@ -107,6 +107,25 @@ CurveList parse_text_curves(std::string_view content, const std::string& name) {
   return list;
 }
 
+/// Adds a curve of an array of a document. `place` names it in messages: 'element 3 of "paths"'.
+void add_json_curve(CurveList& list, const nlohmann::json& curve, const std::string& place,
+                    const detail::ListLocation& location) {
+  if (!curve.is_object() || !curve.contains("points") || !curve["points"].is_array()) {
+    location.refuse(place + " must be an object with an array \"points\"");
+  }
+  std::vector<GeneratorEntry> points;
+  for (const nlohmann::json& point : curve["points"]) {
+    if (!point.is_object()) location.refuse(fmt::format("a point of {} is no object", place));
+    points.push_back(detail::read_object(point, location));
+  }
+  if (curve.contains("segments")) {
+    add_segments(list, points, curve["segments"], location);
+    return;
+  }
+  const bool closed = curve.contains("closed") && curve["closed"].is_boolean() && curve["closed"].get<bool>();
+  if (!points.empty()) add_polyline(list, points, closed);
+}
+
 /// Reads the first of the arrays that is not empty. A diagram of curves has `curves` and `bisectors`: the generators
 /// are meant. Without lines for messages, since LineReader knows those of generators alone.
 CurveList parse_json_curves(std::string_view content, const std::string& name) {
@@ -120,21 +139,7 @@ CurveList parse_json_curves(std::string_view content, const std::string& name) {
     const nlohmann::json& curves = document[key];
     if (!curves.is_array()) location.refuse(fmt::format("\"{}\" must be an array", key));
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      const nlohmann::json& curve = curves[i];
-      if (!curve.is_object() || !curve.contains("points") || !curve["points"].is_array()) {
-        location.refuse(fmt::format("element {} of \"{}\" must be an object with an array \"points\"", i, key));
-      }
-      std::vector<GeneratorEntry> points;
-      for (const nlohmann::json& point : curve["points"]) {
-        if (!point.is_object()) location.refuse(fmt::format("a point of element {} of \"{}\" is no object", i, key));
-        points.push_back(detail::read_object(point, location));
-      }
-      if (curve.contains("segments")) {
-        add_segments(list, points, curve["segments"], location);
-        continue;
-      }
-      const bool closed = curve.contains("closed") && curve["closed"].is_boolean() && curve["closed"].get<bool>();
-      if (!points.empty()) add_polyline(list, points, closed);
+      add_json_curve(list, curves[i], fmt::format("element {} of \"{}\"", i, key), location);
     }
     if (!list.curve.empty()) break;  // a diagram of curves has bisectors, too
   }
