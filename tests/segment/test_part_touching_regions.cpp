@@ -134,15 +134,14 @@ TEST_CASE("touching regions: a vertex with thousands of sectors is soon done") {
   require_parted(make_fan(labels, true), make_cells(51));
 }
 
-/// A ring of eight cubes, with two triangles for each square.
-Mesh make_cube_ring() {
-  const auto is_solid = [](int x, int y, int z) {
-    return z == 0 && x >= 0 && y >= 0 && x < 3 && y < 3 && (x != 1 || y != 1);
-  };
+/// Squares of cubes of integer coordinates, with two triangles for each.
+struct CubeFaces {
   std::map<std::array<int, 3>, int> number;
   std::vector<Vec3> positions;
   std::vector<std::array<VertexId, 3>> faces;
-  const auto add_square = [&](const std::array<int, 3>& cube, int axis, int side) {
+
+  /// The square of a cube that is across an axis, on side 0 or 1.
+  void add_square(const std::array<int, 3>& cube, int axis, int side) {
     std::array<VertexId, 4> corners;
     for (std::size_t k = 0; k < 4; ++k) {
       std::array<int, 3> at = cube;
@@ -156,20 +155,27 @@ Mesh make_cube_ring() {
     if (side == 0) std::swap(corners[1], corners[3]);
     faces.push_back({corners[0], corners[1], corners[2]});
     faces.push_back({corners[0], corners[2], corners[3]});
-  };
-  for (int cube = 0; cube < 9; ++cube) {
-    const int x = cube / 3, y = cube % 3;
-    if (!is_solid(x, y, 0)) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int side = 0; side < 2; ++side) {
-        const int step = 2 * side - 1;
-        if (!is_solid(x + (axis == 0) * step, y + (axis == 1) * step, (axis == 2) * step)) {
-          add_square({x, y, 0}, axis, side);
-        }
-      }
+  }
+};
+
+bool is_in_ring(const std::array<int, 3>& cube) {
+  const auto [x, y, z] = cube;
+  return z == 0 && x >= 0 && y >= 0 && x < 3 && y < 3 && (x != 1 || y != 1);
+}
+
+/// A ring of eight cubes.
+Mesh make_cube_ring() {
+  CubeFaces made;
+  for (int i = 0; i < 9; ++i) {
+    const std::array<int, 3> cube{i / 3, i % 3, 0};
+    if (!is_in_ring(cube)) continue;
+    for (int side = 0; side < 6; ++side) {
+      std::array<int, 3> neighbour = cube;
+      neighbour[std::size_t(side / 2)] += 2 * (side % 2) - 1;
+      if (!is_in_ring(neighbour)) made.add_square(cube, side / 2, side % 2);
     }
   }
-  return {std::move(positions), std::move(faces)};
+  return {std::move(made.positions), std::move(made.faces)};
 }
 
 TEST_CASE("a cut mesh: where branch points are nearer than rounding, no cell touches itself, and discs are discs") {
