@@ -20,7 +20,7 @@
 namespace gvd::io {
 namespace {
 
-using Float = std::numeric_limits<float>;
+using SingleLimits = std::numeric_limits<float>;
 using Vec3f = Eigen::Vector3f;
 
 /// A mesh is far from the origin where a coordinate exceeds so many times its diagonal. Floats round by 2^-24 of a
@@ -73,10 +73,10 @@ void check_single_precision(const Mesh& mesh, std::string_view format, const Vec
     throw Error(ErrorCode::unwritable_output,
                 fmt::format("{} holds 32-bit floats, and {}; choose PLY, OBJ, OFF or VTP", format, why));
   };
-  if (largest > Float::max()) refuse(fmt::format("the coordinate {} is too large for one", largest));
+  if (largest > SingleLimits::max()) refuse(fmt::format("the coordinate {} is too large for one", largest));
   // The distance of neighbouring floats at the largest coordinate: a smaller mesh would collapse.
   const double local = origin.isZero(0) ? largest : largest_local_coordinate(mesh, origin);
-  const double step = std::max<double>(local * Float::epsilon(), Float::min());
+  const double step = std::max<double>(local * SingleLimits::epsilon(), SingleLimits::min());
   if (mesh.bbox_diagonal() <= step) {
     refuse(fmt::format("a mesh of size {} at the coordinate {} is smaller than the step between two of them",
                        mesh.bbox_diagonal(), largest));
