@@ -164,7 +164,7 @@ void match_vertices(const CheckedMesh& input, const Take& take) {
   }
 }
 
-/// What is measured: the surface, and where the points of the lists are on it.
+/// The measured surface, and where the points of the lists are on it.
 struct Measurement {
   const CheckedMesh& input;
   const MeasuredSurface& surface;
@@ -189,7 +189,7 @@ struct NearestSources {
   }
 };
 
-/// Those of the vertices of the input's mesh: of several places, the nearest.
+/// The nearest source of each vertex of the input's mesh, which may be at several places of the surface.
 NearestSources find_nearest_of_vertices(const Measurement& measured, const ExactField& field) {
   NearestSources found(std::size_t(measured.input.mesh.vertex_count()));
   for (const VertexId v : measured.surface.mesh().vertices()) {

@@ -139,7 +139,7 @@ class FaceContours {
   std::vector<FaceSource> sources_;
   double longest_ = 0;  // side of the face
 
-  // Of the level:
+  // The state of one level:
   double level_ = 0, rounding_ = 0, chord_ = 0, join_ = 0;
   std::vector<Region> regions_;
   std::vector<std::int32_t> stack_;  // regions that matter in the cell and in those that contain it

@@ -168,7 +168,7 @@ class FaceTracer {
     bool is_own;  // the side is the edge's own halfedge
   };
 
-  /// Those of all sides, by level, counter-clockwise.
+  /// The crossings of all sides, by level, counter-clockwise.
   void collect_crossings(FaceId f) {
     const Mesh& mesh = sets_.mesh;
     of_face_.clear();

@@ -2,9 +2,9 @@
 //
 // Points are sorted into boxes whose side is the tolerance over the root of 3, so that two points of one box are within
 // the tolerance, and points within the tolerance at most two boxes apart. The boxes are in the order of x, y and z.
-// Those near a box lie in 25 rows along z, and by symmetry the 13 rows that do not come before it suffice. Where a row
-// begins moves forward only, as the boxes do, so that each row costs one walk over all boxes.
-// Invariant: union-find unites exactly the pairs within the tolerance, and their chains, whatever their order.
+// The boxes near a box lie in 25 rows along z, and by symmetry the 13 rows that do not come before it suffice. Where a
+// row begins moves forward only, as the boxes do, so that each row costs one walk over all boxes. Invariant: union-find
+// unites exactly the pairs within the tolerance, and their chains, whatever their order.
 #include <fmt/format.h>
 
 #include <algorithm>
