@@ -11,27 +11,18 @@
 #include <numbers>
 #include <optional>
 
-#include "common/options/typed_options.hpp"
 #include "common/process.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/constrained_start.hpp"
 #include "gvd/curve_list.hpp"
 #include "gvd/error.hpp"
+#include "gvd/option_text.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {
 
-constexpr std::string_view kBoundary = "boundary", kCreases = "creases";
-
-/// The angle of "creases" or "creases:ANGLE", degrees; none where the text is neither.
-std::optional<double> parse_creases(const std::string& text) {
-  if (text == kCreases) return kUsualCreaseAngle;
-  const std::string before = std::string(kCreases) + ':';
-  if (!text.starts_with(before)) return std::nullopt;
-  const std::optional<double> angle = parse_number<double>(text.substr(before.size()));
-  return angle && *angle > 0 && *angle < 180 ? angle : std::nullopt;
-}
+constexpr std::string_view kBoundary = "boundary";
 
 /// Notes and limits are those of a list of generators (run_parts.cpp).
 std::vector<GeneratorCurve> read(Run& run, const CheckedMesh& input, const std::string& file) {
@@ -58,7 +49,7 @@ std::vector<GeneratorCurve> find(Run& run, const CheckedMesh& input, const std::
     if (curves.empty()) throw Error(ErrorCode::precondition, "--curves boundary: the mesh is closed");
     return curves;
   }
-  const std::optional<double> angle = parse_creases(name);
+  const std::optional<double> angle = parse_creases(name, kUsualCreaseAngle);
   if (!angle) return read(run, input, name);
   auto curves = crease_curves(input.mesh, *angle * std::numbers::pi / 180);
   if (curves.empty()) {
@@ -80,23 +71,6 @@ double length_of(const Mesh& mesh, const GeneratorCurve& curve) {
 
 }  // namespace
 
-void add_curves_option(CLI::App& app, GeneratorOptions& generators, const std::vector<std::string>& excluded) {
-  const auto store = [&generators](const std::string& text) -> std::string {
-    if (text.empty()) return "the name is empty; write boundary, creases or a file";
-    if (text.starts_with("creases:") && !parse_creases(text)) {
-      return fmt::format("'{}': write an angle above 0 and below 180 degrees, as in creases:30", printable(text));
-    }
-    generators.curves = text;
-    return "";
-  };
-  CLI::Option* const option = add_parsed(
-      app, "--curves", "FILE|boundary|creases[:ANGLE]", store,
-      fmt::format("Use curves as generators: polylines of a file (.obj, .ply, .json or text), the boundary loops, or "
-                  "connected edges whose faces differ by more than ANGLE degrees (default: {})",
-                  kUsualCreaseAngle));
-  for (const std::string& name : excluded) option->excludes(name);
-}
-
 std::vector<GeneratorCurve> load_curves(Run& run, const CheckedMesh& input) {
   return run.timed("generators", [&] {
     std::vector<GeneratorCurve> curves = find(run, input, run.options().generators.curves);
@@ -113,7 +87,7 @@ std::vector<GeneratorCurve> load_curves(Run& run, const CheckedMesh& input) {
 
 Diagram build_curve_diagram(Run& run, const Mesh& mesh, const std::vector<GeneratorCurve>& curves) {
   Diagram diagram = run.timed("diagram", [&] {
-    return compute_timed(run, make_diagram_options(run.options().compute),
+    return compute_timed(run, run.options().compute.diagram,
                          [&](const DiagramOptions& options) { return compute_diagram(mesh, curves, options); });
   });
   report_diagram(run, diagram);

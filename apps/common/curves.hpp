@@ -1,7 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <string>
 #include <vector>
 
 #include "common/run.hpp"
@@ -12,9 +10,6 @@
 // Curves as generators, for the commands that take them: gvd-segment for bands between curves, gvd-distance for
 // distances from them and their offset curves.
 namespace gvd::app {
-
-/// Adds --curves, which none of the options `excluded` may stand beside.
-void add_curves_option(CLI::App& app, GeneratorOptions& generators, const std::vector<std::string>& excluded);
 
 /// The curves of --curves, and reports them as generators, each by its first point. Throws what read_curves and
 /// resolve_curves throw; Error{precondition} if the mesh has no boundary or no crease.

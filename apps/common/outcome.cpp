@@ -70,7 +70,7 @@ ComputeOptions g_compute;
 Outcome out_of_memory() {
   // The points of the bisectors are most of an exact diagram. A few long needles take as much memory as many faces.
   std::string advice = "take a mesh of fewer or rounder triangles";
-  if (g_compute.method == Method::exact)
+  if (g_compute.diagram.method == Method::exact)
     advice = "take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles";
   std::string message = g_compute.max_memory
                             ? fmt::format("out of memory: the run needs more than --max-memory {}; raise it, or {}",

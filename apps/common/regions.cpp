@@ -15,7 +15,6 @@
 #include <limits>
 #include <set>
 
-#include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/error.hpp"
 
@@ -80,14 +79,14 @@ void note_lost_regions(Run& run, const std::string& name, const SoupProperty& nu
 
 }  // namespace
 
-void add_region_files(CLI::App& app, RegionFiles& files, const std::string& kept) {
-  add_file(app, "--within", files.within,
-           fmt::format("Keep {} inside given regions: a file with a whole number for each face or each vertex, or the "
-                       "name of a property of a PLY, VTP or VTU input; faces with negative numbers are left out",
-                       kept),
-           "PROPERTY|FILE");
-  add_file(app, "--mask", files.mask, "Leave out the faces whose number in this file or property is not 0",
-           "PROPERTY|FILE");
+void describe(OptionList& list, RegionFiles& files, const std::string& kept) {
+  list.option(
+      "within", ValueSource{&files.within},
+      {.help = fmt::format("Keep {} inside given regions", kept),
+       .more = ": a file with a whole number for each face or each vertex, or the name of a property of a PLY, VTP "
+               "or VTU input; faces with negative numbers are left out"});
+  list.option("mask", ValueSource{&files.mask},
+              {.help = "Leave out the faces whose number in this file or property is not 0"});
 }
 
 GivenRegions read_regions(Run& run, const CheckedMesh& input, const RegionFiles& files) {

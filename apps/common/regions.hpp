@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "common/run.hpp"
 #include "gvd/face_regions.hpp"
+#include "gvd/option_list.hpp"
 #include "gvd/soup.hpp"
 
 // The regions of --within and --mask, which gvd-segment and gvd-distance keep to.
@@ -17,8 +17,8 @@ struct RegionFiles {
   bool are_given() const { return !within.empty() || !mask.empty(); }
 };
 
-/// Adds the two options. `kept`: what stays inside the regions, for --help.
-void add_region_files(CLI::App& app, RegionFiles& files, const std::string& kept);
+/// Describes the two options. `kept`: what stays inside the regions.
+void describe(OptionList& list, RegionFiles& files, const std::string& kept);
 
 struct GivenRegions {
   FaceRegions regions;  ///< empty: neither option is given, and all faces are one region

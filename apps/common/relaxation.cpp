@@ -65,33 +65,39 @@ Density find_density(Run& run, const CheckedMesh& input, const std::string& opti
   return name.empty() ? Density() : find_numbers(run, input, option, name, read_density);
 }
 
-RelaxationStartOptions make_start_options(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints) {
-  RelaxationStartOptions options;
+void describe(OptionList& list, ConstraintFiles& files) {
+  list.group("Constraints");
+  list.option("fixed", File{&files.fixed},
+              {.help = "File that lists generators to keep in place", .more = "; {option:count} includes them"});
+  list.option("density", ValueSource{&files.density, {"curvature"}},
+              {.help = "Weight of the surface, above 0, which makes cells smaller where it is larger",
+               .more = ": 'curvature', a file with a number for each vertex or each face (text, .npy, .shape.gii or "
+                       "FreeSurfer's), or the name of a property of a PLY, VTP or VTU input"});
+}
+
+RelaxationStartOptions make_start_options(Run& run, const CheckedMesh& input, const ConstraintFiles& files,
+                                          RelaxationStartOptions options) {
   if (run.options().generators.are_listed()) options.listed = make_generators(run, input);
   options.sampling = make_sampling_options(run);
-  options.constraints.fixed = read_fixed(run, input, constraints.fixed);
-  options.constraints.prefers_creases = constraints.auto_features;
-  options.constraints.crease_angle = constraints.auto_features ? kUsualCreaseAngle : constraints.features;
-  options.constraints.keep_boundary = constraints.keep_boundary;
-  options.weighs_curvature = constraints.density == "curvature";
-  if (!options.weighs_curvature) options.density = find_density(run, input, "--density", constraints.density);
-  options.gradation = constraints.gradation;
-  options.copy.faces = constraints.coarse;
-  options.threads = run.options().compute.threads;
+  options.constraints.fixed = read_fixed(run, input, files.fixed);
+  options.weighs_curvature = files.density == "curvature";
+  if (!options.weighs_curvature) options.density = find_density(run, input, "--density", files.density);
+  options.threads = run.options().compute.diagram.threads;
   options.progress = run.progress();
   return options;
 }
 
-void report_start(Run& run, const Mesh& mesh, const RelaxationStart& start, const ConstraintOptions& constraints) {
+void report_start(Run& run, const Mesh& mesh, const RelaxationStart& start, const RelaxationStartOptions& options) {
   const bool is_listed = run.options().generators.are_listed();
   if (!is_listed) run.console().detail(counted(std::ssize(start.points), "generator", "generators"));
-  if (const std::int64_t faces = constraints.coarse.value_or(0); faces > 0 && !start.copy) {
+  if (const std::int64_t faces = options.copy.faces.value_or(0); faces > 0 && !start.copy) {
     note_unused_copy(run, mesh, faces, start.points.size());
   }
   note_unfollowed_curves(run, start);
   if (start.freedom.empty()) return;
   const auto count_of = [&](Freedom kind) { return std::count(start.freedom.begin(), start.freedom.end(), kind); };
-  const bool wants_creases = constraints.features || (constraints.auto_features && !is_listed);
+  const StartOptions& asked = options.constraints;
+  const bool wants_creases = asked.crease_angle && !(asked.prefers_creases && is_listed);
   const char* const curves = wants_creases ? "creases or the boundary" : "the boundary";
   run.console().note(fmt::format("generators: {} fixed, {} on {}, {} free", count_of(Freedom::fixed),
                                  count_of(Freedom::on_crease), curves, count_of(Freedom::free)));
@@ -115,15 +121,6 @@ void note_copy(Run& run, const CoarseRelaxation& used, const RelaxationStart& st
 nlohmann::ordered_json describe_copy(const CoarseRelaxation& copy) {
   if (copy.faces == 0) return nullptr;
   return {{"faces", copy.faces}, {"iterations", copy.iterations}, {"diagrams", copy.diagrams}};
-}
-
-void report_constraints(nlohmann::ordered_json& options, const ConstraintOptions& constraints) {
-  options["fixed"] = or_null(constraints.fixed);
-  options["features"] = constraints.auto_features ? "auto" : or_null(constraints.features);
-  options["keep_boundary"] = constraints.keep_boundary;
-  options["density"] = or_null(constraints.density);
-  options["gradation"] = constraints.gradation;
-  options["coarse"] = or_null(constraints.coarse);
 }
 
 }  // namespace gvd::app

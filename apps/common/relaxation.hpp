@@ -1,21 +1,32 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "common/options/options.hpp"
 #include "common/run.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/option_list.hpp"
 #include "gvd/relaxation_start.hpp"
 #include "gvd/soup.hpp"
 
 // The start of a relaxation, the relaxation, and words of its report, for gvd-lloyd and gvd-remesh.
 namespace gvd::app {
 
-/// The library's options for the start of a relaxation. Reads the files that the options name. Throws what
+/// Files that restrict and weigh a relaxation.
+struct ConstraintFiles {
+  std::string fixed;    ///< a list of generators that stay; empty: none
+  std::string density;  ///< "curvature", a file, or a property of the input; empty: uniform
+};
+
+void describe(OptionList& list, ConstraintFiles& files);
+
+/// The options for the start of a relaxation, with the generators, and what is in the files. Throws what
 /// make_generators, read_density and read_generators throw, and Error{unreadable_input} where --density names neither
 /// a file nor a property.
-RelaxationStartOptions make_start_options(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints);
+RelaxationStartOptions make_start_options(Run& run, const CheckedMesh& input, const ConstraintFiles& files,
+                                          RelaxationStartOptions options);
 
 /// The density that `option` names: none for an empty name. Throws what read_density throws, and
 /// Error{unreadable_input} where it names neither a file nor a property.
@@ -23,7 +34,7 @@ Density find_density(Run& run, const CheckedMesh& input, const std::string& opti
 
 /// Notes how many of a start's generators are fixed, on creases and free, what they do not follow, and why a
 /// copy that was asked for is not used.
-void report_start(Run& run, const Mesh& mesh, const RelaxationStart& start, const ConstraintOptions& constraints);
+void report_start(Run& run, const Mesh& mesh, const RelaxationStart& start, const RelaxationStartOptions& options);
 
 /// Shows iteration and energy in the bar from now on.
 void show_iteration(Run& run, std::int64_t iterations, double energy);
@@ -33,8 +44,5 @@ void note_copy(Run& run, const CoarseRelaxation& used, const RelaxationStart& st
 
 /// The part of a relaxation on a copy of the mesh, for reports; null where there was none.
 nlohmann::ordered_json describe_copy(const CoarseRelaxation& copy);
-
-/// Adds the constraints to the member `options` of a report.
-void report_constraints(nlohmann::ordered_json& options, const ConstraintOptions& constraints);
 
 }  // namespace gvd::app

@@ -31,16 +31,16 @@ struct ReportedGenerator {
   std::optional<double> snap_distance;  ///< mesh units; from the given position, where one was given
 };
 
-/// The record of a run: the document of `--report`, schema `gvd-report/1`. The body of the run fills it in, and it is
+/// The record of a run: the document of `--report`, schema `gvd-report/2`. The body of the run fills it in, and it is
 /// written once, at the end. docs/guide/formats.md lists its members.
 class RunReport {
  public:
-  RunReport(const std::string& command, const Options& options);
+  RunReport(const std::string& command, std::uint64_t seed);
   ~RunReport();
   RunReport(const RunReport&) = delete;
   RunReport& operator=(const RunReport&) = delete;
 
-  /// Member `options`, an object: the shared options are in it, a command adds its own.
+  /// Member `options`, an object: every option of the command as it was understood. Filled in by `write_report`.
   nlohmann::ordered_json& options();
   /// Member `results`, an object: the figures of the command itself.
   nlohmann::ordered_json& results();
@@ -111,7 +111,7 @@ struct RunFigures {
 class Run {
  public:
   Run(const std::string& command, Options options, Console& console)
-      : options_(std::move(options)), console_(console), report_(command, options_) {}
+      : options_(std::move(options)), console_(console), report_(command, options_.generators.seed) {}
 
   const Options& options() const { return options_; }
   Console& console() { return console_; }

@@ -12,12 +12,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <tuple>
 #include <utility>
 
+#include "common/options/option_json.hpp"
 #include "common/options/options.hpp"
-#include "common/options/typed_options.hpp"
 #include "common/process.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
@@ -58,14 +59,14 @@ void weld_input(PolygonSoup& soup, const InputOptions& input) {
 std::string with_weld_option(std::string message) {
   constexpr std::string_view kOfLibrary = "welding would close";
   const std::size_t at = message.find(kOfLibrary);
-  if (at != message.npos) message.replace(at, kOfLibrary.size(), fmt::format("{} would close", kWeldOption));
+  if (at != message.npos) message.replace(at, kOfLibrary.size(), "--weld would close");
   return message;
 }
 
 /// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
 void check_formats(const OutputOptions& output, const Mesh& mesh) {
   std::vector<std::string> formats = written_formats(output);
-  for (const auto& [option, file] : output.own) formats.push_back(file_extension(file));
+  for (const auto& [option, file] : output.own) formats.push_back(file_extension(*file));
   for (const std::string& name : formats) {
     if (const auto format = parse_output_format(name)) check_format(mesh, *format);
   }
@@ -83,12 +84,23 @@ void note_changes(Run& run, const GeneratorOptions& list, const ResolvedGenerato
                            counted(resolved.merged, "is merged with an earlier one", "are merged with earlier ones")));
 }
 
+/// Refuses a name that is no file: with --from and --to, it may have been meant for something else.
+void check_list(const GeneratorOptions& list) {
+  std::error_code ignored;
+  if (list.names.points == "generators" || std::filesystem::exists(list.file, ignored)) return;
+  throw Error(ErrorCode::unreadable_input,
+              fmt::format("{0} {1}: there is no such file; name one that lists points, or write vertices, as in {0} "
+                          "3,17,99",
+                          list.names.file, printable(list.file)));
+}
+
 GeneratorList read_list(const GeneratorOptions& options) {
   if (options.file == "-") {
     const std::string content = read_standard_input();
     return parse_generators(content, options.format.value_or(detect_generator_format(content)), kStandardInput);
   }
   if (!options.vertices) {
+    check_list(options);
     const WaitForInput wait(options.file);
     return read_generators(options.file, options.format);
   }
@@ -114,7 +126,7 @@ ResolvedGenerators sample(Run& run, const Mesh& mesh, const Sampler& sampler) {
 #ifdef GVD_HAS_VERIFY
 void verify(Run& run, const Mesh& mesh, const Diagram& diagram) {
   VerifyOptions options;
-  options.threads = run.options().compute.threads;
+  options.threads = run.options().compute.diagram.threads;
   options.progress = run.progress();
   const ErrorMeasure error = run.timed("verify", [&] { return verify_diagram(mesh, diagram, options); });
   run.report().set_error_measure(error);
@@ -356,7 +368,7 @@ constexpr double kLongRun = 10;  // seconds
 }  // namespace
 
 void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost) {
-  const std::int64_t count = run.options().generators.count.value_or(0);
+  const std::int64_t count = run.options().generators.wanted().value_or(0);
   const double seconds = cost.microseconds * 1e-6 * double(count);
   if (count <= mesh.face_count() || seconds < kLongRun) return;
   run.console().note(fmt::format(
@@ -370,9 +382,9 @@ SamplingOptions make_sampling_options(Run& run) {
   const GeneratorOptions& asked = run.options().generators;
   SamplingOptions options;
   options.seed = asked.seed;
-  options.front = make_diagram_options(run.options().compute).chosen_front();
+  options.front = run.options().compute.diagram.chosen_front();
   options.progress = run.progress();
-  if (asked.count) options.count = *asked.count;
+  if (asked.wanted()) options.count = *asked.wanted();
   if (asked.radius) options.radius = *asked.radius;
   options.kind = asked.radius ? Sampling::covering_radius : asked.sampling;
   return options;
@@ -447,7 +459,7 @@ Diagram compute_timed(Run& run, DiagramOptions options, const std::function<Diag
 
 Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                       const std::vector<double>& weights) {
-  DiagramOptions options = make_diagram_options(run.options().compute);
+  DiagramOptions options = run.options().compute.diagram;
   options.weights = weights;
   const auto compute = [&](const DiagramOptions& timed) { return compute_diagram(mesh, generators, timed); };
   Diagram diagram = run.timed("diagram", [&] { return compute_timed(run, options, compute); });
@@ -495,7 +507,7 @@ void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram) {
 void write_own_file(Run& run, const std::string& option, const OutputWriter& write) {
   const auto& own = run.options().output.own;
   const auto target = own.find(option);
-  if (target != own.end()) write_timed(run, option.substr(2), target->second, write);
+  if (target != own.end()) write_timed(run, option.substr(2), *target->second, write);
 }
 
 void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes) {
@@ -523,6 +535,10 @@ void write_report(Run& run) {
   if (path.empty()) return;
   check_interrupt();
   run.report().set_peak_memory(peak_memory_bytes());
+  if (const Options& options = run.options(); options.list != nullptr) {
+    run.report().options() = report_options(*options.list, *options.given);
+    run.report().options()["input"] = options.input.path;
+  }
   write_file(path, [&](std::ostream& out) { run.report().write(out); });
   run.add_written(path);
 }

@@ -23,7 +23,7 @@
 #include "common/command.hpp"
 #include "common/curves.hpp"
 #include "common/cut_sheets.hpp"
-#include "common/options/typed_options.hpp"
+#include "common/options/shared_options.hpp"
 #include "common/run_parts.hpp"
 #include "distance/measured_surface.hpp"
 #include "gvd/error.hpp"
@@ -52,12 +52,65 @@ constexpr double kMostLevels = 10'000;
 /// Nor are more crossings of levels and edges traced: each takes up to a kilobyte until it is written.
 constexpr double kMostCrossings = 2e7;
 
-/// The options of gvd-distance alone.
-struct OwnOptions {
+const std::vector<std::string> kFormats{"npy", "csv", "ply", "vtp", "vtu", "obj", "json", "shape.gii", "curv", "txt"};
+
+struct OwnOptions : Options {
   bool each = false, paths = false;
   std::optional<double> max_distance, isolines;  ///< mesh units
   RegionFiles regions;
 };
+
+void describe_points(OptionList& list, OwnOptions& own) {
+  list.group("Points");
+  describe_list(list, "from", own.generators,
+                {.help = "The points to measure from: vertices of the input file, counted from 0, as in 3,17,99",
+                 .more = ", or a file that lists points (text, .csv or .json), or - for standard input",
+                 .shown = Shown::main});
+  describe_list(
+      list, "to", own.targets,
+      {.help = "The points to measure to, as {option:from} gives them", .usual = "all vertices", .shown = Shown::main});
+  list.option("max_snap", Number{&own.generators.max_snap, {.least = 0}},
+              {.help = "Refuse a point of a list that is farther than this from the surface", .unit = "mesh units"});
+  list.option("merge_coincident", Flag{&own.generators.merge_coincident},
+              {.help = "Merge points of {option:from} that are in the same place instead of refusing them"});
+}
+
+void describe_distances(OptionList& list, OwnOptions& own) {
+  list.group("Distances");
+  describe_curves(list, own.generators);
+  list.option("each", Flag{&own.each}, {.help = "Measure from each source alone, instead of from the nearest one"});
+  list.option("paths", Flag{&own.paths},
+              {.help = "Trace the shortest path from each point of {option:to}",
+               .more = "; .csv then holds the points of the paths",
+               .shown = Shown::main});
+  list.option("max_distance", Number{&own.max_distance, {.least = 0}},
+              {.help = "Leave out what is farther than this", .more = "; the work ends there", .unit = "mesh units"});
+  list.option("isolines", Number{&own.isolines, above(0)},
+              {.help = "Trace the curves of equal distance at every multiple of this",
+               .unit = "mesh units",
+               .shown = Shown::main});
+  describe(list, own.regions, "distances and paths");
+  list.excludes("curves", {"merge_coincident", "within", "mask"});
+}
+
+void describe_own(OptionList& list, OwnOptions& own) {
+  own.has_diagram = false;
+  own.output.prints = true;
+  describe_input(list, own.input);
+  describe_points(list, own);
+  describe_resources(list, own.compute);
+  describe_output(list, own.output, kFormats);
+  describe_distances(list, own);
+  list.one_of({{"from", "curves"}, "no sources"});
+}
+
+/// Where no file is named, standard output has a text that a script reads as it is, or else the simplest format that
+/// holds all.
+void complete(OwnOptions& own, const Given& given) {
+  if (names_file(own.output)) return;
+  if (!given.has("output_format")) own.output.formats = {own.isolines ? "json" : own.paths ? "csv" : "txt"};
+  own.output.files = {"-"};
+}
 
 bool writes(const Options& options, const std::vector<std::string>& formats) {
   const std::vector<std::string> written = written_formats(options.output);
@@ -134,19 +187,9 @@ void check(const Options& options, const OwnOptions& own) {
   check_content(options, own);
 }
 
-void report_options(Run& run, const OwnOptions& own) {
-  Json& reported = run.report().options();
-  reported["each"] = own.each;
-  reported["paths"] = own.paths;
-  reported["max_distance"] = or_null(own.max_distance);
-  reported["isolines"] = or_null(own.isolines);
-  reported["within"] = or_null(own.regions.within);
-  reported["mask"] = or_null(own.regions.mask);
-}
-
 ExactFieldOptions field_options(Run& run, const OwnOptions& own) {
   ExactFieldOptions options;
-  options.threads = run.options().compute.threads;
+  options.threads = run.options().compute.diagram.threads;
   options.progress = run.progress();
   options.max_distance = own.max_distance.value_or(kInfinity);
   return options;
@@ -464,7 +507,7 @@ void measure_nearest(Run& run, const OwnOptions& own, const Measurement& measure
   add_nearest(table, measured, field, vertices);
   if (own.paths) run.timed("paths", [&] { add_paths(table, measured, field, GeneratorId()); });
   if (own.isolines) {
-    const IsolineOptions options{.threads = run.options().compute.threads, .progress = run.progress()};
+    const IsolineOptions options{.threads = run.options().compute.diagram.threads, .progress = run.progress()};
     table.isolines = run.timed("isolines", [&] { return field.isolines(choose_levels(mesh, field, own), options); });
   }
   report_table(run, input, own, table, describe_cuts(measured.input, [&](FaceId f) {
@@ -523,9 +566,8 @@ void check_sources(const DistanceTable& table, const PlacedPoints& placed) {
               std::int64_t(next));
 }
 
-void measure(Run& run, const OwnOptions& own) {
+void measure(Run& run, OwnOptions& own) {
   check(run.options(), own);
-  report_options(run, own);
   const CheckedMesh input = load_input(run);
   DistanceTable table;
   if (run.options().generators.curves.empty()) {
@@ -547,28 +589,11 @@ void measure(Run& run, const OwnOptions& own) {
 }  // namespace gvd::app
 
 int main(int argc, char** argv) {
-  using namespace gvd;
   using namespace gvd::app;
-  OwnOptions own;
-  Command command({"gvd-distance",
-                   "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
-                   kExamples,
-                   {{"npy", "csv", "ply", "vtp", "vtu", "obj", "json", "shape.gii", "curv", "txt"}, false},
-                   register_distance_options});
-  command.line().option_defaults()->group("Distances");
-  add_curves_option(command.line(), command.options().generators, {"--from", "--merge-coincident"});
-  add_flag(command.line(), "--each", own.each, "Measure from each source alone, instead of from the nearest one");
-  add_flag(command.line(), "--paths", own.paths,
-           "Trace the shortest path from each point of --to; .csv then holds the points of the paths");
-  add_number(command.line(), "--max-distance", own.max_distance, kNotNegative,
-             "Leave out what is farther than this, in mesh units; the work ends there");
-  add_number(command.line(), "--isolines", own.isolines, kPositive,
-             "Trace the curves of equal distance at every multiple of this, in mesh units");
-  add_region_files(command.line(), own.regions, "distances and paths");
-  for (const char* option : {"--within", "--mask"}) {
-    command.line().get_option(option)->excludes(command.line().get_option("--curves"));
-  }
-  // Where no file is named: a text that a script reads as it is, or else the simplest format that holds all.
-  command.print_results([&] { return own.isolines ? "json" : own.paths ? "csv" : "txt"; });
-  return command.run(argc, argv, [&](Run& run) { measure(run, own); });
+  return run_command<OwnOptions>(
+      {"gvd-distance",
+       "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
+       kExamples,
+       {kFormats, false}},
+      {describe_own, measure, complete}, argc, argv);
 }

@@ -11,7 +11,6 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
@@ -22,14 +21,14 @@
 #include "common/balance.hpp"
 #include "common/command.hpp"
 #include "common/options/options.hpp"
-#include "common/options/register_options.hpp"
-#include "common/options/typed_options.hpp"
+#include "common/options/shared_options.hpp"
 #include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/balance.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
+#include "gvd/lloyd_options.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd::app {
@@ -40,12 +39,17 @@ using Json = nlohmann::ordered_json;
 /// 100,000 generators on 5,876 faces took 76 s of processor time and 0.96 GB.
 constexpr GeneratorCost kGeneratorCost{760, 9.6};
 
-/// The command's own options.
-struct OwnOptions {
+const std::vector<std::string> kFormats{"txt",       "csv",       "json", "ply",   "obj", "off",
+                                        "coff",      "stl",       "vtp",  "vtu",   "glb", "surf.gii",
+                                        "label.gii", "shape.gii", "fs",   "annot", "curv"};
+
+struct OwnOptions : Options {
   LloydOptions relaxation;
-  ConstraintOptions constraints;
+  RelaxationStartOptions start;
+  ConstraintFiles files;
   std::optional<double> time_limit;  ///< of the relaxation, seconds, >= 0
   std::string balance;               ///< what cells share in the end: "area", a file or a property; empty: as they come
+  std::string points, trace;         ///< files; empty: none
 };
 
 constexpr const char* kExamples =
@@ -57,46 +61,32 @@ constexpr const char* kExamples =
     "    gvd-remesh bunny.obj --generators relaxed.txt -o coarse.obj\n"
     "  gvd-lloyd scans/*.stl -n 30 --output-dir relaxed --output-format json\n";
 
-constexpr Range<std::int32_t> kIterations{0, 1000000, "a whole number from 0 to 1000000"};
-// The upper end is the largest double below 2.
-constexpr Range<double> kStep{std::numeric_limits<double>::min(), 0x1.fffffffffffffp0, "above 0 and below 2"};
-
-void register_relaxation(CLI::App& line, OwnOptions& own) {
-  LloydOptions &options = own.relaxation, plain;
-  plain.acceleration = Acceleration::none;
-  line.option_defaults()->group("Relaxation");
-  add_choice(line, "--accelerate", options.acceleration, kAccelerationNames,
-             "How to find the steps: by a quasi-Newton method (lbfgs, the default), by Anderson mixing of the last "
-             "steps, or by Lloyd's method alone");
-  add_choice(line, "--relocate", options.relocate, Choices<bool>{{"on", true}, {"off", false}},
-             "Move generators from cells with little energy to distant cells with much, where that lowers the energy "
-             "at once (default: on; off with --accelerate none)");
-  add_number(line, "--iterations", options.max_iterations, kIterations,
-             fmt::format("Largest number of iterations (default: {}; {} with --accelerate none)",
-                         max_iterations(options), max_iterations(plain)));
-  add_number(line, "--tolerance", options.energy_tolerance, kNotNegative,
-             fmt::format("Stop once an iteration lowers the energy by less than this fraction of it; 1e-8 is near the "
-                         "limit (default: stop once the next five iterations would lower it by less than {:g} %, as "
-                         "predicted; {} with --accelerate none)",
-                         100 * kSettledFall, *energy_tolerance(plain)));
-  add_number(line, "--move-tolerance", options.move_tolerance, kNotNegative,
-             fmt::format("Stop once no generator is farther from its centroid than this fraction of the mean cell "
-                         "radius (default: {})",
-                         options.move_tolerance));
-  add_number(
-      line, "--step", options.step, kStep,
-      fmt::format(
-          "Length of the steps of Lloyd's method, as a fraction of the way to the centroid, below 2 (default: {})",
-          options.step));
-  register_coarse(line, own.constraints);
-  add_file(
-      line, "--balance", own.balance,
-      "In the end, make all cells equal and keep the generators near their centroids: in area, or in the integral of "
-      "a number for each vertex or face, out of a file or a property of INPUT",
-      "area|FILE|PROPERTY");
-  add_number(line, "--time-limit", own.time_limit, kNotNegative,
-             "Stop after the iteration that exceeds this many seconds in all; the result then varies from run to run "
-             "(default: no limit)");
+void describe_own(OptionList& list, OwnOptions& own) {
+  describe_input(list, own.input);
+  describe_generators(list, own.generators);
+  describe_diagram(list, own.compute);
+  describe_output(list, own.output, kFormats);
+  describe_no_curves(list, own.output);
+  describe_diagram_output(list, own.output);
+  describe_target(
+      list, own.output, "points", own.points, {"ply", "xyz", "npy"},
+      {.help = "Write the generators with normals, barycentric coordinates, areas and energies", .shown = Shown::main});
+  describe_target(list, own.output, "trace", own.trace, {"csv"},
+                  {.help = "Write energy, moves, methods and seconds of each iteration as CSV"});
+  describe(list, own.relaxation);
+  describe(list, own.files);
+  describe(list, own.start);
+  list.group("Relaxation");
+  list.option(
+      "balance", ValueSource{&own.balance, {"area"}},
+      {.help = "In the end, make all cells equal and keep the generators near their centroids",
+       .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
+               "{option:input}"});
+  list.option("time_limit", Number{&own.time_limit, {.least = 0}},
+              {.help = "Stop after the iteration that exceeds this time in all",
+               .more = "; the result then varies from run to run",
+               .unit = "seconds",
+               .usual = "no limit"});
 }
 
 const char* describe(LloydStop stop) {
@@ -143,19 +133,6 @@ double area_variation(const IdVector<GeneratorId, Cell>& cells) {
   if (!(mean > 0)) return 0;
   for (const Cell& cell : cells) squares += (cell.area / mean - 1) * (cell.area / mean - 1);
   return std::sqrt(squares / static_cast<double>(cells.size()));
-}
-
-void report_own_options(Json& reported, const OwnOptions& own) {
-  const LloydOptions& options = own.relaxation;
-  reported["accelerate"] = name_in(kAccelerationNames, options.acceleration);
-  reported["relocate"] = relocates(options);
-  reported["iterations"] = max_iterations(options);
-  reported["tolerance"] = or_null(energy_tolerance(options));
-  reported["move_tolerance"] = options.move_tolerance;
-  reported["step"] = options.step;
-  report_constraints(reported, own.constraints);
-  reported["balance"] = or_null(own.balance);
-  reported["time_limit"] = or_null(own.time_limit);
 }
 
 /// When the energy of each iteration was known, and the generators then. The library reads no clock.
@@ -262,22 +239,23 @@ void report_result(Run& run, const LloydResult& result) {
   run.console().note(fmt::format("areas of the cells: coefficient of variation {:.3g}", variation));
 }
 
-RelaxationStart make_start(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints) {
-  RelaxationStartOptions options = make_start_options(run, input, constraints);
+RelaxationStart make_start(Run& run, const CheckedMesh& input, OwnOptions& own) {
+  own.start.copy = copy_options(own.relaxation, own.start.copy);
+  RelaxationStartOptions options = make_start_options(run, input, own.files, own.start);
   RelaxationStart start;
   {
     StepTimes times(run);
     options.on_step = [&times](std::string_view step) { times.start(step); };
     start = start_relaxation(input.mesh, options);
   }
-  report_start(run, input.mesh, start, constraints);
+  report_start(run, input.mesh, start, options);
   return start;
 }
 
 LloydResult relax(Run& run, const Mesh& mesh, const RelaxationStart& start, const OwnOptions& own,
                   RelaxationTrace& trace) {
   LloydOptions options = own.relaxation;
-  options.diagram = make_diagram_options(run.options().compute);
+  options.diagram = run.options().compute.diagram;
   options.progress = run.progress();
   trace = {};
   if (own.time_limit) {
@@ -300,7 +278,7 @@ void balance(Run& run, const CheckedMesh& input, const RelaxationStart& start, c
              LloydResult& relaxed) {
   BalancedRelaxationOptions options;
   if (own.balance != "area") options.balance.density = find_density(run, input, "--balance", own.balance);
-  options.balance.diagram = make_diagram_options(run.options().compute);
+  options.balance.diagram = run.options().compute.diagram;
   options.balance.diagram.progress = run.progress();
   options.density = start.density;
   options.freedom = start.freedom;
@@ -334,8 +312,8 @@ void write_outputs(Run& run, const CheckedMesh& input, const Diagram& diagram) {
   write_output_files(run, output, {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}});
 }
 
-void write_points_file(Run& run, const Mesh& mesh, const LloydResult& relaxed) {
-  const auto format = parse_point_format(file_extension(run.options().output.own.at("--points")));
+void write_points_file(Run& run, const OwnOptions& own, const Mesh& mesh, const LloydResult& relaxed) {
+  const auto format = parse_point_format(file_extension(own.points));
   if (!format) return;
   std::vector<SurfaceSample> samples;
   for (const SurfacePoint& point : relaxed.generators) {
@@ -345,17 +323,12 @@ void write_points_file(Run& run, const Mesh& mesh, const LloydResult& relaxed) {
   write_own_file(run, "--points", [&](std::ostream& out) { write_points(out, mesh, samples, *format); });
 }
 
-void lloyd(Run& run, const OwnOptions& own) {
-  report_own_options(run.report().options(), own);
+void lloyd(Run& run, OwnOptions& own) {
   const CheckedMesh input = load_input(run);
   note_many_generators(run, input.mesh, kGeneratorCost);
   check_material_files(run, input.appearance);
   const Mesh& mesh = input.mesh;
-  ConstraintOptions constraints = own.constraints;
-  CopyOptions copy;
-  copy.faces = constraints.coarse;
-  constraints.coarse = copy_options(own.relaxation, copy).faces;
-  const RelaxationStart start = make_start(run, input, constraints);
+  const RelaxationStart start = make_start(run, input, own);
   RelaxationTrace trace;
   LloydResult relaxed = relax(run, mesh, start, own, trace);
   if (!own.balance.empty()) balance(run, input, start, own, relaxed);
@@ -364,13 +337,15 @@ void lloyd(Run& run, const OwnOptions& own) {
   report_diagram(run, relaxed.diagram);
   write_outputs(run, input, relaxed.diagram);
   write_diagram_file(run, mesh, relaxed.diagram);
-  write_points_file(run, mesh, relaxed);
-  write_own_file(run, "--trace", [&](std::ostream& out) { trace.write(out, relaxed, run.options().compute.method); });
+  write_points_file(run, own, mesh, relaxed);
+  write_own_file(run, "--trace",
+                 [&](std::ostream& out) { trace.write(out, relaxed, run.options().compute.diagram.method); });
   write_view_file(run, "gvd-lloyd", [&] {
-    DiagramOptions early = make_diagram_options(run.options().compute);
+    DiagramOptions early = run.options().compute.diagram;
     early.progress = run.progress();
     return make_iteration_scenes(mesh, relaxed, trace, early);
   });
+  resolve(own.relaxation);  // for the report
   finish_run(run, mesh, relaxed.diagram);
 }
 
@@ -378,17 +353,10 @@ void lloyd(Run& run, const OwnOptions& own) {
 }  // namespace gvd::app
 
 int main(int argc, char** argv) {
-  using namespace gvd;
   using namespace gvd::app;
-  OwnOptions own;
-  Command command({"gvd-lloyd",
-                   "Moves generators to the geodesic centroids of their cells until they stop moving.",
-                   kExamples,
-                   {{"txt", "csv", "json", "ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb", "surf.gii",
-                     "label.gii", "shape.gii", "fs", "annot", "curv"}}});
-  register_relaxation(command.line(), own);
-  register_constraints(command.line(), own.constraints);
-  command.add_target("--points", "Write the generators with normals, barycentric coordinates, areas and energies");
-  command.add_target("--trace", "Write energy, moves, methods and seconds of each iteration as CSV");
-  return command.run(argc, argv, [&](Run& run) { lloyd(run, own); });
+  return run_command<OwnOptions>({"gvd-lloyd",
+                                  "Moves generators to the geodesic centroids of their cells until they stop moving.",
+                                  kExamples,
+                                  {kFormats}},
+                                 {describe_own, lloyd}, argc, argv);
 }

@@ -17,6 +17,7 @@
 
 #include "common/command.hpp"
 #include "common/options/options.hpp"
+#include "common/options/shared_options.hpp"
 #include "common/process.hpp"
 #include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
@@ -25,12 +26,12 @@
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/remesh_map.hpp"
+#include "gvd/remesh_options.hpp"
 #include "gvd/remesh_scenes.hpp"
 #include "gvd/remesh_surface.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #include "remesh/remesh_report.hpp"
-#include "remesh/settings.hpp"
 
 namespace gvd::app {
 namespace {
@@ -49,7 +50,70 @@ constexpr const char* kExamples =
 /// 30,000 generators on 5,876 faces took 14 s of processor time and 0.44 GB.
 constexpr GeneratorCost kGeneratorCost{460, 14.7};
 
-constexpr const char* kMap = "--map";
+const std::vector<std::string> kFormats{"ply", "obj", "off", "stl", "vtp", "vtu", "glb", "json", "surf.gii", "fs"};
+
+struct OwnOptions : Options {
+  SurfaceRemeshOptions remesh;
+  ConstraintFiles files;
+  bool carry = false;
+  std::string map;  ///< a file; empty: none
+};
+
+void describe_sizes(OptionList& list, GeneratorOptions& generators) {
+  list.group("Sizes (in place of {option:count}, {option:generators}, {option:vertices} and {option:radius})");
+  list.option("target_edge", Number{&generators.target_edge, above(0)},
+              {.help = "Sample as many generators as give edges of this average length",
+               .unit = "mesh units",
+               .shown = Shown::main});
+  list.option("error", SizeOrPercent{&generators.error},
+              {.help = "Use the fewest generators whose mesh stays within this distance of the input",
+               .more = ", in mesh units or in percent of the bounding box's diagonal; takes up to 17 remeshes",
+               .shown = Shown::main});
+  for (const char* size : {"target_edge", "error"}) list.excludes(size, {"merge_coincident"});
+}
+
+/// The options that do nothing because no generator is relaxed, or no vertex fitted.
+void describe_rules(OptionList& list, const OwnOptions& own) {
+  const auto is_listed = [&own] { return own.generators.are_listed(); };
+  for (const char* name : {"density", "fixed", "coarse"}) {
+    list.rule({name, {"relax", "generators", "vertices"}, [&own, is_listed, name](const Given& given) -> std::string {
+                 const bool off = std::string_view(name) == "coarse" && own.remesh.start.copy.faces.value_or(0) == 0;
+                 if (off || own.remesh.relaxation.value_or(is_listed() ? 0 : kRemeshRelaxation) > 0) return "";
+                 return fmt::format("{{option:{}}}: no generator is moved; {}", name,
+                                    given.has("relax") ? "leave it out, or leave out {option:relax=none}"
+                                                       : "ask for it with {option:relax=N}");
+               }});
+  }
+  list.rule({"shape", {"place", "generators", "vertices"}, [&own, is_listed](const Given& given) -> std::string {
+               const Placement usual = is_listed() ? Placement::generator : Placement::fit;
+               if (own.remesh.placement.value_or(usual) == Placement::fit) return "";
+               return fmt::format("{{option:shape}}: no vertex is fitted; {}",
+                                  given.has("place") ? "leave it out, or take {option:place=fit}"
+                                                     : "ask for it with {option:place=fit}");
+             }});
+  list.rule(format_rule(own.output, "carry", {"ply", "obj", "glb"},
+                        "{option:carry}: only PLY, OBJ and GLB files hold what is carried over; write one, such as "
+                        "{option:output=FILE.ply}"));
+}
+
+void describe_own(OptionList& list, OwnOptions& own) {
+  describe_input(list, own.input);
+  describe_generators(list, own.generators, {"target_edge", "error"});
+  describe_diagram(list, own.compute);
+  describe_output(list, own.output, kFormats);
+  describe_diagram_output(list, own.output);
+  describe_target(list, own.output, "map", own.map, {"json"},
+                  {.help = "Write the point of {option:input} for each output vertex, and the point of the output for "
+                           "each input vertex"});
+  describe_sizes(list, own.generators);
+  list.group("Relaxation");
+  describe(list, own.files);
+  describe(list, own.remesh);
+  list.option("carry", Flag{&own.carry},
+              {.help = "Carry over the colours and other properties of a PLY input to PLY output",
+               .more = ", texture coordinates to PLY, OBJ and GLB output, and materials to OBJ output"});
+  describe_rules(list, own);
+}
 
 void report_relaxation(Run& run, const SurfaceRemesh& made) {
   const LloydResult& relaxed = *made.relaxation;
@@ -64,35 +128,19 @@ void report_relaxation(Run& run, const SurfaceRemesh& made) {
       {"coarse", describe_copy(relaxed.copy)}};
 }
 
-void report_options(Run& run, const Settings& settings, const ConstraintOptions& constraints,
-                    const SurfaceRemeshOptions& asked) {
-  Json& reported = run.report().options();
-  const GeneratorOptions& generators = run.options().generators;
-  const Placement placement = asked.chosen_placement();
-  reported["relax"] = asked.iterations();
-  report_constraints(reported, constraints);
-  reported["target_edge"] = or_null(generators.target_edge);
-  reported["loose_boundary"] = settings.loose_boundary;
-  reported["place"] = name_in(kPlacementNames, placement);
-  reported["shape"] = placement == Placement::fit ? Json(asked.remesh.placement.shape) : nullptr;
-  reported["allow_intersections"] = asked.remesh.allow_intersections;
-  reported["no_refine"] = !asked.remesh.refine;
-  reported["exact_count"] = asked.exact_count;
-}
-
-/// The library's options for this run.
-SurfaceRemeshOptions make_remesh_options(Run& run, const CheckedMesh& input, const Settings& settings) {
-  SurfaceRemeshOptions options;
-  options.start = make_start_options(run, input, settings.constraints);
-  options.start.constraints.prefers_boundary = !settings.loose_boundary;
-  options.relaxation = settings.relaxation;
-  options.placement = settings.place;
-  options.exact_count = settings.exact_count;
-  options.remesh = settings.remesh;
-  options.remesh.refine = !settings.no_refine;
-  if (settings.shape) options.remesh.placement.shape = *settings.shape;
-  options.remesh.diagram = make_diagram_options(run.options().compute);
+/// The library's options for this run; the user's own ones become what they stand for, for the report.
+SurfaceRemeshOptions make_remesh_options(Run& run, const CheckedMesh& input, OwnOptions& own) {
+  SurfaceRemeshOptions options = own.remesh;
+  options.start = make_start_options(run, input, own.files, own.remesh.start);
+  options.remesh.diagram = run.options().compute.diagram;
   options.remesh.diagram.progress = run.progress();
+  own.remesh.relaxation = options.iterations();
+  own.remesh.placement = options.chosen_placement();
+  StartOptions& constraints = own.remesh.start.constraints;
+  if (constraints.prefers_creases && !options.may_add()) {
+    constraints.prefers_creases = false;
+    constraints.crease_angle.reset();
+  }
   return options;
 }
 
@@ -107,12 +155,12 @@ SurfaceRemesh make_remesh(Run& run, const Mesh& mesh, SurfaceRemeshOptions optio
   return remesh_surface(mesh, options);
 }
 
-void report_result(Run& run, const Mesh& mesh, const ConstraintOptions& constraints, const SurfaceRemesh& made) {
+void report_result(Run& run, const Mesh& mesh, OwnOptions& own, const SurfaceRemesh& made) {
   const RemeshResult& result = made.result;
-  report_start(run, mesh, made.start, constraints);
+  report_start(run, mesh, made.start, own.remesh.start);
   run.report().results()["relaxation"] = nullptr;
   if (made.relaxation) report_relaxation(run, made);
-  run.report().options()["max_added"] = result.max_added;
+  own.remesh.remesh.max_added = result.max_added;
   report_remesh(run.report().results(), mesh, result);
   run.report().set_diagram(result.diagram);
   run.figures().regions = std::ssize(result.diagram.cells);
@@ -145,18 +193,17 @@ std::int32_t count_for(const Mesh& mesh, double edge) {
 }
 
 /// The map that `--map` and `--carry` need; empty without them.
-RemeshMap make_map(Run& run, const Mesh& mesh, const RemeshResult& result, bool carry) {
-  const std::string& path = run.options().output.own.at(kMap);
-  run.report().options()["map"] = or_null(path);
-  if (path.empty() && !carry) return {};
-  return run.timed("map", [&] { return map_to_remesh(mesh, result, run.options().compute.threads, run.progress()); });
+RemeshMap make_map(Run& run, const Mesh& mesh, const RemeshResult& result, const OwnOptions& own) {
+  if (own.map.empty() && !own.carry) return {};
+  return run.timed("map",
+                   [&] { return map_to_remesh(mesh, result, run.options().compute.diagram.threads, run.progress()); });
 }
 
 /// Writes `--map`; the report and a note tell how good the map is.
-void write_map(Run& run, const CheckedMesh& input, const RemeshMap& map) {
-  if (run.options().output.own.at(kMap).empty()) return;
+void write_map(Run& run, const OwnOptions& own, const CheckedMesh& input, const RemeshMap& map) {
+  if (own.map.empty()) return;
   run.console().note(report_map(run.report().results(), map));
-  write_own_file(run, kMap, [&](std::ostream& out) { write_map_json(out, input, map); });
+  write_own_file(run, "--map", [&](std::ostream& out) { write_map_json(out, input, map); });
 }
 
 /// Properties, texture coordinates and materials of the input file, on the remesh.
@@ -199,35 +246,30 @@ void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
   Mesh unplaced;  // the scenes refer to it
   write_view_file(run, "gvd-remesh", [&] {
     unplaced = make_unplaced(mesh, result);
-    return make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads, run.progress());
+    return make_remesh_scenes(mesh, result, unplaced, run.options().compute.diagram.threads, run.progress());
   });
 }
 
-void run_remesh(Run& run, const Settings& settings) {
-  check_settings(run.options(), settings);
-  run.report().options()["carry"] = settings.carry;
+void run_remesh(Run& run, OwnOptions& own) {
   std::string standard_input;
-  const CheckedMesh input = load_input(run, settings.carry ? &standard_input : nullptr);
+  const CheckedMesh input = load_input(run, own.carry ? &standard_input : nullptr);
   note_many_generators(run, input.mesh, kGeneratorCost);
-  if (!settings.carry && !input.appearance.empty() && !run.options().output.files.empty()) {
+  if (!own.carry && !input.appearance.empty() && !run.options().output.files.empty()) {
     note_on_input(run, "texture coordinates and materials are left out; --carry keeps them in .obj, .ply and .glb");
   }
   const Mesh& mesh = input.mesh;
   const GeneratorOptions& asked = run.options().generators;
-  SurfaceRemeshOptions options = make_remesh_options(run, input, settings);
-  ConstraintOptions constraints = settings.constraints;
-  constraints.auto_features = constraints.auto_features && options.may_add();
-  report_options(run, settings, constraints, options);
+  SurfaceRemeshOptions options = make_remesh_options(run, input, own);
   if (asked.error) options.start.sampling.count = search_count(run, mesh, options);
   if (asked.target_edge) options.start.sampling.count = count_for(mesh, *asked.target_edge);
   const SurfaceRemesh made = make_remesh(run, mesh, std::move(options));
-  report_result(run, mesh, constraints, made);
+  report_result(run, mesh, own, made);
   const RemeshResult& result = made.result;
-  const RemeshMap map = make_map(run, mesh, result, settings.carry);
-  const Carried carried = settings.carry ? carry(run, input, result, map, standard_input) : Carried();
+  const RemeshMap map = make_map(run, mesh, result, own);
+  const Carried carried = own.carry ? carry(run, input, result, map, standard_input) : Carried();
   write_remesh(run, mesh, result, carried);
   write_diagram_file(run, mesh, result.diagram);
-  write_map(run, input, map);
+  write_map(run, own, input, map);
   write_view(run, mesh, result);
   finish_run(run, mesh, result.diagram);
 }
@@ -236,16 +278,11 @@ void run_remesh(Run& run, const Settings& settings) {
 }  // namespace gvd::app
 
 int main(int argc, char** argv) {
-  using namespace gvd;
   using namespace gvd::app;
-  Settings settings;
-  Command command({"gvd-remesh",
-                   "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
-                   kExamples,
-                   // the coarse mesh has no labels
-                   {{"ply", "obj", "off", "stl", "vtp", "vtu", "glb", "json", "surf.gii", "fs"}, false}});
-  register_settings(command, settings);
-  command.add_target(
-      kMap, "Write the point of INPUT for each output vertex, and the point of the output for each input vertex");
-  return command.run(argc, argv, [&](Run& run) { run_remesh(run, settings); });
+  return run_command<OwnOptions>(
+      {"gvd-remesh",
+       "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
+       kExamples,
+       {kFormats, false}},  // the coarse mesh has no labels
+      {describe_own, run_remesh}, argc, argv);
 }

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/disc_cells.hpp"
 #include "gvd/error.hpp"
@@ -72,25 +71,21 @@ void note_shares(Run& run, const Charts& charts, ChartMap map) {
 
 }  // namespace
 
-void add_chart_options(CLI::App& app, ChartRequest& target) {
-  add_flag(app, "--disc", target.disc, "Add generators, as few as are found, until every region is a disc")
-      ->excludes("--balance", "--weights");
-  add_choice(
-      app, "--uv", target.uv, kChartMapNames,
-      "Give each region texture coordinates, in a .ply, .obj or .glb: distance and direction from its generator, "
-      "or a map that flips no face and needs discs (implies --cut)")
-      ->excludes("--labels");
-}
-
-void report_chart_options(Run& run, const ChartRequest& request) {
-  Json& reported = run.report().options();
-  reported["disc"] = request.disc;
-  reported["uv"] = request.uv ? Json(name_in(kChartMapNames, *request.uv)) : Json();
+void describe(OptionList& list, ChartRequest& request) {
+  list.option("disc", Flag{&request.disc},
+              {.help = "Add generators, as few as are found, until every region is a disc"});
+  list.option(
+      "uv", choice(request.uv, kChartMapNames),
+      {.help = "Give each region texture coordinates, in a .ply, .obj or .glb",
+       .more = ": distance and direction from its generator, or a map that flips no face and needs discs (implies "
+               "{option:cut})"});
+  list.excludes("disc", {"balance", "weights"});
+  list.excludes("uv", {"labels"});
 }
 
 Diagram make_cells_discs(Run& run, const Mesh& mesh, const Diagram& diagram) {
   DiscOptions options;
-  options.diagram = make_diagram_options(run.options().compute);
+  options.diagram = run.options().compute.diagram;
   options.diagram.progress = run.progress();
   DiscCells made = run.timed("discs", [&] { return make_discs(mesh, diagram, options); });
   run.report().results()["disc"] = {
@@ -119,7 +114,7 @@ Charts chart_regions(Run& run, const Mesh& mesh, const Diagram& diagram, const C
                      const ChartRequest& request) {
   const ChartMap map = *request.uv;
   try {
-    const ChartOptions options{map, run.options().compute.threads, run.progress()};
+    const ChartOptions options{map, run.options().compute.diagram.threads, run.progress()};
     Charts charts = run.timed("charts", [&] { return make_charts(mesh, diagram, cut, options); });
     report_charts(run, charts, map);
     note_shares(run, charts, map);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 
 #include "common/run.hpp"
@@ -8,6 +7,7 @@
 #include "gvd/charts.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/option_list.hpp"
 #include "gvd/segment.hpp"
 
 // Regions as charts: cells that are discs, and texture coordinates for the pieces of the cut mesh.
@@ -18,11 +18,7 @@ struct ChartRequest {
   std::optional<ChartMap> uv;  ///< of the texture coordinates; none: no coordinates
 };
 
-/// Adds the options, behind those that they exclude.
-void add_chart_options(CLI::App& app, ChartRequest& target);
-
-/// Adds them to the member `options` of the report.
-void report_chart_options(Run& run, const ChartRequest& request);
+void describe(OptionList& list, ChartRequest& request);
 
 /// Adds generators until every cell is a disc, and reports what was added.
 Diagram make_cells_discs(Run& run, const Mesh& mesh, const Diagram& diagram);

@@ -17,12 +17,13 @@
 #include "common/command.hpp"
 #include "common/curves.hpp"
 #include "common/cut_sheets.hpp"
-#include "common/options/typed_options.hpp"
+#include "common/options/shared_options.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/distance_writer.hpp"
 #include "gvd/region_statistics.hpp"
 #include "gvd/segment.hpp"
+#include "gvd/segment_options.hpp"
 #include "gvd/text.hpp"
 #include "segment/charts.hpp"
 #include "segment/parted_surface.hpp"
@@ -52,36 +53,78 @@ constexpr double kUsualBorderRatio = 1.14;
 /// A million generators on 5,876 faces took 27 s of processor time and 3.6 GB.
 constexpr GeneratorCost kGeneratorCost{27, 3.6};
 
-/// The options of gvd-segment alone.
-struct OwnOptions {
+const std::vector<std::string> kFormats{"ply",  "obj",      "off",       "coff",      "stl", "vtp",   "vtu", "glb",
+                                        "json", "surf.gii", "label.gii", "shape.gii", "fs",  "annot", "curv"};
+
+struct OwnOptions : Options {
   bool cut = false;
-  std::optional<FaceLabels> labels;  ///< of whole faces
+  SegmentOptions segmentation;
   RegionOptions regions;
   WeightOptions weights;
   ChartRequest charts;
-
-  bool is_cut() const { return cut || charts.uv; }
+  std::string face_labels, vertex_labels, vertex_distances, stats, adjacency;  ///< files; empty: none
 };
 
-SegmentOptions make_segment_options(Run& run, const OwnOptions& own) {
-  return {own.labels.value_or(SegmentOptions().labels), run.progress()};
+void describe_targets(OptionList& list, OwnOptions& own) {
+  const auto add = [&](const char* name, std::string& file, std::vector<std::string> extensions, Spec spec) {
+    describe_target(list, own.output, name, file, extensions, std::move(spec));
+  };
+  add("face_labels", own.face_labels, {"npy", "csv"},
+      {.help = "Write the label of each face, in the order of the faces in .ply (-1 for none)"});
+  add("vertex_labels", own.vertex_labels, {"npy", "csv", "label.gii", "annot"},
+      {.help = "Write the nearest generator of each vertex, in the order of the vertices in .ply (-1 for none)"});
+  add("vertex_distances", own.vertex_distances, {"npy", "csv", "shape.gii", "curv"},
+      {.help = "Write the distance of each vertex from its generator, in the order of the vertices in .ply",
+       .more = "; .csv has the generators, too"});
+  add("stats", own.stats, {"csv"},
+      {.help = "Write the area, perimeter, radius and neighbours of each region (CSV)", .shown = Shown::main});
+  add("adjacency", own.adjacency, {"graphml"},
+      {.help = "Write the graph of the regions: their areas, and the length of each border (GraphML)"});
 }
 
-void report_options(Run& run, const OwnOptions& own, const SegmentOptions& options) {
-  Json& reported = run.report().options();
-  const auto file = [&](const char* option) { return or_null(run.options().output.own.at(option)); };
-  reported["curves"] = or_null(run.options().generators.curves);
-  reported["cut"] = own.is_cut();
-  reported["region_materials"] = run.options().output.region_materials;
-  reported["stats"] = file("--stats");
-  reported["adjacency"] = file("--adjacency");
-  reported["face_labels"] = file("--face-labels");
-  reported["vertex_labels"] = file("--vertex-labels");
-  reported["vertex_distances"] = file("--vertex-distances");
-  reported["labels"] = own.is_cut() ? nullptr : Json(name_in(kFaceLabelNames, options.labels));
-  report_region_options(run, own.regions);
-  report_weight_options(run, own.weights);
-  report_chart_options(run, own.charts);
+void describe_regions(OptionList& list, OwnOptions& own) {
+  list.group("Regions");
+  list.option("cut", Flag{&own.cut},
+              {.help = "Split faces along the bisectors instead of labelling whole faces", .shown = Shown::main});
+  describe(list, own.segmentation);
+  list.option("region_materials", Flag{&own.output.region_materials},
+              {.help = "Give each region a material of its own in .obj also where {option:input} has materials",
+               .more = ", in place of these"});
+  describe(list, own.regions);
+  describe(list, own.weights, own.compute);
+  describe(list, own.charts);
+  describe_curves(list, own.generators);
+  list.excludes("cut", {"labels"});
+  list.excludes("curves", {"sampling", "seed", "merge_coincident", "within", "mask", "balance", "weights", "disc", "uv",
+                           "verify"});
+  list.rule({"curves", {"method"}, [&own](const Given&) -> std::string {
+               return own.compute.diagram.method == Method::exact ? "" : "{option:curves} needs {option:method=exact}";
+             }});
+  list.rule({"labels", {"cut", "uv"}, [&own](const Given&) -> std::string {
+               return own.cut || own.charts.uv ? "{option:labels}: no whole face is labelled; leave it out" : "";
+             }});
+  list.rule(
+      format_rule(own.output, "region_materials", {"obj"},
+                  "{option:region_materials}: only .obj names materials; write one, as in {option:output=FILE.obj}, "
+                  "or leave it out"));
+}
+
+void describe_own(OptionList& list, OwnOptions& own) {
+  describe_input(list, own.input);
+  describe_generators(list, own.generators, {"curves", "per_region", "levels"});
+  describe_diagram(list, own.compute);
+  describe_output(list, own.output, kFormats);
+  describe_no_curves(list, own.output);
+  describe_diagram_output(list, own.output);
+  describe_targets(list, own);
+  describe_regions(list, own);
+}
+
+/// The rest of the command knows one number of generators. Texture coordinates are those of cut faces.
+void complete(OwnOptions& own, const Given&) {
+  const std::vector<std::int32_t>& levels = own.regions.levels;
+  own.generators.implied_count = levels.empty() ? own.regions.per_region : levels.back();
+  own.cut = own.cut || own.charts.uv.has_value();
 }
 
 /// The note on generators that own no face. It names a few of them; the report lists all.
@@ -144,7 +187,7 @@ void write_arrays(Run& run, const LabelledMesh& output) {
   const DistanceTable distances{.rows = {output.vertex_distance->raw()}, .nearest = output.vertex_label->raw()};
   const auto write = [&](const char* option, const OutputWriter& write_npy, const OutputWriter& write_csv) {
     write_own_file(run, option, [&](std::ostream& out) {
-      const std::string extension = file_extension(run.options().output.own.at(option));
+      const std::string extension = file_extension(*run.options().output.own.at(option));
       if (extension == "csv") return write_csv(out);
       if (!contains({"label.gii", "annot", "shape.gii", "curv"}, extension)) return write_npy(out);
       write_mesh(out, output, *parse_output_format(extension));
@@ -213,7 +256,7 @@ void note_long_borders(Run& run, std::optional<double> ratio) {
 /// borders of regions are not doubled; bisectors are read from the surface.
 void write_whole_faces(Run& run, const PartedSurface& surface, const CheckedMesh& checked, const Diagram& diagram,
                        const OwnOptions& own) {
-  const SegmentOptions options = make_segment_options(run, own);
+  const SegmentOptions options{own.segmentation.labels, run.progress()};
   const Mesh &mesh = surface.mesh(), &input = checked.mesh;
   const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
   const std::optional<double> ratio = report_segmentation(run, mesh, diagram, segmentation);
@@ -274,7 +317,7 @@ void note_whole_faces(Run& run, const OwnOptions& own) {
                                                 "vtp", "vtu", "glb", "surf.gii", "fs"};
   const OutputOptions& output = run.options().output;
   const InputOptions& input = run.options().input;
-  if (own.is_cut() || own.labels || output.view.empty() || input.path != input.paths.front()) return;
+  if (own.cut || run.options().given->has("labels") || output.view.empty() || input.path != input.paths.front()) return;
   for (const std::string& file : output.files) {
     if (!contains(kMeshes, format_of(output, file))) continue;
     return run.console().note(fmt::format("{} shows the exact borders, and {} has whole faces; --cut splits them",
@@ -282,16 +325,8 @@ void note_whole_faces(Run& run, const OwnOptions& own) {
   }
 }
 
-void segment(Run& run, const OwnOptions& own) {
-  if (!run.options().generators.curves.empty() && run.options().compute.method != Method::exact) {
-    throw Error(ErrorCode::invalid_option, "--curves needs --method exact");
-  }
-  const SegmentOptions options = make_segment_options(run, own);
-  report_options(run, own, options);
-  if (run.options().output.region_materials && !contains(written_formats(run.options().output), "obj")) {
-    throw Error(ErrorCode::invalid_option,
-                "--region-materials: only .obj names materials; write one, as in -o FILE.obj, or leave it out");
-  }
+void segment(Run& run, OwnOptions& own) {
+  const SegmentOptions options{own.segmentation.labels, run.progress()};
   const CheckedMesh input = load_input(run);
   check_material_files(run, input.appearance, own.charts.uv.has_value());
   note_many_generators(run, input.mesh, kGeneratorCost);
@@ -305,7 +340,7 @@ void segment(Run& run, const OwnOptions& own) {
     run.report().set_generators(input.mesh, diagram.generators);
   }
   std::optional<Charts> charts;
-  if (own.is_cut()) {
+  if (own.cut) {
     charts = write_cut_faces(run, surface, input, diagram, own.charts);
   } else {
     write_whole_faces(run, surface, input, diagram, own);
@@ -324,36 +359,11 @@ void segment(Run& run, const OwnOptions& own) {
 }  // namespace gvd::app
 
 int main(int argc, char** argv) {
-  using namespace gvd;
   using namespace gvd::app;
-  OwnOptions own;
-  Command command({"gvd-segment",
-                   "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
-                   kExamples,
-                   {{"ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb", "json", "surf.gii", "label.gii",
-                     "shape.gii", "fs", "annot", "curv"}}});
-  command.line().option_defaults()->group("Regions");
-  add_flag(command.line(), "--cut", own.cut, "Split faces along the bisectors instead of labelling whole faces");
-  add_choice(command.line(), "--labels", own.labels, kFaceLabelNames,
-             "How to label whole faces on a bisector: for borders as short as its faces allow, or by the largest share "
-             "(default: smooth)")
-      ->excludes("--cut");
-  add_flag(command.line(), "--region-materials", command.options().output.region_materials,
-           "Give each region a material of its own in .obj also where INPUT has materials, in place of these");
-  add_region_options(command.line(), own.regions, command.options().generators);
-  add_weight_options(command.line(), own.weights);
-  add_chart_options(command.line(), own.charts);
-  add_curves_option(command.line(), command.options().generators,
-                    {"--count", "--radius", "--sampling", "--seed", "--generators", "--vertices", "--merge-coincident",
-                     "--within", "--mask", "--levels", "--balance", "--weights", "--disc", "--uv", "--verify"});
-  command.add_target("--face-labels", "Write the label of each face, in the order of the faces in .ply (-1 for none)");
-  command.add_target("--vertex-labels",
-                     "Write the nearest generator of each vertex, in the order of the vertices in .ply (-1 for none)");
-  command.add_target("--vertex-distances",
-                     "Write the distance of each vertex from its generator, in the order of the vertices in .ply; .csv "
-                     "has the generators, too");
-  command.add_target("--stats", "Write the area, perimeter, radius and neighbours of each region (CSV)");
-  command.add_target("--adjacency",
-                     "Write the graph of the regions: their areas, and the length of each border (GraphML)");
-  return command.run(argc, argv, [&](Run& run) { segment(run, own); });
+  return run_command<OwnOptions>(
+      {"gvd-segment",
+       "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
+       kExamples,
+       {kFormats}},
+      {describe_own, segment, complete}, argc, argv);
 }

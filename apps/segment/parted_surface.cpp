@@ -10,9 +10,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
-#include "common/options/typed_options.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
@@ -22,50 +22,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Stores "10,100" as numbers of generators that ascend.
-std::string parse_levels(const std::string& text, std::vector<std::int32_t>& levels) {
-  for (const std::string& field : CLI::detail::split(text, ',')) {
-    const auto count = parse_number_in(CLI::detail::trim_copy(field), kCount);
-    if (!count) return fmt::format("'{}' is not {}", printable(field), kCount.text);
-    if (!levels.empty() && *count <= levels.back()) {
-      return fmt::format("{} follows {}; write ascending numbers, as in 10,100,1000", *count, levels.back());
-    }
-    levels.push_back(*count);
-  }
-  return "";
-}
-
 }  // namespace
 
-void add_region_options(CLI::App& app, RegionOptions& regions, GeneratorOptions& generators) {
-  add_region_files(app, regions, "regions and distances");
-  // The number of generators is set, too, as by -n: the rest of the command knows no other one.
-  const auto store_count = [&](const std::string& text) -> std::string {
-    regions.per_region = generators.count = parse_number_in(text, kCount);
-    return generators.count ? "" : fmt::format("'{}' is not {}", printable(text), kCount.text);
-  };
-  add_parsed(app, "--per-region", "N", store_count, "Number of generators to sample in each region of --within")
-      ->needs("--within")
-      ->excludes("--count", "--radius", "--generators", "--vertices");
-  const auto store_levels = [&](const std::string& text) {
-    std::string wrong = parse_levels(text, regions.levels);
-    if (wrong.empty()) generators.count = regions.levels.back();
-    return wrong;
-  };
-  add_parsed(app, "--levels", "LIST", store_levels,
-             "Segment several times, each inside the regions of the time before: the numbers of generators, as in "
-             "10,100,1000; --cut cuts along those of the last level")
-      ->expected(1, CLI::detail::expected_max_vector_size)
-      ->excludes("--count", "--radius", "--generators", "--vertices", "--per-region");
-}
-
-void report_region_options(Run& run, const RegionOptions& options) {
-  Json& reported = run.report().options();
-  reported["within"] = or_null(options.within);
-  reported["mask"] = or_null(options.mask);
-  reported["per_region"] = or_null(options.per_region);
-  reported["levels"] = options.levels.empty() ? Json() : Json(options.levels);
-  if (options.per_region || !options.levels.empty()) reported["n"] = nullptr;
+void describe(OptionList& list, RegionOptions& options) {
+  describe(list, options, "regions and distances");
+  list.option("per_region", Number{&options.per_region, {.least = 1}},
+              {.help = "Number of generators to sample in each region of {option:within}"});
+  list.option(
+      "levels", Counts{&options.levels},
+      {.help = "Segment several times, each inside the regions of the time before",
+       .more = ": the numbers of generators, as in 10,100,1000; {option:cut} cuts along those of the last level"});
+  list.needs("per_region", "within");
 }
 
 PartedSurface::PartedSurface(Run& run, const CheckedMesh& input, const RegionOptions& options,
@@ -84,7 +51,7 @@ PartedSurface::PartedSurface(Run& run, const CheckedMesh& input, const RegionOpt
 void PartedSurface::label_levels(Run& run, const SegmentOptions& labels) {
   LevelOptions level;
   level.generators.sampling = make_sampling_options(run);
-  level.diagram = make_diagram_options(run.options().compute);
+  level.diagram = run.options().compute.diagram;
   level.diagram.progress = run.progress();
   level.labels = labels;
   for (std::size_t i = 0; i + 1 < options_.levels.size(); ++i) {

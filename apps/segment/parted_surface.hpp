@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,11 +20,7 @@ struct RegionOptions : RegionFiles {
   std::vector<std::int32_t> levels;        ///< numbers of generators, ascending; empty: one level
 };
 
-/// Adds the options to a command line. --per-region and --levels set the number of generators, too.
-void add_region_options(CLI::App& app, RegionOptions& regions, GeneratorOptions& generators);
-
-/// Adds the options to those of the report.
-void report_region_options(Run& run, const RegionOptions& options);
+void describe(OptionList& list, RegionOptions& options);
 
 /// A surface that is parted before it is segmented.
 class PartedSurface {

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "common/balance.hpp"
-#include "common/options/typed_options.hpp"
 #include "common/process.hpp"
 #include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
@@ -54,34 +53,31 @@ Diagram balance(Run& run, const DiagramSurface& surface, const std::vector<Surfa
 
 }  // namespace
 
-void add_weight_options(CLI::App& app, WeightOptions& target) {
-  CLI::Option* balance =
-      add_file(app, "--balance", target.balance,
-               "Make all cells equal by weights of their generators: in area, or in the integral of a number for each "
-               "vertex or face, out of a file or a property of INPUT",
-               "area|FILE|PROPERTY");
-  add_file(app, "--shares", target.shares, "With --balance, the share of each generator (any unit; default: equal)")
-      ->needs(balance);
-  add_file(app, "--weights", target.weights,
-           "Make the distances of each generator longer by its number in FILE (mesh units)");
-}
-
-void report_weight_options(Run& run, const WeightOptions& options) {
-  Json& reported = run.report().options();
-  reported["balance"] = or_null(options.balance);
-  reported["shares"] = or_null(options.shares);
-  reported["weights"] = or_null(options.weights);
+void describe(OptionList& list, WeightOptions& options, const ComputeOptions& compute) {
+  list.option(
+      "balance", ValueSource{&options.balance, {"area"}},
+      {.help = "Make all cells equal by weights of their generators",
+       .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
+               "{option:input}"});
+  list.option("shares", File{&options.shares},
+              {.help = "With {option:balance}, the share of each generator, in any unit", .usual = "equal"});
+  list.option("weights", File{&options.weights},
+              {.help = "Make the distances of each generator longer by its number in FILE", .unit = "mesh units"});
+  list.needs("shares", "balance");
+  for (const char* name : {"balance", "weights"}) {
+    list.rule({name, {"method"}, [&compute, name](const Given&) {
+                 return compute.diagram.method == Method::exact
+                            ? ""
+                            : fmt::format("{{option:{}}} needs {{option:method=exact}}", name);
+               }});
+  }
 }
 
 Diagram build_weighted_diagram(Run& run, const DiagramSurface& surface, const std::vector<SurfacePoint>& generators,
                                const WeightOptions& options) {
   if (options.balance.empty() && options.weights.empty()) return build_diagram(run, surface.mesh, generators);
   BalanceOptions balancing;
-  balancing.diagram = make_diagram_options(run.options().compute);
-  if (balancing.diagram.method != Method::exact) {
-    throw Error(ErrorCode::invalid_option,
-                fmt::format("{} needs --method exact", options.balance.empty() ? "--weights" : "--balance"));
-  }
+  balancing.diagram = run.options().compute.diagram;
   balancing.diagram.weights = read_for_generators("--weights", options.weights, generators.size());
   Diagram diagram = options.balance.empty() ? build_diagram(run, surface.mesh, generators, balancing.diagram.weights)
                                             : balance(run, surface, generators, options, balancing);

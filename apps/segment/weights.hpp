@@ -1,11 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "common/run.hpp"
 #include "gvd/diagram.hpp"
+#include "gvd/option_list.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 
@@ -18,10 +18,8 @@ struct WeightOptions {
   std::string weights;  ///< file of the weights, for --balance to start from; empty: none
 };
 
-void add_weight_options(CLI::App& app, WeightOptions& target);
-
-/// Adds them to the member `options` of the report.
-void report_weight_options(Run& run, const WeightOptions& options);
+/// Describes them. `compute` tells whether the method takes weights; both must outlive the list.
+void describe(OptionList& list, WeightOptions& options, const ComputeOptions& compute);
 
 /// The input of a command, and the mesh of the diagram, which has the same faces.
 struct DiagramSurface {
@@ -30,7 +28,7 @@ struct DiagramSurface {
 };
 
 /// Computes the diagram by the options, balanced where they say so, and reports it. Throws what `build_diagram`,
-/// read_values, read_density and balance_cells throw; Error{invalid_option} where the method takes no weights.
+/// read_values, read_density and balance_cells throw.
 Diagram build_weighted_diagram(Run& run, const DiagramSurface& surface, const std::vector<SurfacePoint>& generators,
                                const WeightOptions& options);
 

@@ -206,6 +206,7 @@ TEST_CASE("what an option takes is named as help shows it") {
   CHECK(shown("table") == "FILE.csv");
   CHECK(shown("page") == "FILE.html|htm");
   CHECK(shown("folder") == "DIR");
+  CHECK(shown("input") == "FILE");
   CHECK(shown("vertices") == "LIST");
   CHECK(shown("levels") == "LIST");
   CHECK(shown("density") == "area|FILE|PROPERTY");

@@ -57,7 +57,8 @@ for command in "$@"; do
   done < <(sed -n 's/^  .*\(--[a-z-]*\) \([A-Za-z-]*[a-z|][^ ]*|[^ ]*\).*/\1 \2/p' <<< "$joined" | grep -v FILE)
   [ $lists -ge 4 ] || fail "only $lists lists of words in --help of $command"
 
-  complete_line "$command" "" | expect "$command" report.json mesh.ply options.toml folder "two words.json"
+  complete_line "$command" "" | expect "$command" mesh.ply folder  # INPUT is a mesh
+  complete_line "$command" --output-format ply,vt | expect "$command --output-format ply,vt" ply,vtp ply,vtu
   complete_line "$command" -o m | expect "$command -o m" mesh.ply
   complete_line "$command" --report "" | expect "$command --report" report.json folder "two words.json"
   if [ "$command" = gvd-segment ]; then
@@ -75,6 +76,8 @@ for command in "$@"; do
     offer '--on-defect ' | expect "fish: $command --on-defect" error repair largest
     offer '--input-f' | expect "fish: $command --input-f" --input-format
     offer '-o m' | expect "fish: $command -o m" mesh.ply
+    offer 'm' | expect "fish: $command m" mesh.ply
+    offer '--output-format ply,vt' | expect "fish: $command --output-format ply,vt" ply,vtp ply,vtu
     offer '--output-dir ' | expect "fish: $command --output-dir" folder/
     if [ "$command" = gvd-segment ]; then
       touch labels.npy labels.csv labels.txt

@@ -13,7 +13,6 @@
 #include <map>
 #include <set>
 
-#include "common/options/typed_options.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/text.hpp"
@@ -33,7 +32,10 @@ namespace fs = std::filesystem;
 std::string describe_stray(const std::string& word, bool follows, const Options& options,
                            const OutputFormats& formats) {
   std::error_code ignored;
-  if (word.starts_with('-')) return "is not a file; options go before --";
+  if (word.starts_with('-')) {
+    return parse_number<double>(word) ? "is not a file; a value follows the name of its option"
+                                      : "is not a file; options go before --";
+  }
   if (fs::is_directory(word, ignored)) return fmt::format("is a directory; did you mean --output-dir {}?", word);
   if (word == "%") return "is not a file; a percentage has no blank before %";
   if (parse_number<std::int64_t>(word)) {
@@ -63,8 +65,11 @@ bool may_be_read(const std::string& path) {
     refuse(fmt::format("unexpected: '{}' {}", word, describe_stray(word, i > 0, options, formats)));
   }
   const std::string others = paths.size() == 2 ? paths.back() : fmt::format("{} others", paths.size() - 1);
-  refuse(fmt::format("{} inputs, {} and {}: name a folder for their outputs with --output-dir", paths.size(),
-                     paths.front(), others));
+  // A file of an earlier run is rather the output.
+  const bool names_output =
+      paths.size() == 2 && contains(formats.extensions, file_extension(others)) && options.output.files.empty();
+  refuse(fmt::format("{} inputs, {} and {}: name a folder for their outputs with --output-dir{}", paths.size(),
+                     paths.front(), others, names_output ? ", or write -o " + others + " for an output" : ""));
 }
 
 /// Refuses a word that other programs take for a command.
@@ -74,7 +79,9 @@ void check_commands(const std::string& path) {
   }
 }
 
-/// Several inputs need a folder for their outputs, in which standard input has no name.
+}  // namespace
+
+// Several inputs need a folder for their outputs, in which standard input has no name.
 void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
   std::vector<std::string> piped;  // what is standard input
@@ -103,18 +110,7 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
   }
 }
 
-void check_generator_source(const GeneratorOptions& generators) {
-  if (generators.count || generators.are_listed() || generators.radius) return;
-  if (generators.target_edge || generators.error || !generators.curves.empty()) return;
-  if (generators.names.file == "--from") refuse("no sources: give --from or --curves");
-  refuse("no generators: give one of -n, --generators, --vertices or --radius");
-}
-
-void check_chord_tolerance(const ComputeOptions& compute) {
-  if (!compute.chord_tolerance || *compute.chord_tolerance >= kLeastChordTolerance) return;
-  refuse(fmt::format("--chord-tolerance {}: bisectors are exact only to {} mean edge lengths; give at least that",
-                     *compute.chord_tolerance, kLeastChordTolerance));
-}
+namespace {
 
 /// Refuses options of features that this build lacks.
 void check_build(const Options& options) {
@@ -148,7 +144,8 @@ void check_not_read(const std::string& option, const std::string& path, const Op
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return;
   std::vector<std::string> all = options.input.paths;
-  all.insert(all.end(), {options.generators.file, options.generators.curves, options.targets.file, options.config});
+  all.insert(all.end(),
+             {options.generators.file, options.generators.curves, options.targets.file, options.general.config});
   for (const std::string& read : all) {
     if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
     refuse(fmt::format("{} {}: the run reads this file; name another one", option, path));
@@ -280,7 +277,10 @@ void check_view(const OutputOptions& output) {
                      output.view));
 }
 
+}  // namespace
+
 void check_outputs(const Options& options, const OutputFormats& formats) {
+  check_build(options);
   const OutputOptions& output = options.output;
   check_formats(output);
   check_view(output);
@@ -293,17 +293,7 @@ void check_outputs(const Options& options, const OutputFormats& formats) {
   targets.claim("--report", output.report);
   targets.claim("--diagram", output.diagram);
   targets.claim("--view", output.view);
-  for (const auto& [option, file] : output.own) targets.claim(option, file);
-}
-
-}  // namespace
-
-void check_options(const Options& options, const OutputFormats& formats) {
-  check_inputs(options, formats);
-  check_generator_source(options.generators);
-  check_chord_tolerance(options.compute);
-  check_build(options);
-  check_outputs(options, formats);
+  for (const auto& [option, file] : output.own) targets.claim(option, *file);
 }
 
 std::vector<Options> plan_runs(const Options& options) {

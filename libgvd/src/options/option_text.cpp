@@ -360,7 +360,8 @@ std::string value_name(const Field& field) {
                [](const ChoiceList& list) { return fmt::format("{}", fmt::join(list.names, "|")); },
                [](const File& file) {
                  if (file.use == File::Use::folder) return std::string("DIR");
-                 const bool is_free = file.use == File::Use::read || is_repeatable(file);
+                 const bool is_free =
+                     is_repeatable(file) || (file.use == File::Use::read && file.extensions.size() > 1);
                  return is_free || file.extensions.empty() ? std::string("FILE")
                                                            : fmt::format("FILE.{}", fmt::join(file.extensions, "|"));
                },

@@ -2,6 +2,7 @@
 
 #include "apps/common/options/parse_options.hpp"
 #include "common/command.hpp"
+#include "common/options/shared_options.hpp"
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
@@ -12,11 +13,20 @@ using gvd::test::kFormats;
 
 int run(
     std::vector<std::string> arguments, const std::function<void(Run&)>& body = [](Run&) {}) {
-  Command command({"gvd-test", "A test.", "  gvd-test a.obj -n 3", {kFormats}});
+  static std::function<void(Run&)> current;  // steps are plain functions
+  current = body;
+  const CommandSteps<Options> steps{[](OptionList& list, Options& options) {
+                                      describe_input(list, options.input);
+                                      describe_generators(list, options.generators);
+                                      describe_diagram(list, options.compute);
+                                      describe_output(list, options.output, kFormats);
+                                    },
+                                    [](Run& run, Options&) { current(run); }};
   arguments.insert(arguments.begin(), "gvd-test");
   std::vector<const char*> argv;
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return command.run(static_cast<int>(argv.size()), argv.data(), body);
+  return run_command<Options>({"gvd-test", "A test.", "  gvd-test a.obj -n 3", {kFormats}}, steps,
+                              static_cast<int>(argv.size()), argv.data());
 }
 
 TEST_CASE("usage errors exit with 2") {

@@ -80,7 +80,7 @@ TEST_CASE("a shortage is described with the limit and what helps") {
              StartsWith("out of memory: up to ") &&
                  EndsWith("; take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles; "
                           "--max-memory ends such a run sooner"));
-  compute.method = Method::gbgvd;
+  compute.diagram.method = Method::gbgvd;
   CHECK_THAT(message(compute),
              EndsWith("take a mesh of fewer or rounder triangles; --max-memory ends such a run sooner") &&
                  !Contains("generators"));
@@ -104,7 +104,7 @@ Ended terminate_in(const std::function<void()>& work, const std::string& input =
   if (child == 0) {
     if (std::freopen(err.c_str(), "w", stderr) == nullptr) std::_Exit(1);
     ComputeOptions compute;
-    compute.method = Method::gbgvd;
+    compute.diagram.method = Method::gbgvd;
     limit_memory_of(compute);
     report_termination("gvd-test", input);
     work();

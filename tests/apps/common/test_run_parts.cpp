@@ -82,7 +82,7 @@ TEST_CASE("a diagram is computed as the options say, timed and reported") {
                                              vertex_point(mesh, VertexId(150))};
   for (const Method method : {Method::exact, Method::gbgvd}) {
     Options options;
-    options.compute.method = method;
+    options.compute.diagram.method = method;
     QuietRun quiet(options);
     const Diagram diagram = build_diagram(quiet.run, mesh, generators);
     DiagramOptions expected;

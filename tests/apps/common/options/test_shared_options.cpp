@@ -1,13 +1,19 @@
 #include "apps/common/options/parse_options.hpp"
 #include "apps/run_command.hpp"
-#include "common/options/register_options.hpp"
+#include "common/options/shared_options.hpp"
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test_register_options {
+namespace gvd::test_shared_options {
 
 using namespace app;
 using gvd::test::parse_options;
+using gvd::test::SharedLine;
+
+TEST_CASE("every name in the rules and texts of the shared options is an option's") {
+  SharedLine line;
+  CHECK(line.list.find_unknown_names().empty());
+}
 
 TEST_CASE("the defaults are the contract's") {
   const Options options = parse_options({"a.obj", "-n", "30"});
@@ -16,11 +22,9 @@ TEST_CASE("the defaults are the contract's") {
   CHECK(options.generators.count == 30);
   CHECK(options.generators.sampling == Sampling::farthest);
   CHECK(options.generators.seed == 0);
-  CHECK(options.compute.method == Method::exact);
-  CHECK_FALSE(options.compute.front);
-  const DiagramOptions diagram = make_diagram_options(options.compute);
-  CHECK(diagram.method == Method::exact);
-  CHECK(diagram.chord_tolerance == 1e-4);
+  CHECK(options.compute.diagram.method == Method::exact);
+  CHECK_FALSE(options.compute.diagram.front);
+  CHECK(options.compute.diagram.chord_tolerance == 1e-4);
   CHECK(format_of(options.output, "-") == "ply");
 }
 
@@ -65,26 +69,26 @@ TEST_CASE("every option is stored in its field") {
   CHECK(options.generators.count == 10);
   CHECK(options.generators.sampling == Sampling::poisson);
   CHECK(options.generators.seed == 18446744073709551615u);
-  CHECK(options.compute.method == Method::gbgvd);
-  CHECK(options.compute.front == Front::planar);
-  CHECK(make_diagram_options(options.compute).chosen_front() == Front::planar);
-  CHECK(options.compute.threads == 2);
+  CHECK(options.compute.diagram.method == Method::gbgvd);
+  CHECK(options.compute.diagram.front == Front::planar);
+  CHECK(options.compute.diagram.chosen_front() == Front::planar);
+  CHECK(options.compute.diagram.threads == 2);
   CHECK(options.compute.verify);
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "B.OBJ", "-"});
   CHECK(format_of(options.output, "-") == "json");
   CHECK(options.output.view == "v.html");
   CHECK(options.output.up == UpAxis::minus_x);
-  CHECK(options.quiet);
+  CHECK(options.general.quiet);
   CHECK(parse_options({"a.obj", "-n", "3", "--view", "v.html", "--up=z"}).output.up == UpAxis::z);
   CHECK_FALSE(parse_options({"a.obj", "-n", "3", "--view", "v.html"}).output.up);
   CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--up", "z"}), Error);
   CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--view", "v.html", "--up", "w"}), Error);
   CHECK(parse_options({"--vertices", "3, 17,99", "a.obj"}).generators.vertices == std::vector<std::int64_t>{3, 17, 99});
-  CHECK(parse_options({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).compute.chord_tolerance == 2.5e-7);
+  CHECK(parse_options({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).compute.diagram.chord_tolerance == 2.5e-7);
   CHECK(parse_options({"a.obj", "--radius", "2.5e-1"}).generators.radius == 0.25);
   CHECK(parse_options({"a.obj", "--generators", "g.txt", "--max-snap", "0"}).generators.max_snap == 0.0);
   CHECK(parse_options({"a.obj", "--vertices", "3", "--merge-coincident"}).generators.merge_coincident);
-  CHECK(parse_options({"a.obj", "-n", "3", "-v"}).verbose);
+  CHECK(parse_options({"a.obj", "-n", "3", "-v"}).general.verbose);
 }
 
 TEST_CASE("a configuration file gives options, and the command line goes before it") {
@@ -101,7 +105,7 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
       {"a.obj", "--seed", "9"});
   CHECK(options.generators.count == 12);
   CHECK(options.generators.seed == 9);
-  CHECK(options.compute.front == Front::planar);
+  CHECK(options.compute.diagram.front == Front::planar);
   CHECK(options.compute.verify);
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "b.obj"});
   CHECK(with("vertices = \"1,2\"\n", {"a.obj"}).generators.vertices == std::vector<std::int64_t>{1, 2});
@@ -111,8 +115,8 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
   CHECK_THROWS_AS(with("nonsense = 3\n", {"a.obj", "-n", "3"}), Error);
   CHECK_THROWS_AS(with("seed = minus\n", {"a.obj", "-n", "3"}), Error);
   const Options chosen = with("method = \"gbgvd\"\nfront = \"planar\"\n", {"a.obj", "-n", "3", "--method", "exact"});
-  CHECK(chosen.compute.method == Method::exact);
-  CHECK_FALSE(chosen.compute.front);
+  CHECK(chosen.compute.diagram.method == Method::exact);
+  CHECK_FALSE(chosen.compute.diagram.front);
   const Options listed = with("n = 12\nsampling = \"random\"\n", {"a.obj", "--radius", "2"});
   CHECK_FALSE(listed.generators.count);
   CHECK(listed.generators.sampling == Sampling::farthest);
@@ -137,8 +141,8 @@ TEST_CASE("a list of vertices has one index between each two commas") {
 
 TEST_CASE("a file of -o that begins with = is a slip") {
   CHECK_THROWS_WITH(parse_options({"a.obj", "-n", "3", "-o=a.ply"}),
-                    "--output: '=a.ply' begins with =; write -o a.ply (see gvd-test --help)");
+                    "-o: '=a.ply' begins with =; write -o a.ply (see gvd-test --help)");
   CHECK(parse_options({"a.obj", "-n", "3", "--output=a.ply"}).output.files == std::vector<std::string>{"a.ply"});
 }
 
-}  // namespace gvd::test_register_options
+}  // namespace gvd::test_shared_options
