@@ -8,7 +8,6 @@ class Gvd < Formula
   license "MIT"
   head "file://#{File.expand_path("../..", __dir__)}", using: :git, branch: "main"
 
-  depends_on "cli11" => :build
   depends_on "cmake" => :build
   depends_on "help2man" => :build
   depends_on "nlohmann-json" => :build

@@ -74,7 +74,9 @@ struct Given {
     if (is_written && !value.empty() && value != "-") value = folder + value;
     const std::string name = option["names"].back().get<std::string>();
     const bool is_flag = option["kind"] == "flag";
-    line += ' ' + name + (is_flag ? (value.empty() ? "" : "=" + value) : " '" + value + "'");
+    // Behind an equals sign, anything is the value of a name that may stand alone.
+    const bool is_joined = name == "--weld" || (is_flag && !value.empty());
+    line += ' ' + name + (is_joined ? "='" + value + "'" : is_flag ? "" : " '" + value + "'");
     const bool is_bare =
         is_flag || (!option.contains("choices") && value.find_first_not_of("0123456789.") == value.npos &&
                     (option["kind"] == "number" || option["kind"] == "whole number"));
@@ -98,12 +100,15 @@ Given companions(const Json& all, const Json& option, const std::string& folder)
   const std::string source = measures ? "from" : name == "max_snap" ? "generators" : "vertices";
   const std::string usual = measures ? "from" : "count";
   std::vector<std::string> needed = option["needs"];
-  const bool has_source = name == usual || excludes(option, usual);
+  // What an option needs may be a source: a list, for its format.
+  const bool needs_source = std::any_of(needed.begin(), needed.end(),
+                                        [&](const std::string& other) { return excludes(find(all, other), usual); });
+  const bool has_source = name == usual || excludes(option, usual) || needs_source;
   if (!has_source) given.add(find(all, usual), "3");
-  const bool is_source = excludes(option, source) || name == source || measures;
+  const bool is_source = excludes(option, source) || name == source || measures || needs_source;
   if (has_source && !is_source) given.add(find(all, source), source == "vertices" ? "1" : "list.txt");
   for (const std::string& other : needed) {
-    if (other != usual && other != source) given.add(find(all, other), good_value(find(all, other)));
+    if (other != usual && (other != source || needs_source)) given.add(find(all, other), good_value(find(all, other)));
   }
   if (const auto found = kCompanions.find(name); found != kCompanions.end()) {
     const std::size_t equals = found->second.find('=');
