@@ -84,7 +84,7 @@ TEST_CASE("options that exclude or need others are told in words that name both"
   CHECK(problem({"cut", "table"}).empty());
 }
 
-TEST_CASE("of two options that exclude each other, the one of a file is to blame") {
+TEST_CASE("of two options that exclude each other, the later one is to blame") {
   const Toy toy;
   Given both = given({"radius"});
   both.add("count", {"n", "o.toml:1:1"});

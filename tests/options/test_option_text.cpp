@@ -76,6 +76,8 @@ TEST_CASE("a name that may stand alone has a value of its own") {
   CHECK((toy.options.unnamed_page && toy.options.page.empty()));
   CHECK(read(toy, "page", {"a.html"}).empty());
   CHECK((!toy.options.unnamed_page && toy.options.page == "a.html"));
+  CHECK(read(toy, "page", {""}).empty());
+  CHECK((toy.options.unnamed_page && toy.options.page.empty()));
 }
 
 TEST_CASE("points are vertices or a file") {

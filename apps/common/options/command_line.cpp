@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 #include "common/options/completion.hpp"
@@ -178,6 +179,11 @@ std::optional<std::string> answer(const CommandWords& command, const OptionList&
 /// The options of the file that the command line leaves.
 std::vector<GivenTexts> read_file(const OptionList& list, const std::string& path,
                                   const std::vector<GivenTexts>& typed) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("--config {}: is a directory; name a TOML file of options", printable(path)));
+  }
   std::ifstream input(path);
   if (!input) {
     throw Error(ErrorCode::invalid_option, fmt::format("--config {}: there is no such file that can be read; name a "

@@ -202,8 +202,9 @@ struct Option {
 class Given {
  public:
   struct Source {
-    std::string spelling;  ///< as the user wrote the name: "-n", "--count", or a key of a file
-    std::string place;     ///< file, line and column; empty for those that come from no file
+    std::string spelling;   ///< as the user wrote the name: "-n", "--count", or a key of a file
+    std::string place;      ///< file, line and column; empty for those that come from no file
+    std::size_t order = 0;  ///< how many were added before
   };
   bool has(std::string_view name) const { return sources_.find(name) != sources_.end(); }
   /// Null where the option is not given.
@@ -211,11 +212,15 @@ class Given {
     const auto found = sources_.find(name);
     return found == sources_.end() ? nullptr : &found->second;
   }
-  void add(const std::string& name, Source source) { sources_[name] = std::move(source); }
+  void add(const std::string& name, Source source) {
+    source.order = added_++;
+    sources_[name] = std::move(source);
+  }
   void remove(const std::string& name) { sources_.erase(name); }
 
  private:
   std::map<std::string, Source, std::less<>> sources_;
+  std::size_t added_ = 0;
 };
 
 /// An option that does nothing beside some values of others.

@@ -156,9 +156,9 @@ std::optional<Problem> OptionList::find_problem(const Given& given) const {
   for (auto a = all.begin(); a != all.end(); ++a) {
     for (auto b = a + 1; given.has((*a)->name) && b != all.end(); ++b) {
       if (!given.has((*b)->name) || !exclude_each_other((*a)->name, (*b)->name)) continue;
-      // Of two, the one that comes from a file is to blame, which the message then leads to.
-      const Given::Source* const first = given.find((*a)->name);
-      const std::string& blamed = first->place.empty() ? (*b)->name : (*a)->name;
+      // The later one is to blame: options of a file come behind those of the command line.
+      const bool is_first_later = given.find((*a)->name)->order > given.find((*b)->name)->order;
+      const std::string& blamed = is_first_later ? (*a)->name : (*b)->name;
       return Problem{
           blamed, fmt::format("{{option:{}}} and {{option:{}}} exclude each other: keep one", (*a)->name, (*b)->name)};
     }

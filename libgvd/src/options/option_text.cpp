@@ -176,6 +176,7 @@ std::string check_extension(const std::string& file, const Texts& extensions) {
 }
 
 std::string read_file(const File& file, const Texts& texts) {
+  if (file.unnamed != nullptr && texts == Texts{""}) return read_file(file, {});
   const char* const kind = file.use == File::Use::folder ? "folder" : "file";
   for (const std::string& text : texts) {
     if (text.empty()) return fmt::format("the name is empty; name a {}", kind);

@@ -182,7 +182,7 @@ TEST_CASE("a file that can't be read is refused by its name") {
   const test::ScratchFolder scratch;
   const auto with = [](const std::string& file) { return parse_options({"a.obj", "--config", file}); };
   CHECK_THROWS_WITH(with(scratch / "none.toml"), Contains("none.toml"));
-  CHECK_THROWS_WITH(with(scratch / ""), Contains("is actually a directory"));
+  CHECK_THROWS_WITH(with(scratch / ""), Contains("is a directory; name a TOML file"));
   test::write_text(scratch / "a.toml", "n = 3\n");
   CHECK(with(scratch / "a.toml").generators.count == 3);
   CHECK(with(scratch / "a.toml").general.config == scratch / "a.toml");
