@@ -124,11 +124,9 @@ TakenTypes taken_types(const Field& field) {
                  return {"bs", "true or false, or \"on\" or \"off\""};
                },
                [](const Number& number) -> TakenTypes {
-                 const bool real = std::holds_alternative<double*>(number.value) ||
-                                   std::holds_alternative<std::optional<double>*>(number.value);
                  if (number.implied) return {"ifb", "a number, or true or false"};
                  if (number.words.empty())
-                   return real ? TakenTypes{"if", "a number"} : TakenTypes{"i", "a whole number"};
+                   return is_real(number) ? TakenTypes{"if", "a number"} : TakenTypes{"i", "a whole number"};
                  return {"is", "a whole number, or a word in quotes"};
                },
                [](const File& file) -> TakenTypes {

@@ -55,7 +55,7 @@ Json value_of(const Field& field) {
                [](const SizeOrPercent& size) {
                  if (!*size.value) return Json();
                  const ErrorBound& bound = **size.value;
-                 return bound.in_diagonals ? Json(fmt::format("{}%", bound.value * 100)) : Json(bound.value);
+                 return bound.in_diagonals ? Json(fmt::format("{:.15g}%", bound.value * 100)) : Json(bound.value);
                },
                [](const CreaseAngle& angle) { return *angle.automatic ? Json("auto") : or_null(*angle.value); }},
       field);
@@ -65,21 +65,21 @@ bool is_question(const Option& option) {
   return option.spec.shown == Shown::answered || option.spec.shown == Shown::hidden;
 }
 
+Json describe_number(const Number& number) {
+  Json kind{{"kind", is_real(number) ? "number" : "whole number"}, {"range", describe_range(number)}};
+  const Range& range = number.range;
+  if (std::isfinite(range.least)) kind[range.above_least ? "above" : "least"] = range.least;
+  if (std::isfinite(range.most)) kind[range.below_most ? "below" : "most"] = range.most;
+  if (!number.words.empty()) kind["choices"] = names_in(number.words);
+  return kind;
+}
+
 /// The name of a kind, and what it takes.
 Json describe_kind(const Field& field) {
   const auto named = [](const char* kind) { return Json{{"kind", kind}}; };
   return std::visit(
       Overload{[&](const Flag&) { return named("flag"); }, [&](const Switch&) { return named("switch"); },
-               [](const Number& number) {
-                 const bool real = std::holds_alternative<double*>(number.value) ||
-                                   std::holds_alternative<std::optional<double>*>(number.value);
-                 Json kind{{"kind", real ? "number" : "whole number"}, {"range", describe_range(number)}};
-                 const Range& range = number.range;
-                 if (std::isfinite(range.least)) kind[range.above_least ? "above" : "least"] = range.least;
-                 if (std::isfinite(range.most)) kind[range.below_most ? "below" : "most"] = range.most;
-                 if (!number.words.empty()) kind["choices"] = names_in(number.words);
-                 return kind;
-               },
+               [](const Number& number) { return describe_number(number); },
                [](const Choice& choice) {
                  return Json{{"kind", "choice"}, {"choices", choice.names}};
                },

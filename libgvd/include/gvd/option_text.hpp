@@ -22,6 +22,9 @@ std::string describe_range(const Number& number);
 /// The text that gives the value which the field has now; nothing where it has none. For a list, its parts.
 std::optional<std::vector<std::string>> write_option(const Field& field);
 
+/// Whether a number may have a fraction.
+bool is_real(const Number& number);
+
 /// Whether a value may follow the name, and whether the name may stand alone. A flag stands alone.
 bool takes_value(const Field& field);
 bool stands_alone(const Field& field);

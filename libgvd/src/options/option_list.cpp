@@ -84,6 +84,22 @@ std::string list_placeholders(const std::vector<std::string>& names) {
   return text;
 }
 
+/// Two given options that exclude each other.
+std::optional<Problem> find_exclusion(const OptionList& list, const Given& given) {
+  const std::vector<const Option*> all = list.options();
+  for (auto a = all.begin(); a != all.end(); ++a) {
+    for (auto b = a + 1; given.has((*a)->name) && b != all.end(); ++b) {
+      if (!given.has((*b)->name) || !list.exclude_each_other((*a)->name, (*b)->name)) continue;
+      // The later one is to blame: options of a file come behind those of the command line.
+      const bool is_first_later = given.find((*a)->name)->order > given.find((*b)->name)->order;
+      const std::string& blamed = is_first_later ? (*a)->name : (*b)->name;
+      return Problem{
+          blamed, fmt::format("{{option:{}}} and {{option:{}}} exclude each other: keep one", (*a)->name, (*b)->name)};
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void OptionList::group(const std::string& title) {
@@ -152,17 +168,7 @@ std::string OptionList::why_idle(const Option& option, const Given& given) const
 }
 
 std::optional<Problem> OptionList::find_problem(const Given& given) const {
-  const std::vector<const Option*> all = options();
-  for (auto a = all.begin(); a != all.end(); ++a) {
-    for (auto b = a + 1; given.has((*a)->name) && b != all.end(); ++b) {
-      if (!given.has((*b)->name) || !exclude_each_other((*a)->name, (*b)->name)) continue;
-      // The later one is to blame: options of a file come behind those of the command line.
-      const bool is_first_later = given.find((*a)->name)->order > given.find((*b)->name)->order;
-      const std::string& blamed = is_first_later ? (*a)->name : (*b)->name;
-      return Problem{
-          blamed, fmt::format("{{option:{}}} and {{option:{}}} exclude each other: keep one", (*a)->name, (*b)->name)};
-    }
-  }
+  if (auto exclusion = find_exclusion(*this, given)) return exclusion;
   for (const auto& [name, other] : needed_) {
     if (!given.has(name) || given.has(other)) continue;
     return Problem{

@@ -313,6 +313,46 @@ std::string read_angle(const CreaseAngle& angle, const std::string& text) {
   return "";
 }
 
+// ---- the way back
+
+using Written = std::optional<Texts>;
+
+Written write_text(const std::string& text) { return text.empty() ? Written() : Written(Texts{text}); }
+
+template <class T>
+Written write_any(const std::optional<T>& value) {
+  return value ? Written(Texts{fmt::format("{}", *value)}) : Written();
+}
+
+// These are function objects, so that std::visit takes them beside lambdas.
+
+const auto write_number = [](const Number& number) {
+  return std::visit(
+      [&](const auto* field) {
+        using T = std::remove_cv_t<std::remove_reference_t<decltype(*field)>>;
+        std::optional<typename Plain<T>::type> value = *field;
+        const auto word = value ? name_in(number.words, static_cast<double>(*value)) : std::string_view();
+        return word.empty() ? write_any(value) : write_text(std::string(word));
+      },
+      number.value);
+};
+
+const auto write_points = [](const PointList& list) {
+  if (list.file != nullptr && !list.file->empty()) return write_text(*list.file);
+  return *list.vertices ? write_text(fmt::format("{}", fmt::join(**list.vertices, ","))) : Written();
+};
+
+const auto write_bound = [](const SizeOrPercent& size) {
+  if (!*size.value) return Written();
+  const auto& [value, in_diagonals] = **size.value;
+  return in_diagonals ? write_text(fmt::format("{:.15g}%", value * 100))  // without the rounding of the division
+                      : write_text(fmt::format("{}", value));
+};
+
+const auto write_angle = [](const CreaseAngle& angle) {
+  return *angle.automatic ? write_text("auto") : write_any(*angle.value);
+};
+
 }  // namespace
 
 std::string read_option(const Option& option, const Texts& texts) {
@@ -352,9 +392,7 @@ std::string value_name(const Field& field) {
   return std::visit(
       Overload{[](const Flag&) { return std::string(); }, [](const Switch&) { return std::string("on|off"); },
                [&](const Number& number) {
-                 const bool real = std::holds_alternative<double*>(number.value) ||
-                                   std::holds_alternative<std::optional<double>*>(number.value);
-                 const std::string name = with_words(real ? "NUMBER" : "N", names_in(number.words));
+                 const std::string name = with_words(is_real(number) ? "NUMBER" : "N", names_in(number.words));
                  return number.implied ? "[" + name + "]" : name;
                },
                [](const Choice& choice) { return fmt::format("{}", fmt::join(choice.names, "|")); },
@@ -396,61 +434,32 @@ std::string describe_range(const Number& number) {
 }
 
 std::optional<Texts> write_option(const Field& field) {
-  using Written = std::optional<Texts>;
-  const auto one = [](const std::string& text) { return text.empty() ? Written() : Written(Texts{text}); };
   return std::visit(
       Overload{[](const Flag& flag) { return Written(Texts{*flag.value == flag.given_as ? "true" : "false"}); },
                [](const Switch& on_off) {
                  return *on_off.value ? Written(Texts{**on_off.value ? "on" : "off"}) : Written();
                },
-               [](const Number& number) {
-                 return std::visit(
-                     [&](const auto* value) {
-                       using T = std::remove_cv_t<std::remove_reference_t<decltype(*value)>>;
-                       const auto text = [&](auto v) {
-                         const auto word = name_in(number.words, static_cast<double>(v));
-                         return Written(Texts{word.empty() ? fmt::format("{}", v) : std::string(word)});
-                       };
-                       if constexpr (std::is_arithmetic_v<T>) {
-                         return text(*value);
-                       } else {
-                         return *value ? text(**value) : Written();
-                       }
-                     },
-                     number.value);
-               },
+               write_number,
                [](const Choice& choice) {
                  const auto place = choice.get();
                  return place ? Written(Texts{choice.names[*place]}) : Written();
                },
                [](const ChoiceList& list) { return list.value->empty() ? Written() : Written(*list.value); },
-               [&](const File& file) {
+               [](const File& file) {
                  return std::visit(
-                     Overload{[&](const std::string* name) { return one(*name); },
+                     Overload{[](const std::string* name) { return write_text(*name); },
                               [](const Texts* names) { return names->empty() ? Written() : Written(*names); }},
                      file.value);
                },
-               [&](const PointList& list) {
-                 if (list.file != nullptr && !list.file->empty()) return one(*list.file);
-                 return *list.vertices ? one(fmt::format("{}", fmt::join(**list.vertices, ","))) : Written();
-               },
-               [&](const Curves& curves) { return one(*curves.value); },
-               [&](const Counts& counts) { return one(fmt::format("{}", fmt::join(*counts.value, ","))); },
-               [&](const ValueSource& values) { return one(*values.value); },
-               [](const ByteSize& size) {
-                 return *size.value ? Written(Texts{fmt::format("{}", **size.value)}) : Written();
-               },
-               [](const SizeOrPercent& size) {
-                 if (!*size.value) return Written();
-                 const ErrorBound& bound = **size.value;
-                 return Written(Texts{bound.in_diagonals ? fmt::format("{}%", bound.value * 100)
-                                                         : fmt::format("{}", bound.value)});
-               },
-               [](const CreaseAngle& angle) {
-                 if (*angle.automatic) return Written(Texts{"auto"});
-                 return *angle.value ? Written(Texts{fmt::format("{}", **angle.value)}) : Written();
-               }},
+               write_points, [](const Curves& curves) { return write_text(*curves.value); },
+               [](const Counts& counts) { return write_text(fmt::format("{}", fmt::join(*counts.value, ","))); },
+               [](const ValueSource& values) { return write_text(*values.value); },
+               [](const ByteSize& size) { return write_any(*size.value); }, write_bound, write_angle},
       field);
+}
+
+bool is_real(const Number& number) {
+  return std::holds_alternative<double*>(number.value) || std::holds_alternative<std::optional<double>*>(number.value);
 }
 
 bool takes_value(const Field& field) { return !std::holds_alternative<Flag>(field); }

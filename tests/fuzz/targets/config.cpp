@@ -39,8 +39,7 @@ std::string toml_of(const GivenTexts& given, const std::string& text) {
   if (const auto* const number = std::get_if<Number>(&given.option->field)) {
     const bool is_word = !number->words.empty();
     const bool is_plain = number->implied && (text == "true" || text == "false");
-    const bool real =
-        std::holds_alternative<std::optional<double>*>(number->value) || std::holds_alternative<double*>(number->value);
+    const bool real = is_real(*number);
     if (is_word) return quoted(text);
     return is_plain || !real || text.find_first_of(".en") != std::string::npos ? text : text + ".0";
   }
