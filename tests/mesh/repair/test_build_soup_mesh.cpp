@@ -301,6 +301,21 @@ TEST_CASE("a component of faces without area is dropped and counted, and one tha
 TEST_CASE("a face without area that the cut of an edge sets free is dropped") {
   const PolygonSoup fin =
       make_soup({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1, 0, 0}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+TEST_CASE("a component without area is found at every size of a mesh") {
+  for (const double size : {1e-75, 1e-60, 1e-30, 1.0, 1e30, 1e74}) {
+    CAPTURE(size);
+    // A needle whose height is above 1e-15 of its longest side, and one whose height is below.
+    PolygonSoup soup = points_soup(3, {{0, 1, 2}});
+    append(soup, make_soup({{5, 0, 0}, {6, 0, 0}, {5.5, 1.1e-15, 0}}, {{0, 1, 2}}));
+    append(soup, make_soup({{5, 1, 0}, {6, 1, 0}, {5.5, 1, 0.9e-15}}, {{0, 1, 2}}));
+    for (Vec3& p : soup.positions) p *= size;
+    const CheckedMesh checked = build_mesh(soup);
+    CHECK(checked.defects.count(DefectKind::zero_area_components) == 1);
+    CHECK(checked.mesh.face_count() == 2);
+    CHECK(checked.defects.zero_area_faces == 0);
+  }
+}
+
   const CheckedMesh checked = build_mesh(fin);
   CHECK(checked.defects.count(DefectKind::nonmanifold_edges) == 1);
   CHECK(checked.defects.zero_area_faces + checked.defects.count(DefectKind::zero_area_components) == 1);
