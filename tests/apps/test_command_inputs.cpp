@@ -1,10 +1,14 @@
 // What the commands read, and the report of a run.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
+#include "support/twisted_strip.hpp"
 
 namespace gvd::test_command_inputs {
 
@@ -137,6 +141,46 @@ TEST_CASE("commands: a triangle without area that hangs on nothing does not spoi
 TEST_CASE("commands: a vertex far outside is named") {
   const ScratchFolder scratch;
   const std::string mesh = scratch / "far.obj";
+std::string to_obj(const PolygonSoup& soup) {
+  std::string text;
+  for (const Vec3& p : soup.positions) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+  for (std::size_t f = 0; f < soup.polygon_count(); ++f) {
+    text += "f";
+    for (const std::int32_t v : soup.polygon(f)) text += fmt::format(" {}", v + 1);
+    text += "\n";
+  }
+  return text;
+}
+
+TEST_CASE("commands: a closed one-sided surface is cut along its twist of seven edges, or refused from 1 % on") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "closed.obj", coarse = scratch / "coarse.obj", report = scratch / "r.json";
+  write_text(mesh, to_obj(make_twisted_strip(34, true)));    // 714 edges
+  write_text(coarse, to_obj(make_twisted_strip(33, true)));  // 693
+  const std::pair<const char*, const char*> kRuns[] = {{"gvd-segment", " -n 6"},
+                                                       {"gvd-segment", " -n 6 --cut --disc"},
+                                                       {"gvd-segment", " -n 6 --balance area"},
+                                                       {"gvd-lloyd", " -n 6"},
+                                                       {"gvd-remesh", " -n 60"},
+                                                       {"gvd-distance", " --from 0 --to 50"}};
+  for (const auto& [name, options] : kRuns) {
+    if (std::string(name) != "gvd-distance" && !std::ranges::count(built_commands(), name)) continue;
+    CAPTURE(name, options);
+    const CommandResult cut = run_command(name, mesh + options + " --report " + report);
+    CAPTURE(cut.err);
+    REQUIRE(cut.exit_code == 0);
+    CHECK_THAT(cut.err, Contains("closed.obj: 7 edges between faces of opposite orientations make the surface "
+                                 "one-sided, like a Moebius strip, first the one between vertices 0 and 1 of face 1: "
+                                 "cut, the surface has a boundary there\n"));
+    const auto input = nlohmann::json::parse(read_text(report))["input"];
+    CHECK(input["defects"]["one_sided_edges"] == 7);
+    CHECK(input["boundary_loops"] == 2);
+    const CommandResult refused = run_command(name, coarse + options);
+    CHECK(refused.exit_code == 4);
+    CHECK_THAT(refused.err, Contains("coarse.obj: the component of face 0 has only one side, like a Moebius strip"));
+  }
+}
+
   write_text(mesh, "v 0 0 0\nv 50 0 0\nv 0 50 0\nv 50 50 0\nv 1e7 50 0\nf 1 2 3\nf 2 4 3\nf 2 5 4\n");
   const CommandResult result = run_command("gvd-segment", mesh + " -n 2");
   CHECK_THAT(result.err, Contains("1 vertex lies far outside: vertex 4 is 1e+07 from the middle, where half"));
