@@ -115,6 +115,9 @@ TEST_CASE("commands: a tolerance of --weld that is no number from 0 on is a usag
     CHECK(result.exit_code == 2);
     CHECK_THAT(result.err, Contains("'" + wrong + "' is not a finite number from 0 on"));
   }
+  const CommandResult tiny = run_command("gvd-segment", mesh + " -n 2 --weld 1e-200");
+  CHECK(tiny.exit_code == 2);
+  CHECK_THAT(tiny.err, Contains("weld: the tolerance 1e-200 is below 1e-100; 0 joins exact copies"));
   const CommandResult all = run_command("gvd-segment", mesh + " -n 2 --weld 3");
   CHECK(all.exit_code == 4);
   CHECK_THAT(all.err, Contains("loose.obj: welding within 3 joins all vertices: choose a smaller tolerance"));
@@ -138,9 +141,6 @@ TEST_CASE("commands: a triangle without area that hangs on nothing does not spoi
   CHECK_THAT(refused.err, Contains("first the one of face 4: repair the mesh, or allow its repair with --on-defect"));
 }
 
-TEST_CASE("commands: a vertex far outside is named") {
-  const ScratchFolder scratch;
-  const std::string mesh = scratch / "far.obj";
 std::string to_obj(const PolygonSoup& soup) {
   std::string text;
   for (const Vec3& p : soup.positions) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
@@ -181,6 +181,9 @@ TEST_CASE("commands: a closed one-sided surface is cut along its twist of seven 
   }
 }
 
+TEST_CASE("commands: a vertex far outside is named") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "far.obj";
   write_text(mesh, "v 0 0 0\nv 50 0 0\nv 0 50 0\nv 50 50 0\nv 1e7 50 0\nf 1 2 3\nf 2 4 3\nf 2 5 4\n");
   const CommandResult result = run_command("gvd-segment", mesh + " -n 2");
   CHECK_THAT(result.err, Contains("1 vertex lies far outside: vertex 4 is 1e+07 from the middle, where half"));
