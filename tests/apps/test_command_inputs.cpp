@@ -1,10 +1,14 @@
 // What the commands read, and the report of a run.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
+#include "support/twisted_strip.hpp"
 
 namespace gvd::test_command_inputs {
 
@@ -111,6 +115,9 @@ TEST_CASE("commands: a tolerance of --weld that is no number from 0 on is a usag
     CHECK(result.exit_code == 2);
     CHECK_THAT(result.err, Contains("'" + wrong + "' is not a finite number from 0 on"));
   }
+  const CommandResult tiny = run_command("gvd-segment", mesh + " -n 2 --weld 1e-200");
+  CHECK(tiny.exit_code == 2);
+  CHECK_THAT(tiny.err, Contains("weld: the tolerance 1e-200 is below 1e-100; 0 joins exact copies"));
   const CommandResult all = run_command("gvd-segment", mesh + " -n 2 --weld 3");
   CHECK(all.exit_code == 4);
   CHECK_THAT(all.err, Contains("loose.obj: welding within 3 joins all vertices: choose a smaller tolerance"));
@@ -132,6 +139,46 @@ TEST_CASE("commands: a triangle without area that hangs on nothing does not spoi
   const CommandResult refused = run_command("gvd-segment", mesh + " -n 3 --on-defect error");
   CHECK(refused.exit_code == 4);
   CHECK_THAT(refused.err, Contains("first the one of face 4: repair the mesh, or allow its repair with --on-defect"));
+}
+
+std::string to_obj(const PolygonSoup& soup) {
+  std::string text;
+  for (const Vec3& p : soup.positions) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+  for (std::size_t f = 0; f < soup.polygon_count(); ++f) {
+    text += "f";
+    for (const std::int32_t v : soup.polygon(f)) text += fmt::format(" {}", v + 1);
+    text += "\n";
+  }
+  return text;
+}
+
+TEST_CASE("commands: a closed one-sided surface is cut along its twist of seven edges, or refused from 1 % on") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "closed.obj", coarse = scratch / "coarse.obj", report = scratch / "r.json";
+  write_text(mesh, to_obj(make_twisted_strip(34, true)));    // 714 edges
+  write_text(coarse, to_obj(make_twisted_strip(33, true)));  // 693
+  const std::pair<const char*, const char*> kRuns[] = {{"gvd-segment", " -n 6"},
+                                                       {"gvd-segment", " -n 6 --cut --disc"},
+                                                       {"gvd-segment", " -n 6 --balance area"},
+                                                       {"gvd-lloyd", " -n 6"},
+                                                       {"gvd-remesh", " -n 60"},
+                                                       {"gvd-distance", " --from 0 --to 50"}};
+  for (const auto& [name, options] : kRuns) {
+    if (std::string(name) != "gvd-distance" && !std::ranges::count(built_commands(), name)) continue;
+    CAPTURE(name, options);
+    const CommandResult cut = run_command(name, mesh + options + " --report " + report);
+    CAPTURE(cut.err);
+    REQUIRE(cut.exit_code == 0);
+    CHECK_THAT(cut.err, Contains("closed.obj: 7 edges between faces of opposite orientations make the surface "
+                                 "one-sided, like a Moebius strip, first the one between vertices 0 and 1 of face 1: "
+                                 "cut, the surface has a boundary there\n"));
+    const auto input = nlohmann::json::parse(read_text(report))["input"];
+    CHECK(input["defects"]["one_sided_edges"] == 7);
+    CHECK(input["boundary_loops"] == 2);
+    const CommandResult refused = run_command(name, coarse + options);
+    CHECK(refused.exit_code == 4);
+    CHECK_THAT(refused.err, Contains("coarse.obj: the component of face 0 has only one side, like a Moebius strip"));
+  }
 }
 
 TEST_CASE("commands: a vertex far outside is named") {

@@ -32,8 +32,8 @@ void register_weld(CLI::App& app, InputOptions& input) {
     return is_known ? "" : fmt::format("'{}' is not {}", printable(text), kNotNegative.text);
   };
   add_parsed(app, kWeldOption, "[NUMBER]", store,
-             "Join vertices at the same place, as in an STL, or with a number all that are within so many mesh units "
-             "of each other");
+             "Join vertices at the same place, as in an STL, and with a number also those at most so many mesh units "
+             "apart");
 }
 
 void register_input(CLI::App& app, InputOptions& input) {

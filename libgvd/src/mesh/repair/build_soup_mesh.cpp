@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "gvd/text.hpp"
 #include "mesh/repair/repair_steps.hpp"
@@ -65,10 +66,6 @@ void flip(WorkFaces& work, std::int32_t f) {
   }
 }
 
-/// A component with one side only is cut open where fewer than one of so many edges joins faces of opposite
-/// orientations: then the file's own orientation says where. Elsewhere it says nothing.
-constexpr std::int64_t kLeastEdgesPerTwist = 100;
-
 [[noreturn]] void refuse_one_sided(const WorkFaces& work, const OrientedComponent& component) {
   const std::int32_t first = *std::min_element(component.faces.begin(), component.faces.end());
   const std::int32_t origin = work.origin[first];
@@ -116,11 +113,18 @@ double twice_area(const WorkFaces& work, std::int32_t f, const std::vector<Vec3>
 constexpr double kHeightWithoutArea = 1e-15;
 
 /// Whether a face counts as one without area: the same faces as `count_faces_below` counts in the finished mesh.
+///
+/// Nearly all faces pass a test that needs no root and no scaling: its bound is at least twice the one on twice the
+/// area, since 2 (|ab|^2 + |ac|^2) is at least the square of each side, bc too. Where squares underflow, the smallest
+/// normal number holds the test back.
 bool is_without_area(const WorkFaces& work, std::int32_t f) {
-  double longest = 0;
-  for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-    longest = std::max(longest, (work.positions[work.to(h)] - work.positions[work.from(h)]).stableNorm());
-  }
+  const auto& [a, b, c] = work.faces[f];
+  const Vec3 ab = work.positions[b] - work.positions[a], ac = work.positions[c] - work.positions[a];
+  const double bound = 4 * kHeightWithoutArea * (ab.squaredNorm() + ac.squaredNorm());
+  const double squared = ab.cross(ac).squaredNorm();
+  if (squared > bound * bound + std::numeric_limits<double>::min()) return false;
+  const double longest =
+      std::max({ab.stableNorm(), ac.stableNorm(), (work.positions[c] - work.positions[b]).stableNorm()});
   return twice_area(work, f, work.positions) <= kHeightWithoutArea * longest * longest;
 }
 
@@ -374,26 +378,6 @@ void add_remarks(CheckedMesh& checked) {
   }
 }
 
-/// Whether a halfedge is the first one of an edge at which two faces of opposite orientations meet.
-bool is_twist(const WorkFaces& work, std::int32_t h) {
-  const std::int32_t twin = work.twin[h];
-  return twin > h && work.from(h) == work.from(twin);
-}
-
-/// The twists of a one-sided component, if they are few among its edges: else none.
-std::vector<std::int32_t> find_few_twists(const WorkFaces& work, const OrientedComponent& component) {
-  std::int64_t edges = 0;
-  std::vector<std::int32_t> twists;
-  for (const std::int32_t f : component.faces) {
-    for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-      edges += work.twin[h] < 0 || work.twin[h] > h;
-      if (is_twist(work, h)) twists.push_back(h);
-    }
-  }
-  if (std::ssize(twists) * kLeastEdgesPerTwist >= edges) twists.clear();
-  return twists;
-}
-
 }  // namespace
 
 EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count) {
@@ -404,41 +388,6 @@ EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count) {
     if (edge.size() == 2) work.link(edge[0], edge[1]);
   });
   return nonmanifold_edges;
-}
-
-std::vector<std::int32_t> cut_twists(WorkFaces& work, DefectLog& log) {
-  std::vector<std::int32_t> ends;
-  bool any = false;
-  for (std::int32_t h = 0; h < work.halfedge_count() && !any; ++h) any = is_twist(work, h);
-  if (!any) return ends;
-  std::int64_t count = 0;
-  std::int32_t first = -1;  // the first twist of the first component that has few
-  std::vector<signed char> side(work.faces.size(), -1);
-  for (std::int32_t start = 0; start < work.face_count(); ++start) {
-    if (side[start] >= 0) continue;
-    const OrientedComponent component = walk_component(work, start, side);
-    if (component.conflict < 0) continue;
-    const std::vector<std::int32_t> twists = find_few_twists(work, component);
-    if (twists.empty()) continue;
-    count += std::ssize(twists);
-    if (first < 0) first = *std::min_element(twists.begin(), twists.end());
-    for (const std::int32_t h : twists) {
-      work.twin[work.twin[h]] = -1;
-      work.twin[h] = -1;
-      ends.insert(ends.end(), {work.from(h), work.to(h)});
-    }
-  }
-  if (count == 0) return ends;
-  const auto [low, high] = std::minmax({work.from(first), work.to(first)});
-  const std::int32_t face = work.origin[first / 3];
-  log.add(DefectKind::one_sided_edges, count, face,
-          fmt::format("{} the surface one-sided, like a Moebius strip, first the one between vertices {} and {} of "
-                      "face {}",
-                      counted(count, "edge between faces of opposite orientations makes",
-                              "edges between faces of opposite orientations make"),
-                      low, high, face),
-          "cut, the surface has a boundary there");
-  return ends;
 }
 
 std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, DefectLog& log) {

@@ -124,9 +124,10 @@ ProjectedPolygon project_polygon(std::span<const std::int32_t> polygon, const st
 /// or more faces, in the order of `visit_edges`. Cost: that of `visit_edges`.
 EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count);
 
-/// Cuts components with one side only open, along the edges where the orientations of two faces disagree, where these
-/// are fewer than 1 % of the component's edges. Faces keep their orientations. Returns the ends of these edges: the
-/// vertices that `cut_vertices` shall not count. Cost: O(n).
+/// Cuts components with one side only open, where the orientations of two faces disagree at fewer than 1 % of the
+/// component's edges: along those of these edges where no flip of faces helps. Faces keep their orientations. Returns
+/// the ends of the cut edges: the vertices that `cut_vertices` shall not count. Cost: O(n), and O(k log k) for k such
+/// edges.
 std::vector<std::int32_t> cut_twists(WorkFaces& work, DefectLog& log);
 
 /// Flips faces so that each component follows the majority of its faces. The halfedges in `nonmanifold_edges` follow
