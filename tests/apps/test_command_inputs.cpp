@@ -101,6 +101,23 @@ TEST_CASE("commands: without --weld a note says how many open edges it would clo
                                   "open there; --weld would close 12 open edges\n"));
 }
 
+TEST_CASE("commands: --weld that joins nothing says how near vertices on open edges are") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "parted.obj";
+  write_text(mesh, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 .25\nv 1 1 .25\nv 0 1 .25\nf 1 2 3\nf 4 5 6\n");
+  const std::string apart = "; on open edges, the nearest two that no edge joins are 0.25 apart\n";
+  for (const auto& [name, options] : {std::pair{"gvd-segment", " -n 2"}, {"gvd-distance", " --from 0"}}) {
+    const std::string run = mesh + options;
+    CAPTURE(name);
+    CHECK_THAT(run_command(name, run + " --weld .1").err,
+               Contains("parted.obj: welding within 0.1 joins nothing: no two vertices are so near" + apart));
+    CHECK_THAT(run_command(name, run + " --weld").err,
+               Contains("welding joins nothing: no two vertices are at the same coordinates" + apart));
+    CHECK_THAT(run_command(name, run + " --weld .25").err, !Contains("joins nothing"));
+    CHECK_THAT(run_command(name, run).err, !Contains("joins nothing"));
+  }
+}
+
 TEST_CASE("commands: a tolerance of --weld that is no number from 0 on is a usage error") {
   const ScratchFolder scratch;
   const std::string mesh = scratch / "loose.obj";
