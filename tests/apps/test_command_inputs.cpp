@@ -302,7 +302,7 @@ TEST_CASE("commands: a bad list of generators is refused in one line") {
   refused("1\n2\nthree\n", 3, "list.txt:3: ");
   refused("", 3, "list.txt:1: ");
   refused("1\n99999999\n", 4, "list.txt:2: ");
-  refused("5\n6\n5\n", 4, "generator 2 is in the same place as generator 0");
+  refused("5\n6\n5\n", 4, "list.txt:3: vertex 5 is listed twice (");
   refused("p 9 9 9\n", 4, "list.txt:1: ");
   for (const std::string& name : built_commands()) {
     require_error(name, mesh + " --generators " + scratch / "missing.txt", 3, "missing.txt");
