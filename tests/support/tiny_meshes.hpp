@@ -69,6 +69,15 @@ inline Mesh scaled(const Mesh& mesh, double scale) {
   return Mesh(std::move(positions), std::move(faces));
 }
 
+/// The mesh with its coordinates times these factors, of which none is negative.
+inline Mesh stretched(const Mesh& mesh, const Vec3& factors) {
+  std::vector<Vec3> positions;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const VertexId v : mesh.vertices()) positions.push_back(mesh.position(v).cwiseProduct(factors));
+  for (const FaceId f : mesh.faces()) faces.push_back(mesh.vertices(f));
+  return {std::move(positions), std::move(faces)};
+}
+
 /// A flat rectangle nx x ny whose inner vertices are moved within the plane by up to `shift` <= 0.2 along each axis, so
 /// that no triangle is reversed. Many triangles are obtuse.
 inline Mesh make_jittered_grid(int nx, int ny, double shift, unsigned seed) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <utility>
+#include <string>
 #include <vector>
 
 #include "gvd/dual.hpp"
@@ -92,15 +93,21 @@ class AddedGenerators {
 /// The numbers of added generators and of defects, by round.
 using RepairHistory = std::vector<std::pair<std::int64_t, std::size_t>>;
 
-/// The number of generators that a repair is likely to have to add in all. Adding those of the rounds so far has
-/// removed some defects; the others are assumed to take as many each. It is at least what the topology needs: three
-/// vertices for each component and boundary loop, four for each component of a closed surface. Nothing where the
-/// defects get no fewer and the topology needs no more generators than there are. `generators`: how many there are now.
-/// `history`: of one round at least.
+/// The number of generators that a repair is likely to have to add in all. Adding those of the rounds since the last
+/// one with the most defects has removed some; the others are assumed to take as many each. It is at least what the
+/// topology needs: three vertices for each component and boundary loop, four for each component of a closed surface.
+/// Nothing where the defects get no fewer and the topology needs no more generators than there are. `generators`: how
+/// many there are now. `history`: of one round at least.
 std::optional<std::int64_t> estimate_added(const MeshSummary& mesh, std::size_t generators,
                                            const RepairHistory& history);
 
 /// The farthest vertices of the largest cells from their generators, at most `count`, one in each cell, for generators
+/// What became of the defects until a repair ended at a limit, and what helps: behind "N generators were added in M
+/// rounds". More generators, or a higher `max_added` where that was the limit, only where an estimate tells how many;
+/// while defects get more, added ones make it worse.
+std::string advise_at_limit(const MeshSummary& mesh, std::size_t generators, const RepairHistory& history,
+                            bool is_max_added);
+
 /// that no defect asks for. Cost: O(n log n).
 std::vector<SurfacePoint> propose_farthest(const Mesh& mesh, const Diagram& diagram, std::size_t count);
 
