@@ -104,10 +104,14 @@ class DefectRepair {
     if (added_.size() == before) add_farthest(g);
   }
 
-  /// Adds points that may divide the cell: those that halve a loop, and vertices, from the farthest one to the
-  /// generator, evenly by their number.
+  /// Adds points that may divide the cell: those that halve a loop, opposite ones, and vertices, from the farthest one
+  /// to the generator, evenly by their number. In this order, since an opposite point leaves more to do elsewhere where
+  /// edges are short enough for a loop of them.
   void divide(GeneratorId g) {
     split_loop(g, kFewestParts);
+    if (cut()) {
+      for (const SurfacePoint& p : find_opposite_points(mesh_, diagram_, g, loops_->borders(g))) added_.add(p);
+    }
     std::vector<VertexId> vertices = elements().vertices[g];
     std::ranges::stable_sort(vertices, std::greater(), [&](VertexId v) { return diagram_.vertex_distance[v]; });
     const std::size_t step = 1 + vertices.size() / std::max<std::size_t>(1, added_.room());
@@ -322,16 +326,22 @@ ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, 
   return proposed;
 }
 
-std::vector<std::vector<SurfacePoint>> list_disc_candidates(const Mesh& mesh, const Diagram& diagram,
-                                                            const std::vector<GeneratorId>& cells, std::size_t count) {
-  AddedGenerators added(mesh, diagram.generators, count);
-  DefectRepair repair(mesh, diagram, added);
-  std::vector<std::vector<SurfacePoint>> candidates;
-  for (const GeneratorId cell : cells) {
-    repair.divide(cell);
-    candidates.push_back(added.take());
-  }
-  return candidates;
+struct DiscCandidates::State {
+  State(const Mesh& mesh, const Diagram& diagram, std::size_t count)
+      : added(mesh, diagram.generators, count), repair(mesh, diagram, added) {}
+
+  AddedGenerators added;
+  DefectRepair repair;
+};
+
+DiscCandidates::DiscCandidates(const Mesh& mesh, const Diagram& diagram, std::size_t count)
+    : state_(std::make_unique<State>(mesh, diagram, count)) {}
+
+DiscCandidates::~DiscCandidates() = default;
+
+std::vector<SurfacePoint> DiscCandidates::list(GeneratorId cell) {
+  state_->repair.divide(cell);
+  return state_->added.take();
 }
 
 NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const std::vector<SurfacePoint>& added,

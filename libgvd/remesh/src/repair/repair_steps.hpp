@@ -5,9 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
-#include <utility>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gvd/dual.hpp"
@@ -101,13 +102,13 @@ using RepairHistory = std::vector<std::pair<std::int64_t, std::size_t>>;
 std::optional<std::int64_t> estimate_added(const MeshSummary& mesh, std::size_t generators,
                                            const RepairHistory& history);
 
-/// The farthest vertices of the largest cells from their generators, at most `count`, one in each cell, for generators
 /// What became of the defects until a repair ended at a limit, and what helps: behind "N generators were added in M
 /// rounds". More generators, or a higher `max_added` where that was the limit, only where an estimate tells how many;
 /// while defects get more, added ones make it worse.
 std::string advise_at_limit(const MeshSummary& mesh, std::size_t generators, const RepairHistory& history,
                             bool is_max_added);
 
+/// The farthest vertices of the largest cells from their generators, at most `count`, one in each cell, for generators
 /// that no defect asks for. Cost: O(n log n).
 std::vector<SurfacePoint> propose_farthest(const Mesh& mesh, const Diagram& diagram, std::size_t count);
 
@@ -235,12 +236,25 @@ struct ProposedGenerators {
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
                                       std::size_t max_count, const Progress& progress = {});
 
-/// For each of some cells that are no discs points, at most `count`, of which one may divide it as one more generator:
-/// a second point at the generator's distance from a tip or the opposite one of the shortest loop, then vertices, from
-/// the farthest one to the generator. Too close ones are left out, as above. Cost: that of cutting the mesh, and that
-/// of the elements of the cells.
-std::vector<std::vector<SurfacePoint>> list_disc_candidates(const Mesh& mesh, const Diagram& diagram,
-                                                            const std::vector<GeneratorId>& cells, std::size_t count);
+/// Lists points of which one may make discs of a cell as one more generator: a second point at the generator's distance
+/// from a tip or the opposite one of the shortest loop, opposite points (`find_opposite_points`), then vertices, from
+/// the farthest one to the generator. Too close ones are left out, as above.
+class DiscCandidates {
+ public:
+  /// `count`: the most points of a cell. Mesh and diagram must outlive this. Cost: O(n).
+  DiscCandidates(const Mesh& mesh, const Diagram& diagram, std::size_t count);
+  DiscCandidates(const DiscCandidates&) = delete;
+  DiscCandidates& operator=(const DiscCandidates&) = delete;
+  ~DiscCandidates();
+
+  /// The points of a cell that is no disc. Cost: O(n), cutting the mesh once, and two exact fields on the cell's faces
+  /// for each opposite point.
+  std::vector<SurfacePoint> list(GeneratorId cell);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 struct NearbyGenerators {
   std::vector<SurfacePoint> points;
