@@ -71,7 +71,9 @@ TEST_CASE("disc cells: on a long thin body, each cell that goes round it takes o
     const Mesh needle = test::stretched(sphere, {length, 1, 1});
     for (const int count : {3, 6, 12}) {
       CAPTURE(length, count);
-      const auto given = sample_generators(needle, {.count = count});
+      SamplingOptions sampling;
+      sampling.count = count;
+      const auto given = sample_generators(needle, sampling);
       const std::size_t annuli = find_non_discs(compute_diagram(needle, given)).size();
       const DiscCells made = make(needle, given);
       check_discs(needle, given, made);

@@ -69,6 +69,17 @@ inline Mesh scaled(const Mesh& mesh, double scale) {
   return Mesh(std::move(positions), std::move(faces));
 }
 
+/// Triangles without a common point.
+inline Mesh make_loose_triangles(int parts) {
+  std::vector<Vec3> corners;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int i = 0; i < parts; ++i) {
+    corners.insert(corners.end(), {{3.0 * i, 0, 0}, {3.0 * i + 1, 0, 0}, {3.0 * i, 1, 0}});
+    faces.push_back({VertexId(3 * i), VertexId(3 * i + 1), VertexId(3 * i + 2)});
+  }
+  return {std::move(corners), std::move(faces)};
+}
+
 /// The mesh with its coordinates times these factors, of which none is negative.
 inline Mesh stretched(const Mesh& mesh, const Vec3& factors) {
   std::vector<Vec3> positions;
