@@ -104,14 +104,13 @@ class DefectRepair {
     if (added_.size() == before) add_farthest(g);
   }
 
-  /// Adds points that may divide the cell: those that halve a loop, opposite ones, and vertices, from the farthest one
-  /// to the generator, evenly by their number. In this order, since an opposite point leaves more to do elsewhere where
-  /// edges are short enough for a loop of them.
+  /// Adds points that may divide the cell: opposite ones, those that halve a loop, and vertices, from the farthest one
+  /// to the generator, evenly by their number.
   void divide(GeneratorId g) {
-    split_loop(g, kFewestParts);
     if (cut()) {
       for (const SurfacePoint& p : find_opposite_points(mesh_, diagram_, g, loops_->borders(g))) added_.add(p);
     }
+    split_loop(g, kFewestParts);
     std::vector<VertexId> vertices = elements().vertices[g];
     std::ranges::stable_sort(vertices, std::greater(), [&](VertexId v) { return diagram_.vertex_distance[v]; });
     const std::size_t step = 1 + vertices.size() / std::max<std::size_t>(1, added_.room());
