@@ -385,8 +385,9 @@ std::string property_file(Run& run) {
 
 void refuse_name(Run& run, const std::string& option, const std::string& name) {
   const std::string file = property_file(run);
-  throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: there is no such file, and {} has no such property",
-                                                       option, name, file.empty() ? "standard input" : file));
+  throw Error(ErrorCode::unreadable_input,
+              fmt::format("{} {}: there is no such file, and {} has no such property; check the name", option, name,
+                          file.empty() ? "standard input" : file));
 }
 
 namespace {

@@ -105,6 +105,23 @@ TEST_CASE("commands: without --weld a note says how many open edges it would clo
                                   "open there; --weld would close 12 open edges\n"));
 }
 
+TEST_CASE("commands: --weld that joins nothing says how near vertices on open edges are") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "parted.obj";
+  write_text(mesh, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 .25\nv 1 1 .25\nv 0 1 .25\nf 1 2 3\nf 4 5 6\n");
+  const std::string apart = "; on open edges, the nearest two that no edge joins are 0.25 apart\n";
+  for (const auto& [name, options] : {std::pair{"gvd-segment", " -n 2"}, {"gvd-distance", " --from 0"}}) {
+    const std::string run = mesh + options;
+    CAPTURE(name);
+    CHECK_THAT(run_command(name, run + " --weld .1").err,
+               Contains("parted.obj: welding within 0.1 joins nothing: no two vertices are so near" + apart));
+    CHECK_THAT(run_command(name, run + " --weld").err,
+               Contains("welding joins nothing: no two vertices are at the same coordinates" + apart));
+    CHECK_THAT(run_command(name, run + " --weld .25").err, !Contains("joins nothing"));
+    CHECK_THAT(run_command(name, run).err, !Contains("joins nothing"));
+  }
+}
+
 TEST_CASE("commands: a tolerance of --weld that is no number from 0 on is a usage error") {
   const ScratchFolder scratch;
   const std::string mesh = scratch / "loose.obj";
@@ -189,22 +206,23 @@ TEST_CASE("commands: a vertex far outside is named") {
   CHECK_THAT(result.err, Contains("1 vertex lies far outside: vertex 4 is 1e+07 from the middle, where half"));
 }
 
-TEST_CASE("commands: faces that no generator reaches because sheets were cut apart are told so") {
+TEST_CASE("gvd-segment: a note says why no generator reaches some faces") {
   const ScratchFolder scratch;
   const std::string mesh = scratch / "fin.obj";
-  write_text(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
-  const CommandResult result = run_command("gvd-segment", mesh + " --vertices 2");
-  const std::string cut = "; sheets were cut apart at 1 non-manifold edge, and nothing passes from one to the other\n";
-  CHECK_THAT(result.err, Contains("label -1" + cut));
-  const CommandResult distance = run_command("gvd-distance", mesh + " --from 2 --to 4");
-  CHECK(distance.out == "inf\n");
-  CHECK_THAT(distance.err, Contains("1 of 1 distance is inf: no source reaches there" + cut));
-  // A component of its own is not reached for another reason.
-  write_text(mesh,
-             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 5 0 0\nv 6 0 0\nv 5 1 0\n"
-             "f 1 2 3\nf 2 1 4\nf 1 2 5\nf 6 7 8\n");
-  const CommandResult all = run_command("gvd-segment", mesh + " --vertices 2,3,4");
-  CHECK_THAT(all.err, Contains("label -1\n") && !Contains("nothing passes"));
+  const auto told = [&](const std::string& options) { return run_command("gvd-segment", mesh + options).err; };
+  const std::string fin = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
+  write_text(mesh, fin);
+  const std::string cut = "beyond a non-manifold edge, where sheets were cut apart";
+  CHECK_THAT(told(" --vertices 2"), Contains("1 face is reached by no generator and gets label -1: " + cut + "\n"));
+  // With a component of its own, and one that touches the first one at a vertex.
+  write_text(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 3 1 0\nv 3 -1 0\n" +
+                       fin.substr(fin.find('f')) + "f 6 7 8\nf 2 9 10\n");
+  CHECK_THAT(told(" --vertices 2,4"),
+             Contains("2 faces are reached by no generator and get label -1: 1 beyond a non-manifold vertex, where "
+                      "sheets were cut apart; 1 in another component\n"));
+  write_text(scratch / "regions.txt", "0\n1\n0\n0\n0\n");
+  CHECK_THAT(told(" --vertices 2,4,5,8 --within " + scratch / "regions.txt"),
+             Contains("1 face is reached by no generator and gets label -1: in another region\n"));
 }
 
 TEST_CASE("commands: what they write as VTP, VTU and GLB, they read") {
@@ -332,7 +350,7 @@ TEST_CASE("commands: a bad list of generators is refused in one line") {
   refused("1\n2\nthree\n", 3, "list.txt:3: ");
   refused("", 3, "list.txt:1: ");
   refused("1\n99999999\n", 4, "list.txt:2: ");
-  refused("5\n6\n5\n", 4, "generator 2 is in the same place as generator 0");
+  refused("5\n6\n5\n", 4, "list.txt:3: vertex 5 is listed twice (");
   refused("p 9 9 9\n", 4, "list.txt:1: ");
   for (const std::string& name : built_commands()) {
     require_error(name, mesh + " --generators " + scratch / "missing.txt", 3, "missing.txt");

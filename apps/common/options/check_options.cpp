@@ -171,6 +171,13 @@ void check_standard_output(const OutputOptions& output) {
   }
 }
 
+/// Why nothing can be made in what should be a folder, and what to do.
+std::string describe_missing(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder, ignored) ? fmt::format("{} is not a directory; choose another one", folder.string())
+                                     : fmt::format("there is no directory {}; create it first", folder.string());
+}
+
 /// Refuses a target that can't be written, as far as its folder tells.
 void check_target(const std::string& option, const std::string& path) {
   std::error_code ignored;
@@ -178,7 +185,7 @@ void check_target(const std::string& option, const std::string& path) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (fs::is_directory(target, ignored)) refuse_target(option, path, "is a directory; name a file");
   if (!fs::is_directory(folder, ignored)) {
-    refuse_target(option, path, fmt::format("there is no directory {}; create it first", folder.string()));
+    refuse_target(option, path, describe_missing(folder));
   }
 }
 
@@ -239,7 +246,7 @@ void make_folder(const std::string& folder) {
   std::error_code failed;
   const fs::path above = fs::absolute(fs::path(folder) / "").parent_path().parent_path();
   if (!fs::is_directory(above, failed)) {
-    refuse_target("--output-dir", folder, fmt::format("there is no directory {}; create it first", above.string()));
+    refuse_target("--output-dir", folder, describe_missing(above));
   }
   fs::create_directory(folder, failed);
   if (failed) refuse_target("--output-dir", folder, failed.message() + "; name another one");

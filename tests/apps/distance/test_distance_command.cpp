@@ -425,7 +425,7 @@ TEST_CASE("gvd-distance: bad lists and contradictory options are refused in one 
   refused("--from 3 17" + out, 2, "--from takes commas without blanks");
   refused("--from none.txt" + out, 3, "none.txt");
   refused("--from 99999" + out, 4, "there is no vertex 99999");
-  refused("--from 3,3" + out, 4, "--merge-coincident");
+  refused("--from 3,3" + out, 4, "--from: vertex 3 is listed twice; remove one, or add --merge-coincident");
   refused("--from - --to -" + out + " < /dev/null", 2, "--from and --to are both standard input");
   refused("--curves - --to -" + out + " < /dev/null", 2, "--to and --curves are both standard input");
   refused("--curves -" + out + " < /dev/null", 3, "standard input: the file holds no curve");

@@ -11,6 +11,7 @@
 namespace gvd::test_weld_soup {
 
 using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
 
 // Each face with vertices of its own, as in an STL.
 PolygonSoup make_loose(const Mesh& mesh) {
@@ -209,6 +210,57 @@ TEST_CASE("many copies in few places, and a tolerance of most of the mesh, take 
   soup.positions = before;
   weld_soup(soup, 1e-6);
   for (int v = 0; v < 200000; ++v) REQUIRE(soup.positions[v] == before[v % 2]);
+}
+
+TEST_CASE("welding that joins nothing says so, and how near vertices on open edges are") {
+  const auto messages = [](const PolygonSoup& soup, double tolerance) {
+    return weld(soup, tolerance).defects.messages;
+  };
+  using Messages = std::vector<std::string>;
+  const std::string gap = "; on open edges, the nearest two that no edge joins are 0.25 apart";
+  CHECK(messages(make_parted_square(0.25), 0.1) ==
+        Messages{"welding within 0.1 joins nothing: no two vertices are so near" + gap});
+  CHECK(messages(make_parted_square(0.25), 0) ==
+        Messages{"welding joins nothing: no two vertices are at the same coordinates" + gap});
+  CHECK_THAT(messages(make_parted_square(0.25), 0.25).front(), Contains("2 vertices are welded to others within 0.25"));
+  CHECK(messages(parse_soup(test::kOff, MeshFormat::off, "a.off"), 0.1) ==
+        Messages{"welding within 0.1 joins nothing: no two vertices are so near, and no edge is open"});
+}
+
+TEST_CASE("the nearest vertices on open edges are those of all pairs that no edge joins") {
+  std::mt19937 random(7);
+  for (int round = 0; round < 20; ++round) {
+    PolygonSoup soup;
+    const auto number = [&] { return 1e-3 * double(random() % 10000); };
+    for (int v = 0; v < 90; ++v) {
+      soup.positions.emplace_back(number(), number(), number());
+      soup.corners.push_back(v);
+      if (v % 3 == 2) soup.close_polygon();
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (int v = 0; v < 90; ++v) {
+      for (int w = 0; w < v; ++w) {
+        if (v / 3 != w / 3) least = std::min(least, (soup.positions[v] - soup.positions[w]).norm());
+      }
+    }
+    CHECK_THAT(weld(soup, 0.5 * least).defects.messages.back(), Contains(fmt::format("are {:.6g} apart", least)));
+  }
+}
+
+TEST_CASE("the nearest vertices on open edges are not told where finding them takes long") {
+  // Triangles in one plane, on which the direction of the sweep is perpendicular.
+  PolygonSoup soup;
+  const Vec3 right = Vec3(1.618, -1, 0).normalized(), up = Vec3(1, 1.618, 2.618).cross(right).normalized();
+  for (int i = 0; i < 20; ++i) {
+    for (int j = 0; j < 20; ++j) {
+      for (const auto& [x, y] : {std::pair(0, 0), std::pair(1, 0), std::pair(0, 1)}) {
+        soup.corners.push_back(static_cast<std::int32_t>(soup.positions.size()));
+        soup.positions.push_back((3 * i + x) * right + (3 * j + y) * up);
+      }
+      soup.close_polygon();
+    }
+  }
+  CHECK_THAT(weld(soup, 0.1).defects.messages.back(), EndsWith("no two vertices are so near"));
 }
 
 TEST_CASE("welding keeps the texture coordinates of corners") {

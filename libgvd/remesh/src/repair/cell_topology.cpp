@@ -16,6 +16,7 @@
 #include <functional>
 #include <map>
 #include <queue>
+#include <set>
 
 #include "base/least.hpp"
 #include "gvd/closest_point.hpp"
@@ -193,6 +194,28 @@ std::vector<SurfacePoint> CellLoops::find(GeneratorId cell, int parts) {
   }
   if (!shortest.value.valid()) return {};
   return divide(close_loop(shortest.value), parts);
+}
+
+std::vector<std::vector<SurfacePoint>> CellLoops::borders(GeneratorId cell) const {
+  const auto is_inside = [&](HalfedgeId h) { return h.valid() && is_in_cell(cut_, h, cell); };
+  std::set<HalfedgeId> left;
+  for (const FaceId f : faces_of(cell)) {
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
+      if (!is_inside(cut_.mesh.twin(h))) left.insert(h);
+    }
+  }
+  std::vector<std::vector<SurfacePoint>> borders;
+  while (!left.empty()) {
+    std::vector<SurfacePoint>& border = borders.emplace_back();
+    for (HalfedgeId h = *left.begin(); left.erase(h) > 0;) {
+      const FaceId parent = cut_.parent[Mesh::face(h)];
+      border.push_back(closest_point_on_face(mesh_, parent, cut_.mesh.position(cut_.mesh.from(h))).point);
+      // The next one begins where this one ends, beyond the faces of the cell round that corner.
+      h = Mesh::next(h);
+      while (is_inside(cut_.mesh.twin(h))) h = Mesh::next(cut_.mesh.twin(h));
+    }
+  }
+  return borders;
 }
 
 std::vector<FaceId> CellLoops::faces_of(GeneratorId cell) const {

@@ -104,9 +104,12 @@ class DefectRepair {
     if (added_.size() == before) add_farthest(g);
   }
 
-  /// Adds points that may divide the cell: those that halve a loop, and vertices, from the farthest one to the
-  /// generator, evenly by their number.
+  /// Adds points that may divide the cell: opposite ones, those that halve a loop, and vertices, from the farthest one
+  /// to the generator, evenly by their number.
   void divide(GeneratorId g) {
+    if (cut()) {
+      for (const SurfacePoint& p : find_opposite_points(mesh_, diagram_, g, loops_->borders(g))) added_.add(p);
+    }
     split_loop(g, kFewestParts);
     std::vector<VertexId> vertices = elements().vertices[g];
     std::ranges::stable_sort(vertices, std::greater(), [&](VertexId v) { return diagram_.vertex_distance[v]; });
@@ -322,16 +325,22 @@ ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, 
   return proposed;
 }
 
-std::vector<std::vector<SurfacePoint>> list_disc_candidates(const Mesh& mesh, const Diagram& diagram,
-                                                            const std::vector<GeneratorId>& cells, std::size_t count) {
-  AddedGenerators added(mesh, diagram.generators, count);
-  DefectRepair repair(mesh, diagram, added);
-  std::vector<std::vector<SurfacePoint>> candidates;
-  for (const GeneratorId cell : cells) {
-    repair.divide(cell);
-    candidates.push_back(added.take());
-  }
-  return candidates;
+struct DiscCandidates::State {
+  State(const Mesh& mesh, const Diagram& diagram, std::size_t count)
+      : added(mesh, diagram.generators, count), repair(mesh, diagram, added) {}
+
+  AddedGenerators added;
+  DefectRepair repair;
+};
+
+DiscCandidates::DiscCandidates(const Mesh& mesh, const Diagram& diagram, std::size_t count)
+    : state_(std::make_unique<State>(mesh, diagram, count)) {}
+
+DiscCandidates::~DiscCandidates() = default;
+
+std::vector<SurfacePoint> DiscCandidates::list(GeneratorId cell) {
+  state_->repair.divide(cell);
+  return state_->added.take();
 }
 
 NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const std::vector<SurfacePoint>& added,

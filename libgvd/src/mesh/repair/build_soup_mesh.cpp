@@ -306,60 +306,9 @@ void require_shapes(const Mesh& mesh) {
                   longest_edge(mesh)));
 }
 
-/// The boundary vertices of the input, sorted by their positions. Copies that the repair made count once.
-std::vector<PlacedVertex> place_boundary_vertices(const CheckedMesh& checked) {
-  std::vector<PlacedVertex> placed;
-  for (const VertexId v : checked.mesh.vertices()) {
-    if (!checked.mesh.is_boundary(v) || checked.input_vertex[v] < 0) continue;
-    const Vec3& p = checked.mesh.position(v);
-    placed.push_back({{p.x(), p.y(), p.z()}, checked.input_vertex[v]});
-  }
-  std::sort(placed.begin(), placed.end());
-  placed.erase(std::unique(placed.begin(), placed.end()), placed.end());
-  return placed;
-}
-
-/// Number of `placed` vertices at the position of the one before: each comes from another vertex of the input.
-std::int64_t count_coincident_vertices(const std::vector<PlacedVertex>& placed) {
-  std::int64_t count = 0;
-  for (std::size_t i = 1; i < placed.size(); ++i) count += placed[i - 1].first == placed[i].first;
-  return count;
-}
-
-/// Number of boundary edges that would find a partner if the vertices at each position became one. An edge is known by
-/// the first vertex at each of its ends. Edges between the same vertices of the input were cut apart by the repair.
-std::int64_t count_closable_edges(const CheckedMesh& checked, const std::vector<PlacedVertex>& placed) {
-  const Mesh& mesh = checked.mesh;
-  const auto first_at = [&](VertexId v) {
-    const Vec3& p = mesh.position(v);
-    const PlacedVertex least{{p.x(), p.y(), p.z()}, -1};
-    return std::lower_bound(placed.begin(), placed.end(), least)->second;
-  };
-  using Ends = std::pair<std::int32_t, std::int32_t>;
-  std::vector<std::pair<Ends, Ends>> open;  // the ends once welded, and as they are
-  for (const EdgeId e : mesh.edges()) {
-    if (!mesh.is_boundary(e)) continue;
-    const VertexId a = mesh.from(mesh.halfedge(e)), b = mesh.to(mesh.halfedge(e));
-    if (checked.input_vertex[a] < 0 || checked.input_vertex[b] < 0) continue;
-    open.emplace_back(std::minmax({first_at(a), first_at(b)}),
-                      std::minmax({checked.input_vertex[a], checked.input_vertex[b]}));
-  }
-  std::sort(open.begin(), open.end());
-  open.erase(std::unique(open.begin(), open.end()), open.end());
-  std::int64_t count = 0;
-  for (std::size_t begin = 0, end = 0; begin < open.size(); begin = end) {
-    while (end < open.size() && open[end].first == open[begin].first) ++end;
-    count += std::int64_t((end - begin) / 2 * 2);
-  }
-  return count;
-}
-
-void add_remarks(CheckedMesh& checked) {
+void add_remarks(CheckedMesh& checked, const PolygonSoup& soup) {
   DefectReport& report = checked.defects;
   report.zero_area_faces = count_faces_below(checked.mesh, kHeightWithoutArea);
-  const std::vector<PlacedVertex> placed = place_boundary_vertices(checked);
-  report.coincident_vertices = count_coincident_vertices(placed);
-  if (report.coincident_vertices > 0) report.closable_edges = count_closable_edges(checked, placed);
   if (report.split_edges > 0) {
     report.messages.push_back(fmt::format("{} along which the surface touches itself: cut by new vertices on them",
                                           counted(report.split_edges, "edge", "edges")));
@@ -368,14 +317,7 @@ void add_remarks(CheckedMesh& checked) {
     report.messages.push_back(fmt::format("{} no area (three points on a line): kept, they hold the surface together",
                                           counted(report.zero_area_faces, "triangle has", "triangles have")));
   }
-  if (report.coincident_vertices > 0) {
-    report.messages.push_back(fmt::format(
-        "{} at the position of another one: not joined, the surface is open there{}",
-        counted(report.coincident_vertices, "boundary vertex is", "boundary vertices are"),
-        report.closable_edges == 0
-            ? ""
-            : fmt::format("; welding would close {}", counted(report.closable_edges, "open edge", "open edges"))));
-  }
+  examine_open_edges(checked, soup.weld_tolerance);
 }
 
 }  // namespace
@@ -510,7 +452,7 @@ CheckedMesh build_repaired(const PolygonSoup& soup, DefectPolicy policy) {
   require_shapes(checked.mesh);
   checked.defects = std::move(log.report());
   checked.appearance = carry_appearance(soup, checked);
-  add_remarks(checked);
+  add_remarks(checked, soup);
   return checked;
 }
 

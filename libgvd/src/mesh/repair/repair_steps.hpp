@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -168,5 +169,10 @@ void drop_zero_area_components(WorkFaces& work, DefectLog& log);
 /// The appearance of the soup on the faces of the mesh that it became. The midpoint of a split edge has the texture
 /// coordinates that are linear between the edge's ends. Cost: O(n), and O(k) for each corner of a polygon with k ones.
 Appearance carry_appearance(const PolygonSoup& soup, const CheckedMesh& checked);
+
+/// Counts the copies of vertices along open edges of the mesh, and the edges that welding would close, and notes them.
+/// `weld_tolerance`: of `weld_soup`, if it was called; where that has joined nothing, a note says so. Cost: O(n log n)
+/// for n open edges.
+void examine_open_edges(CheckedMesh& checked, std::optional<double> weld_tolerance);
 
 }  // namespace gvd

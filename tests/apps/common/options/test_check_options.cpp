@@ -171,6 +171,9 @@ TEST_CASE("a folder of outputs that is none, or can't be made, is refused with w
   for (const char* nested : {"x/y", "x/y/", "x/y//"}) {
     CHECK_THAT(into(scratch / nested), Contains(": there is no directory " + scratch / "x; create it first"));
   }
+  CHECK_THAT(into(mesh + "/x"), Contains(": " + mesh + " is not a directory; choose another one"));
+  CHECK_THAT(refusal({mesh, "-n", "3", "-o", mesh + "/b.ply"}, ErrorCode::unwritable_output),
+             Contains(": " + mesh + " is not a directory; choose another one"));
   CHECK(refusal({mesh, "-n", "3", "--output-dir", ""}) ==
         "--output-dir: the name is empty; name a folder (see gvd-test --help)");
   CHECK_NOTHROW(check_options(parse_options({mesh, "-n", "3", "--output-dir", scratch / "new/"}), kOutputFormats));
