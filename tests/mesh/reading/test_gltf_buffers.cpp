@@ -66,7 +66,7 @@ TEST_CASE("gltf buffers: a file beside the mesh or below it is read, and percent
 TEST_CASE("gltf buffers: a buffer that begins as a gzip file does is read as it is") {
   const Models at;
   Models::write(at.models / "packed.bin", "\x1f\x8b\x08");
-  CHECK_THAT(at.refused("packed.bin"), Catch::Matchers::Contains("view 0 has 48 bytes from 0 on, and buffer 0 has 3"));
+  CHECK_THAT(at.refused("packed.bin"), Catch::Matchers::Contains("buffer 0 should have 132 bytes, and has 3"));
 }
 
 TEST_CASE("gltf buffers: what is not below the folder of the mesh is refused, however its name is written") {
@@ -130,8 +130,8 @@ TEST_CASE("gltf buffers: data URIs are Base64; without a folder there is nothing
   };
   refused("data:application/octet-stream,abc", "is a data URI without Base64");
   refused("data:", "is a data URI without Base64");
-  refused("data:;base64", "view 0 has 48 bytes from 0 on, and buffer 0 has 0");
-  refused("data:;base64,AAAA", "view 0 has 48 bytes from 0 on, and buffer 0 has 3");
+  refused("data:;base64", "buffer 0 should have 132 bytes, and has 0");
+  refused("data:;base64,AAAA", "buffer 0 should have 132 bytes, and has 3");
   refused("data:;base64,AA*ABBBB", "is a data URI whose Base64 is damaged");
   refused("numbers.bin", "name the mesh by its path, with the buffer beside it, or export one .glb");
   refused("/etc/hostname", "is not in the file");
@@ -145,6 +145,7 @@ TEST_CASE("gltf buffers: a file counts once, and its size among what may be unfo
   std::string description =
       replaced(glb_description(2), R"("byteOffset":60,"byteLength":24)", R"("byteOffset":132,"byteLength":2000000)");
   description = replaced(description, R"("componentType":5123,"count":12)", R"("componentType":5123,"count":999999)");
+  description = replaced(description, R"("byteLength":132}])", R"("byteLength":2000132}])");
   Models::write(at.models / "mesh.gltf", gltf_of(description, "numbers.bin"));
   CHECK(read_soup(at.models / "mesh.gltf").polygon_count() == 333333);
 }
