@@ -19,6 +19,7 @@
 #include "common/options/options.hpp"
 #include "common/options/typed_options.hpp"
 #include "common/process.hpp"
+#include "common/referred_files.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
@@ -135,20 +136,6 @@ LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh) {
   mesh.ascii_ply = output.ascii_ply;
   mesh.region_materials = output.region_materials;
   return mesh;
-}
-
-/// The folder of a file, without links.
-std::filesystem::path folder(const std::filesystem::path& file) {
-  std::error_code failed;
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(file, failed).parent_path(), failed);
-}
-
-/// Notes that an OBJ in another folder than INPUT names files beside INPUT.
-void note_material_files(Run& run, const std::string& path, const Appearance& appearance) {
-  const std::string& input = run.options().input.path;
-  if (appearance.material_files.empty() || input == "-" || folder(path) == folder(input)) return;
-  run.console().note(fmt::format("{} names the materials of {}, which is beside {}: copy it, with its images", path,
-                                 printable(fmt::format("{}", fmt::join(appearance.material_files, ", "))), input));
 }
 
 void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
@@ -307,6 +294,7 @@ void note_on_input(Run& run, const std::string& message) {
 CheckedMesh load_input(Run& run, std::string* standard_input) {
   const InputOptions& input = run.options().input;
   PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
+  check_referred_files(run.options(), soup.appearance);
   if (input.weld) run.timed("weld", [&] { weld_input(soup, input); });
   CheckedMesh checked = run.timed("check", [&] { return build_mesh(soup, input.on_defect, name_of(input)); });
   for (const std::string& message : checked.defects.messages) note_on_input(run, with_weld_option(message));
@@ -320,25 +308,6 @@ CheckedMesh load_input(Run& run, std::string* standard_input) {
                                    counted(summary.components, "component", "components"),
                                    counted(summary.boundary_loops, "boundary loop", "boundary loops")));
   return checked;
-}
-
-void check_material_files(Run& run, const Appearance& appearance, bool drops_materials) {
-  const OutputOptions& output = run.options().output;
-  if (!appearance.material.empty() && !output.region_materials && !drops_materials) return;  // no .mtl is written
-  const std::string& input = run.options().input.path;
-  for (const std::string& path : output.files) {
-    const std::filesystem::path made = std::filesystem::path(path).replace_extension(".mtl");
-    // Relative to the input. Several names on one line count as one with blanks, as most programs write a single one.
-    for (const std::filesystem::path name : appearance.material_files) {
-      const std::filesystem::path read = std::filesystem::path(input).replace_filename(name);
-      if (format_of(output, path) != "obj" || made.filename() != read.filename() || folder(made) != folder(read))
-        continue;
-      throw Error(ErrorCode::invalid_option,
-                  fmt::format("-o {}: its materials would replace {}, which {} names; choose "
-                              "another name",
-                              path, printable(name.string()), input));
-    }
-  }
 }
 
 namespace {

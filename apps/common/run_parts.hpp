@@ -34,10 +34,6 @@ void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagona
 /// held where INPUT is that: it can be read only once.
 CheckedMesh load_input(Run& run, std::string* standard_input = nullptr);
 
-/// Throws Error{invalid_option} where the materials of the regions in an .obj would replace those that INPUT names.
-/// `drops_materials`: those of the faces are not written, as by --region-materials.
-void check_material_files(Run& run, const Appearance& appearance, bool drops_materials = false);
-
 /// The file that properties of INPUT are read from: none for standard input, which can be read only once.
 std::string property_file(Run& run);
 

@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "gvd/error.hpp"
+#include "gvd/gltf_files.hpp"
 #include "gvd/text.hpp"
 #include "mesh/reading/gltf_buffers.hpp"
 #include "mesh/reading/readers.hpp"
@@ -147,6 +148,19 @@ class GltfFile {
       }
     }
     return read;
+  }
+
+  /// The files beside this one that it refers to, with buffers and images.
+  std::vector<std::filesystem::path> other_files() const {
+    std::vector<std::filesystem::path> files;
+    for (const char* kind : {"buffers", "images"}) {
+      for (const Json& described : array(kind)) {
+        const auto address = described.find("uri");
+        if (address == described.end() || !address->is_string()) continue;
+        if (auto file = gltf_file(address->get_ref<const std::string&>())) files.push_back(*std::move(file));
+      }
+    }
+    return files;
   }
 
   [[noreturn]] void refuse(const std::string& message) const {
@@ -492,12 +506,11 @@ class GltfParser {
   PolygonSoup soup_;
 };
 
-}  // namespace
-
-PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
-                       const std::optional<std::filesystem::path>& folder) {
+/// The result of `work`, which reads the description of a file.
+template <class Work>
+auto name_errors(std::string_view name, const Work& work) {
   try {
-    return GltfParser(bytes, name, folder).parse();
+    return work();
   } catch (const Json::exception& error) {  // a member is missing or has another type
     const std::string_view what(error.what());
     const std::size_t end_of_code = what.find("] ");  // "[json.exception.type_error.302] type must be ..."
@@ -506,6 +519,19 @@ PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
                             "export the file again",
                             name, printable(what.substr(end_of_code == what.npos ? 0 : end_of_code + 2), 120)));
   }
+}
+
+}  // namespace
+
+PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
+                       const std::optional<std::filesystem::path>& folder) {
+  return name_errors(name, [&] { return GltfParser(bytes, name, folder).parse(); });
+}
+
+std::vector<std::filesystem::path> list_gltf_files(const std::filesystem::path& mesh) {
+  const std::string name = mesh.string(), bytes = read_file_bytes(mesh);
+  if (!bytes.starts_with(kMark) && !is_json(bytes)) return {};
+  return name_errors(name, [&] { return GltfFile(bytes, name, mesh.parent_path()).other_files(); });
 }
 
 }  // namespace gvd
