@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <ostream>
 #include <tuple>
 #include <utility>
@@ -35,14 +36,27 @@ namespace {
 
 std::string name_of(const InputOptions& input) { return input.path == "-" ? kStandardInput : input.path; }
 
-PolygonSoup read(const InputOptions& input, std::string* standard_input) {
-  if (input.path != "-") {
-    const WaitForInput wait(input.path);
-    return read_soup(input.path, input.format);
+/// All bytes of a pipe.
+std::string read_pipe(const std::string& path) {
+  if (path == "-") return read_standard_input();
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes = read_to_end(file);
+  if (!file.is_open() || file.bad()) {
+    throw Error(ErrorCode::unreadable_input, path + ": can't be read to its end; check its permissions");
   }
-  std::string bytes = read_standard_input();
-  PolygonSoup soup = parse_soup(bytes, *input.format, kStandardInput);
-  if (standard_input != nullptr) *standard_input = std::move(bytes);
+  return bytes;
+}
+
+PolygonSoup read(const InputOptions& input, PipedInput* piped) {
+  const WaitForInput wait(input.path);
+  if (input.path != "-" && (piped == nullptr || !is_read_once(input.path))) return read_soup(input.path, input.format);
+  std::string bytes = read_pipe(input.path);
+  const auto format = input.format ? input.format : detect_format(bytes, input.path);
+  if (!format) {
+    throw Error(ErrorCode::unreadable_input, input.path + ": the content does not tell the format; name the format");
+  }
+  PolygonSoup soup = parse_soup(bytes, *format, name_of(input));
+  if (piped != nullptr) *piped = {std::move(bytes), *format};
   return soup;
 }
 
@@ -291,9 +305,9 @@ void note_on_input(Run& run, const std::string& message) {
   run.console().note(options.output.folder.empty() ? name_of(options.input) + ": " + message : message);
 }
 
-CheckedMesh load_input(Run& run, std::string* standard_input) {
+CheckedMesh load_input(Run& run, PipedInput* piped) {
   const InputOptions& input = run.options().input;
-  PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
+  PolygonSoup soup = run.timed("read", [&] { return read(input, piped); });
   check_referred_files(run.options(), soup.appearance);
   if (input.weld) run.timed("weld", [&] { weld_input(soup, input); });
   CheckedMesh checked = run.timed("check", [&] { return build_mesh(soup, input.on_defect, name_of(input)); });
@@ -349,13 +363,20 @@ SamplingOptions make_sampling_options(Run& run) {
 
 std::string property_file(Run& run) {
   const std::string& path = run.options().input.path;
-  return path == "-" ? "" : path;
+  return is_read_once(path) ? "" : path;
 }
 
 void refuse_name(Run& run, const std::string& option, const std::string& name) {
   const std::string file = property_file(run);
-  throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: there is no such file, and {} has no such property",
-                                                       option, name, file.empty() ? "standard input" : file));
+  std::error_code ignored;
+  std::string why = fmt::format("there is no such file, and {} has no such property", file);
+  if (file.empty()) {
+    why = fmt::format("there is no such file, and properties are read from files only: save {} as one",
+                      name_of(run.options().input));
+  }
+  if (std::filesystem::is_directory(name, ignored)) why = "is a directory; give a file";
+  if (name == "-") why = "takes a file or a property; standard input is the file /dev/stdin";
+  throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: {}", option, name, why));
 }
 
 namespace {

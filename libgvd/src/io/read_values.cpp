@@ -208,9 +208,10 @@ std::vector<double> read_values(const std::filesystem::path& path) {
 std::optional<ElementValues> read_element_values(const CheckedMesh& input, const std::string& name,
                                                  const std::filesystem::path& mesh_file, SoupElement preferred,
                                                  ValueColumns columns) {
-  // Of a file and a property of one name, the file counts.
+  // Of a file and a property of one name, the file counts, also one that is a pipe.
   std::error_code ignored;
-  if (std::filesystem::is_regular_file(name, ignored)) {
+  const auto status = std::filesystem::status(name, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_directory(status)) {
     return assign(input, parse_file(read_file_bytes(name), columns, name), name);
   }
   if (mesh_file.empty()) return std::nullopt;
