@@ -62,8 +62,11 @@ std::vector<GeneratorCurve> read(Run& run, const CheckedMesh& input, const std::
 std::vector<GeneratorCurve> find(Run& run, const CheckedMesh& input, const std::string& name) {
   if (name == kBoundary) {
     auto curves = boundary_curves(input.mesh);
-    if (curves.empty())
-      throw Error(ErrorCode::precondition, "--curves boundary: the mesh is closed; write creases, or a file of curves");
+    if (curves.empty()) {
+      throw Error(ErrorCode::precondition,
+                  "--curves boundary: the mesh is closed and has no boundary; use --curves creases, a file of curves, "
+                  "or points");
+    }
     return curves;
   }
   const std::optional<double> angle = parse_creases(name);

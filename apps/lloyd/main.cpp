@@ -24,6 +24,7 @@
 #include "common/options/options.hpp"
 #include "common/options/register_options.hpp"
 #include "common/options/typed_options.hpp"
+#include "common/referred_files.hpp"
 #include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/balance.hpp"

@@ -18,6 +18,7 @@
 #include "common/command.hpp"
 #include "common/curves.hpp"
 #include "common/options/typed_options.hpp"
+#include "common/referred_files.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/distance_writer.hpp"

@@ -74,6 +74,13 @@ void check_commands(const std::string& path) {
   }
 }
 
+/// The files that the options name beside INPUT and --config: a list is empty where its option is not given.
+std::vector<std::string> list_read_files(const Options& options) {
+  std::vector<std::string> files = options.input.others;
+  files.insert(files.end(), {options.generators.file, options.generators.curves, options.targets.file});
+  return files;
+}
+
 /// Several inputs need a folder for their outputs, in which standard input has no name.
 void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
@@ -98,8 +105,12 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
   if (into_folder && contains(paths, "-")) {
     refuse("--output-dir: standard input has no name for its outputs; write them with -o");
   }
-  if (into_folder && !piped.empty() && paths.size() > 1) {
+  if (!into_folder || paths.size() == 1) return;
+  if (!piped.empty()) {
     refuse(fmt::format("{} -: standard input can be read for one input only; name a file", piped[0]));
+  }
+  for (const std::string& file : list_read_files(options)) {
+    if (is_read_once(file)) refuse(fmt::format("{}: a pipe can be read for one input only; name a file", file));
   }
 }
 
@@ -148,7 +159,9 @@ void check_not_read(const std::string& option, const std::string& path, const Op
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return;
   std::vector<std::string> all = options.input.paths;
-  all.insert(all.end(), {options.generators.file, options.generators.curves, options.targets.file, options.config});
+  const std::vector<std::string> named = list_read_files(options);
+  all.insert(all.end(), named.begin(), named.end());
+  all.push_back(options.config);
   for (const std::string& read : all) {
     if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
     refuse(fmt::format("{} {}: the run reads this file; name another one", option, path));
@@ -265,8 +278,7 @@ void check_folder(const Options& options, const OutputFormats& formats) {
   if (is_new) return make_folder(folder);
   if (!fs::is_directory(folder, ignored)) refuse_target("--output-dir", folder, "is a file; name a folder");
   for (const Options& run : runs) {
-    for (const std::string& file : run.output.files) targets.claim_with_materials("--output-dir", file, formats);
-    targets.claim("--view", run.output.view);
+    for (const auto& [option, file] : list_targets(run.output)) targets.claim_with_materials(option, file, formats);
   }
 }
 
@@ -292,15 +304,9 @@ void check_outputs(const Options& options, const OutputFormats& formats) {
   check_formats(output);
   check_view(output);
   if (!output.folder.empty()) return check_folder(options, formats);
+  for (const std::string& file : output.files) check_extension(output, file, formats.extensions);
   Targets targets(options);
-  for (const std::string& file : output.files) {
-    check_extension(output, file, formats.extensions);
-    targets.claim_with_materials("-o", file, formats);
-  }
-  targets.claim("--report", output.report);
-  targets.claim("--diagram", output.diagram);
-  targets.claim("--view", output.view);
-  for (const auto& [option, file] : output.own) targets.claim(option, file);
+  for (const auto& [option, file] : list_targets(output)) targets.claim_with_materials(option, file, formats);
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ namespace gvd::app {
 struct InputOptions {
   std::vector<std::string> paths;    ///< of all runs; each a file, or "-" for standard input
   std::string path;                  ///< of this run
+  std::vector<std::string> others;   ///< what the command's own options read: files, or names of properties
   std::optional<MeshFormat> format;  ///< nothing: told from content and extension
   DefectPolicy on_defect = DefectPolicy::repair;
   std::optional<double> weld;  ///< tolerance in mesh units, 0 for exact copies; nothing: as the format asks
@@ -119,6 +120,14 @@ std::string format_of(const OutputOptions& output, const std::string& file);
 /// The formats that a run writes to files of `-o`, to standard output, or into the folder.
 std::vector<std::string> written_formats(const OutputOptions& output);
 
+/// A file that a run writes, or "-" for standard output.
+struct Target {
+  std::string option, path;
+};
+
+/// The files of a run, of all its options but --summary, which is the last run's.
+std::vector<Target> list_targets(const OutputOptions& output);
+
 /// Whether a file or folder is named that gets a result.
 bool names_file(const OutputOptions& output);
 
@@ -134,6 +143,9 @@ nlohmann::ordered_json or_null(const std::string& text);
 
 /// The options as they were understood, defaults included; null for what was not given. For the report.
 nlohmann::ordered_json to_json(const Options& options);
+
+/// Whether a name stands for what can be read only once: "-", which is standard input, a pipe or a device.
+bool is_read_once(const std::string& file);
 
 /// The extension of `path` in lower case, without its dot; empty where it has none. GIFTI's have two parts.
 std::string file_extension(const std::string& path);

@@ -52,7 +52,7 @@ TEST_CASE("bad curves, and options that contradict them, are refused in one line
   const ScratchFolder scratch;
   const std::string figure = data_file("figure.obj");
   require_error("gvd-segment", data_file("torus.ply") + " --curves boundary", 4,
-                "the mesh is closed; write creases, or a file");
+                "the mesh is closed and has no boundary; use --curves creases, a file of curves, or points");
   require_error("gvd-segment", data_file("torus.ply") + " --curves creases:170", 4, "more than 170 degrees");
   require_error("gvd-segment", figure + " --curves creases:0", 2, "creases:30");
   require_error("gvd-segment", figure + " --curves /nowhere.obj", 3,

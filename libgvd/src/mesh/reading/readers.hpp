@@ -112,7 +112,7 @@ std::vector<MeshProperty> parse_ply_properties(std::string_view bytes, std::stri
 std::vector<MeshProperty> parse_ply_vertices(std::string_view bytes, std::string_view name);
 
 /// Geomview's OFF in text, with or without colours, normals and texture coordinates, which are skipped. Each vertex and
-/// each face begins a line.
+/// each face begins a line, or all numbers are on the line of the counts.
 PolygonSoup parse_off(std::string_view bytes, std::string_view name);
 
 /// Whether a word is the keyword of an OFF file: OFF, COFF, NOFF, STCNOFF, 4OFF, nOFF and so on, also with the number

@@ -1,5 +1,7 @@
 // What is refused before any work starts, and the runs of several inputs.
 
+#include <sys/stat.h>
+
 #include <filesystem>
 
 #include "apps/common/options/parse_options.hpp"
@@ -131,6 +133,29 @@ TEST_CASE("no target is a file that the run reads, whatever it is called") {
     CHECK_THAT(refusal({mesh, "-n", "3", "-o", scratch / name}), Contains("the run reads this file"));
   }
   CHECK_THAT(refusal({mesh, "--generators", list, "--report", list}), Contains("the run reads this file"));
+}
+
+TEST_CASE("an output's place is compared with every file that the command's own options read") {
+  const test::ScratchFolder scratch;
+  const std::string mesh = scratch / "mesh.obj", numbers = scratch / "numbers.json";
+  test::write_text(mesh, "v 0 0 0\n");
+  test::write_text(numbers, "1\n");
+  Options options = parse_options({mesh, "-n", "3", "--report", numbers});
+  CHECK_NOTHROW(check_options(options, kOutputFormats));
+  options.input.others = {"label", numbers};
+  CHECK_THROWS_WITH(check_options(options, kOutputFormats),
+                    "--report " + numbers + ": the run reads this file; name another one");
+}
+
+TEST_CASE("for several inputs, no option reads a pipe") {
+  const test::ScratchFolder scratch;
+  const std::string a = scratch / "a.obj", b = scratch / "b.obj";
+  for (const std::string& mesh : {a, b}) test::write_text(mesh, "v 0 0 0\n");
+  REQUIRE(mkfifo((scratch / "pipe").c_str(), 0600) == 0);
+  CHECK_THAT(refusal({a, b, "--output-dir", scratch / "out", "--generators", scratch / "pipe"}),
+             Contains(scratch / "pipe" + ": a pipe can be read for one input only; name a file"));
+  CHECK_NOTHROW(check_options(parse_options({a, "--output-dir", scratch / "out", "--generators", scratch / "pipe"}),
+                              kOutputFormats));
 }
 
 TEST_CASE("a link that leads nowhere yet is the file that it names") {
