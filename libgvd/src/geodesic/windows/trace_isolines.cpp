@@ -9,10 +9,13 @@
 // alternate, since the states of an edge's ends are those of the vertices.
 #include "geodesic/windows/trace_isolines.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <span>
 #include <utility>
@@ -21,6 +24,7 @@
 #include "geodesic/face_layout.hpp"
 #include "geodesic/windows/face_contours.hpp"
 #include "geodesic/windows/window_queries.hpp"
+#include "gvd/error.hpp"
 
 namespace gvd {
 namespace {
@@ -118,6 +122,29 @@ void cross_edge(const LevelSets& sets, EdgeId e, std::vector<EdgeSource>& source
       if (to < length || end > *level) found.push_back({e, index, to, true});
     }
   }
+}
+
+/// More crossings than these would fill the memory: each takes up to a kilobyte until its curve is written.
+constexpr double kMostCrossings = 2e7;
+
+/// Refuses levels that cross edges too often. Counted by the ends of the edges, so there are at least as many.
+void check_crossings(const LevelSets& sets) {
+  const Mesh& mesh = sets.mesh;
+  if (double(mesh.edge_count()) * double(sets.levels.size()) <= kMostCrossings) return;
+  IdVector<VertexId, std::int64_t> levels_below;
+  for (const double d : sets.field.distance) {
+    levels_below.push_back(std::ranges::lower_bound(sets.levels, d) - sets.levels.begin());
+  }
+  double crossings = 0;
+  for (const EdgeId e : mesh.edges()) {
+    const VertexId from = mesh.from(mesh.halfedge(e)), to = mesh.to(mesh.halfedge(e));
+    if (!std::isfinite(sets.field.distance[from]) || !std::isfinite(sets.field.distance[to])) continue;
+    crossings += double(std::abs(levels_below[to] - levels_below[from]));
+  }
+  if (crossings <= kMostCrossings) return;
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("the curves would cross edges {:.2g} times, more than {:.2g}; give fewer levels", crossings,
+                          kMostCrossings));
 }
 
 void find_crossings(LevelSets& sets, const ParallelChunks& parallel) {
@@ -310,6 +337,7 @@ std::vector<Isoline> trace_isolines(const Mesh& mesh, const WindowField& field, 
   const ParallelChunks parallel(options.threads, options.progress);
   const double tolerance = options.chord_tolerance * mean_edge;
   LevelSets sets{mesh, field, levels};
+  check_crossings(sets);
   find_crossings(sets, parallel);
   const auto arcs = parallel.collect(cut_into_chunks(mesh.face_count(), kChunk), kFacePart, [&](const Chunk& chunk) {
     std::vector<Arc> found;
