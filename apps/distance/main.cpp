@@ -50,9 +50,6 @@ constexpr std::size_t kTold = 8;
 /// More levels would fill the memory before anybody could tell them apart.
 constexpr double kMostLevels = 10'000;
 
-/// Nor are more crossings of levels and edges traced: each takes up to a kilobyte until it is written.
-constexpr double kMostCrossings = 2e7;
-
 /// The options of gvd-distance alone.
 struct OwnOptions {
   bool each = false, paths = false;
@@ -297,17 +294,6 @@ void add_paths(DistanceTable& table, const Measurement& measured, const ExactFie
   }
 }
 
-/// How often levels cross edges, at least, from the distances of their ends.
-double count_crossings(const Mesh& mesh, const ExactField& field, double step) {
-  double crossings = 0;
-  for (const EdgeId e : mesh.edges()) {
-    const HalfedgeId h = mesh.halfedge(e);
-    const double rise = field.distance(mesh.to(h)) - field.distance(mesh.from(h));
-    if (std::isfinite(rise)) crossings += std::abs(rise) / step;
-  }
-  return crossings;
-}
-
 std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, const OwnOptions& own) {
   double largest = 0;
   for (const VertexId v : mesh.vertices()) {
@@ -320,13 +306,19 @@ std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, con
     refuse(fmt::format("--isolines {}: makes more than {} levels up to {:.6g}; give a larger step", step, kMostLevels,
                        last));
   }
-  if (const double crossings = count_crossings(mesh, field, step); crossings > kMostCrossings) {
-    refuse(fmt::format("--isolines {}: the curves would cross edges {:.2g} times, more than {:.2g}; give a larger step",
-                       step, crossings, kMostCrossings));
-  }
   std::vector<double> levels;
   for (int i = 1; i * step <= last; ++i) levels.push_back(i * step);
   return levels;
+}
+
+std::vector<Isoline> trace_isolines(Run& run, const OwnOptions& own, const Mesh& mesh, const ExactField& field) {
+  const std::vector<double> levels = choose_levels(mesh, field, own);
+  try {
+    return field.isolines(levels, {.threads = run.options().compute.threads, .progress = run.progress()});
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::invalid_option) throw;
+    refuse(fmt::format("--isolines {}: {}, with a larger step", *own.isolines, error.what()));
+  }
 }
 
 double length_of(const Mesh& mesh, const Isoline& line) {
@@ -478,10 +470,7 @@ void measure_nearest(Run& run, const OwnOptions& own, const Measurement& measure
   const NearestSources vertices = find_nearest_of_vertices(measured, field);
   add_nearest(table, measured, field, vertices);
   if (own.paths) run.timed("paths", [&] { add_paths(table, measured, field, GeneratorId()); });
-  if (own.isolines) {
-    const IsolineOptions options{.threads = run.options().compute.threads, .progress = run.progress()};
-    table.isolines = run.timed("isolines", [&] { return field.isolines(choose_levels(mesh, field, own), options); });
-  }
+  if (own.isolines) table.isolines = run.timed("isolines", [&] { return trace_isolines(run, own, mesh, field); });
   report_table(run, own, measured, table);
   IdVector<VertexId, double> distances;
   IdVector<VertexId, GeneratorId> labels;

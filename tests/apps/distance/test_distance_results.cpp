@@ -3,14 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
+#include "base/plane.hpp"
 #include "support/catch.hpp"
+#include "support/plane_with_holes.hpp"
 
 namespace gvd::test_distance_results {
 
@@ -220,6 +224,56 @@ TEST_CASE("gvd-distance --mask: distances go round the faces that are left out, 
   CHECK_THAT(paths, Contains("15\n"));
   require_error("gvd-distance", scratch / "grid.off" + " --curves boundary --mask " + scratch / "mask.txt", 2,
                 "--curves");
+}
+
+/// The largest difference of the middle of a straight piece of the isolines from its level.
+double worst_piece(const json& lines, const std::function<double(const Vec2&)>& distance) {
+  double worst = 0;
+  for (const json& line : lines) {
+    const json& points = line["points"];
+    const auto at = [&](std::size_t i) { return Vec2(points[i]["position"][0], points[i]["position"][1]); };
+    for (std::size_t i = line["closed"] == true ? 0 : 1; i < points.size(); ++i) {
+      const Vec2 middle = 0.5 * (at(i) + at((i + points.size() - 1) % points.size()));
+      worst = std::max(worst, std::abs(distance(middle) - line["level"].get<double>()));
+    }
+  }
+  return worst;
+}
+
+TEST_CASE("gvd-distance: isolines with --mask go round what is left out, and with --within end at the border") {
+  const ScratchFolder scratch;
+  std::string text = "OFF\n16 18 0\n", mask, parts;
+  for (int i = 0; i < 16; ++i) text += fmt::format("{} {} 0\n", i % 4, i / 4);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 3; ++x) {
+      const int a = 4 * y + x;
+      text += fmt::format("3 {} {} {}\n3 {} {} {}\n", a, a + 1, a + 5, a, a + 5, a + 4);
+      mask += x == 1 && y == 1 ? "1\n1\n" : "0\n0\n";
+      parts += x < 2 ? "0\n0\n" : "1\n1\n";
+    }
+  }
+  write_text(scratch / "grid.off", text);
+  write_text(scratch / "mask.txt", mask);
+  write_text(scratch / "parts.txt", parts);
+  const std::string grid = scratch / "grid.off" + " -q ";
+  write_text(scratch / "from.txt", "p 0.3 1.4 0\np 2.9 0.2 0\n");
+  const json round = json::parse(output_of(grid + "--mask " + scratch / "mask.txt" + " --from " + scratch / "from.txt" +
+                                           " --isolines 0.3"))["isolines"];
+  const PlaneWithHoles plane({Box2(Vec2(1, 1), Vec2(2, 2))}, {{0.3, 1.4}, {2.9, 0.2}});
+  const double mean_edge = (24 + 9 * std::sqrt(2.0)) / 33;
+  CHECK(round.size() >= 12);
+  CHECK(worst_piece(round, [&](const Vec2& p) { return plane.distance(p); }) < 1.001e-4 * mean_edge);
+  // The first source reaches the part on the left alone, the second one that on the right.
+  const json parted = json::parse(output_of(grid + "--within " + scratch / "parts.txt" + " --from " +
+                                            scratch / "from.txt" + " --isolines 0.3"))["isolines"];
+  CHECK(worst_piece(parted, [](const Vec2& p) {
+          return p.x() < 2 ? (p - Vec2(0.3, 1.4)).norm() : (p - Vec2(2.9, 0.2)).norm();
+        }) < 1.001e-4 * mean_edge);
+  for (const json& line : parted) {
+    const auto is_left = [](const json& p) { return p["position"][0].get<double>() <= 2; };
+    CHECK((std::ranges::all_of(line["points"], is_left) ||
+           std::ranges::none_of(line["points"], [&](const json& p) { return p["position"][0].get<double>() < 2; })));
+  }
 }
 
 TEST_CASE("gvd-distance --within: a source reaches its own region, and on a border all regions there") {
