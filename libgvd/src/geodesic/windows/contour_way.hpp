@@ -162,19 +162,14 @@ class StretchOfWay {
     if (is_short_) hull_[1] = middle_ + radius * (1 / std::cos(half) - 1) * outwards_;
   }
 
-  /// Whether paths of the source may come to the stretch and be the shortest: straight ones, or round an end of the
-  /// opening that is a corner of the face, where a pseudo-source may be. Never false if they do. `slack`: how far from
-  /// the stretch straight paths may pass; `farthest`: no image is farther from its opening; mesh units.
-  bool may_see(const FaceSource& s, const std::array<Vec2, 3>& face, double slack, double farthest) const {
+  /// Whether straight paths of the source may come to the stretch. Never false if they do. `slack`: how far from the
+  /// stretch they may pass; `farthest`: no image is farther from its opening; mesh units.
+  bool may_see(const FaceSource& s, double slack, double farthest) const {
     if (s.is_corner || !is_short_) return true;
     const double least = slack * (s.is_parallel() ? 1 : farthest);
     const auto is_beyond_begin = [&](const Vec2& p) { return s.beside(p, s.begin) < -least; };
     const auto is_beyond_end = [&](const Vec2& p) { return s.beside(p, s.end) > least; };
-    const auto is_corner = [&](const Vec2& end) {
-      return std::ranges::any_of(face, [&](const Vec2& corner) { return (corner - end).norm() <= slack; });
-    };
-    return !(std::ranges::all_of(hull_, is_beyond_begin) && !is_corner(s.begin)) &&
-           !(std::ranges::all_of(hull_, is_beyond_end) && !is_corner(s.end));
+    return !std::ranges::all_of(hull_, is_beyond_begin) && !std::ranges::all_of(hull_, is_beyond_end);
   }
 
   /// Whether the source may have a path of at most `limit` to a point of the stretch. Never false if it has.

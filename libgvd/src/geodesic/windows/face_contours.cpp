@@ -68,10 +68,14 @@ void FaceContours::enter(const FaceLayout& layout, std::span<const FaceSource> s
     if (sources[c.source].is_corner) continue;
     for (std::size_t i = 0; i < 3; ++i) by_windows[i] = std::min(by_windows[i], c.at_corner[i]);
   }
+  // It is kept apart: paths round the ends of openings there are paths over it.
+  beaten_corners_.clear();
   std::erase_if(of_face_, [&](const Candidate& c) {
     const FaceSource& s = sources[c.source];
     const auto i = std::ranges::find(layout.corner, s.image) - layout.corner.begin();
-    return s.is_corner && i < 3 && by_windows[i] <= s.offset + kRounding * (s.offset + longest_);
+    const bool is_beaten = s.is_corner && i < 3 && by_windows[i] <= s.offset + kRounding * (s.offset + longest_);
+    if (is_beaten) beaten_corners_.push_back(c.source);
+    return is_beaten;
   });
 }
 
@@ -260,12 +264,15 @@ FaceContours::Stop FaceContours::advance(const Cell& cell, const Range& candidat
   const StretchOfWay stretch(way, exit.at);
   for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
     const std::int32_t other = stack_[i].source;
-    // No path round an end of an opening that lies on a side is shorter than the straight ones of all sources.
+    // Paths round an end of an opening are no shorter than the straight ones of all sources and those over corners.
     const FaceSource& s = sources_[other];
-    if (other != place.source && stretch.may_see(s, layout_->corner, kSeen * longest_, level_ + longest_) &&
+    if (other != place.source && stretch.may_see(s, kSeen * longest_, level_ + longest_) &&
         stretch.may_reach(s, level_ + rounding_)) {
       rivals_.push_back(other);
     }
+  }
+  for (const std::int32_t corner : beaten_corners_) {
+    if (corner != place.source && stretch.may_reach(sources_[corner], level_ + rounding_)) rivals_.push_back(corner);
   }
   stops_.clear();
   for (const std::int32_t other : rivals_) {

@@ -118,7 +118,8 @@ class FaceContours {
   const FaceLayout* layout_ = nullptr;
   std::span<const FaceSource> sources_;
   std::vector<Candidate> of_face_;
-  double longest_ = 0;  // side of the face
+  std::vector<std::int32_t> beaten_corners_;  // sources to which a window brings their distance
+  double longest_ = 0;                        // side of the face
 
   // The state of one level:
   double level_ = 0, rounding_ = 0, chord_ = 0, join_ = 0;
