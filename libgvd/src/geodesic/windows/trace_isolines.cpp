@@ -239,8 +239,7 @@ class FaceTracer {
     return {std::to_address(first), std::to_address(last)};
   }
 
-  void trace_level(FaceId f, const FaceLayout& layout, std::int32_t level, std::span<const Seen> seen,
-                   ArcList& found) {
+  void trace_level(FaceId f, const FaceLayout& layout, std::int32_t level, std::span<const Seen> seen, ArcList& found) {
     const Mesh& mesh = sets_.mesh;
     sides_.clear();
     for (const Seen& c : seen) {
