@@ -6,8 +6,9 @@
 set(GVD_UNITY ON CACHE STRING "Compile several sources as one translation unit: ON, OFF, or TESTS for those of the tests alone")
 set_property(CACHE GVD_UNITY PROPERTY STRINGS ON OFF TESTS)
 
-# Number of sources in a unit. Larger units gain little, and leave processors idle at the end.
-set(GVD_UNITY_BATCH 12)
+# Larger units leave processors idle at the end of a build, but for two of them. Names that do not clash in larger units don't in
+# smaller ones.
+set(GVD_UNITY_BATCH 12 CACHE STRING "Number of sources in a unit")
 
 # gvd_unite([FOR_TESTS] TARGETS...): compiles the sources of TARGETS in units, if GVD_UNITY is set.
 function(gvd_unite)
