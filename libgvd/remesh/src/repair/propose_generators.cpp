@@ -32,8 +32,6 @@ SurfacePoint find_midpoint(const Mesh& mesh, const Bisector& bisector) {
   return bisector.points.back();
 }
 
-namespace {
-
 /// The elements of a diagram by the cells that they touch, each list ascending. A repair looks at those of its cells
 /// alone: on a surface of many components, defects and elements are as many as these. Cost: O(n).
 struct CellElements {
@@ -255,6 +253,8 @@ class DefectRepair {
   IdVector<GeneratorId, std::vector<BoundaryArc>> arcs_;  // of each cell, once one of them needs its own
   std::vector<FaceId> first_face_;                        // of each component, once one of them needs it
 };
+
+namespace {
 
 bool any_set(const CellFlags& flags, const std::vector<GeneratorId>& cells) {
   return std::any_of(cells.begin(), cells.end(), [&](GeneratorId g) { return flags[g] != 0; });

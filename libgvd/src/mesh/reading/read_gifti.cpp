@@ -27,9 +27,6 @@ constexpr std::string_view kPoints = "NIFTI_INTENT_POINTSET", kTriangles = "NIFT
 /// a hemisphere, take 880 digits of Base64, and 2 MB as bytes and numbers. Eight such hemispheres fit.
 constexpr std::uint64_t kFree = 1 << 24;
 
-/// What to do about a damaged file.
-constexpr const char* kExportAgain = "export the file again";
-
 std::string_view intent_of(pugi::xml_node array) { return array.attribute("Intent").value(); }
 
 /// Whether an attribute has this value, as the format's document spells it or as nibabel does: "BigEndian" or

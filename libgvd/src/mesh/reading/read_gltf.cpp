@@ -38,9 +38,6 @@ constexpr std::uint32_t kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
 constexpr std::size_t kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6;  // primitive.mode
 
-/// What to do about a damaged file.
-constexpr const char* kExportAgain = "export the file again";
-
 /// How far the last row of a matrix may be from 0 0 0 1, absolute: products of matrices of 32-bit floats are that
 /// exact.
 constexpr double kAffine = 1e-5;

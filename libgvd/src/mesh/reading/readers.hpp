@@ -15,6 +15,9 @@
 
 namespace gvd {
 
+/// What to do about a damaged file, in messages of readers.
+inline constexpr const char* kExportAgain = "export the file again";
+
 /// The double nearest to a decimal number, the same in any locale: "1", "+1.5", "-2e-3", "nan", "inf". A number that is
 /// too small for a double is 0, one that is too large is infinity. None where the token is anything else.
 std::optional<double> parse_double(std::string_view token);
