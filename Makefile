@@ -236,6 +236,7 @@ lint:
 	@scripts/check_layout.sh
 	@scripts/check_links.py
 	@scripts/check_names.py
+	@scripts/check_commands.py
 	@scripts/check_type_names.py
 	@scripts/check_includes.py
 	@scripts/check_long_files.py

@@ -7,10 +7,10 @@
 # FOLDER/system is a Debian system with make and git, made once by debootstrap. Each check gets a copy of it, with a clone of HEAD in
 # /gvd, so what is not committed is not checked. A check passes if its commands succeed and its files are there; whether it passes or
 # not, the others go on. --keep leaves the copies in FOLDER/roots. Mirrors, proxies and certificates are those of this machine.
-# Needs Debian or Ubuntu, network, and root or sudo. Not here: `make test`, which .ci/run runs and which takes 20 minutes and more.
+# Needs Debian or Ubuntu, network, and root or sudo. scripts/check_commands.py fails on a command of a document that is not here.
 set -euo pipefail
 export LC_ALL=C.UTF-8
-checks="packages demo python venv web site package python3-gvd install"
+checks="packages demo no-viewer python venv web site tasks cohort package package-mit python3-gvd install bench test"
 [ "$(id -u)" -eq 0 ] || exec sudo -E "$0" "$@"
 
 source=$(realpath "$(dirname "$0")/..")
@@ -141,11 +141,21 @@ bare demo "
     build/bin/gvd-remesh  data/figure.obj --generators samples.json -o coarse.obj --view coarse.html
 " demo-output/{segments.ply,coarse.obj,segments.html,relaxed.html,coarse.html,distances.html} regions.{ply,html} samples.html coarse.html
 
+bare no-viewer "
+    make
+    make demo CMAKE_FLAGS=-DGVD_WITH_VIEWER=OFF
+" demo-output/{segments.ply,coarse.obj,distances.npy}
+
+# The module that `make python` has built serves an environment, too.
 bare python "
     make python && export PYTHONPATH=\$PWD/build/python
 $python_lines
 /usr/bin/python3 /tmp/lines.py
-" regions.html
+mv regions.html built.html && unset PYTHONPATH
+    /usr/bin/python3 -m venv --system-site-packages venv
+    GVD_BUILD=build venv/bin/pip install .
+venv/bin/python /tmp/lines.py
+" built.html regions.html
 
 bare venv "
     scripts/install-deps.sh build python && /usr/bin/python3 -m venv --system-site-packages venv && venv/bin/pip install .
@@ -155,11 +165,37 @@ venv/bin/python /tmp/lines.py
 
 bare web "
     make web
+    npm install --prefix my-project \$PWD/build/web/gvd-*.tgz
+{ echo \"import { readFileSync } from 'node:fs'; const bytes = readFileSync('data/figure.obj');\"
+  sed -n '/^\`\`\`js/,/^\`\`\`/{//!p}' docs/guide/javascript.md
+  echo \"if (!coarse.certificate.ok || file.length < 1000) process.exit(1);\"; } > my-project/lines.mjs
+node my-project/lines.mjs
 " build/web/index.html
 
 bare site "
     make site
 " build/site/index.html
+
+bare tasks "
+    make build && make python
+    export PATH=\$PWD/build/bin:\$PATH PYTHONPATH=\$PWD/build/python
+gvd-segment --version && /usr/bin/python3 -c 'import gvd'
+scripts/check_examples.py build/bin docs/guide/tasks/*.md
+"
+
+# The folders have the names that the guide gives them.
+bare cohort "
+    scripts/install-deps.sh cohort
+    make build python
+    export PYTHONPATH=\$PWD/build/python
+mkdir -p /FOLDER/OF/MESHES && cp data/torus.ply data/plate.stl data/half_sphere.off /FOLDER/OF/MESHES
+    snakemake -s examples/cohort/Snakefile --profile examples/cohort/local -d RESULTS \\
+      --config meshes=/FOLDER/OF/MESHES bin=\$PWD/build/bin
+    snakemake -s examples/cohort/Snakefile --profile examples/cohort/local -d RESULTS --unlock \\
+      --config meshes=/FOLDER/OF/MESHES bin=\$PWD/build/bin
+    examples/cohort/measure.py run build/bin WORK data/figure.obj data/half_sphere.off@3 > costs.tsv
+    examples/cohort/measure.py fit costs.tsv
+" RESULTS/cohort.csv RESULTS/cohort.html RESULTS/torus.ply/remesh/{mesh.ply,page.html,thumbnail.png} costs.tsv
 
 bare package "
     make package
@@ -171,7 +207,21 @@ apt-get install pkg-config
     cc -o path_of_a_mesh /usr/share/doc/gvd/examples/path_of_a_mesh.c \$(pkg-config --cflags --libs gvd_c)
 ./diagram_of_a_mesh data/figure.obj
 ./path_of_a_mesh data/figure.obj 0 100
+cp /usr/share/doc/gvd/examples/path_of_a_mesh.c path.c
+    cc path.c \$(pkg-config --cflags --libs gvd_c)
+./a.out data/figure.obj 0 100
+apt-get install python3
+sed -n '/^\`\`\`py$/,/^\`\`\`/{//!p}' docs/guide/c.md > /tmp/lines.py
+python3 /tmp/lines.py
 " regions.ply regions.html
+
+bare package-mit "
+    make package CMAKE_FLAGS=-DGVD_WITH_CGAL_GPL=OFF
+    sudo apt-get install ./build/packages/gvd_*.deb
+if ls build/packages/libgvd-verify-dev_*.deb; then exit 1; fi
+if gvd-segment data/figure.obj -n 24 --verify; then exit 1; fi
+    sudo apt-get install ./build/packages/libgvd-c0.2_*.deb ./build/packages/libgvd-dev_*.deb
+"
 
 # First the groups that the guide names for python3-gvd.
 bare python3-gvd "
@@ -182,17 +232,40 @@ $python_lines
 /usr/bin/python3 /tmp/lines.py
 " regions.html
 
+# README's lines of C++, built as the guide tells, and the C interface below a prefix of its own.
 bare install "
     make install PREFIX=\$HOME/gvd
+{ grep '^#include' README.md
+  echo 'int main() {'
+  sed -n '/^\`\`\`cpp/,/^\`\`\`/{//!p}' README.md | grep -v '^#include'
+  echo '}'; } > /tmp/user.cpp
 { echo 'cmake_minimum_required(VERSION 3.21)'
   echo 'project(user CXX)'
-  echo 'add_executable(your_program /gvd/examples/diagram_of_a_mesh.cpp)'
+  echo 'add_executable(your_program user.cpp)'
   sed -n '/^\`\`\`cmake/,/^\`\`\`/{//!p}' docs/guide/install.md; } > /tmp/CMakeLists.txt
 cmake -S /tmp -B /tmp/user -DCMAKE_PREFIX_PATH=\$HOME/gvd
 cmake --build /tmp/user
-/tmp/user/your_program data/figure.obj
-touch installed && ls \$HOME/gvd/bin/gvd-segment > installed
+/tmp/user/your_program
+apt-get install pkg-config
+export PKG_CONFIG_PATH=\$HOME/gvd/lib/pkgconfig LD_LIBRARY_PATH=\$HOME/gvd/lib
+cc -o path_of_a_mesh examples/path_of_a_mesh.c \$(pkg-config --cflags --libs gvd_c)
+./path_of_a_mesh data/figure.obj 0 100
+cmake --install build --prefix /opt/gvd
+touch installed && ls \$HOME/gvd/bin/gvd-segment /opt/gvd/bin/gvd-segment > installed
 " installed
+
+# All of them ask for the packages of one group; the last one asks for python3, too.
+bare bench "
+    make bench
+    make bench BENCH_FLAGS=\"-m 5,30 --runs 3 --method exact --peers data/figure.obj\"
+    make why-exact
+    make bench-remesh
+    make paper
+" build/paper/paper.md
+
+bare test "
+    make test
+"
 
 printf '\n'
 printf '%s\n' "${summary[@]}"
