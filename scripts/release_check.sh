@@ -2,11 +2,12 @@
 # What `make release-check` runs before a release: the Debian packages in bare roots, and every command of README and guide alone,
 # on a system that has nothing but what README asks for.
 #
-#   scripts/release_check.sh FOLDER [--keep] [CHECK...]     the checks are listed below; without a CHECK all of them
+#   scripts/release_check.sh FOLDER [--keep] [--ccache] [CHECK...]    the checks are listed below; without a CHECK all of them
 #
 # FOLDER/system is a Debian system with make and git, made once by debootstrap. Each check gets a copy of it, with a clone of HEAD in
 # /gvd, so what is not committed is not checked. A check passes if its commands succeed and its files are there; whether it passes or
-# not, the others go on. --keep leaves the copies in FOLDER/roots. Mirrors, proxies and certificates are those of this machine.
+# not, the others go on. --keep leaves the copies in FOLDER/roots. --ccache saves hours: the system has ccache, too, and the checks share
+# what they compile. Mirrors, proxies and certificates are those of this machine.
 # Needs Debian or Ubuntu, network, and root or sudo. scripts/check_commands.py fails on a command of a document that is not here.
 set -euo pipefail
 export LC_ALL=C.UTF-8
@@ -14,14 +15,18 @@ checks="packages demo no-viewer python venv web site tasks cohort package packag
 [ "$(id -u)" -eq 0 ] || exec sudo -E "$0" "$@"
 
 source=$(realpath "$(dirname "$0")/..")
-mkdir -p "$1/logs" "$1/roots" "$1/archives/partial"
+mkdir -p "$1/logs" "$1/roots" "$1/archives/partial" "$1/ccache"
 folder=$(realpath "$1")
 shift
-keep=""
-if [ "${1:-}" = --keep ]; then
-  keep=yes
+keep="" cached="" system=$folder/system
+while [[ ${1:-} == --* ]]; do
+  case "$1" in
+    --keep) keep=yes ;;
+    --ccache) cached=yes system=$folder/system-ccache ;;
+    *) echo "release_check.sh: no option '$1' (--keep or --ccache)" >&2; exit 2 ;;
+  esac
   shift
-fi
+done
 wanted=" ${*:-$checks} "
 for name in $wanted; do
   [[ " $checks " == *" $name "* ]] || { echo "release_check.sh: no check '$name' (one of: $checks)" >&2; exit 2; }
@@ -46,20 +51,22 @@ copy_network_settings() {
   done
   { apt-config dump | grep -i '^Acquire::.*\(Proxy\|Check\)' || true
     echo 'APT::Get::Assume-Yes "true";'; } > "$root/etc/apt/apt.conf.d/90release-check"
+  echo force-unsafe-io > "$root/etc/dpkg/dpkg.cfg.d/release-check"  # the root is for one check only
   if [ -d /usr/local/share/ca-certificates ]; then cp -aL /usr/local/share/ca-certificates "$root/usr/local/share/"; fi
   chroot "$root" update-ca-certificates >/dev/null 2>&1
 }
 
 make_system() {
-  [ ! -e "$folder/system.complete" ] || return 0
+  [ ! -e "$system.complete" ] || return 0
   local codename
   codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
-  echo "making a bare system of $codename in $folder/system"
-  rm -rf "$folder/system"
-  debootstrap --variant=minbase --include=make,git,ca-certificates "$codename" "$folder/system" "$(mirror "$codename")" \
+  echo "making a bare system of $codename in $system"
+  rm -rf "$system"
+  debootstrap --variant=minbase --include="make,git,ca-certificates${cached:+,ccache}" "$codename" "$system" "$(mirror "$codename")" \
     > "$folder/logs/debootstrap.log" 2>&1 || { tail "$folder/logs/debootstrap.log" >&2; exit 1; }
-  copy_network_settings "$folder/system"
-  touch "$folder/system.complete"
+  copy_network_settings "$system"
+  mkdir -p "$system/root/.cache/ccache"
+  touch "$system.complete"
 }
 
 # run_in ROOT SCRIPT: a login of root in /gvd, without this machine's environment but for its proxies. Mounts end with the process.
@@ -78,9 +85,10 @@ run_in() {
     mount --rbind /dev "$root/dev"
     mount -t proc proc "$root/proc"
     mount --bind "$2" "$root/var/cache/apt/archives"
-    shift 2
+    mount --bind "$3" "$root/root/.cache/ccache"
+    shift 3
     exec chroot "$root" env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 "$@"
-  ' sh "$root" "$folder/archives" "${settings[@]}" bash -euo pipefail -c "cd /gvd; sudo() { \"\$@\"; }; $script" </dev/null
+  ' sh "$root" "$folder/archives" "$folder/ccache" "${settings[@]}" bash -euo pipefail -c "cd /gvd; sudo() { \"\$@\"; }; $script" </dev/null
 }
 
 # Each line of a check that is indented by four spaces stands so in a document; the others are this script's.
@@ -99,7 +107,7 @@ in_bare_root() {
   root=$folder/roots/$name
   check_that_documents_say "$script" || return 1
   rm -rf "$root"
-  cp -a --reflink=auto "$folder/system" "$root" || return 1
+  cp -a --reflink=auto "$system" "$root" || return 1
   git -c safe.directory='*' clone -q "$source" "$root/gvd" || return 1  # a clone of another user, where sudo runs this
   run_in "$root" "$script" || return 1
   for file in "$@"; do
