@@ -188,6 +188,7 @@ bare tasks "
     make build && make python
     export PATH=\$PWD/build/bin:\$PATH PYTHONPATH=\$PWD/build/python
 gvd-segment --version && /usr/bin/python3 -c 'import gvd'
+apt-get install --no-install-recommends blender  # for its page; where it is missing, the block is left out
 scripts/check_examples.py build/bin docs/guide/tasks/*.md
 "
 
