@@ -224,7 +224,8 @@ package:
 	@SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct || date +%s) cpack --config $(BUILD)/CPackConfig.cmake
 	@ls $(BUILD)/packages/*.deb
 
-# Hours; needs network, and root or sudo. RELEASE_FLAGS='--keep packages python': some checks only, and their roots are kept.
+# Hours; needs network, and root or sudo. RELEASE_FLAGS='--keep packages python': some checks only, and their roots are kept; --ccache
+# shares what the checks compile.
 release-check:
 	@$(install_deps) release
 	@scripts/release_check.sh $(BUILD)/release $(RELEASE_FLAGS)
@@ -238,6 +239,7 @@ lint:
 	@scripts/check_layout.sh
 	@scripts/check_links.py
 	@scripts/check_names.py
+	@scripts/check_commands.py
 	@scripts/check_type_names.py
 	@scripts/check_includes.py
 	@scripts/check_long_files.py

@@ -1,5 +1,4 @@
 // gzip around each format, its limits, and the names of contents that are no mesh.
-#define ZLIB_CONST
 #include <zlib.h>
 
 #include <vector>
