@@ -147,8 +147,8 @@ TEST_CASE("figures of a report are its numbers, texts and truth values, without 
 
 TEST_CASE("columns are as wide as the letters in them, whatever bytes these take") {
   const auto lines = format_results({{"\u00fc.off", "done", {1, {}, {}}, 0}, {"ab.off", "done", {1, {}, {}}, 0}});
-  CHECK(lines[1] == "\u00fc.off   done          1  0.00 s");
-  CHECK(lines[2] == "ab.off  done          1  0.00 s");
+  CHECK(lines[1] == "\u00fc.off   done             1  0.00 s");
+  CHECK(lines[2] == "ab.off  done             1  0.00 s");
 }
 
 }  // namespace gvd::test_run_several
