@@ -174,13 +174,13 @@ TEST_CASE("commands: a closed one-sided surface is cut along its twist of seven 
   const std::string mesh = scratch / "closed.obj", coarse = scratch / "coarse.obj", report = scratch / "r.json";
   write_text(mesh, to_obj(make_twisted_strip(34, true)));    // 714 edges
   write_text(coarse, to_obj(make_twisted_strip(33, true)));  // 693
-  const std::pair<const char*, const char*> kRuns[] = {{"gvd-segment", " -n 6"},
-                                                       {"gvd-segment", " -n 6 --cut --disc"},
-                                                       {"gvd-segment", " -n 6 --balance area"},
-                                                       {"gvd-lloyd", " -n 6"},
-                                                       {"gvd-remesh", " -n 60"},
-                                                       {"gvd-distance", " --from 0 --to 50"}};
-  for (const auto& [name, options] : kRuns) {
+  const std::pair<const char*, const char*> runs[] = {{"gvd-segment", " -n 6"},
+                                                      {"gvd-segment", " -n 6 --cut --disc"},
+                                                      {"gvd-segment", " -n 6 --balance area"},
+                                                      {"gvd-lloyd", " -n 6"},
+                                                      {"gvd-remesh", " -n 60"},
+                                                      {"gvd-distance", " --from 0 --to 50"}};
+  for (const auto& [name, options] : runs) {
     if (std::string(name) != "gvd-distance" && !std::ranges::count(built_commands(), name)) continue;
     CAPTURE(name, options);
     const CommandResult cut = run_command(name, mesh + options + " --report " + report);

@@ -118,7 +118,7 @@ TEST_CASE("isolines on a plane are circles") {
 TEST_CASE("the nearer side of an isoline is on its left") {
   const Mesh mesh = test::make_grid(8, 8);
   const ExactField field(mesh, {vertex_point(mesh, VertexId(40))});
-  const Vec3 centre = mesh.position(VertexId(40));
+  const Vec3& centre = mesh.position(VertexId(40));
   for (const Isoline& line : field.isolines({0.4, 1.3, 3.1})) {
     double area = 0;
     for (std::size_t i = 0; i < line.points.size(); ++i) {

@@ -171,7 +171,10 @@ TEST_CASE("welding is what its rule says on lattices, where many distances equal
 TEST_CASE("welding is what its rule says where the tolerance is near the rounding of coordinates, and far below it") {
   const double unit = std::numeric_limits<double>::epsilon();
   std::vector<Vec3> points{{1e75, 0, 0}, {0, -1e75, 0}};
-  for (int i = 0; i < 60; ++i) points.emplace_back(1 - unit * (i % 20), -2 + unit * (i % 7), unit * (i / 20));
+  for (int i = 0; i < 60; ++i) {
+    const int layer = i / 20;
+    points.emplace_back(1 - unit * (i % 20), -2 + unit * (i % 7), unit * layer);
+  }
   for (const double tolerance : {0.25 * unit, 0.5 * unit, unit, 3 * unit, 1e-30, 1e-100}) check_rule(points, tolerance);
 }
 

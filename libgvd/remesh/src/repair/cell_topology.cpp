@@ -98,6 +98,17 @@ class ArcLister {
 /// less than parts is enough. Farther away, the generator's own cell may not cover its part of the loop.
 constexpr double kFarFromLoop = 1.0 / 2;
 
+/// The links of each face.
+std::vector<std::vector<std::size_t>> list_links(std::size_t faces, const std::vector<DualLink>& links) {
+  std::vector<std::vector<std::size_t>> links_of(faces);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    for (const std::int32_t node : links[i].nodes) {
+      if (node != DualLink::kOutside) links_of[node].push_back(i);
+    }
+  }
+  return links_of;
+}
+
 }  // namespace
 
 std::vector<BoundaryArc> list_boundary_arcs(const Mesh& mesh, const Diagram& diagram) {
@@ -145,12 +156,7 @@ void CellTree::grow(VertexId root, GeneratorId cell) {
 }
 
 std::vector<HalfedgeId> prune_leaves(std::size_t faces, const std::vector<DualLink>& links) {
-  std::vector<std::vector<std::size_t>> links_of(faces);
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    for (const std::int32_t node : links[i].nodes) {
-      if (node != DualLink::kOutside) links_of[node].push_back(i);
-    }
-  }
+  const std::vector<std::vector<std::size_t>> links_of = list_links(faces, links);
   std::vector<std::size_t> degree, leaves;
   for (std::size_t i = 0; i < faces; ++i) {
     degree.push_back(links_of[i].size());

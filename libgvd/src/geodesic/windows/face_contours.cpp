@@ -255,37 +255,47 @@ bool FaceContours::follow(const Cell& cell, const Range& candidates, const SideC
   return false;
 }
 
-/// Goes on to where the part of the region's boundary ends, or leaves the cell, or enters another source's region: that
-/// one is the place's source then. Adds the points before.
-FaceContours::Stop FaceContours::advance(const Cell& cell, const Range& candidates, Place& place) {
-  const ContourWay way(sources_[place.source], place.part, level_, place.at);
-  const Exit exit = find_exit(cell, way);
+/// Collects the sources that may be nearer than the level somewhere on a stretch of the boundary of `of`.
+void FaceContours::list_rivals(const Range& candidates, std::int32_t of, const StretchOfWay& stretch) {
   rivals_.clear();
-  const StretchOfWay stretch(way, exit.at);
   for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
     const std::int32_t other = stack_[i].source;
     // Paths round an end of an opening are no shorter than the straight ones of all sources and those over corners.
     const FaceSource& s = sources_[other];
-    if (other != place.source && stretch.may_see(s, kSeen * longest_, level_ + longest_) &&
+    if (other != of && stretch.may_see(s, kSeen * longest_, level_ + longest_) &&
         stretch.may_reach(s, level_ + rounding_)) {
       rivals_.push_back(other);
     }
   }
   for (const std::int32_t corner : beaten_corners_) {
-    if (corner != place.source && stretch.may_reach(sources_[corner], level_ + rounding_)) rivals_.push_back(corner);
+    if (corner != of && stretch.may_reach(sources_[corner], level_ + rounding_)) rivals_.push_back(corner);
   }
+}
+
+/// Collects where a way up to `end` meets boundaries of rivals in the cell, ascending, and its end.
+void FaceContours::list_stops(const Cell& cell, const ContourWay& way, double end) {
   stops_.clear();
+  const auto stop_at = [&](const Vec2& p) {
+    if (cell.outside(p) > join_) return;
+    const double t = way.position(p);
+    if (t > 0 && t < end) stops_.push_back(t);
+  };
   for (const std::int32_t other : rivals_) {
     for (std::size_t part = 0; part < 3; ++part) {
-      intersect(way.carrier(), carrier_of(sources_[other], part, level_), [&](const Vec2& p) {
-        if (cell.outside(p) > join_) return;
-        const double t = way.position(p);
-        if (t > 0 && t < exit.at) stops_.push_back(t);
-      });
+      intersect(way.carrier(), carrier_of(sources_[other], part, level_), stop_at);
     }
   }
   std::ranges::sort(stops_);
-  stops_.push_back(exit.at);
+  stops_.push_back(end);
+}
+
+/// Goes on to where the part of the region's boundary ends, or leaves the cell, or enters another source's region: that
+/// one is the place's source then. Adds the points before.
+FaceContours::Stop FaceContours::advance(const Cell& cell, const Range& candidates, Place& place) {
+  const ContourWay way(sources_[place.source], place.part, level_, place.at);
+  const Exit exit = find_exit(cell, way);
+  list_rivals(candidates, place.source, StretchOfWay(way, exit.at));
+  list_stops(cell, way, exit.at);
   double at = 0;
   Stop stop = exit.leaves_cell ? Stop::leaves_cell : Stop::part_ends;
   for (const double next : stops_) {
@@ -352,36 +362,49 @@ bool FaceContours::pass_end(Place& place) const {
   return true;
 }
 
-/// Ends a curve that leaves the cell at the crossing there. Where the curve runs along a side, which is on the level,
-/// rounding decides where the crossings are: then it is one that the curve has passed.
-bool FaceContours::end_at_crossing(const Cell& cell, const Place& exit, FaceContour& piece) {
+/// The crossing at `exit` where no curve ends yet, within the tolerance of joints.
+std::optional<std::size_t> FaceContours::crossing_at(const Cell& cell, const Vec2& exit) const {
   std::optional<std::size_t> best;
-  const auto is_open = [&](std::size_t i) { return !cell.crossings[i].leaves && !is_taken_[i]; };
   double least = join_;
   for (std::size_t i = 0; i < cell.crossings.size(); ++i) {
-    const double off = is_open(i) ? (cell.crossings[i].at - exit.at).norm() : kInfinity;
+    const double off = is_open(cell, i) ? (cell.crossings[i].at - exit).norm() : kInfinity;
     if (!(off <= least)) continue;
     least = off;
     best = i;
   }
-  std::vector<Vec2>& points = chain_.points();
-  if (best) {
-    chain_.add(cell.crossings[*best].at, exit.off, true);
-  } else {
-    points.push_back(exit.at);
-    for (std::size_t k = 1; !best && k < points.size(); ++k) {
-      for (std::size_t i = 0; !best && i < cell.crossings.size(); ++i) {
-        if (is_open(i) && distance_to_segment({points[k - 1], points[k]}, cell.crossings[i].at) <= join_) best = i;
-      }
-      if (best) points.resize(k + 1);
+  return best;
+}
+
+/// The first crossing beside the points where no curve ends yet. The points behind it are removed.
+std::optional<std::size_t> FaceContours::cut_at_passed_crossing(const Cell& cell, std::vector<Vec2>& points) const {
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const PlaneSegment chord{points[k - 1], points[k]};
+    for (std::size_t i = 0; i < cell.crossings.size(); ++i) {
+      if (!is_open(cell, i) || distance_to_segment(chord, cell.crossings[i].at) > join_) continue;
+      points.resize(k + 1);
+      return i;
     }
   }
-  if (!best) return false;
-  is_taken_[*best] = true;
-  piece.to = cell.crossings[*best].id;
+  return std::nullopt;
+}
+
+/// Ends a curve that leaves the cell at the crossing there. Where the curve runs along a side, which is on the level,
+/// rounding decides where the crossings are: then it is one that the curve has passed.
+bool FaceContours::end_at_crossing(const Cell& cell, const Place& exit, FaceContour& piece) {
+  std::vector<Vec2>& points = chain_.points();
+  std::optional<std::size_t> end = crossing_at(cell, exit.at);
+  if (end) {
+    chain_.add(cell.crossings[*end].at, exit.off, true);
+  } else {
+    points.push_back(exit.at);
+    end = cut_at_passed_crossing(cell, points);
+  }
+  if (!end) return false;
+  is_taken_[*end] = true;
+  piece.to = cell.crossings[*end].id;
   // The ends are crossings: what is between them is the piece's own.
   if (points.size() > 2) piece.points.assign(points.begin() + 1, points.end() - 1);
-  while (!piece.points.empty() && (piece.points.back() - cell.crossings[*best].at).norm() <= rounding_) {
+  while (!piece.points.empty() && (piece.points.back() - cell.crossings[*end].at).norm() <= rounding_) {
     piece.points.pop_back();
   }
   return true;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -101,9 +102,17 @@ class FaceContours {
   bool rises_one_way(const Cell& cell, const Range& candidates) const;
   bool follow_all(const Cell& cell, const Range& candidates);
   bool follow(const Cell& cell, const Range& candidates, const SideCrossing& start, FaceContour& piece);
+  void list_rivals(const Range& candidates, std::int32_t of, const StretchOfWay& stretch);
+  void list_stops(const Cell& cell, const ContourWay& way, double end);
   Stop advance(const Cell& cell, const Range& candidates, Place& place);
   Exit find_exit(const Cell& cell, const ContourWay& way);
   bool pass_end(Place& place) const;
+  /// Whether a curve that comes through the cell may end at this crossing.
+  bool is_open(const Cell& cell, std::size_t crossing) const {
+    return !cell.crossings[crossing].leaves && !is_taken_[crossing];
+  }
+  std::optional<std::size_t> crossing_at(const Cell& cell, const Vec2& exit) const;
+  std::optional<std::size_t> cut_at_passed_crossing(const Cell& cell, std::vector<Vec2>& points) const;
   bool end_at_crossing(const Cell& cell, const Place& exit, FaceContour& piece);
   void pair(const Cell& cell);
   void split(const Cell& cell, const Range& candidates);

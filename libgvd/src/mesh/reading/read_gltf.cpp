@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -36,6 +37,8 @@ using Transform = Eigen::Matrix4d;
 constexpr std::string_view kMark = "glTF";
 constexpr std::uint32_t kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
+/// White space before the brace of a .gltf may be so long; exporters write none.
+constexpr std::size_t kHeadBytes = 4096;
 constexpr std::size_t kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6;  // primitive.mode
 
 /// How far the last row of a matrix may be from 0 0 0 1, absolute: products of matrices of 32-bit floats are that
@@ -526,6 +529,12 @@ PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
 }
 
 std::vector<std::filesystem::path> list_gltf_files(const std::filesystem::path& mesh) {
+  // Its first bytes tell of a file that is not packed whether it is one, so that no other large mesh is read again.
+  std::string head(kHeadBytes, '\0');
+  std::ifstream file(mesh, std::ios::binary);
+  file.read(head.data(), std::streamsize(head.size()));
+  head.resize(std::size_t(file.gcount()));
+  if (find_compression(head).empty() && !head.starts_with(kMark) && !is_json(head)) return {};
   const std::string name = mesh.string(), bytes = read_file_bytes(mesh);
   if (!bytes.starts_with(kMark) && !is_json(bytes)) return {};
   return name_errors(name, [&] { return GltfFile(bytes, name, mesh.parent_path()).other_files(); });
