@@ -9,6 +9,8 @@ BUILD       ?= build
 SANITIZE    ?= build-sanitize
 THREADS     ?= build-threads
 JOBS        ?= $(shell nproc 2>/dev/null || echo 2)
+# Tests of pages and pipes wait for much of their time.
+TEST_JOBS   ?= $(shell expr $(JOBS) + 1)
 PREFIX      ?= /usr/local
 DEMO_OUTPUT ?= demo-output
 
@@ -114,7 +116,7 @@ test:
 	@$(configure) release $(BUILD) -DGVD_BUILD_TESTS=ON $(python_if_possible) $(CMAKE_FLAGS)
 	@cmake --build $(BUILD) -j $(JOBS)
 	@scripts/check_examples.py $(BUILD)/bin
-	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(TEST_JOBS)
 
 # libFuzzer, FUZZ_TARGETS of it (off obj ply stl vtp vtu vtk glb gltf gii mni fs values generators config) or all. The next run goes on where this one ends.
 fuzz:
@@ -193,13 +195,13 @@ paper:
 	@scripts/make_gallery.sh $(BUILD)/bin $(BUILD)/paper $(PAPER_MODELS)
 	@scripts/make_paper.py $(BUILD)/paper/paper.json $(BUILD)/paper $(if $(PAPER_NOTE),"$(PAPER_NOTE)")
 
-# Not here: tests labelled `slow`; `install`, which builds against an installed library without sanitizers; `oracle`, most
-# of whose time is that of CGAL's shortest paths; `browser`, which tests a page; and the long tests that tests/CMakeLists.txt names.
+# Not here: tests labelled `slow`; `install`, which builds against an installed library without sanitizers; `browser`, which tests a
+# page; and those that tests/CMakeLists.txt leaves out.
 sanitize:
 	@$(install_deps) build test
 	@$(configure) sanitizers $(SANITIZE) $(CMAKE_FLAGS)
 	@cmake --build $(SANITIZE) -j $(JOBS)
-	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install|oracle|browser"
+	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install|browser"
 
 # The tests of threads only: everything else works in one thread.
 sanitize-threads:
@@ -222,7 +224,8 @@ package:
 	@SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct || date +%s) cpack --config $(BUILD)/CPackConfig.cmake
 	@ls $(BUILD)/packages/*.deb
 
-# Hours; needs network, and root or sudo. RELEASE_FLAGS='--keep packages python': some checks only, and their roots are kept.
+# Hours; needs network, and root or sudo. RELEASE_FLAGS='--keep packages python': some checks only, and their roots are kept; --ccache
+# shares what the checks compile.
 release-check:
 	@$(install_deps) release
 	@scripts/release_check.sh $(BUILD)/release $(RELEASE_FLAGS)
@@ -236,6 +239,7 @@ lint:
 	@scripts/check_layout.sh
 	@scripts/check_links.py
 	@scripts/check_names.py
+	@scripts/check_commands.py
 	@scripts/check_type_names.py
 	@scripts/check_includes.py
 	@scripts/check_long_files.py

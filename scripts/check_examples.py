@@ -5,7 +5,7 @@
 
 These are examples:
 
-- a line that is indented by four spaces and begins with build/bin/; with the comment "# fails" it must fail;
+- a line that is indented by four spaces and runs a command of build/bin/; with the comment "# fails" it must fail;
 - a ```sh block, with BIN_FOLDER on the PATH; one that calls a program that is not installed is named and left out;
 - all ```python blocks of a page as one script, with the package gvd of BIN_FOLDER/../python; without it they are left out.
 """
@@ -18,7 +18,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-EXAMPLE = re.compile(r"^    (?P<line>build/bin/[^\n]*)$|^```sh\n(?P<sh>.*?)^```$", re.MULTILINE | re.DOTALL)
+EXAMPLE = re.compile(r"^    (?P<line>(?:[^\n]*[ (])?build/bin/[^\n]*)$|^```sh\n(?P<sh>.*?)^```$", re.MULTILINE | re.DOTALL)
 PYTHON = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 # Programs that not every machine has, and which are too large for the groups of install-deps.sh.
 OPTIONAL = ("blender",)
@@ -50,7 +50,7 @@ class Page:
         results = []
         for example in EXAMPLE.finditer(self.text):
             if example["line"]:
-                results.append(self.run(example["line"], ["sh", "-c"], "# fails" not in example["line"]))
+                results.append(self.run(example["line"], ["bash", "-c"], "# fails" not in example["line"]))
                 continue
             missing = [name for name in OPTIONAL if re.search(rf"^{name} ", example["sh"], re.MULTILINE) and not shutil.which(name)]
             if missing:

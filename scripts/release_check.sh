@@ -2,26 +2,31 @@
 # What `make release-check` runs before a release: the Debian packages in bare roots, and every command of README and guide alone,
 # on a system that has nothing but what README asks for.
 #
-#   scripts/release_check.sh FOLDER [--keep] [CHECK...]     the checks are listed below; without a CHECK all of them
+#   scripts/release_check.sh FOLDER [--keep] [--ccache] [CHECK...]    the checks are listed below; without a CHECK all of them
 #
 # FOLDER/system is a Debian system with make and git, made once by debootstrap. Each check gets a copy of it, with a clone of HEAD in
 # /gvd, so what is not committed is not checked. A check passes if its commands succeed and its files are there; whether it passes or
-# not, the others go on. --keep leaves the copies in FOLDER/roots. Mirrors, proxies and certificates are those of this machine.
-# Needs Debian or Ubuntu, network, and root or sudo. Not here: `make test`, which .ci/run runs and which takes 20 minutes and more.
+# not, the others go on. --keep leaves the copies in FOLDER/roots. --ccache saves hours: the system has ccache, too, and the checks share
+# what they compile. Mirrors, proxies and certificates are those of this machine.
+# Needs Debian or Ubuntu, network, and root or sudo. scripts/check_commands.py fails on a command of a document that is not here.
 set -euo pipefail
 export LC_ALL=C.UTF-8
-checks="packages demo python venv web site package python3-gvd install"
+checks="packages demo no-viewer python venv web site tasks cohort package package-mit python3-gvd install bench test"
 [ "$(id -u)" -eq 0 ] || exec sudo -E "$0" "$@"
 
 source=$(realpath "$(dirname "$0")/..")
-mkdir -p "$1/logs" "$1/roots" "$1/archives/partial"
+mkdir -p "$1/logs" "$1/roots" "$1/archives/partial" "$1/ccache"
 folder=$(realpath "$1")
 shift
-keep=""
-if [ "${1:-}" = --keep ]; then
-  keep=yes
+keep="" cached="" system=$folder/system
+while [[ ${1:-} == --* ]]; do
+  case "$1" in
+    --keep) keep=yes ;;
+    --ccache) cached=yes system=$folder/system-ccache ;;
+    *) echo "release_check.sh: no option '$1' (--keep or --ccache)" >&2; exit 2 ;;
+  esac
   shift
-fi
+done
 wanted=" ${*:-$checks} "
 for name in $wanted; do
   [[ " $checks " == *" $name "* ]] || { echo "release_check.sh: no check '$name' (one of: $checks)" >&2; exit 2; }
@@ -46,20 +51,22 @@ copy_network_settings() {
   done
   { apt-config dump | grep -i '^Acquire::.*\(Proxy\|Check\)' || true
     echo 'APT::Get::Assume-Yes "true";'; } > "$root/etc/apt/apt.conf.d/90release-check"
+  echo force-unsafe-io > "$root/etc/dpkg/dpkg.cfg.d/release-check"  # the root is for one check only
   if [ -d /usr/local/share/ca-certificates ]; then cp -aL /usr/local/share/ca-certificates "$root/usr/local/share/"; fi
   chroot "$root" update-ca-certificates >/dev/null 2>&1
 }
 
 make_system() {
-  [ ! -e "$folder/system.complete" ] || return 0
+  [ ! -e "$system.complete" ] || return 0
   local codename
   codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
-  echo "making a bare system of $codename in $folder/system"
-  rm -rf "$folder/system"
-  debootstrap --variant=minbase --include=make,git,ca-certificates "$codename" "$folder/system" "$(mirror "$codename")" \
+  echo "making a bare system of $codename in $system"
+  rm -rf "$system"
+  debootstrap --variant=minbase --include="make,git,ca-certificates${cached:+,ccache}" "$codename" "$system" "$(mirror "$codename")" \
     > "$folder/logs/debootstrap.log" 2>&1 || { tail "$folder/logs/debootstrap.log" >&2; exit 1; }
-  copy_network_settings "$folder/system"
-  touch "$folder/system.complete"
+  copy_network_settings "$system"
+  mkdir -p "$system/root/.cache/ccache"
+  touch "$system.complete"
 }
 
 # run_in ROOT SCRIPT: a login of root in /gvd, without this machine's environment but for its proxies. Mounts end with the process.
@@ -78,9 +85,10 @@ run_in() {
     mount --rbind /dev "$root/dev"
     mount -t proc proc "$root/proc"
     mount --bind "$2" "$root/var/cache/apt/archives"
-    shift 2
+    mount --bind "$3" "$root/root/.cache/ccache"
+    shift 3
     exec chroot "$root" env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 "$@"
-  ' sh "$root" "$folder/archives" "${settings[@]}" bash -euo pipefail -c "cd /gvd; sudo() { \"\$@\"; }; $script" </dev/null
+  ' sh "$root" "$folder/archives" "$folder/ccache" "${settings[@]}" bash -euo pipefail -c "cd /gvd; sudo() { \"\$@\"; }; $script" </dev/null
 }
 
 # Each line of a check that is indented by four spaces stands so in a document; the others are this script's.
@@ -99,7 +107,7 @@ in_bare_root() {
   root=$folder/roots/$name
   check_that_documents_say "$script" || return 1
   rm -rf "$root"
-  cp -a --reflink=auto "$folder/system" "$root" || return 1
+  cp -a --reflink=auto "$system" "$root" || return 1
   git -c safe.directory='*' clone -q "$source" "$root/gvd" || return 1  # a clone of another user, where sudo runs this
   run_in "$root" "$script" || return 1
   for file in "$@"; do
@@ -141,11 +149,21 @@ bare demo "
     build/bin/gvd-remesh  data/figure.obj --generators samples.json -o coarse.obj --view coarse.html
 " demo-output/{segments.ply,coarse.obj,segments.html,relaxed.html,coarse.html,distances.html} regions.{ply,html} samples.html coarse.html
 
+bare no-viewer "
+    make
+    make demo CMAKE_FLAGS=-DGVD_WITH_VIEWER=OFF
+" demo-output/{segments.ply,coarse.obj,distances.npy}
+
+# The module that `make python` has built serves an environment, too.
 bare python "
     make python && export PYTHONPATH=\$PWD/build/python
 $python_lines
 /usr/bin/python3 /tmp/lines.py
-" regions.html
+mv regions.html built.html && unset PYTHONPATH
+    /usr/bin/python3 -m venv --system-site-packages venv
+    GVD_BUILD=build venv/bin/pip install .
+venv/bin/python /tmp/lines.py
+" built.html regions.html
 
 bare venv "
     scripts/install-deps.sh build python && /usr/bin/python3 -m venv --system-site-packages venv && venv/bin/pip install .
@@ -155,11 +173,38 @@ venv/bin/python /tmp/lines.py
 
 bare web "
     make web
+    npm install --prefix my-project \$PWD/build/web/gvd-*.tgz
+{ echo \"import { readFileSync } from 'node:fs'; const bytes = readFileSync('data/figure.obj');\"
+  sed -n '/^\`\`\`js/,/^\`\`\`/{//!p}' docs/guide/javascript.md
+  echo \"if (!coarse.certificate.ok || file.length < 1000) process.exit(1);\"; } > my-project/lines.mjs
+node my-project/lines.mjs
 " build/web/index.html
 
 bare site "
     make site
 " build/site/index.html
+
+bare tasks "
+    make build && make python
+    export PATH=\$PWD/build/bin:\$PATH PYTHONPATH=\$PWD/build/python
+gvd-segment --version && /usr/bin/python3 -c 'import gvd'
+apt-get install --no-install-recommends blender  # for its page; where it is missing, the block is left out
+scripts/check_examples.py build/bin docs/guide/tasks/*.md
+"
+
+# The folders have the names that the guide gives them.
+bare cohort "
+    scripts/install-deps.sh cohort
+    make build python
+    export PYTHONPATH=\$PWD/build/python
+mkdir -p /FOLDER/OF/MESHES && cp data/torus.ply data/plate.stl data/half_sphere.off /FOLDER/OF/MESHES
+    snakemake -s examples/cohort/Snakefile --profile examples/cohort/local -d RESULTS \\
+      --config meshes=/FOLDER/OF/MESHES bin=\$PWD/build/bin
+    snakemake -s examples/cohort/Snakefile --profile examples/cohort/local -d RESULTS --unlock \\
+      --config meshes=/FOLDER/OF/MESHES bin=\$PWD/build/bin
+    examples/cohort/measure.py run build/bin WORK data/figure.obj data/half_sphere.off@3 > costs.tsv
+    examples/cohort/measure.py fit costs.tsv
+" RESULTS/cohort.csv RESULTS/cohort.html RESULTS/torus.ply/remesh/{mesh.ply,page.html,thumbnail.png} costs.tsv
 
 bare package "
     make package
@@ -171,7 +216,21 @@ apt-get install pkg-config
     cc -o path_of_a_mesh /usr/share/doc/gvd/examples/path_of_a_mesh.c \$(pkg-config --cflags --libs gvd_c)
 ./diagram_of_a_mesh data/figure.obj
 ./path_of_a_mesh data/figure.obj 0 100
+cp /usr/share/doc/gvd/examples/path_of_a_mesh.c path.c
+    cc path.c \$(pkg-config --cflags --libs gvd_c)
+./a.out data/figure.obj 0 100
+apt-get install python3
+sed -n '/^\`\`\`py$/,/^\`\`\`/{//!p}' docs/guide/c.md > /tmp/lines.py
+python3 /tmp/lines.py
 " regions.ply regions.html
+
+bare package-mit "
+    make package CMAKE_FLAGS=-DGVD_WITH_CGAL_GPL=OFF
+    sudo apt-get install ./build/packages/gvd_*.deb
+if ls build/packages/libgvd-verify-dev_*.deb; then exit 1; fi
+if gvd-segment data/figure.obj -n 24 --verify; then exit 1; fi
+    sudo apt-get install ./build/packages/libgvd-c0.2_*.deb ./build/packages/libgvd-dev_*.deb
+"
 
 # First the groups that the guide names for python3-gvd.
 bare python3-gvd "
@@ -182,17 +241,40 @@ $python_lines
 /usr/bin/python3 /tmp/lines.py
 " regions.html
 
+# README's lines of C++, built as the guide tells, and the C interface below a prefix of its own.
 bare install "
     make install PREFIX=\$HOME/gvd
+{ grep '^#include' README.md
+  echo 'int main() {'
+  sed -n '/^\`\`\`cpp/,/^\`\`\`/{//!p}' README.md | grep -v '^#include'
+  echo '}'; } > /tmp/user.cpp
 { echo 'cmake_minimum_required(VERSION 3.21)'
   echo 'project(user CXX)'
-  echo 'add_executable(your_program /gvd/examples/diagram_of_a_mesh.cpp)'
+  echo 'add_executable(your_program user.cpp)'
   sed -n '/^\`\`\`cmake/,/^\`\`\`/{//!p}' docs/guide/install.md; } > /tmp/CMakeLists.txt
 cmake -S /tmp -B /tmp/user -DCMAKE_PREFIX_PATH=\$HOME/gvd
 cmake --build /tmp/user
-/tmp/user/your_program data/figure.obj
-touch installed && ls \$HOME/gvd/bin/gvd-segment > installed
+/tmp/user/your_program
+apt-get install pkg-config
+export PKG_CONFIG_PATH=\$HOME/gvd/lib/pkgconfig LD_LIBRARY_PATH=\$HOME/gvd/lib
+cc -o path_of_a_mesh examples/path_of_a_mesh.c \$(pkg-config --cflags --libs gvd_c)
+./path_of_a_mesh data/figure.obj 0 100
+cmake --install build --prefix /opt/gvd
+touch installed && ls \$HOME/gvd/bin/gvd-segment /opt/gvd/bin/gvd-segment > installed
 " installed
+
+# All of them ask for the packages of one group; the last one asks for python3, too.
+bare bench "
+    make bench
+    make bench BENCH_FLAGS=\"-m 5,30 --runs 3 --method exact --peers data/figure.obj\"
+    make why-exact
+    make bench-remesh
+    make paper
+" build/paper/paper.md
+
+bare test "
+    make test
+"
 
 printf '\n'
 printf '%s\n' "${summary[@]}"

@@ -2,7 +2,7 @@
 # Runs clang-tidy (see .clang-tidy) on C++ sources, each compiled alone, so that a missing include is an error.
 #
 #   scripts/run_tidy.sh              all sources
-#   scripts/run_tidy.sh --last N     those that the last N commits changed, or whose header of the same name they changed
+#   scripts/run_tidy.sh --last N     those that the last N commits changed, or whose own header they changed (changed_sources.py)
 #
 # JOBS processes run at a time (default: all cores). BUILD_LINT names the build tree, which is configured and not built.
 set -euo pipefail
@@ -11,8 +11,7 @@ tree=${BUILD_LINT:-build-lint}
 
 list_sources() {
   if [ "${1:-}" = --last ]; then
-    # A shallow clone may have fewer commits; its oldest one then adds all of its files.
-    git log -n "$2" --format= --name-only -- '*.cpp' '*.hpp' | sed 's/\.hpp$/.cpp/' | sort -u
+    scripts/changed_sources.py "$2"
   else
     git ls-files '*.cpp'
   fi

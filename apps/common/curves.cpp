@@ -8,8 +8,10 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <numbers>
 #include <optional>
+#include <system_error>
 
 #include "common/process.hpp"
 #include "common/run_parts.hpp"
@@ -27,6 +29,11 @@ constexpr std::string_view kBoundary = "boundary";
 /// Notes and limits are those of a list of generators (run_parts.cpp).
 std::vector<GeneratorCurve> read(Run& run, const CheckedMesh& input, const std::string& file) {
   const GeneratorOptions& asked = run.options().generators;
+  std::error_code ignored;
+  if (file != "-" && !std::filesystem::exists(file, ignored)) {
+    throw Error(ErrorCode::unreadable_input,
+                fmt::format("--curves {}: there is no such file; write boundary, creases or the name of a file", file));
+  }
   const CurveList list = [&] {
     const WaitForInput wait(file);
     return file == "-" ? parse_curves(read_standard_input(), kStandardInput) : read_curves(file);
@@ -46,7 +53,11 @@ std::vector<GeneratorCurve> read(Run& run, const CheckedMesh& input, const std::
 std::vector<GeneratorCurve> find(Run& run, const CheckedMesh& input, const std::string& name) {
   if (name == kBoundary) {
     auto curves = boundary_curves(input.mesh);
-    if (curves.empty()) throw Error(ErrorCode::precondition, "--curves boundary: the mesh is closed");
+    if (curves.empty()) {
+      throw Error(ErrorCode::precondition,
+                  "--curves boundary: the mesh is closed and has no boundary; use --curves creases, a file of curves, "
+                  "or points");
+    }
     return curves;
   }
   const std::optional<double> angle = parse_creases(name, kUsualCreaseAngle);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <tuple>
@@ -20,6 +21,7 @@
 #include "common/options/option_json.hpp"
 #include "common/options/options.hpp"
 #include "common/process.hpp"
+#include "common/referred_files.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
@@ -35,14 +37,27 @@ namespace {
 
 std::string name_of(const InputOptions& input) { return input.path == "-" ? kStandardInput : input.path; }
 
-PolygonSoup read(const InputOptions& input, std::string* standard_input) {
-  if (input.path != "-") {
-    const WaitForInput wait(input.path);
-    return read_soup(input.path, input.format);
+/// All bytes of a pipe.
+std::string read_pipe(const std::string& path) {
+  if (path == "-") return read_standard_input();
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes = read_to_end(file);
+  if (!file.is_open() || file.bad()) {
+    throw Error(ErrorCode::unreadable_input, path + ": can't be read to its end; check its permissions");
   }
-  std::string bytes = read_standard_input();
-  PolygonSoup soup = parse_soup(bytes, *input.format, kStandardInput);
-  if (standard_input != nullptr) *standard_input = std::move(bytes);
+  return bytes;
+}
+
+PolygonSoup read(const InputOptions& input, PipedInput* piped) {
+  const WaitForInput wait(input.path);
+  if (input.path != "-" && (piped == nullptr || !is_read_once(input.path))) return read_soup(input.path, input.format);
+  std::string bytes = read_pipe(input.path);
+  const auto format = input.format ? input.format : detect_format(bytes, input.path);
+  if (!format) {
+    throw Error(ErrorCode::unreadable_input, input.path + ": the content does not tell the format; name the format");
+  }
+  PolygonSoup soup = parse_soup(bytes, *format, name_of(input));
+  if (piped != nullptr) *piped = {std::move(bytes), *format};
   return soup;
 }
 
@@ -147,20 +162,6 @@ LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh) {
   mesh.ascii_ply = output.ascii_ply;
   mesh.region_materials = output.region_materials;
   return mesh;
-}
-
-/// The folder of a file, without links.
-std::filesystem::path folder(const std::filesystem::path& file) {
-  std::error_code failed;
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(file, failed).parent_path(), failed);
-}
-
-/// Notes that an OBJ in another folder than INPUT names files beside INPUT.
-void note_material_files(Run& run, const std::string& path, const Appearance& appearance) {
-  const std::string& input = run.options().input.path;
-  if (appearance.material_files.empty() || input == "-" || folder(path) == folder(input)) return;
-  run.console().note(fmt::format("{} names the materials of {}, which is beside {}: copy it, with its images", path,
-                                 printable(fmt::format("{}", fmt::join(appearance.material_files, ", "))), input));
 }
 
 void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
@@ -316,9 +317,10 @@ void note_on_input(Run& run, const std::string& message) {
   run.console().note(options.output.folder.empty() ? name_of(options.input) + ": " + message : message);
 }
 
-CheckedMesh load_input(Run& run, std::string* standard_input) {
+CheckedMesh load_input(Run& run, PipedInput* piped) {
   const InputOptions& input = run.options().input;
-  PolygonSoup soup = run.timed("read", [&] { return read(input, standard_input); });
+  PolygonSoup soup = run.timed("read", [&] { return read(input, piped); });
+  check_referred_files(run.options(), soup.appearance);
   if (input.weld) run.timed("weld", [&] { weld_input(soup, input); });
   CheckedMesh checked = run.timed("check", [&] { return build_mesh(soup, input.on_defect, name_of(input)); });
   for (const std::string& message : checked.defects.messages) note_on_input(run, with_weld_option(message));
@@ -332,25 +334,6 @@ CheckedMesh load_input(Run& run, std::string* standard_input) {
                                    counted(summary.components, "component", "components"),
                                    counted(summary.boundary_loops, "boundary loop", "boundary loops")));
   return checked;
-}
-
-void check_material_files(Run& run, const Appearance& appearance, bool drops_materials) {
-  const OutputOptions& output = run.options().output;
-  if (!appearance.material.empty() && !output.region_materials && !drops_materials) return;  // no .mtl is written
-  const std::string& input = run.options().input.path;
-  for (const std::string& path : output.files) {
-    const std::filesystem::path made = std::filesystem::path(path).replace_extension(".mtl");
-    // Relative to the input. Several names on one line count as one with blanks, as most programs write a single one.
-    for (const std::filesystem::path name : appearance.material_files) {
-      const std::filesystem::path read = std::filesystem::path(input).replace_filename(name);
-      if (format_of(output, path) != "obj" || made.filename() != read.filename() || folder(made) != folder(read))
-        continue;
-      throw Error(ErrorCode::invalid_option,
-                  fmt::format("-o {}: its materials would replace {}, which {} names; choose "
-                              "another name",
-                              path, printable(name.string()), input));
-    }
-  }
 }
 
 namespace {
@@ -392,13 +375,20 @@ SamplingOptions make_sampling_options(Run& run) {
 
 std::string property_file(Run& run) {
   const std::string& path = run.options().input.path;
-  return path == "-" ? "" : path;
+  return is_read_once(path) ? "" : path;
 }
 
 void refuse_name(Run& run, const std::string& option, const std::string& name) {
   const std::string file = property_file(run);
-  throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: there is no such file, and {} has no such property",
-                                                       option, name, file.empty() ? "standard input" : file));
+  std::error_code ignored;
+  std::string why = fmt::format("there is no such file, and {} has no such property; check the name", file);
+  if (file.empty()) {
+    why = fmt::format("there is no such file, and properties are read from files only: save {} as one",
+                      name_of(run.options().input));
+  }
+  if (std::filesystem::is_directory(name, ignored)) why = "is a directory; give a file";
+  if (name == "-") why = "takes a file or a property; standard input is the file /dev/stdin";
+  throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: {}", option, name, why));
 }
 
 namespace {

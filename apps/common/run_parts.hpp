@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/process.hpp"
 #include "common/run.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/generator_list.hpp"
@@ -28,17 +29,19 @@ void note_on_input(Run& run, const std::string& message);
 /// mesh units.
 void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagonal);
 
+/// What standard input or a pipe held, which can be read only once.
+struct PipedInput {
+  std::string bytes;  ///< empty: INPUT is a file
+  MeshFormat format{};
+};
+
 /// Reads and checks the mesh of INPUT. Notes each repair in one line, and reports the mesh and its defects.
-/// Throws Error{unreadable_input} or Error{precondition} with the name of the input, and Error{unwritable_output} where
-/// an output format can't hold the coordinates of the mesh. `standard_input`, if not null, receives what standard input
-/// held where INPUT is that: it can be read only once.
-CheckedMesh load_input(Run& run, std::string* standard_input = nullptr);
+/// Throws Error{unreadable_input} or Error{precondition} with the name of the input, Error{unwritable_output} where an
+/// output format can't hold the coordinates of the mesh, and what `check_referred_files` throws. `piped`, if not null,
+/// receives what INPUT held where it is standard input or a pipe.
+CheckedMesh load_input(Run& run, PipedInput* piped = nullptr);
 
-/// Throws Error{invalid_option} where the materials of the regions in an .obj would replace those that INPUT names.
-/// `drops_materials`: those of the faces are not written, as by --region-materials.
-void check_material_files(Run& run, const Appearance& appearance, bool drops_materials = false);
-
-/// The file that properties of INPUT are read from: none for standard input, which can be read only once.
+/// The file that properties of INPUT are read from: none for standard input and pipes, which can be read only once.
 std::string property_file(Run& run);
 
 /// Refuses the name that `option` has, which is neither that of a file nor of a property of INPUT.
@@ -49,6 +52,7 @@ std::string property_file(Run& run);
 template <class Read>
 auto find_numbers(Run& run, const CheckedMesh& input, const std::string& option, const std::string& name,
                   const Read& read) {
+  const WaitForInput wait(name);  // which may be a pipe
   auto found = read(input, name, property_file(run));
   if (!found) refuse_name(run, option, name);
   return *std::move(found);

@@ -194,7 +194,7 @@ int run_several(const std::string& command, const std::vector<Options>& runs, co
 }
 
 std::vector<std::string> format_results(const std::vector<RunResult>& results) {
-  std::array<std::vector<std::string>, 6> columns{{{"input"}, {"result"}, {"regions"}, {"E"}, {"energy"}, {"time"}}};
+  std::array<std::vector<std::string>, 6> columns{{{"input"}, {"result"}, {"generators"}, {"E"}, {"energy"}, {"time"}}};
   for (const RunResult& run : results) {
     const RunFigures& figures = run.figures;
     const std::string regions = figures.regions ? fmt::format("{}", *figures.regions) : "-";
@@ -208,8 +208,7 @@ std::vector<std::string> format_results(const std::vector<RunResult>& results) {
   }
   std::vector<std::string> lines(results.size() + 1);
   for (const std::vector<std::string>& cells : columns) {
-    const bool is_text = cells[0] == "input" || cells[0] == "result",
-               may_lack = cells[0] == "E" || cells[0] == "energy";
+    const bool is_text = cells[0] == "input" || cells[0] == "result", may_lack = !is_text && cells[0] != "time";
     const bool lacks = std::count(cells.begin(), cells.end(), "-") == std::ssize(results);
     if (!may_lack || !lacks) append_column(lines, cells, !is_text);
   }

@@ -30,8 +30,8 @@ struct RunResult {
   std::size_t files = 0;   ///< that it wrote
 };
 
-/// A table of the runs: input, result, regions, E and energy where a run has them, and time. A line each, the first one
-/// with the names of the columns. Figures that a run lacks, or that are not finite, are "-".
+/// A table of the runs: input, result, generators, E and energy where a run has them, and time. A line each, the first
+/// one with the names of the columns. Figures that a run lacks, or that are not finite, are "-".
 std::vector<std::string> format_results(const std::vector<RunResult>& results);
 
 /// A report's numbers, texts and truth values under `input`, `diagram` and `results`, with names such as `input.area`.

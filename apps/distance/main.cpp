@@ -20,12 +20,13 @@
 #include <string>
 #include <vector>
 
+#include "common/barriers.hpp"
 #include "common/command.hpp"
 #include "common/curves.hpp"
-#include "common/cut_sheets.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/run_parts.hpp"
 #include "distance/measured_surface.hpp"
+#include "distance/unreached_points.hpp"
 #include "gvd/error.hpp"
 #include "gvd/exact_field.hpp"
 #include "gvd/io/distance_writer.hpp"
@@ -48,9 +49,6 @@ constexpr std::size_t kTold = 8;
 
 /// More levels would fill the memory before anybody could tell them apart.
 constexpr double kMostLevels = 10'000;
-
-/// Nor are more crossings of levels and edges traced: each takes up to a kilobyte until it is written.
-constexpr double kMostCrossings = 2e7;
 
 const std::vector<std::string> kFormats{"npy", "csv", "ply", "vtp", "vtu", "obj", "json", "shape.gii", "curv", "txt"};
 
@@ -339,17 +337,6 @@ void add_paths(DistanceTable& table, const Measurement& measured, const ExactFie
   }
 }
 
-/// How often levels cross edges, at least, from the distances of their ends.
-double count_crossings(const Mesh& mesh, const ExactField& field, double step) {
-  double crossings = 0;
-  for (const EdgeId e : mesh.edges()) {
-    const HalfedgeId h = mesh.halfedge(e);
-    const double rise = field.distance(mesh.to(h)) - field.distance(mesh.from(h));
-    if (std::isfinite(rise)) crossings += std::abs(rise) / step;
-  }
-  return crossings;
-}
-
 std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, const OwnOptions& own) {
   double largest = 0;
   for (const VertexId v : mesh.vertices()) {
@@ -362,13 +349,19 @@ std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, con
     refuse(fmt::format("--isolines {}: makes more than {} levels up to {:.6g}; give a larger step", step, kMostLevels,
                        last));
   }
-  if (const double crossings = count_crossings(mesh, field, step); crossings > kMostCrossings) {
-    refuse(fmt::format("--isolines {}: the curves would cross edges {:.2g} times, more than {:.2g}; give a larger step",
-                       step, crossings, kMostCrossings));
-  }
   std::vector<double> levels;
   for (int i = 1; i * step <= last; ++i) levels.push_back(i * step);
   return levels;
+}
+
+std::vector<Isoline> trace_isolines(Run& run, const OwnOptions& own, const Mesh& mesh, const ExactField& field) {
+  const std::vector<double> levels = choose_levels(mesh, field, own);
+  try {
+    return field.isolines(levels, {.threads = run.options().compute.diagram.threads, .progress = run.progress()});
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::invalid_option) throw;
+    refuse(fmt::format("--isolines {}: {}, with a larger step", *own.isolines, error.what()));
+  }
 }
 
 double length_of(const Mesh& mesh, const Isoline& line) {
@@ -412,8 +405,9 @@ Json describe_targets(const Mesh& mesh, const DistanceTable& table) {
   return targets;
 }
 
-void note_targets(Run& run, const DistanceTable& table) {
-  if (contains(run.options().output.files, "-")) return;  // they are on standard output
+/// Notes the first distances to the points of --to. Returns whether these are all distances.
+bool note_targets(Run& run, const DistanceTable& table, UnreachedPoints& unreached) {
+  if (table.targets.empty() || contains(run.options().output.files, "-")) return false;  // they are on standard output
   std::size_t told = 0;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     for (std::size_t i = 0; i < table.targets.size() && told < kTold; ++i, ++told) {
@@ -422,26 +416,46 @@ void note_targets(Run& run, const DistanceTable& table) {
       run.console().note(
           std::isfinite(distance)
               ? fmt::format("{} is {:.9g} from {}", target, distance, table.source_name(table.source(row, i)))
-              : fmt::format("{} is not reached from {}", target,
-                            table.nearest.empty() ? table.source_name(GeneratorId(row)) : "any source"));
+              : fmt::format("{} is not reached from {}: it is {}", target,
+                            table.nearest.empty() ? table.source_name(GeneratorId(row)) : "any source",
+                            describe(unreached.find(row, i), unreached.inside())));
     }
   }
   const std::size_t all = table.rows.size() * table.targets.size();
   if (told < all) run.console().note(fmt::format("... and {} more", all - told));
+  return told == all;
 }
 
-/// `cuts`: words about cuts of the repair that keep sources from points.
-void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const DistanceTable& table,
-                  const std::string& cuts) {
-  std::int64_t count = 0, unreached = 0;
+/// Notes how many distances are infinite, and why. Returns their number.
+std::int64_t note_unreached(Run& run, const DistanceTable& table, UnreachedPoints& unreached, bool are_told) {
+  std::int64_t count = 0, sum = 0;
+  BarrierCounts barriers;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    for (std::size_t i = 0; i < table.rows[row].size(); ++i) {
+      ++count;
+      if (std::isfinite(table.rows[row][i])) continue;
+      ++sum;
+      barriers.add(unreached.find(row, i));
+    }
+  }
+  if (sum > 0 && !are_told) {
+    run.console().note(fmt::format("{} of {}{} {} inf: {}", sum, counted(count, "distance", "distances"),
+                                   table.targets.empty() ? " to vertices" : "",
+                                   table.targets.empty() || sum > 1 ? "are" : "is",
+                                   barriers.describe(unreached.inside())));
+  }
+  return sum;
+}
+
+void report_table(Run& run, const OwnOptions& own, const Measurement& measured, const DistanceTable& table) {
   double largest = 0;
   for (const std::vector<double>& row : table.rows) {
     for (const double d : row) {
-      ++count;
-      unreached += !std::isfinite(d);
       if (std::isfinite(d)) largest = std::max(largest, d);
     }
   }
+  UnreachedPoints unreached(measured.input, measured.surface, table, measured.targets, own.max_distance.has_value());
+  const bool are_told = note_targets(run, table, unreached);
   Json& results = run.report().results();
   results["sources"] = table.sources.size();
   results["source_vertices"] = Json::array();
@@ -449,10 +463,10 @@ void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const Dista
     const std::int64_t vertex = table.source_vertex(GeneratorId(i));
     results["source_vertices"].push_back(vertex < 0 ? Json() : Json(vertex));
   }
-  results["distances"] = count;
-  results["unreached"] = unreached;
+  results["distances"] = table.rows.size() * (table.rows.empty() ? 0 : table.rows.front().size());
+  results["unreached"] = note_unreached(run, table, unreached, are_told);
   results["largest"] = largest;
-  results["targets"] = describe_targets(mesh, table);
+  results["targets"] = describe_targets(measured.input.mesh, table);
   Json& paths = results["paths"] = Json::array();
   for (const auto& [target, source, path, positions] : table.paths) {
     paths.push_back({{"source", source.value()},
@@ -461,14 +475,7 @@ void report_table(Run& run, const Mesh& mesh, const OwnOptions& own, const Dista
                      {"points", path.points.size()},
                      {"complete", path.complete}});
   }
-  results["isolines"] = describe_isolines(mesh, table.isolines);
-  note_targets(run, table);
-  if (unreached > 0) {
-    run.console().note(fmt::format("{} of {}{} {} inf: no source reaches there{}{}", unreached,
-                                   counted(count, "distance", "distances"), table.targets.empty() ? " to vertices" : "",
-                                   table.targets.empty() || unreached > 1 ? "are" : "is",
-                                   own.max_distance ? " within --max-distance" : "", cuts));
-  }
+  results["isolines"] = describe_isolines(measured.input.mesh, table.isolines);
   if (own.isolines) {
     run.console().note(fmt::format("{} on {}", counted(std::ssize(table.isolines), "isoline", "isolines"),
                                    counted(std::ssize(results["isolines"]), "level", "levels")));
@@ -506,14 +513,8 @@ void measure_nearest(Run& run, const OwnOptions& own, const Measurement& measure
   const NearestSources vertices = find_nearest_of_vertices(measured, field);
   add_nearest(table, measured, field, vertices);
   if (own.paths) run.timed("paths", [&] { add_paths(table, measured, field, GeneratorId()); });
-  if (own.isolines) {
-    const IsolineOptions options{.threads = run.options().compute.diagram.threads, .progress = run.progress()};
-    table.isolines = run.timed("isolines", [&] { return field.isolines(choose_levels(mesh, field, own), options); });
-  }
-  report_table(run, input, own, table, describe_cuts(measured.input, [&](FaceId f) {
-                 const auto is_far = [&](VertexId v) { return !std::isfinite(vertices.distance[v.index()]); };
-                 return std::ranges::any_of(input.vertices(f), is_far) ? Reach::unreached : Reach::reached;
-               }));
+  if (own.isolines) table.isolines = run.timed("isolines", [&] { return trace_isolines(run, own, mesh, field); });
+  report_table(run, own, measured, table);
   IdVector<VertexId, double> distances;
   IdVector<VertexId, GeneratorId> labels;
   for (const double d : vertices.distance) distances.push_back(d);
@@ -548,7 +549,7 @@ void measure_each(Run& run, const OwnOptions& own, const Measurement& measured, 
   const CheckedMesh& input = measured.input;
   run.timed("distances", [&] { add_rows(run, own, measured, table); });
   if (own.paths) run.timed("paths", [&] { add_all_paths(run, own, measured, table); });
-  report_table(run, input.mesh, own, table, "");  // each source has its own reach
+  report_table(run, own, measured, table);
   write_files(run, input, table, {.mesh = input.mesh});
 }
 

@@ -35,9 +35,10 @@ class MeasuredSurface {
   /// all of them; a point in faces that are left out has none.
   PlacedPoints place(const std::vector<SurfacePoint>& points) const;
 
- private:
+  /// Whether regions part it.
   bool is_parted() const { return !regions_.empty(); }
 
+ private:
   const CheckedMesh& input_;
   FaceRegions regions_;  // empty: all faces are one
   SeparatedMesh separated_;

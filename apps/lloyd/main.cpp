@@ -22,6 +22,7 @@
 #include "common/command.hpp"
 #include "common/options/options.hpp"
 #include "common/options/shared_options.hpp"
+#include "common/referred_files.hpp"
 #include "common/relaxation.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/balance.hpp"

@@ -212,18 +212,17 @@ struct Carried {
   Appearance appearance;  ///< empty where the file has neither
 };
 
-/// `standard_input`: the text that standard input held, if INPUT is `-`.
-std::vector<MeshProperty> read_properties(const InputOptions& input, const std::string& standard_input) {
-  if (input.path != "-") return read_mesh_properties(input.path, input.format);
-  return parse_mesh_properties(standard_input, *input.format, kStandardInput);
+std::vector<MeshProperty> read_properties(const InputOptions& input, const PipedInput& piped) {
+  if (piped.bytes.empty()) return read_mesh_properties(input.path, input.format);
+  return parse_mesh_properties(piped.bytes, piped.format, input.path == "-" ? kStandardInput : input.path);
 }
 
 /// Reads the properties of the input file, and carries them over, with the texture coordinates and materials. Notes
 /// where there is nothing to carry over, and what no output holds.
 Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map,
-              const std::string& standard_input) {
+              const PipedInput& piped) {
   Carried carried = run.timed("carry", [&] {
-    const std::vector<MeshProperty> found = read_properties(run.options().input, standard_input);
+    const std::vector<MeshProperty> found = read_properties(run.options().input, piped);
     return Carried{carry_properties(input, found, result, map), carry_appearance(input, result, map)};
   });
   if (carried.properties.empty() && carried.appearance.empty()) {
@@ -251,8 +250,8 @@ void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
 }
 
 void run_remesh(Run& run, OwnOptions& own) {
-  std::string standard_input;
-  const CheckedMesh input = load_input(run, own.carry ? &standard_input : nullptr);
+  PipedInput piped;
+  const CheckedMesh input = load_input(run, own.carry ? &piped : nullptr);
   note_many_generators(run, input.mesh, kGeneratorCost);
   if (!own.carry && !input.appearance.empty() && !run.options().output.files.empty()) {
     note_on_input(run, "texture coordinates and materials are left out; --carry keeps them in .obj, .ply and .glb");
@@ -266,7 +265,7 @@ void run_remesh(Run& run, OwnOptions& own) {
   report_result(run, mesh, own, made);
   const RemeshResult& result = made.result;
   const RemeshMap map = make_map(run, mesh, result, own);
-  const Carried carried = own.carry ? carry(run, input, result, map, standard_input) : Carried();
+  const Carried carried = own.carry ? carry(run, input, result, map, piped) : Carried();
   write_remesh(run, mesh, result, carried);
   write_diagram_file(run, mesh, result.diagram);
   write_map(run, own, input, map);

@@ -89,7 +89,7 @@ std::string describe_defects(const std::vector<DualDefect>& defects) {
 const char* following_advice(const RemeshResult& result, const RemeshOptions& options) {
   if (!options.refine || options.vertex_count)
     return "without --no-refine and --exact-count, generators are added there";
-  if (result.added >= *options.max_added) return "raise --max-added";
+  if (result.creases_lack_added) return "raise --max-added";
   return "give more generators";
 }
 

@@ -21,8 +21,7 @@ void report_trials(nlohmann::ordered_json& results, double target, const Fewest&
 /// Adds how good the map of --map is. Returns the note on it: whether it is one-to-one, and how far vertices move.
 std::string report_map(nlohmann::ordered_json& results, const RemeshMap& map);
 
-/// The notes on a remesh, one line each. `options`: those that gave the result; `max_added` must
-/// be the bound that held for the run, given or not.
+/// The notes on a remesh, one line each. `options`: those that gave the result.
 std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options);
 
 }  // namespace gvd::app

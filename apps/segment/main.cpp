@@ -14,10 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "common/barriers.hpp"
 #include "common/command.hpp"
 #include "common/curves.hpp"
-#include "common/cut_sheets.hpp"
 #include "common/options/shared_options.hpp"
+#include "common/referred_files.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/distance_writer.hpp"
@@ -145,28 +146,27 @@ struct Segmented {
   const IdVector<FaceId, FaceId>* parent = nullptr;  ///< of pieces
 };
 
-/// Words about the cuts of the repair, where they keep generators from faces.
-std::string explain_unreached(const Segmented& made) {
-  IdVector<FaceId, Reach> reach(made.surface.input().mesh.face_count(), Reach::unreached);
+/// Notes the faces that no generator reaches, and why. Returns their number.
+std::int64_t note_unreached(Run& run, const Segmented& made) {
+  const auto whole = [&](FaceId f) { return made.parent != nullptr ? (*made.parent)[f] : f; };
+  std::vector<FaceId> reached, unreached;  // faces of the input
   for (const FaceId f : made.mesh.faces()) {
-    const FaceId whole = made.parent != nullptr ? (*made.parent)[f] : f;
-    if (made.surface.is_left_out(whole)) reach[whole] = Reach::left_out;
-    if (made.label[f].valid()) reach[whole] = Reach::reached;
+    if (!made.surface.is_left_out(whole(f))) (made.label[f].valid() ? reached : unreached).push_back(whole(f));
   }
-  return describe_cuts(made.surface.input(), [&](FaceId f) { return reach[f]; });
+  if (unreached.empty()) return 0;
+  const Barriers barriers(made.surface.input());
+  const Barriers::Origin origin = barriers.from(reached);
+  BarrierCounts counts;
+  for (const FaceId f : unreached) counts.add(barriers.between(origin, f));
+  run.console().note(fmt::format("{} reached by no generator and {} label -1: {}",
+                                 counted(std::ssize(unreached), "face is", "faces are"),
+                                 unreached.size() == 1 ? "gets" : "get", counts.describe("in another region")));
+  return std::ssize(unreached);
 }
 
-/// Reports the size of each region, and notes the faces that no generator reaches.
+/// Reports the size of each region, and the faces that no generator reaches.
 void report_regions(Run& run, const Segmented& made) {
-  const auto is_unreached = [&](FaceId f) {
-    return !made.label[f].valid() && !made.surface.is_left_out(made.parent != nullptr ? (*made.parent)[f] : f);
-  };
-  const auto faces = made.mesh.faces();
-  const auto unreached = std::count_if(faces.begin(), faces.end(), is_unreached);
-  if (unreached > 0) {
-    run.console().note(fmt::format("{} reached by no generator: label -1{}", counted(unreached, "face is", "faces are"),
-                                   explain_unreached(made)));
-  }
+  const std::int64_t unreached = note_unreached(run, made);
   Json& results = run.report().results();
   results["faces"] = made.mesh.face_count();
   results["unreached_faces"] = unreached;

@@ -26,24 +26,42 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What a file holds for each generator, and which numbers may be.
+struct NumberKind {
+  const char* option;
+  const char* name;
+  const char* range;
+  double above;  ///< all numbers are finite and greater
+};
+constexpr NumberKind kWeights{"--weights", "weight", "finite numbers", -kInfinity};
+constexpr NumberKind kShares{"--shares", "share", "finite numbers above 0", 0};
+
 /// A number for each generator, from a file; none without one.
-std::vector<double> read_for_generators(const char* option, const std::string& file, std::size_t generators) {
+std::vector<double> read_for_generators(const NumberKind& kind, const std::string& file, std::size_t generators) {
   if (file.empty()) return {};
   std::vector<double> values = [&] {
     const WaitForInput wait(file);
     return read_values(file);
   }();
-  if (values.size() == generators) return values;
-  throw Error(
-      ErrorCode::unreadable_input,
-      fmt::format("{}: {} for {}; {} takes one for each", file, counted(std::ssize(values), "number", "numbers"),
-                  counted(std::ptrdiff_t(generators), "generator", "generators"), option));
+  if (values.size() != generators) {
+    throw Error(
+        ErrorCode::unreadable_input,
+        fmt::format("{}: {} for {}; {} takes one for each", file, counted(std::ssize(values), "number", "numbers"),
+                    counted(std::ptrdiff_t(generators), "generator", "generators"), kind.option));
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] > kind.above && values[i] < kInfinity) continue;
+    throw Error(ErrorCode::precondition,
+                fmt::format("{}: the {} of generator {} is {}; give {}", file, kind.name, i, values[i], kind.range),
+                std::int64_t(i));
+  }
+  return values;
 }
 
 Diagram balance(Run& run, const DiagramSurface& surface, const std::vector<SurfacePoint>& generators,
                 const WeightOptions& options, BalanceOptions balancing) {
   if (options.balance != "area") balancing.density = find_density(run, surface.input, "--balance", options.balance);
-  balancing.shares = read_for_generators("--shares", options.shares, generators.size());
+  balancing.shares = read_for_generators(kShares, options.shares, generators.size());
   balancing.diagram.progress = run.progress();
   BalancedDiagram balanced = run.timed("balance", [&] { return balance_cells(surface.mesh, generators, balancing); });
   report_diagram(run, balanced.diagram);
@@ -78,7 +96,7 @@ Diagram build_weighted_diagram(Run& run, const DiagramSurface& surface, const st
   if (options.balance.empty() && options.weights.empty()) return build_diagram(run, surface.mesh, generators);
   BalanceOptions balancing;
   balancing.diagram = run.options().compute.diagram;
-  balancing.diagram.weights = read_for_generators("--weights", options.weights, generators.size());
+  balancing.diagram.weights = read_for_generators(kWeights, options.weights, generators.size());
   Diagram diagram = options.balance.empty() ? build_diagram(run, surface.mesh, generators, balancing.diagram.weights)
                                             : balance(run, surface, generators, options, balancing);
   run.report().results()["weights"] = diagram.weights;

@@ -6,6 +6,7 @@
 
 Memory is the largest that a process of the step held; time is that of the processor, with one thread. Needs numpy.
 """
+import importlib.util
 import json
 import os
 import pathlib
@@ -115,6 +116,8 @@ def fit(table, *others):
 
 
 if __name__ == "__main__":
+    if importlib.util.find_spec("numpy") is None:
+        sys.exit(f"measure.py: {sys.executable} has no NumPy; call /usr/bin/python3 {sys.argv[0]} ... with Debian's python3-numpy")
     if sys.argv[1] == "refine":
         refine(sys.argv[2], int(sys.argv[3]), pathlib.Path(sys.argv[4]))
     else:

@@ -507,7 +507,7 @@ def read(path: PathLike, *, on_defect: Literal["error", "repair", "largest"] = "
     """Reads an OBJ, PLY, OFF, STL, VTP, VTU, legacy VTK, glTF, GIFTI, MNI or FreeSurfer file, packed by gzip or not.
 
     Defects are repaired where that loses nothing, with a warning for each kind. `weld`: True joins vertices at the
-    same place, a number all that are within so many mesh units of each other.
+    same place, a number also those at most so many mesh units apart.
 
     >>> import gvd
     >>> gvd.read("data/torus.ply").summary["euler_characteristic"]

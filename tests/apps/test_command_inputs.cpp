@@ -1,10 +1,14 @@
 // What the commands read, and the report of a run.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
 #include "support/catch.hpp"
+#include "support/twisted_strip.hpp"
 
 namespace gvd::test_command_inputs {
 
@@ -101,6 +105,23 @@ TEST_CASE("commands: without --weld a note says how many open edges it would clo
                                   "open there; --weld would close 12 open edges\n"));
 }
 
+TEST_CASE("commands: --weld that joins nothing says how near vertices on open edges are") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "parted.obj";
+  write_text(mesh, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 .25\nv 1 1 .25\nv 0 1 .25\nf 1 2 3\nf 4 5 6\n");
+  const std::string apart = "; on open edges, the nearest two that no edge joins are 0.25 apart\n";
+  for (const auto& [name, options] : {std::pair{"gvd-segment", " -n 2"}, {"gvd-distance", " --from 0"}}) {
+    const std::string run = mesh + options;
+    CAPTURE(name);
+    CHECK_THAT(run_command(name, run + " --weld .1").err,
+               Contains("parted.obj: welding within 0.1 joins nothing: no two vertices are so near" + apart));
+    CHECK_THAT(run_command(name, run + " --weld").err,
+               Contains("welding joins nothing: no two vertices are at the same coordinates" + apart));
+    CHECK_THAT(run_command(name, run + " --weld .25").err, !Contains("joins nothing"));
+    CHECK_THAT(run_command(name, run).err, !Contains("joins nothing"));
+  }
+}
+
 TEST_CASE("commands: a tolerance of --weld that is no number from 0 on is a usage error") {
   const ScratchFolder scratch;
   const std::string mesh = scratch / "loose.obj";
@@ -111,6 +132,9 @@ TEST_CASE("commands: a tolerance of --weld that is no number from 0 on is a usag
     CHECK(result.exit_code == 2);
     CHECK_THAT(result.err, Contains("'" + wrong + "' is not a finite number from 0 on"));
   }
+  const CommandResult tiny = run_command("gvd-segment", mesh + " -n 2 --weld 1e-200");
+  CHECK(tiny.exit_code == 2);
+  CHECK_THAT(tiny.err, Contains("weld: the tolerance 1e-200 is below 1e-100; 0 joins exact copies"));
   const CommandResult all = run_command("gvd-segment", mesh + " -n 2 --weld 3");
   CHECK(all.exit_code == 4);
   CHECK_THAT(all.err, Contains("loose.obj: welding within 3 joins all vertices: choose a smaller tolerance"));
@@ -134,6 +158,46 @@ TEST_CASE("commands: a triangle without area that hangs on nothing does not spoi
   CHECK_THAT(refused.err, Contains("first the one of face 4: repair the mesh, or allow its repair with --on-defect"));
 }
 
+std::string to_obj(const PolygonSoup& soup) {
+  std::string text;
+  for (const Vec3& p : soup.positions) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+  for (std::size_t f = 0; f < soup.polygon_count(); ++f) {
+    text += "f";
+    for (const std::int32_t v : soup.polygon(f)) text += fmt::format(" {}", v + 1);
+    text += "\n";
+  }
+  return text;
+}
+
+TEST_CASE("commands: a closed one-sided surface is cut along its twist of seven edges, or refused from 1 % on") {
+  const ScratchFolder scratch;
+  const std::string mesh = scratch / "closed.obj", coarse = scratch / "coarse.obj", report = scratch / "r.json";
+  write_text(mesh, to_obj(make_twisted_strip(34, true)));    // 714 edges
+  write_text(coarse, to_obj(make_twisted_strip(33, true)));  // 693
+  const std::pair<const char*, const char*> runs[] = {{"gvd-segment", " -n 6"},
+                                                      {"gvd-segment", " -n 6 --cut --disc"},
+                                                      {"gvd-segment", " -n 6 --balance area"},
+                                                      {"gvd-lloyd", " -n 6"},
+                                                      {"gvd-remesh", " -n 60"},
+                                                      {"gvd-distance", " --from 0 --to 50"}};
+  for (const auto& [name, options] : runs) {
+    if (std::string(name) != "gvd-distance" && !std::ranges::count(built_commands(), name)) continue;
+    CAPTURE(name, options);
+    const CommandResult cut = run_command(name, mesh + options + " --report " + report);
+    CAPTURE(cut.err);
+    REQUIRE(cut.exit_code == 0);
+    CHECK_THAT(cut.err, Contains("closed.obj: 7 edges between faces of opposite orientations make the surface "
+                                 "one-sided, like a Moebius strip, first the one between vertices 0 and 1 of face 1: "
+                                 "cut, the surface has a boundary there\n"));
+    const auto input = nlohmann::json::parse(read_text(report))["input"];
+    CHECK(input["defects"]["one_sided_edges"] == 7);
+    CHECK(input["boundary_loops"] == 2);
+    const CommandResult refused = run_command(name, coarse + options);
+    CHECK(refused.exit_code == 4);
+    CHECK_THAT(refused.err, Contains("coarse.obj: the component of face 0 has only one side, like a Moebius strip"));
+  }
+}
+
 TEST_CASE("commands: a vertex far outside is named") {
   const ScratchFolder scratch;
   const std::string mesh = scratch / "far.obj";
@@ -142,22 +206,23 @@ TEST_CASE("commands: a vertex far outside is named") {
   CHECK_THAT(result.err, Contains("1 vertex lies far outside: vertex 4 is 1e+07 from the middle, where half"));
 }
 
-TEST_CASE("commands: faces that no generator reaches because sheets were cut apart are told so") {
+TEST_CASE("gvd-segment: a note says why no generator reaches some faces") {
   const ScratchFolder scratch;
   const std::string mesh = scratch / "fin.obj";
-  write_text(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
-  const CommandResult result = run_command("gvd-segment", mesh + " --vertices 2");
-  const std::string cut = "; sheets were cut apart at 1 non-manifold edge, and nothing passes from one to the other\n";
-  CHECK_THAT(result.err, Contains("label -1" + cut));
-  const CommandResult distance = run_command("gvd-distance", mesh + " --from 2 --to 4");
-  CHECK(distance.out == "inf\n");
-  CHECK_THAT(distance.err, Contains("1 of 1 distance is inf: no source reaches there" + cut));
-  // A component of its own is not reached for another reason.
-  write_text(mesh,
-             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 5 0 0\nv 6 0 0\nv 5 1 0\n"
-             "f 1 2 3\nf 2 1 4\nf 1 2 5\nf 6 7 8\n");
-  const CommandResult all = run_command("gvd-segment", mesh + " --vertices 2,3,4");
-  CHECK_THAT(all.err, Contains("label -1\n") && !Contains("nothing passes"));
+  const auto told = [&](const std::string& options) { return run_command("gvd-segment", mesh + options).err; };
+  const std::string fin = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
+  write_text(mesh, fin);
+  const std::string cut = "beyond a non-manifold edge, where sheets were cut apart";
+  CHECK_THAT(told(" --vertices 2"), Contains("1 face is reached by no generator and gets label -1: " + cut + "\n"));
+  // With a component of its own, and one that touches the first one at a vertex.
+  write_text(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 3 1 0\nv 3 -1 0\n" +
+                       fin.substr(fin.find('f')) + "f 6 7 8\nf 2 9 10\n");
+  CHECK_THAT(told(" --vertices 2,4"),
+             Contains("2 faces are reached by no generator and get label -1: 1 beyond a non-manifold vertex, where "
+                      "sheets were cut apart; 1 in another component\n"));
+  write_text(scratch / "regions.txt", "0\n1\n0\n0\n0\n");
+  CHECK_THAT(told(" --vertices 2,4,5,8 --within " + scratch / "regions.txt"),
+             Contains("1 face is reached by no generator and gets label -1: in another region\n"));
 }
 
 TEST_CASE("commands: what they write as VTP, VTU and GLB, they read") {
@@ -285,7 +350,7 @@ TEST_CASE("commands: a bad list of generators is refused in one line") {
   refused("1\n2\nthree\n", 3, "list.txt:3: ");
   refused("", 3, "list.txt:1: ");
   refused("1\n99999999\n", 4, "list.txt:2: ");
-  refused("5\n6\n5\n", 4, "generator 2 is in the same place as generator 0");
+  refused("5\n6\n5\n", 4, "list.txt:3: vertex 5 is listed twice (");
   refused("p 9 9 9\n", 4, "list.txt:1: ");
   for (const std::string& name : built_commands()) {
     require_error(name, mesh + " --generators " + scratch / "missing.txt", 3, "missing.txt");

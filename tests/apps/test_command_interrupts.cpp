@@ -96,7 +96,7 @@ TEST_CASE("commands: a signal ends a run that waits for a pipe at once, with 130
         arguments + " -o " + scratch / "out.ply" + " & run=$!\n" + writer +
             "while kill -0 $run && ! grep -q 'SigCgt:.*[1-9a-f]' /proc/$run/status; do sleep 0.1; done; sleep 0.5\n"
             "kill -TERM $run; wait $run; code=$?\n" +
-            (writer.empty() ? "" : "kill $writer\n") + "exit $code");
+            (writer.empty() ? "" : "kill $writer; wait $writer 2>/dev/null\n") + "exit $code");
   };
   const std::string holds_open = "sleep 60 > " + pipe + " & writer=$!\n";
   for (const std::string& writer : {std::string(), holds_open}) {
@@ -105,6 +105,9 @@ TEST_CASE("commands: a signal ends a run that waits for a pipe at once, with 130
                                                            {"gvd-remesh", pipe + " -n 30"},
                                                            {"gvd-distance", torus + " --from " + pipe},
                                                            {"gvd-segment", torus + " --generators " + pipe},
+                                                           {"gvd-segment", torus + " -n 3 --within " + pipe},
+                                                           {"gvd-lloyd", torus + " -n 3 --density " + pipe},
+                                                           {"gvd-remesh", pipe + " -n 30 --carry"},
                                                            {"gvd-segment", torus + " -n 3 --config " + pipe}};
     for (const auto& [name, arguments] : calls) {
       CAPTURE(name, arguments, writer);

@@ -155,6 +155,61 @@ TEST_CASE("commands: no output replaces a file that is read") {
   CHECK(read_text(list) == "1\n5\n");
 }
 
+TEST_CASE("commands: no output replaces a file that INPUT refers to, or that an option reads") {
+  namespace fs = std::filesystem;
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "numbers");
+  // (0, 0, 0), (1, 0, 0), (0, 1, 0) as floats.
+  std::string numbers(36, '\0');
+  for (const std::size_t at : {12, 28}) numbers.replace(at + 2, 2, "\x80\x3f");
+  const auto scene = [&](const std::string& buffer) {
+    write_text(scratch / buffer, numbers);
+    write_text(scratch / "scene.gltf",
+               R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+               R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],)"
+               R"("bufferViews":[{"buffer":0,"byteLength":36}],"images":[{"uri":"image.html"}],)"
+               R"("buffers":[{"byteLength":36,"uri":")" +
+                   buffer + R"("}]})");
+    return scratch / "scene.gltf";
+  };
+  // A buffer, and an output that would replace it.
+  for (const auto& [buffer, options] : std::vector<std::pair<std::string, std::string>>{
+           {"buffer.bin", "--output-format fs -o " + scratch / "buffer.bin"},
+           {"numbers/a.ply", "-o " + scratch / "numbers/a.ply"},
+           {"a.json", "--report " + scratch / "numbers/../a.json"},
+           {"b.mtl", "-o " + scratch / "b.obj"},
+           {"c.npy", "--face-labels " + scratch / "c.npy"}}) {
+    CAPTURE(buffer);
+    const std::string input = scene(buffer);
+    require_error("gvd-segment", input + " -n 1 " + options, 2,
+                  ": " + input + " refers to this file; name another one");
+    CHECK(read_text(scratch / buffer) == numbers);
+  }
+  // An image, and a buffer by another name.
+  write_text(scratch / "image.html", "an image");
+  require_error("gvd-segment", scene("buffer.bin") + " -n 1 --view " + scratch / "image.html", 2,
+                "refers to this file");
+  fs::create_hard_link(scratch / "buffer.bin", scratch / "hard.json");
+  require_error("gvd-segment", scene("buffer.bin") + " -n 1 --report " + scratch / "hard.json", 2,
+                "refers to this file");
+  CHECK(run_command("gvd-segment", scene("buffer.bin") + " -n 1 -q -o " + scratch / "scene.ply").exit_code == 0);
+
+  const std::string painted = scratch / "painted.obj";
+  write_text(painted, "mtllib paint.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  require_error("gvd-segment", painted + " -n 1 --output-format fs -o " + scratch / "paint.mtl", 2,
+                "paint.mtl: " + painted + " refers to this file; name another one");
+  CHECK(!fs::exists(scratch / "paint.mtl"));
+
+  write_text(scratch / "labels.csv", "face,label\n0,5\n");
+  require_error("gvd-segment",
+                painted + " -n 1 --within " + scratch / "labels.csv --face-labels " + scratch / "labels.csv", 2,
+                "labels.csv: the run reads this file");
+  write_text(scratch / "o.toml", "within = \"" + scratch / "labels.csv" + "\"\n");
+  require_error("gvd-segment", painted + " -n 1 --config " + scratch / "o.toml --stats " + scratch / "labels.csv", 2,
+                "labels.csv: the run reads this file");
+  CHECK(read_text(scratch / "labels.csv") == "face,label\n0,5\n");
+}
+
 TEST_CASE("commands: the same call gives the same bytes") {
   const ScratchFolder scratch;
   for (const std::string& name : built_commands()) {

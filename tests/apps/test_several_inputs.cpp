@@ -52,7 +52,7 @@ TEST_CASE(
     CHECK(line_count(table) == 5);
     CHECK_THAT(table, Contains("torus.ply") && Contains("failed (3: unreadable input)") &&
                           EndsWith(" s\n" + name + ": wrote 4 files to " + inputs.out + "\n"));
-    CHECK_THAT(table, Contains("regions") && Contains(name == "gvd-lloyd" ? "energy" : "time"));
+    CHECK_THAT(table, Contains("generators") && Contains(name == "gvd-lloyd" ? "energy" : "time"));
   }
 }
 

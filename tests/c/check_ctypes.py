@@ -35,6 +35,22 @@ def read(name):
     return handle("gvd_mesh_read", str(DATA / name).encode(), 1)
 
 
+def check_weld(folder):
+    """Four faces of a tetrahedron with vertices of their own, some of them .25 off, are joined as by --weld."""
+    corners = [(0, 0, 0), (0, 1, 0), (1, 0, 0), (0, 0, 0), (1, 0, 0), (0, 0, 1), (0, 0, 0), (0, 0, 1), (0, 1, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    path = folder / "loose.obj"
+    for gap, tolerance in ((0, 0), (0.25, 0.25)):
+        moved = [(x, y, z + gap * (i in (3, 4, 9))) for i, (x, y, z) in enumerate(corners)]
+        lines = ["v %g %g %g" % corner for corner in moved] + [f"f {i} {i + 1} {i + 2}" for i in (1, 4, 7, 10)]
+        path.write_text("\n".join(lines) + "\n")
+        mesh = handle("gvd_mesh_read_welded", str(path).encode(), 1, ctypes.c_double(tolerance))
+        assert gvd.gvd_mesh_vertex_count(mesh) == 4, (gap, tolerance)
+        gvd.gvd_mesh_free(mesh)
+    made = ctypes.c_void_p()
+    assert gvd.gvd_mesh_read_welded(str(path).encode(), 1, ctypes.c_double(-1), ctypes.byref(made)) == 2
+    assert gvd.gvd_last_error() == b"weld: the tolerance -1 is not a finite number from 0 on"
+
+
 def run(*command):
     subprocess.run([str(BIN / command[0]), *map(str, command[1:])], check=True, stderr=subprocess.DEVNULL)
 
@@ -103,4 +119,5 @@ with tempfile.TemporaryDirectory() as made:
         check_lloyd(folder, name, 25)
         check_remesh(folder, name, 120)
     check_threads()
+    check_weld(folder)
 print("all checks passed")

@@ -48,6 +48,8 @@ TEST_CASE("values: other arrays of NumPy are refused in one line") {
   CHECK(refused(npy("<f8", "(3,)", std::string(17, ' '))) ==
         "file: the array has 3 numbers, and the file 17 bytes for them");
   CHECK_THAT(refused("\x93NUMPY"), Contains("ends within NumPy's header"));
+  CHECK(refused(npy("<f8", "(1,)", std::string(8, ' '), 9)) ==
+        "file: the file has version 9 of NumPy's format, and 1 to 3 are read");
 }
 
 TEST_CASE("values: the content decides on the format") {
@@ -79,11 +81,24 @@ TEST_CASE("values: a table that lacks an element, or has one twice, is refused w
   CHECK(refused("vertex,label\n0,1,2\n") == "file:2: 3 fields, but the header has 2; give as many as the header");
   CHECK(refused("source,vertex\n0,0\n") == "file:1: the header names no column of numbers");
   CHECK(refused("face,label_1,label_2\n0,1,2\n") == "file: the table has 2 columns of numbers, and one is needed");
-  CHECK_THAT(refused("\n\xef\xbb\xbf\"face,l\n1,5\n"), Contains("file:2: '???"));  // found by libFuzzer
+  CHECK_THAT(refused("\n\xef\xbb\xbf\"face,l\n1,5\n"),
+             Contains("file:2: the header has no column"));  // found by libFuzzer
   CHECK(parse_values("\xef\xbb\xbf"
                      "face,label\n0,5\n",
                      "file") == Numbers{5});
-  CHECK(refused("label\n3\n") == "file:1: 'label' is no number");
+}
+
+TEST_CASE("values: a table without a column of vertices or faces is refused with what to do") {
+  for (const std::string table : {"# c\nlabel\n3\n", "\"id\",\"label\"\n0,1\n", "Vertex,label\n0,1\n",
+                                  "vertex;label\n0;1\n", "vertex\tlabel\n0\t1\n", "my id,label\n"}) {
+    INFO(table);
+    CHECK_THAT(refused(table),
+               Contains(": the header has no column vertex or face, with commas between columns; name the "
+                        "column of indices so, or give the numbers alone, in order and without a header"));
+  }
+  CHECK_THAT(refused("# c\nlabel\n3\n"), Contains("file:2: "));
+  CHECK(refused("3,four\n") == "file:1: 'four' is no number");
+  CHECK(refused("label\nother\n") == "file:1: 'label' is no number");
 }
 
 /// The numbers of a file for a mesh of a square of two triangles.
@@ -110,6 +125,8 @@ TEST_CASE("values: of labels at several levels the last ones count, where they m
   const std::string rows = npy("<i4", "(2, 3)", ints({1, 2, 3, 4, 5, 6}));
   CHECK(last(rows) == "faces 3 6");
   CHECK(last(npy("<i4", "(2, 3)", ints({1, 2, 3, 4, 5, 6}), 1, "True")) == "faces 5 6");
+  std::string tight = npy("<i4", "(2, 3)", ints({1, 2, 3, 4, 5, 6}), 1, "True");
+  CHECK(last(replaced(tight, "'fortran_order': True,", "'fortran_order':True, ")) == "faces 5 6");
   CHECK(last("face,label_1,label_2\n1,10,11\n0,12,13\n") == "faces 13 11");
   CHECK_THAT(refusal([&] { values_for_square(folder, rows, ValueColumns::one); }, ErrorCode::unreadable_input),
              Contains("the array has the shape '2, 3', and one dimension is needed"));

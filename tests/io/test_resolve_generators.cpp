@@ -89,7 +89,7 @@ TEST_CASE("generators in one place are refused, or merged") {
   REQUIRE(other.face != corner.face);
   const std::string text = "5\n0\n" + format_generators(mesh, {other}, GeneratorFormat::text);
   CHECK_THAT(refusal([&] { resolve_generators(mesh, parse(text)); }, ErrorCode::precondition),
-             Catch::Matchers::StartsWith("list:4: generator 2 is in the same place as generator 1 (list:2)"));
+             Catch::Matchers::StartsWith("list:4: point 2 is in the same place as vertex 0 (list:2); remove one"));
   ResolveOptions merge;
   merge.merge_coincident = true;
   const ResolvedGenerators merged = resolve_generators(mesh, parse(text + "7\n"), merge);

@@ -153,7 +153,7 @@ class PointsOfAMesh(unittest.TestCase):
                 self.mesh.distances(points)
             self.assertNotIn("\n", str(caught.exception))
             self.assertRegex(str(caught.exception), "points")
-        with self.assertRaisesRegex(gvd.Error, "same place"):
+        with self.assertRaisesRegex(gvd.Error, "vertex 3 is listed twice"):
             self.mesh.voronoi([3, 4, 3])
         self.assertEqual(len(self.mesh.voronoi([3, 4, 3], merge_coincident=True).cells), 2)
         with self.assertRaisesRegex(gvd.Error, "max_snap"):

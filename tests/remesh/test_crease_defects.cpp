@@ -237,9 +237,12 @@ TEST_CASE("creases: no more generators are proposed than repairs have left") {
   const std::vector<CreaseCurve> curves = curves_of(cube);
   std::vector<SurfacePoint> generators = test::random_generators(cube, 40, 1);
   CreaseFollower follower(cube, curves, 7, 100);
-  for (const auto& [may_add, expected] : {std::pair{2, 2u}, {0, 0u}, {100, 5u}, {100, 0u}}) {
+  // Whether a larger `may_add` would give more: not where the follower's own limit of 7 is the lower one.
+  for (const auto& [may_add, expected, held_back] :
+       {std::tuple{2, 2u, true}, {0, 0u, true}, {100, 5u, false}, {100, 0u, false}, {0, 0u, false}}) {
     const auto points = follower.propose(compute_diagram(cube, generators), may_add);
     CHECK(points.size() == expected);
+    CHECK(follower.is_held_back() == held_back);
     generators.insert(generators.end(), points.begin(), points.end());
   }
   CHECK(follower.added() == 7);

@@ -3,6 +3,7 @@
 
 #include "gvd/disc_cells.hpp"
 #include "gvd/error.hpp"
+#include "gvd/sampling.hpp"
 #include "gvd/segment.hpp"
 #include "segment/plain_topology.hpp"
 #include "support/catch.hpp"
@@ -12,6 +13,9 @@
 #include "support/tiny_meshes.hpp"
 
 namespace gvd::test_disc_cells {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
 
 DiscCells make(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiscOptions& options = {}) {
   return make_discs(mesh, compute_diagram(mesh, generators, options.diagram), options);
@@ -57,6 +61,25 @@ TEST_CASE("disc cells: a torus takes at least three, and few more are found") {
     check_discs(mesh, given, made);
     CHECK(made.diagram.generators.size() >= 3);
     CHECK(made.diagram.generators.size() <= 6);
+  }
+}
+
+TEST_CASE("disc cells: on a long thin body, each cell that goes round it takes one generator") {
+  // Edges are 100 times as long as the girth: a point of them is on the opposite side, but far along the body.
+  const Mesh sphere = test::make_sphere(2);
+  for (const double length : {100.0, 1000.0, 1e5}) {
+    const Mesh needle = test::stretched(sphere, {length, 1, 1});
+    for (const int count : {3, 6, 12}) {
+      CAPTURE(length, count);
+      SamplingOptions sampling;
+      sampling.count = count;
+      const auto given = sample_generators(needle, sampling);
+      const std::size_t annuli = find_non_discs(compute_diagram(needle, given)).size();
+      const DiscCells made = make(needle, given);
+      check_discs(needle, given, made);
+      CHECK(annuli > 0);
+      CHECK(std::size_t(made.added) == annuli);
+    }
   }
 }
 
@@ -113,7 +136,10 @@ TEST_CASE("disc cells: refusals name the cell, or the option") {
   } catch (const Error& error) {
     CHECK(error.code() == ErrorCode::no_valid_result);
     CHECK(error.element() >= 0);
-    CHECK(std::string(error.what()).find("is no disc") != std::string::npos);
+    CHECK_THAT(error.what(),
+               Contains("is no disc") && Contains(": 1 generator was added in 1 round, and 1 such cell became ") &&
+                   EndsWith("give so many generators that they are closer to each other than the way round the surface "
+                            "there, or raise max_added"));
   }
   few.max_added = -1;
   CHECK_THROWS_AS(make(mesh, given, few), Error);

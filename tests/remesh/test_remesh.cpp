@@ -8,7 +8,6 @@
 #include <set>
 #include <string>
 
-#include "base/least.hpp"
 #include "gvd/check.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
@@ -254,72 +253,6 @@ TEST_CASE("remesh: refuses where more generators are needed than may be added") 
   CHECK_THAT(error.what(), Catch::Matchers::Contains("2 generators were added"));
   options.max_added = -1;
   CHECK(refusal(torus, {vertex_point(torus, VertexId(0))}, options).code() == ErrorCode::invalid_option);
-}
-
-/// Triangles without a common point.
-Mesh make_loose_triangles(int parts) {
-  std::vector<Vec3> corners;
-  std::vector<std::array<VertexId, 3>> faces;
-  for (int i = 0; i < parts; ++i) {
-    corners.insert(corners.end(), {{3.0 * i, 0, 0}, {3.0 * i + 1, 0, 0}, {3.0 * i, 1, 0}});
-    faces.push_back({VertexId(3 * i), VertexId(3 * i + 1), VertexId(3 * i + 2)});
-  }
-  return {std::move(corners), std::move(faces)};
-}
-
-TEST_CASE("remesh: a refusal estimates how many generators are needed") {
-  const Mesh loose = make_loose_triangles(40);
-  const std::vector<SurfacePoint> first{vertex_point(loose, VertexId(0))};
-  RemeshOptions few, enough;
-  few.max_added = 20;
-  enough.max_added = 200;
-  const std::int64_t needed = remesh(loose, first, enough).added;
-  CHECK(needed >= 119);  // three for each
-  CHECK(needed <= 125);
-  CHECK_THAT(refusal(loose, first, few).what(),
-             Catch::Matchers::Contains("20 generators were added") &&
-                 Catch::Matchers::Contains("about 119 are likely to be needed: give more or other ones"));
-}
-
-/// The mesh's vertices nearest to planes of constant x, evenly apart.
-std::vector<SurfacePoint> points_along_x(const Mesh& mesh, double half_length, int count) {
-  std::vector<SurfacePoint> points;
-  for (int k = 0; k < count; ++k) {
-    const double x = half_length * ((2.0 * k + 1) / count - 1);
-    Least<VertexId> nearest;
-    for (const VertexId v : mesh.vertices()) nearest.offer(std::abs(mesh.position(v).x() - x), v);
-    points.push_back(vertex_point(mesh, nearest.value));
-  }
-  return points;
-}
-
-TEST_CASE("remesh: the default limit is raised where that is likely to do, a given one is not") {
-  const Mesh sphere = test::make_sphere(3);
-  std::vector<Vec3> positions;
-  for (const VertexId v : sphere.vertices()) positions.push_back(sphere.position(v).cwiseProduct(Vec3(150, 1, 1)));
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const FaceId f : sphere.faces()) faces.push_back(sphere.vertices(f));
-  const Mesh needle(std::move(positions), std::move(faces));
-  const auto given = points_along_x(needle, 150, 20);
-  RemeshOptions options;
-  options.placement.method = Placement::generator;
-  const std::int64_t usual = default_max_added(compute_mesh_summary(needle), given.size());
-  const RemeshResult result = remesh(needle, given, options);
-  CHECK(result.added > usual);
-  CHECK(result.max_added == 3 * usual);
-  options.max_added = usual;
-  CHECK_THAT(refusal(needle, given, options).what(), Catch::Matchers::Contains("raise max_added"));
-}
-
-TEST_CASE("remesh: the estimate of needed generators follows the defects") {
-  MeshSummary sphere;
-  sphere.components = 1;
-  CHECK(estimate_added(sphere, 50, {{0, 100}, {10, 80}, {20, 60}}) == 50);
-  CHECK(estimate_added(sphere, 50, {{0, 100}, {20, 100}}) == std::nullopt);
-  CHECK(estimate_added(sphere, 50, {{0, 100}, {20, 130}}) == std::nullopt);
-  CHECK(estimate_added(sphere, 2, {{1, 3}}) == 3);  // four vertices
-  sphere.components = sphere.boundary_loops = 30;
-  CHECK(estimate_added(sphere, 10, {{0, 30}, {9, 21}}) == 89);
 }
 
 TEST_CASE("remesh: exactly as many vertices as asked for, with the first generators in their places") {
@@ -578,7 +511,7 @@ TEST_CASE("remesh: every step can be cancelled, those of the map and of the pict
 
 TEST_CASE("remesh: the repair of many loose parts tells of each of them") {
   constexpr int kParts = 40;
-  const Mesh mesh = make_loose_triangles(kParts);
+  const Mesh mesh = test::make_loose_triangles(kParts);
   const auto calls = test::require_cancelled_everywhere([&](const Progress& progress) {
     RemeshOptions options;
     options.diagram.threads = 1;

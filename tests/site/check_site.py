@@ -73,9 +73,11 @@ class Examples(unittest.TestCase):
     def test_what_works_passes(self):
         self.assertEqual(self.check("    build/bin/gvd-segment data/figure.obj -n 3 -o a.ply\n\n```sh\ngvd-segment a.ply -n 3\n```\n"), 0)
         self.assertEqual(self.check("    build/bin/gvd-segment data/figure.obj -n none   # fails\n"), 0)
+        self.assertEqual(self.check("    source <(build/bin/gvd-segment --print-completion bash)\n"), 0)
 
     def test_what_does_not_do_what_it_says_fails(self):
         for text in ("    build/bin/gvd-segment data/nothing.obj -n 3\n", "    build/bin/gvd-segment --version   # fails\n",
+                     "    n=$(build/bin/gvd-segment data/nothing.obj -n 3)\n", "    true && build/bin/gvd-segment data/nothing.obj -n 3\n",
                      "```sh\nfalse\ntrue\n```\n"):
             self.assertEqual(self.check(text), 1, text)
 

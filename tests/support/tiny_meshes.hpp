@@ -69,6 +69,26 @@ inline Mesh scaled(const Mesh& mesh, double scale) {
   return Mesh(std::move(positions), std::move(faces));
 }
 
+/// Triangles without a common point.
+inline Mesh make_loose_triangles(int parts) {
+  std::vector<Vec3> corners;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (int i = 0; i < parts; ++i) {
+    corners.insert(corners.end(), {{3.0 * i, 0, 0}, {3.0 * i + 1, 0, 0}, {3.0 * i, 1, 0}});
+    faces.push_back({VertexId(3 * i), VertexId(3 * i + 1), VertexId(3 * i + 2)});
+  }
+  return {std::move(corners), std::move(faces)};
+}
+
+/// The mesh with its coordinates times these factors, of which none is negative.
+inline Mesh stretched(const Mesh& mesh, const Vec3& factors) {
+  std::vector<Vec3> positions;
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const VertexId v : mesh.vertices()) positions.push_back(mesh.position(v).cwiseProduct(factors));
+  for (const FaceId f : mesh.faces()) faces.push_back(mesh.vertices(f));
+  return {std::move(positions), std::move(faces)};
+}
+
 /// A flat rectangle nx x ny whose inner vertices are moved within the plane by up to `shift` <= 0.2 along each axis, so
 /// that no triangle is reversed. Many triangles are obtuse.
 inline Mesh make_jittered_grid(int nx, int ny, double shift, unsigned seed) {

@@ -27,8 +27,10 @@ SharedMesh mesh_from_arrays(const val& vertices, const val& faces, std::size_t c
   });
 }
 
-/// `name` stands for the file in messages; its extension counts where the content does not tell the format.
-SharedMesh mesh_from_bytes(const std::string& bytes, const std::string& name, const std::string& on_defect) {
+/// `name` stands for the file in messages; its extension counts where the content does not tell the format. `weld` is
+/// the tolerance of `weld_soup`, or null.
+SharedMesh mesh_from_bytes(const std::string& bytes, const std::string& name, const std::string& on_defect,
+                           const val& weld) {
   return guarded([&] {
     const auto format = detect_format(bytes, name);
     if (!format) {
@@ -36,7 +38,10 @@ SharedMesh mesh_from_bytes(const std::string& bytes, const std::string& name, co
           ErrorCode::unreadable_input,
           name + ": neither the content nor the name's extension is that of OBJ, PLY, OFF, STL, glTF, MNI or VTK");
     }
-    return std::make_shared<CheckedMesh>(build_mesh(parse_soup(bytes, *format, name), policy_of(on_defect), name));
+    const DefectPolicy policy = policy_of(on_defect);
+    PolygonSoup soup = parse_soup(bytes, *format, name);
+    if (!weld.isNull()) weld_soup(soup, weld.as<double>());
+    return std::make_shared<CheckedMesh>(build_mesh(soup, policy, name));
   });
 }
 

@@ -349,9 +349,12 @@ export class RemeshMap extends Handle {
   readonly one_to_one: boolean;
 }
 
-/** Reads the bytes of an OBJ, PLY, OFF, STL, glTF (buffers inside), MNI or legacy VTK file; `name` is the file's, for messages. */
+/**
+ * Reads the bytes of an OBJ, PLY, OFF, STL, glTF (buffers inside), MNI or legacy VTK file; `name` is the file's, for messages.
+ * `weld`: true joins vertices at the same place, a number also those at most so many mesh units apart.
+ */
 export function read(bytes: Uint8Array | ArrayBuffer, name: string,
-                     options?: { on_defect?: 'error' | 'repair' | 'largest' }): Mesh;
+                     options?: { on_defect?: 'error' | 'repair' | 'largest'; weld?: boolean | number | null }): Mesh;
 
 /** The numbers of a file that has one for each vertex or face: text, .npy, and FreeSurfer's .annot and values. */
 export function read_values(bytes: Uint8Array | ArrayBuffer, name: string): Float64Array;

@@ -402,13 +402,18 @@ function checkBytes(bytes) {
   if (!(bytes instanceof Uint8Array || bytes instanceof ArrayBuffer)) refuse('a Uint8Array or an ArrayBuffer is needed');
 }
 
-/** Reads the bytes of an OBJ, PLY, OFF, STL, glTF (buffers inside), MNI or legacy VTK file; `name` is the file's, for messages. */
-export function read(bytes, name, { on_defect = 'repair', ...others } = {}) {
-  checkNames('read', others, 'on_defect');
+/**
+ * Reads the bytes of an OBJ, PLY, OFF, STL, glTF (buffers inside), MNI or legacy VTK file; `name` is the file's, for messages.
+ * `weld`: true joins vertices at the same place, a number also those at most so many mesh units apart.
+ */
+export function read(bytes, name, { on_defect = 'repair', weld = false, ...others } = {}) {
+  checkNames('read', others, 'on_defect weld');
   checkBytes(bytes);
   checkText('name', name);
   checkText('on_defect', on_defect);
-  return Mesh._wrap(native.mesh_from_bytes(bytes, name, on_defect));
+  if (!['boolean', 'number'].includes(typeof (weld ?? false))) refuse(`weld: true, false or a number is needed, not ${weld}`);
+  const tolerance = weld === true ? 0 : weld === false ? null : weld ?? null;
+  return Mesh._wrap(native.mesh_from_bytes(bytes, name, on_defect, tolerance));
 }
 
 /** The numbers of a file that has one for each vertex or face: text, .npy, and FreeSurfer's .annot and values. */

@@ -233,6 +233,17 @@ test('a .gltf with its numbers inside is read, and a surface of MNI', () => {
   assert.equal(gvd.read(new TextEncoder().encode(mni), 'x.obj').summary.faces, 1);
 });
 
+test('copies of vertices are joined where that is asked for', () => {
+  const positions = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0.25], [1, 1, 0.25], [0, 1, 0.25]];
+  const read = (options) => gvd.read(
+    new TextEncoder().encode(`${positions.map((p) => `v ${p.join(' ')}`).join('\n')}\nf 1 2 3\nf 4 5 6\n`), 'x.obj', options).summary.vertices;
+  assert.deepEqual([read(), read({ weld: false }), read({ weld: null }), read({ weld: true }), read({ weld: 0.25 })], [6, 6, 6, 6, 4]);
+  positions.forEach((p) => { p[2] = 0; });
+  assert.deepEqual([read(), read({ weld: true }), read({ weld: 0 })], [6, 4, 4]);
+  assert.throws(() => read({ weld: -1 }), { code: 'invalid_option', message: 'weld: the tolerance -1 is not a finite number from 0 on' });
+  assert.throws(() => read({ weld: 'all' }), { code: 'invalid_option', message: 'weld: true, false or a number is needed, not all' });
+});
+
 test('what can not be done is an error of one line', () => {
   const stl = new Uint8Array(134);  // of one triangle; with this count the length has 33 bits, and 88 in the lower 32
   new DataView(stl.buffer).setUint32(80, 85899346, true);

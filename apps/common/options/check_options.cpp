@@ -12,9 +12,12 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <utility>
+#include <variant>
 
 #include "gvd/error.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/option_text.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd::app {
@@ -79,6 +82,30 @@ void check_commands(const std::string& path) {
   }
 }
 
+/// What an option reads: names of files, or of properties and the like, which it may take in their place.
+std::vector<std::string> list_read(const Field& field) {
+  using Names = std::vector<std::string>;
+  return std::visit(
+      Overload{[&](const File& file) {
+                 const bool is_read = file.use == File::Use::read;
+                 return is_read ? write_option(field).value_or(Names()) : Names();
+               },
+               [](const PointList& list) { return list.file != nullptr ? Names{*list.file} : Names(); },
+               [](const Curves& curves) { return Names{*curves.value}; },
+               [](const ValueSource& values) { return Names{*values.value}; }, [](const auto&) { return Names(); }},
+      field);
+}
+
+/// The files that the options name beside INPUT and --config: empty names where they are not given.
+std::vector<std::string> list_read_files(const Options& options) {
+  std::vector<std::string> files;
+  for (const Option* const option : options.list->options()) {
+    if (option->spec.positional || option->name == "config") continue;
+    for (std::string& name : list_read(option->field)) files.push_back(std::move(name));
+  }
+  return files;
+}
+
 }  // namespace
 
 // Several inputs need a folder for their outputs, in which standard input has no name.
@@ -105,8 +132,12 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
   if (into_folder && contains(paths, "-")) {
     refuse("--output-dir: standard input has no name for its outputs; write them with -o");
   }
-  if (into_folder && !piped.empty() && paths.size() > 1) {
+  if (!into_folder || paths.size() == 1) return;
+  if (!piped.empty()) {
     refuse(fmt::format("{} -: standard input can be read for one input only; name a file", piped[0]));
+  }
+  for (const std::string& file : list_read_files(options)) {
+    if (is_read_once(file)) refuse(fmt::format("{}: a pipe can be read for one input only; name a file", file));
   }
 }
 
@@ -144,8 +175,9 @@ void check_not_read(const std::string& option, const std::string& path, const Op
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return;
   std::vector<std::string> all = options.input.paths;
-  all.insert(all.end(),
-             {options.generators.file, options.generators.curves, options.targets.file, options.general.config});
+  const std::vector<std::string> named = list_read_files(options);
+  all.insert(all.end(), named.begin(), named.end());
+  all.push_back(options.general.config);
   for (const std::string& read : all) {
     if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
     refuse(fmt::format("{} {}: the run reads this file; name another one", option, path));
@@ -168,6 +200,13 @@ void check_standard_output(const OutputOptions& output) {
   }
 }
 
+/// Why nothing can be made in what should be a folder, and what to do.
+std::string describe_missing(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder, ignored) ? fmt::format("{} is not a directory; choose another one", folder.string())
+                                     : fmt::format("there is no directory {}; create it first", folder.string());
+}
+
 /// Refuses a target that can't be written, as far as its folder tells.
 void check_target(const std::string& option, const std::string& path) {
   std::error_code ignored;
@@ -175,7 +214,7 @@ void check_target(const std::string& option, const std::string& path) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (fs::is_directory(target, ignored)) refuse_target(option, path, "is a directory; name a file");
   if (!fs::is_directory(folder, ignored)) {
-    refuse_target(option, path, fmt::format("there is no directory {}; create it first", folder.string()));
+    refuse_target(option, path, describe_missing(folder));
   }
 }
 
@@ -236,7 +275,7 @@ void make_folder(const std::string& folder) {
   std::error_code failed;
   const fs::path above = fs::absolute(fs::path(folder) / "").parent_path().parent_path();
   if (!fs::is_directory(above, failed)) {
-    refuse_target("--output-dir", folder, fmt::format("there is no directory {}; create it first", above.string()));
+    refuse_target("--output-dir", folder, describe_missing(above));
   }
   fs::create_directory(folder, failed);
   if (failed) refuse_target("--output-dir", folder, failed.message() + "; name another one");
@@ -255,8 +294,7 @@ void check_folder(const Options& options, const OutputFormats& formats) {
   if (is_new) return make_folder(folder);
   if (!fs::is_directory(folder, ignored)) refuse_target("--output-dir", folder, "is a file; name a folder");
   for (const Options& run : runs) {
-    for (const std::string& file : run.output.files) targets.claim_with_materials("--output-dir", file, formats);
-    targets.claim("--view", run.output.view);
+    for (const auto& [option, file] : list_targets(run.output)) targets.claim_with_materials(option, file, formats);
   }
 }
 
@@ -285,15 +323,9 @@ void check_outputs(const Options& options, const OutputFormats& formats) {
   check_formats(output);
   check_view(output);
   if (!output.folder.empty()) return check_folder(options, formats);
+  for (const std::string& file : output.files) check_extension(output, file, formats.extensions);
   Targets targets(options);
-  for (const std::string& file : output.files) {
-    check_extension(output, file, formats.extensions);
-    targets.claim_with_materials("-o", file, formats);
-  }
-  targets.claim("--report", output.report);
-  targets.claim("--diagram", output.diagram);
-  targets.claim("--view", output.view);
-  for (const auto& [option, file] : output.own) targets.claim(option, *file);
+  for (const auto& [option, file] : list_targets(output)) targets.claim_with_materials(option, file, formats);
 }
 
 std::vector<Options> plan_runs(const Options& options) {

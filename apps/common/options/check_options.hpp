@@ -13,8 +13,8 @@ struct OutputFormats {
   bool materials = true;                ///< an .obj has its colours in an .mtl beside it
 };
 
-/// Checks what no single option can of the inputs, and of what is read from standard input. Throws
-/// Error{invalid_option}.
+/// Checks what no single option can of the inputs, and of what is read from standard input or a pipe. `options.list`
+/// tells which options read files. Throws Error{invalid_option}.
 void check_inputs(const Options& options, const OutputFormats& formats);
 
 /// Refuses features that this build lacks, and outputs that the run could not write or must not. By name: an unknown

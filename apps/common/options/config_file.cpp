@@ -202,6 +202,13 @@ bool is_excluded(const OptionList& list, const std::string& name, const std::vec
   });
 }
 
+/// Whether a text is UTF-16: by its byte order mark, or since a zero belongs to each of its first two characters.
+bool is_utf16(std::string_view content) {
+  if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff")) return true;
+  return content.size() > 3 &&
+         ((content[0] == '\0' && content[2] == '\0') || (content[1] == '\0' && content[3] == '\0'));
+}
+
 }  // namespace
 
 bool turns_off(const GivenTexts& given) {
@@ -214,6 +221,7 @@ std::vector<GivenTexts> read_config_file(const OptionList& list, std::istream& i
   if (input.bad()) refuse_file(file, "could not be read to its end");
   const std::string_view program = find_compression(content);
   if (!program.empty()) refuse_file(file, fmt::format("the file is compressed by {}; unpack it first", program));
+  if (is_utf16(content)) refuse_file(file, "the file is text in UTF-16; save it as UTF-8");
   const toml::table table = parse_toml(content, file);
   std::vector<GivenTexts> given;
   for (const Entry& entry : list_entries(table, file)) {

@@ -4,6 +4,8 @@
 #include "common/options/options.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "gvd/io/mesh_writer.hpp"
 
@@ -24,11 +26,29 @@ std::vector<std::string> written_formats(const OutputOptions& output) {
   return written;
 }
 
+std::vector<Target> list_targets(const OutputOptions& output) {
+  std::vector<Target> targets;
+  for (const std::string& file : output.files) targets.push_back({output.folder.empty() ? "-o" : "--output-dir", file});
+  targets.push_back({"--report", output.report});
+  targets.push_back({"--diagram", output.diagram});
+  targets.push_back({"--view", output.view});
+  for (const auto& [option, file] : output.own) targets.push_back({option, *file});
+  std::erase_if(targets, [](const Target& target) { return target.path.empty(); });
+  return targets;
+}
+
 bool names_file(const OutputOptions& output) {
   const bool has_own =
       std::any_of(output.own.begin(), output.own.end(), [](const auto& own) { return !own.second->empty(); });
   return has_own || output.open || !output.files.empty() || !output.folder.empty() || !output.report.empty() ||
          !output.diagram.empty() || !output.view.empty();
+}
+
+bool is_read_once(const std::string& file) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(file, ignored);
+  return file == "-" || (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+                         !std::filesystem::is_directory(status));
 }
 
 std::string file_extension(const std::string& path) { return format_extension(path); }

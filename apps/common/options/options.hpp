@@ -114,6 +114,14 @@ std::string format_of(const OutputOptions& output, const std::string& file);
 /// The formats that a run writes to files of `-o`, to standard output, or into the folder.
 std::vector<std::string> written_formats(const OutputOptions& output);
 
+/// A file that a run writes, or "-" for standard output.
+struct Target {
+  std::string option, path;
+};
+
+/// The files of a run, of all its options but --summary, which is the last run's.
+std::vector<Target> list_targets(const OutputOptions& output);
+
 /// Whether a file or folder is named that gets a result.
 bool names_file(const OutputOptions& output);
 
@@ -122,6 +130,9 @@ template <class T, class Json = nlohmann::ordered_json>
 Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
+
+/// Whether a name stands for what can be read only once: "-", which is standard input, a pipe or a device.
+bool is_read_once(const std::string& file);
 
 /// The extension of `path` in lower case, without its dot; empty where it has none. GIFTI's have two parts.
 std::string file_extension(const std::string& path);

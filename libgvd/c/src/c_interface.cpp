@@ -202,6 +202,16 @@ gvd_status gvd_mesh_read(const char* path, int repair, gvd_mesh** mesh) {
   });
 }
 
+gvd_status gvd_mesh_read_welded(const char* path, int repair, double tolerance, gvd_mesh** mesh) {
+  return guarded([&] {
+    given(mesh, "mesh");
+    const std::string name = &given(path, "path");
+    PolygonSoup soup = read_soup(name);
+    weld_soup(soup, tolerance);
+    *mesh = make_handle(build_mesh(soup, policy(repair), name)).release();
+  });
+}
+
 gvd_status gvd_mesh_create(const double* vertices, int64_t vertex_count, const int32_t* faces, int64_t face_count,
                            int repair, gvd_mesh** mesh) {
   return guarded([&] {

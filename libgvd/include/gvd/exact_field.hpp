@@ -99,8 +99,8 @@ class ExactField {
   /// of two directions meet, are points of the curve; (3) a curve closes or ends on the boundary, and curves do not
   /// cross each other on edges; (4) no bit depends on the number of threads. A curve round a farthest point inside one
   /// face is left out only if the distance inside of it rises by less than the tolerance.
-  /// Throws Error{invalid_option} where the levels are not as said or the tolerance is not above 0; Error{interrupted}.
-  /// Cost: O(windows + points).
+  /// Throws Error{invalid_option} where the levels are not as said, the tolerance is not above 0, or the curves would
+  /// cross edges more than 2e7 times, which would fill the memory; Error{interrupted}. Cost: O(windows + points).
   std::vector<Isoline> isolines(const std::vector<double>& levels, const IsolineOptions& options = {}) const;
 
   /// The tangent vector at the nearest generator (see geodesic_tracing.hpp) in whose direction the shortest path to

@@ -16,6 +16,7 @@
 #include "gvd/front.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/geodesic_tracing.hpp"
+#include "gvd/gltf_files.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/label_color.hpp"

@@ -91,14 +91,19 @@ struct CheckedMesh {
 /// there is one: that of the file. Cost: O(n log n) time for n corners, O(n) memory.
 CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy = DefectPolicy::repair, std::string_view name = {});
 
-/// Asks `build_mesh` to make one vertex of all that lie within `tolerance` of each other, in mesh units; 0 joins exact
-/// copies. Vertices keep their numbers; those within a tolerance move to the one with the smallest number.
+/// Asks `build_mesh` to make one vertex of copies: those at the same position and, where `tolerance` (mesh units) is
+/// above 0, those near each other, which this call moves to one position. Vertices keep their numbers.
 ///
-/// Joined are the connected sets of the graph of all pairs within the tolerance, so that the result does not depend on
-/// the order. A chain of such pairs may move a vertex farther than the tolerance: a note says so. Welding twice is
-/// welding once. What was asked for is no defect: DefectPolicy::error accepts welded vertices.
-/// Throws Error{invalid_option} where the tolerance is negative or not finite, and Error{precondition} where it joins
-/// all vertices. Cost: O(n log n) time, where a box of the tolerance's size has few different points; O(n) memory.
+/// The rule: in the order of their numbers, a vertex stays unless one that stays already is at most `tolerance` away;
+/// then every other vertex moves to the nearest one that stays, of equally near ones to that with the smallest number.
+/// Properties: (1) no vertex moves farther than the tolerance; (2) different positions are farther than the tolerance
+/// apart afterwards, so that welding twice is welding once; (3) vertices at one position stay together; (4) copies that
+/// are within the tolerance of each other, and farther than it from all others, become one, whatever their order.
+/// Being near is not transitive: of a chain of near vertices, some stay. A note counts the vertices that were near more
+/// than one that stays, which tells of a tolerance above the spacing of vertices.
+/// What was asked for is no defect: DefectPolicy::error accepts welded vertices.
+/// Throws Error{invalid_option} where the tolerance is negative, not finite, or above 0 and below kSmallestWeld, and
+/// Error{precondition} where it joins all vertices. Cost: O(n log n) time, whatever the tolerance; O(n) memory.
 void weld_soup(PolygonSoup& soup, double tolerance = 0);
 
 /// A mesh that is its own input: each element comes from itself. Cost: O(n).
@@ -107,5 +112,7 @@ CheckedMesh as_input(Mesh mesh);
 /// The limits keep squared areas, products of four lengths, in the range of a double (1e-308 to 1e308).
 inline constexpr double kLargestCoordinate = 1e75;  ///< absolute, in mesh units
 inline constexpr double kSmallestExtent = 1e-75;    ///< of the largest side of the bounding box, in mesh units
+/// Of a tolerance of `weld_soup` other than 0, in mesh units: below the rounding of any mesh of the smallest extent.
+inline constexpr double kSmallestWeld = 1e-100;
 
 }  // namespace gvd

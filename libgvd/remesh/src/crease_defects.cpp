@@ -360,13 +360,16 @@ std::vector<SurfacePoint> CreaseFollower::propose(const Diagram& diagram, std::i
   for (const CreaseDefect& defect : defects) sum += defect.length;
   gap_length_ = std::min(sum, length_);  // rounding alone can make the sum larger
   const std::int64_t most = std::min(may_add, max_added_ - added_);
-  if (defects.empty() || rounds_ >= kCreaseRounds || most <= 0) return {};
+  const bool wants_more = !defects.empty() && rounds_ < kCreaseRounds, may_add_decides = may_add < max_added_ - added_;
+  is_held_back_ = wants_more && most <= 0 && may_add_decides;
+  if (!wants_more || most <= 0) return {};
   ++rounds_;
   AddedGenerators added(mesh_, diagram.generators, most);
   // Where no corner takes a generator, one is too near to it. Then nothing is to be waited for.
   for (const bool waits : {false, true}) {
     if (added.size() == 0) add_places(defects, waits, added);
   }
+  is_held_back_ = added.is_full() && may_add_decides;
   added_ += static_cast<std::int64_t>(added.size());
   return added.take();
 }

@@ -130,6 +130,8 @@ class CreaseFollower {
   std::vector<SurfacePoint> propose(const Diagram& diagram, std::int64_t may_add);
 
   std::int64_t added() const { return added_; }
+  /// Whether the last `propose` would have returned more generators for a larger `may_add`.
+  bool is_held_back() const { return is_held_back_; }
   /// The length of all creases, mesh units.
   double length() const { return length_; }
   /// The length of what the dual of the last `propose` does not follow, mesh units, in [0, length()].
@@ -143,6 +145,7 @@ class CreaseFollower {
   std::int64_t max_added_;
   double spacing_;
   std::int64_t added_ = 0;
+  bool is_held_back_ = false;
   int rounds_ = 0;
 };
 

@@ -1,11 +1,12 @@
 // Discs: generators are added until every cell is one, and then left out again as far as all cells stay discs.
 //
 // A disc needs less than the dual of a remesh: two cells round a loop may do, not three. But both have to reach as far
-// along a limb, or one of them surrounds it beyond the other. So candidates are tried on the part of the mesh round the
-// cell. With few given generators that part is the whole mesh, and each trial a diagram of it, so few follow on one
-// that mends the cell. The search of a remesh then finds what was added in vain, with discs as the one
-// property that counts.
-// A closed component takes two generators, a handle three: two cells meet in closed curves only, and leave annuli.
+// along a limb, or one of them surrounds it beyond the other. The point opposite the generator does
+// (opposite_points.cpp), and others may leave less to do elsewhere. So candidates are tried on the part of the mesh
+// round the cell. With few given generators that part is the whole mesh, and each trial a diagram of it, so few follow
+// on one that mends the cell. The search of a remesh then finds what was added in vain, with discs as the one property
+// that counts. A closed component takes two generators, a handle three: two cells meet in closed curves only, and leave
+// annuli.
 #include "gvd/disc_cells.hpp"
 
 #include <fmt/format.h>
@@ -67,21 +68,22 @@ class DiscMaker {
 
   /// Divides cells that are apart from each other.
   void add_generators(const std::vector<GeneratorId>& cells) {
-    if (added() >= max_added_ || result_.rounds >= kMaxRemeshRounds) {
-      refuse(cells, fmt::format("{} added in {}", counted(added(), "generator was", "generators were"),
-                                counted(result_.rounds, "round", "rounds")));
-    }
-    const auto candidates = list_disc_candidates(mesh_, result_.diagram, cells, kCandidates);
+    if (result_.rounds == 0) first_ = cells.size();
+    if (added() >= max_added_ || result_.rounds >= kMaxRemeshRounds) refuse(cells, describe_limit(cells.size()));
+    DiscCandidates candidates(mesh_, result_.diagram, kCandidates);
     std::vector<SurfacePoint> generators = result_.diagram.generators;
     CellFlags near_change(generators.size(), 0);
-    for (std::size_t i = 0; i < cells.size() && std::int64_t(generators.size() - given_) < max_added_; ++i) {
-      if (candidates[i].empty() || near_change[cells[i]]) continue;
-      generators.push_back(choose_point(cells[i], candidates[i]));
-      const CellFlags rings = grow_rings(result_.diagram, {cells[i]}, kRingsApart);
+    for (const GeneratorId cell : cells) {
+      if (std::int64_t(generators.size() - given_) >= max_added_) break;
+      if (near_change[cell]) continue;
+      const std::vector<SurfacePoint> points = candidates.list(cell);
+      if (points.empty()) continue;
+      generators.push_back(choose_point(cell, points));
+      const CellFlags rings = grow_rings(result_.diagram, {cell}, kRingsApart);
       for (const GeneratorId g : rings.ids()) near_change[g] |= rings[g];
     }
     if (generators.size() == result_.diagram.generators.size()) {
-      refuse(cells, "every point for a new generator is too close to another one");
+      refuse(cells, "every point for a new generator is too close to another one; move or remove generators there");
     }
     result_.diagram = compute_diagram(mesh_, generators, options_.diagram);
     ++result_.rounds;
@@ -118,13 +120,23 @@ class DiscMaker {
     return change;
   }
 
+  /// What came of the rounds, and what helps: cells that are no longer than the surface is thick are discs.
+  std::string describe_limit(std::size_t left) const {
+    const std::string added_so_far = fmt::format("{} added in {}", counted(added(), "generator was", "generators were"),
+                                                 counted(result_.rounds, "round", "rounds"));
+    const std::string advice = options_.max_added ? ", or raise max_added" : "";
+    return fmt::format(
+        "{}, and {} became {}; give so many generators that they are closer to each other than the way "
+        "round the surface there{}",
+        added_so_far, counted(std::int64_t(first_), "such cell", "such cells"), left, advice);
+  }
+
   [[noreturn]] void refuse(const std::vector<GeneratorId>& cells, const std::string& why) const {
     const Cell& cell = result_.diagram.cells[cells.front()];
     const Vec3 at = position(mesh_, result_.diagram.generators[cell.generator.index()]);
     throw Error(
         ErrorCode::no_valid_result,
-        fmt::format("the cell of generator {} at ({:.6g}, {:.6g}, {:.6g}) is no disc (Euler characteristic {}){}: {}; "
-                    "give more or other generators",
+        fmt::format("the cell of generator {} at ({:.6g}, {:.6g}, {:.6g}) is no disc (Euler characteristic {}){}: {}",
                     cell.generator.value(), at.x(), at.y(), at.z(), cell.euler_characteristic,
                     cells.size() > 1 ? fmt::format(", nor are {} more", cells.size() - 1) : "", why),
         cell.generator.value());
@@ -154,6 +166,7 @@ class DiscMaker {
   const std::int64_t max_added_;
   const double most_events_;  // windows propagated in trials, and in the search
   double events_ = 0;         // of trials
+  std::size_t first_ = 0;     // cells that are no discs, of the given generators
   DiscCells result_;
 };
 

@@ -72,14 +72,6 @@ std::string others(std::size_t count) {
   return count == 0 ? "" : ", and " + counted(std::int64_t(count), "more defect", "more defects");
 }
 
-/// How the defects have changed, and how many generators are likely to be needed, as far as the rounds tell.
-std::string describe_need(const Mesh& mesh, std::size_t generators, const RepairHistory& history) {
-  const auto need = estimate_added(compute_mesh_summary(mesh), generators, history);
-  const auto first = counted(static_cast<std::int64_t>(history.front().second), "defect", "defects");
-  return fmt::format(", and {} became {}{}", first, history.back().second,
-                     need ? fmt::format("; about {} are likely to be needed", *need) : "");
-}
-
 [[noreturn]] void refuse_count(std::int64_t count, const std::string& why) {
   throw Error(ErrorCode::no_valid_result,
               fmt::format("no valid mesh of {} was found: {}", counted(count, "vertex", "vertices"), why));
@@ -285,6 +277,7 @@ class Remesher {
   bool follow_creases() {
     const std::vector<SurfacePoint> points = creases_.propose(result_.diagram, max_added_ - result_.added);
     result_.crease_gap_length = creases_.gap_length();
+    result_.creases_lack_added = creases_.is_held_back();
     stays_.insert(stays_.end(), points.begin(), points.end());
     append(points);
     return !points.empty();
@@ -312,10 +305,10 @@ class Remesher {
     if (result_.added >= max_added_) raise_limit();
     const std::int64_t may_add = max_added_ - result_.added;
     if (may_add <= 0 || result_.rounds >= kMaxRemeshRounds) {
-      refuse(defects, fmt::format("{} added in {}{}: give more or other ones{}",
-                                  counted(result_.added, "generator was", "generators were"),
+      refuse(defects, fmt::format("{} added in {}{}", counted(result_.added, "generator was", "generators were"),
                                   counted(result_.rounds, "round", "rounds"),
-                                  describe_need(mesh_, result_.generators.size(), history_), advise_limit(may_add)));
+                                  advise_at_limit(compute_mesh_summary(mesh_), result_.generators.size(), history_,
+                                                  may_add <= 0)));
     }
     const auto [points, narrow] =
         propose_generators(mesh_, result_.diagram, defects, may_add, options_.diagram.progress);
@@ -327,14 +320,6 @@ class Remesher {
     append(points);
     append(nearby.points);
     events_ += nearby.events;
-  }
-
-  /// Whether more generators may be the remedy. Where the defects have grown with them, they are not.
-  const char* advise_limit(std::int64_t may_add) const {
-    if (history_.back().second > history_.front().second) {
-      return "; added generators make it worse, so look at the surface there: it may be thin, folded or far too coarse";
-    }
-    return may_add <= 0 ? ", or raise max_added" : "";
   }
 
   /// Raises the default limit, once, if the raised one is likely to do.

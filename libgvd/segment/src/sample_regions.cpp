@@ -216,7 +216,7 @@ void move_into_regions(const Mesh& mesh, const FaceRegions& regions, std::vector
     const auto region_of = [&](const SurfacePoint& view) { return order_of(regions[view.face]); };
     points[i] = std::ranges::min(find_views(mesh, points[i]), {}, region_of);
     if (regions[points[i].face] >= 0) continue;
-    throw Error(ErrorCode::precondition, fmt::format("generator {} lies on a face that is left out", i),
+    throw Error(ErrorCode::precondition, fmt::format("generator {} lies on a face that is left out; choose another", i),
                 std::int64_t(i));
   }
 }

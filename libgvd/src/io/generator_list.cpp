@@ -313,13 +313,22 @@ class Resolver {
         kept.snap_distance.push_back(result_.snap_distance[i]);
         kept.vertex.push_back(result_.vertex[i]);
       } else if (!options_.merge_coincident) {
-        refuse(i, fmt::format(
-                      "generator {} is in the same place as generator {} ({}); remove one, or set merge_coincident", i,
-                      twin, location(twin)));
+        refuse(i, describe_coincident(std::size_t(i), std::size_t(twin)) + "; remove one, or set merge_coincident");
       }
     }
     kept.merged = std::int32_t(first.size() - kept.points.size());
     result_ = std::move(kept);
+  }
+
+  /// By the vertices of the input, where the entries name some.
+  std::string describe_coincident(std::size_t entry, std::size_t twin) const {
+    const auto name = [&](std::size_t i) {
+      const GeneratorEntry& named = list_.entries[i];
+      return named.kind == Kind::vertex ? fmt::format("vertex {}", named.index) : fmt::format("point {}", i);
+    };
+    const std::string line = list_.entries[twin].line > 0 ? fmt::format(" ({})", location(twin)) : "";
+    return name(entry) == name(twin) ? name(entry) + " is listed twice" + line
+                                     : name(entry) + " is in the same place as " + name(twin) + line;
   }
 
   const Mesh& mesh_;

@@ -107,14 +107,28 @@ GeneratorEntry parse_entry(const Fields& fields, const ListLocation& location, c
   return entry;
 }
 
-Fields split_commas(std::string_view text) {
+Fields split_at(std::string_view text, char separator) {
   Fields fields;
   for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find(',', start), text.size());
+    const std::size_t end = std::min(text.find(separator, start), text.size());
     fields.push_back(trim(text.substr(start, end - start), " \t\""));
     start = end + 1;
   }
   return fields;
+}
+
+Fields split_commas(std::string_view text) { return split_at(text, ','); }
+
+/// Takes the lines up to the first one that is neither blank nor a comment, and returns it; an empty one at the end.
+ListLine take_line(std::string_view& content) {
+  if (content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
+  for (std::int32_t number = 1; !content.empty(); ++number) {
+    const std::size_t end = std::min(content.find('\n'), content.size());
+    const std::string_view line = content.substr(0, end), text = trim(line.substr(0, line.find('#')));
+    content.remove_prefix(std::min(end + 1, content.size()));
+    if (!text.empty()) return {text, number};
+  }
+  return {{}, 0};
 }
 
 /// The column of this name; -1 where there is none.
@@ -384,16 +398,25 @@ std::vector<GeneratorEntry> parse_ply_points(std::string_view content, const std
 }
 
 bool is_element_table(std::string_view content) {
-  if (content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
-  while (!content.empty()) {
-    const std::size_t end = std::min(content.find('\n'), content.size());
-    const std::string_view line = content.substr(0, end), text = trim(line.substr(0, line.find('#')));
-    content.remove_prefix(std::min(end + 1, content.size()));
-    if (text.empty()) continue;
-    const Fields names = split_commas(text);
-    return names.size() > 1 && is_header(names) && find_element_column(names) >= 0;
+  const Fields names = split_commas(take_line(content).text);
+  return names.size() > 1 && is_header(names) && find_element_column(names) >= 0;
+}
+
+void refuse_other_table(std::string_view content, const std::string& name) {
+  const ListLine first = take_line(content);
+  const auto is_name = [](std::string_view field) { return !field.empty() && !parse_number<double>(field); };
+  const bool has_separators = first.text.find_first_of(",;\t") != first.text.npos;
+  Fields names;
+  for (const char separator : {',', ';', '\t'}) {
+    if (names.size() < 2) names = split_at(first.text, separator);
   }
-  return false;
+  if (!std::ranges::all_of(names, is_name)) return;
+  const bool is_word = first.text.find(' ') == first.text.npos;
+  const bool is_title = is_word && parse_number<double>(take_line(content).text).has_value();
+  if (!has_separators && !is_title) return;
+  ListLocation{name, first.number}.refuse(
+      "the header has no column vertex or face, with commas between columns; name the column of indices so, or give "
+      "the numbers alone, in order and without a header");
 }
 
 ElementTable parse_element_table(std::string_view content, const std::string& name) {

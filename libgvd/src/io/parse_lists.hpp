@@ -73,6 +73,10 @@ struct ElementTable {
 /// up to this line).
 bool is_element_table(std::string_view content);
 
+/// Refuses a text whose first line names columns: a table without one of vertices or faces, or with other separators
+/// than commas. Throws Error{unreadable_input} with name and line. Cost: O(length of two lines).
+void refuse_other_table(std::string_view content, const std::string& name);
+
 /// Parses comma-separated values below such a header, as this library writes them: `face,label`, `vertex,label`,
 /// `face,label_1,label_2` or `source,vertex,distance`. Each element from 0 on has one row; rows may come in any order.
 /// Throws Error{unreadable_input} with name and line. Cost: O(length).

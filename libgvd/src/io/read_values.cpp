@@ -42,6 +42,15 @@ std::string_view find_in_header(std::string_view header, std::string_view key, s
   return close == header.npos ? std::string_view() : header.substr(open + 1, close - open - 1);
 }
 
+/// The letters behind a key of the header, with or without blanks between.
+std::string_view word_in_header(std::string_view header, std::string_view key) {
+  const std::size_t at = header.find(key);
+  if (at == header.npos) return {};
+  std::string_view rest = header.substr(at + key.size());
+  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+  return rest.substr(0, rest.find_first_of(" ,}"));
+}
+
 /// "<f8": the order of bytes, the kind and the size.
 std::optional<StoredNumber> parse_numpy_type(std::string_view type) {
   using NumberKind = StoredNumber::Kind;
@@ -95,6 +104,9 @@ FileValues parse_npy(std::string_view bytes, ValueColumns columns, std::string_v
   const StoredNumber length{StoredNumber::Kind::unsigned_integer,
                             bytes.size() > kVersion && bytes[kVersion] == 1 ? 2U : 4U};
   if (bytes.size() < kLength + length.size) refuse_values(name, "the file ends within NumPy's header");
+  if (const int version = bytes[kVersion]; version < 1 || version > 3) {
+    refuse_values(name, fmt::format("the file has version {} of NumPy's format, and 1 to 3 are read", version));
+  }
   const auto header_bytes = std::size_t(length.read(bytes.data() + kLength));
   bytes.remove_prefix(kLength + length.size);
   if (header_bytes > bytes.size()) refuse_values(name, "the file ends within NumPy's header");
@@ -116,7 +128,7 @@ FileValues parse_npy(std::string_view bytes, ValueColumns columns, std::string_v
   }
   if (shape->columns <= 1) return {{}, type->read_all(bytes)};
   // By rows, unless the header says that columns follow each other.
-  const bool by_columns = header.find("'fortran_order': True") != header.npos;
+  const bool by_columns = word_in_header(header, "'fortran_order':") == "True";
   const std::uint64_t first = by_columns ? (shape->columns - 1) * shape->rows : shape->columns - 1;
   const std::uint64_t step = by_columns ? 1 : shape->columns;
   std::vector<double> last(shape->rows);
@@ -140,6 +152,7 @@ FileValues parse_file(std::string_view bytes, ValueColumns columns, std::string_
   if (is_xml_of(bytes, "<GIFTI")) return {{}, parse_gifti_values(bytes, name)};
   if (bytes.starts_with('\0')) return {true, parse_annotation(bytes, name)};
   if (detail::is_element_table(bytes)) return parse_table(bytes, columns, std::string(name));
+  detail::refuse_other_table(bytes, std::string(name));
   return {{}, parse_numbers(bytes, std::string(name))};
 }
 
@@ -195,9 +208,10 @@ std::vector<double> read_values(const std::filesystem::path& path) {
 std::optional<ElementValues> read_element_values(const CheckedMesh& input, const std::string& name,
                                                  const std::filesystem::path& mesh_file, SoupElement preferred,
                                                  ValueColumns columns) {
-  // Of a file and a property of one name, the file counts.
+  // Of a file and a property of one name, the file counts, also one that is a pipe.
   std::error_code ignored;
-  if (std::filesystem::is_regular_file(name, ignored)) {
+  const auto status = std::filesystem::status(name, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_directory(status)) {
     return assign(input, parse_file(read_file_bytes(name), columns, name), name);
   }
   if (mesh_file.empty()) return std::nullopt;

@@ -219,7 +219,7 @@ TEST_CASE("vertices are those of the input, and an error names the option") {
   REQUIRE(made.points.size() == 2);
   CHECK(vertex(made.input.mesh, made.points[1]) == VertexId(17));
   options.vertices = {3, 3};
-  CHECK_THROWS_WITH(Made(options), Contains("--vertices: generator 1 is in the same place as generator 0"));
+  CHECK_THROWS_WITH(Made(options), Contains("--vertices: vertex 3 is listed twice; remove one"));
   options.merge_coincident = true;
   CHECK(Made(options).points.size() == 1);
 }

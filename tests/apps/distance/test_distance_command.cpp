@@ -319,8 +319,10 @@ TEST_CASE("gvd-distance: isolines that would fill the memory are refused") {
     faces += fmt::format("3 0 {} {}\n", i + 1, (i + 1) % kSpokes + 1);
   }
   write_text(scratch / "disc.off", fmt::format("OFF\n{} {} 0\n{}{}", kSpokes + 1, kSpokes, vertices, faces));
-  require_error("gvd-distance", scratch / "disc.off" + " --from 0 --isolines 2.1e-4 -o " + scratch / "a.json", 2,
-                "--isolines 0.00021: the curves would cross edges 2.4e+07 times, more than 2e+07; give a larger step");
+  require_error(
+      "gvd-distance", scratch / "disc.off" + " --from 0 --isolines 2.1e-4 -o " + scratch / "a.json", 2,
+      "--isolines 0.00021: the curves would cross edges 2.4e+07 times, more than 2e+07; give fewer levels, with "
+      "a larger step");
 }
 
 TEST_CASE("gvd-distance: isolines of a coarse mesh are nowhere farther from their level than 1e-4 mean edges") {
@@ -425,7 +427,7 @@ TEST_CASE("gvd-distance: bad lists and contradictory options are refused in one 
   refused("--from 3 17" + out, 2, "--from takes commas without blanks");
   refused("--from none.txt" + out, 3, "none.txt");
   refused("--from 99999" + out, 4, "there is no vertex 99999");
-  refused("--from 3,3" + out, 4, "--merge-coincident");
+  refused("--from 3,3" + out, 4, "--from: vertex 3 is listed twice; remove one, or add --merge-coincident");
   refused("--from - --to -" + out + " < /dev/null", 2, "--from and --to are both standard input");
   refused("--curves - --to -" + out + " < /dev/null", 2, "--to and --curves are both standard input");
   refused("--curves -" + out + " < /dev/null", 3, "standard input: the file holds no curve");

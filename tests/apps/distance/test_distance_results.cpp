@@ -3,14 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
+#include "base/plane.hpp"
 #include "support/catch.hpp"
+#include "support/plane_with_holes.hpp"
 
 namespace gvd::test_distance_results {
 
@@ -97,6 +101,67 @@ TEST_CASE("gvd-distance: vertices keep the user's numbers where the mesh was rep
   CHECK_THAT(files.err, Contains("vertex 1 is 1 from vertex 2") && Contains("vertex 5 is not reached from any source"));
 }
 
+TEST_CASE("gvd-distance: errors name the user's own vertices") {
+  const ScratchFolder scratch;
+  // Vertices 0 and 3 are in no face, 2 and 4 are at one place.
+  write_text(scratch / "a.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 8 8 8\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 2 3 6\nf 5 7 6\n");
+  write_text(scratch / "list.txt", "p 0 1 0\n5\n");
+  write_text(scratch / "mask.csv", "face,label\n0,-1\n1,0\n");
+  const auto refused = [&](const std::string& options, const std::string& part) {
+    const CommandResult result = run_command("gvd-distance", scratch / "a.obj" + " --weld " + options);
+    CAPTURE(options, result.err);
+    CHECK(result.exit_code == 4);
+    CHECK_THAT(result.err, Contains("gvd-distance: error: ") && Contains(part));
+  };
+  refused("--from 0", "--from: vertex 0 is in no face of the mesh");
+  refused("--from 1 --to 1,3", "--to: vertex 3 is in no face of the mesh");
+  refused("--from 7", "--from: there is no vertex 7; the mesh has 7, numbered from 0");
+  refused("--from 1 --to 9", "--to: there is no vertex 9;");
+  refused("--from 4,5,2", "--from: vertex 2 is in the same place as vertex 4; remove one");
+  refused("--from " + scratch / "list.txt", "list.txt:2: vertex 5 is in the same place as point 0 (");
+  refused("--from 6,1 --within " + scratch / "mask.csv",
+          "--from: vertex 1 lies in faces that --within or --mask leaves out");
+}
+
+TEST_CASE("gvd-distance: a point that is not reached has its reason, from each source and with paths") {
+  const ScratchFolder scratch;
+  // Two sheets that meet a third one, cut apart there; one that met the first one at vertex 2; and one on its own.
+  // Vertex 10 is in no face.
+  write_text(scratch / "a.obj",
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 2 1\nv 0 2 2\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 9 9 9\n"
+             "f 1 2 3\nf 2 1 4\nf 1 2 5\nf 3 6 7\nf 8 9 10\n");
+  const std::string mesh = scratch / "a.obj ";
+  const auto told = [&](const std::string& options) { return run_command("gvd-distance", mesh + options).err; };
+  const std::string edge = "beyond a non-manifold edge, where sheets were cut apart",
+                    vertex = "beyond a non-manifold vertex, where sheets were cut apart",
+                    other = "in another component";
+  for (const char* more : {"", " --each", " --paths", " --each --paths"}) {
+    CAPTURE(more);
+    const std::string err = told("--from 2 --to 3,4,5,7 -o " + scratch / "a.json" + more);
+    const std::string from = std::string(more).find("each") == std::string::npos ? "any source" : "vertex 2";
+    CHECK_THAT(err, Contains("vertex 4 is not reached from " + from + ": it is " + edge + "\n"));
+    CHECK_THAT(err, Contains("vertex 5 is not reached from " + from + ": it is " + vertex + "\n"));
+    CHECK_THAT(err, Contains("vertex 7 is not reached from " + from + ": it is " + other + "\n"));
+    CHECK_THAT(err, !Contains("are inf"));  // all are told
+  }
+  CHECK_THAT(told("--from 2 --to 4"), Contains("1 of 1 distance is inf: " + edge + "\n"));
+  CHECK_THAT(told("--from 2 --to 4 --each --paths"), Contains("1 of 1 distance is inf: " + edge + "\n"));
+  CHECK_THAT(told("--from 2,7 --each --to 8 -o " + scratch / "a.csv"),
+             Contains("vertex 8 is not reached from vertex 2: it is " + other + "\n") &&
+                 Contains("vertex 8 is 1 from vertex 7\n"));
+  CHECK_THAT(told("--from 2"), Contains("7 of 11 distances to vertices are inf: 1 in no face; 1 " + edge + "; 2 " +
+                                        vertex + "; 3 " + other + "\n"));
+  CHECK_THAT(told("--from 2,7 --each"), Contains("15 of 22 distances to vertices are inf: 2 in no face; 1 " + edge +
+                                                 "; 2 " + vertex + "; 10 " + other + "\n"));
+  CHECK_THAT(told("--from 2 --to 1 --max-distance .1 -o " + scratch / "a.csv"),
+             Contains("vertex 1 is not reached from any source: it is beyond --max-distance\n"));
+  write_text(scratch / "regions.csv", "face,label\n0,0\n1,1\n2,1\n3,1\n4,-1\n");
+  const std::string within = " --within " + scratch / "regions.csv" + " -o " + scratch / "b.csv";
+  CHECK_THAT(told("--from 2 --to 3,7" + within),
+             Contains("vertex 3 is not reached from any source: it is in another region\n") &&
+                 Contains("vertex 7 is not reached from any source: it is left out by --within or --mask\n"));
+}
+
 TEST_CASE("gvd-distance: without a file, paths are a table and isolines JSON, and --output-format chooses") {
   const ScratchFolder scratch;
   const std::string strip = write_strip(scratch);
@@ -159,6 +224,56 @@ TEST_CASE("gvd-distance --mask: distances go round the faces that are left out, 
   CHECK_THAT(paths, Contains("15\n"));
   require_error("gvd-distance", scratch / "grid.off" + " --curves boundary --mask " + scratch / "mask.txt", 2,
                 "--curves");
+}
+
+/// The largest difference of the middle of a straight piece of the isolines from its level.
+double worst_piece(const json& lines, const std::function<double(const Vec2&)>& distance) {
+  double worst = 0;
+  for (const json& line : lines) {
+    const json& points = line["points"];
+    const auto at = [&](std::size_t i) { return Vec2(points[i]["position"][0], points[i]["position"][1]); };
+    for (std::size_t i = line["closed"] == true ? 0 : 1; i < points.size(); ++i) {
+      const Vec2 middle = 0.5 * (at(i) + at((i + points.size() - 1) % points.size()));
+      worst = std::max(worst, std::abs(distance(middle) - line["level"].get<double>()));
+    }
+  }
+  return worst;
+}
+
+TEST_CASE("gvd-distance: isolines with --mask go round what is left out, and with --within end at the border") {
+  const ScratchFolder scratch;
+  std::string text = "OFF\n16 18 0\n", mask, parts;
+  for (int i = 0; i < 16; ++i) text += fmt::format("{} {} 0\n", i % 4, i / 4);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 3; ++x) {
+      const int a = 4 * y + x;
+      text += fmt::format("3 {} {} {}\n3 {} {} {}\n", a, a + 1, a + 5, a, a + 5, a + 4);
+      mask += x == 1 && y == 1 ? "1\n1\n" : "0\n0\n";
+      parts += x < 2 ? "0\n0\n" : "1\n1\n";
+    }
+  }
+  write_text(scratch / "grid.off", text);
+  write_text(scratch / "mask.txt", mask);
+  write_text(scratch / "parts.txt", parts);
+  const std::string grid = scratch / "grid.off" + " -q ";
+  write_text(scratch / "from.txt", "p 0.3 1.4 0\np 2.9 0.2 0\n");
+  const json round = json::parse(output_of(grid + "--mask " + scratch / "mask.txt" + " --from " + scratch / "from.txt" +
+                                           " --isolines 0.3"))["isolines"];
+  const PlaneWithHoles plane({Box2(Vec2(1, 1), Vec2(2, 2))}, {{0.3, 1.4}, {2.9, 0.2}});
+  const double mean_edge = (24 + 9 * std::sqrt(2.0)) / 33;
+  CHECK(round.size() >= 12);
+  CHECK(worst_piece(round, [&](const Vec2& p) { return plane.distance(p); }) < 1.001e-4 * mean_edge);
+  // The first source reaches the part on the left alone, the second one that on the right.
+  const json parted = json::parse(output_of(grid + "--within " + scratch / "parts.txt" + " --from " +
+                                            scratch / "from.txt" + " --isolines 0.3"))["isolines"];
+  CHECK(worst_piece(parted, [](const Vec2& p) {
+          return p.x() < 2 ? (p - Vec2(0.3, 1.4)).norm() : (p - Vec2(2.9, 0.2)).norm();
+        }) < 1.001e-4 * mean_edge);
+  for (const json& line : parted) {
+    const auto is_left = [](const json& p) { return p["position"][0].get<double>() <= 2; };
+    CHECK((std::ranges::all_of(line["points"], is_left) ||
+           std::ranges::none_of(line["points"], [&](const json& p) { return p["position"][0].get<double>() < 2; })));
+  }
 }
 
 TEST_CASE("gvd-distance --within: a source reaches its own region, and on a border all regions there") {

@@ -129,6 +129,42 @@ TEST_CASE("gvd-remesh: notes on creases do not contradict each other") {
   CHECK_THAT(enough.err, !Contains("do not follow"));
 }
 
+/// A flat square with k x k square holes, as OFF.
+std::string sheet_with_holes(int k) {
+  const int n = 2 * k + 1;
+  std::string vertices, faces;
+  int count = 0;
+  for (int x = 0; x <= n; ++x) {
+    for (int y = 0; y <= n; ++y) {
+      vertices += fmt::format("{} {} 0\n", x, y);
+      if (x == n || y == n || (x % 2 == 1 && y % 2 == 1)) continue;
+      const int a = x * (n + 1) + y, b = a + n + 1;
+      faces += fmt::format("3 {} {} {}\n3 {} {} {}\n", a, b, b + 1, a, b + 1, a + 1);
+      count += 2;
+    }
+  }
+  return fmt::format("OFF\n{} {} 0\n{}{}", (n + 1) * (n + 1), count, vertices, faces);
+}
+
+TEST_CASE("gvd-remesh: a higher --max-added is advised only where it helps") {
+  const ScratchFolder scratch;
+  write_text(scratch / "holes.off", sheet_with_holes(6));
+  const auto told = [&](int max_added) {
+    return run_command("gvd-remesh", scratch / "holes.off" + " --vertices 0,30 --keep-boundary --max-added " +
+                                         std::to_string(max_added))
+        .err;
+  };
+  // Each hole takes three vertices, and the first ones added make more defects.
+  CHECK_THAT(told(60),
+             Contains("8 defects became 74, then 68; about 109 are likely to be needed: give more or other ones, or "
+                      "raise --max-added\n"));
+  CHECK_THAT(told(110), Contains("8 defects became 74, then 31; about ") && Contains("or raise --max-added\n"));
+  // Creases have a limit of their own: one for each given generator, and 100.
+  const std::string limited = "edges do not follow 2.04 % of their length; give more generators\n";
+  CHECK_THAT(told(143), Contains(limited));
+  CHECK_THAT(told(500), Contains(limited));
+}
+
 TEST_CASE("gvd-remesh --target-edge: the number of generators for a length of edges") {
   const auto torus = report_of(data_file("torus.ply") + " --target-edge 0.2 --sampling poisson");
   const double area = torus["results"]["output"]["area"], faces = torus["results"]["output"]["faces"];

@@ -51,10 +51,12 @@ TEST_CASE("gvd-segment --curves boundary and creases, cut and whole, with pages 
 TEST_CASE("bad curves, and options that contradict them, are refused in one line") {
   const ScratchFolder scratch;
   const std::string figure = data_file("figure.obj");
-  require_error("gvd-segment", data_file("torus.ply") + " --curves boundary", 4, "the mesh is closed");
+  require_error("gvd-segment", data_file("torus.ply") + " --curves boundary", 4,
+                "the mesh is closed and has no boundary; use --curves creases, a file of curves, or points");
   require_error("gvd-segment", data_file("torus.ply") + " --curves creases:170", 4, "more than 170 degrees");
   require_error("gvd-segment", figure + " --curves creases:0", 2, "creases:30");
-  require_error("gvd-segment", figure + " --curves /nowhere.obj", 3, "no such file");
+  require_error("gvd-segment", figure + " --curves /nowhere.obj", 3,
+                "--curves /nowhere.obj: there is no such file; write boundary, creases or the name of a file");
   require_error("gvd-segment", figure + " --curves boundary -n 5", 2, "-n and --curves exclude each other");
   require_error("gvd-segment", figure + " --curves boundary --verify", 2, "--verify");
   require_error("gvd-segment", data_file("half_sphere.off") + " --curves boundary --method gbgvd", 2, "--method exact");

@@ -1,5 +1,7 @@
 // gvd-segment inside given regions, without masked faces, and at several levels.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -276,14 +278,32 @@ TEST_CASE("gvd-segment --within: regions that can't be kept to are errors in one
   require_error(name, figure + "-n 9 --within " + scratch / "half.txt", 4, "half.txt: the region of face 1 is 0.5");
   require_error(name, figure + "-n 9 --within " + scratch / "short.txt", 3, "short.txt: 3 numbers; give one for each");
   require_error(name, figure + "-n 9 --mask " + scratch / "none.txt", 4, "none.txt: no face is left");
+  write_text(scratch / "all.txt", list_of([](int) { return -1; }));
+  require_error(name, figure + "-n 9 --within " + scratch / "all.txt", 4,
+                "all.txt: no face is left; all numbers are negative");
   require_error(name, figure + "-n 9 --within atlas", 3, "--within atlas: there is no such file, and");
   require_error(name, figure + "--generators " + scratch / "inside.txt" + " --mask " + scratch / "three.txt", 4,
-                "generator 0 lies on a face that is left out");
+                "generator 0 lies on a face that is left out; choose another");
   require_error(name, figure + "--per-region 3", 2, "--within");
   require_error(name, figure + "--levels 5,3", 2, "3 follows 5; write ascending numbers");
   require_error(name, figure + "--levels 5,x", 2, "'x' is not a whole number");
   require_error(name, figure + "--levels 5,9 -n 3", 2, "--levels");
   require_error(name, three + "--per-region 3 -n 30", 2, "--per-region");
+}
+
+TEST_CASE("gvd-segment: files of weights and shares with numbers that can't be are named") {
+  const ScratchFolder scratch;
+  const std::string torus = data_file("torus.ply") + " -n 3 ", file = scratch / "numbers.txt";
+  for (const char* wrong : {"nan", "inf", "-inf"}) {
+    write_text(file, fmt::format("1\n{}\n2\n", wrong));
+    require_error("gvd-segment", torus + "--weights " + file, 4,
+                  fmt::format("numbers.txt: the weight of generator 1 is {}; give finite numbers", wrong));
+  }
+  for (const char* wrong : {"0", "-1", "nan"}) {
+    write_text(file, fmt::format("1\n1\n{}\n", wrong));
+    require_error("gvd-segment", torus + "--balance area --shares " + file, 4,
+                  fmt::format("numbers.txt: the share of generator 2 is {}; give finite numbers above 0", wrong));
+  }
 }
 
 TEST_CASE("gvd-segment --within: parts without a generator are told, and how many generators reach all") {

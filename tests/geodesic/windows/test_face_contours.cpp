@@ -1,99 +1,35 @@
 // Curves of equal distance inside coarse faces: corners, joins, curves that cross no edge, and none missed.
 
+#include <algorithm>
 #include <cmath>
-#include <map>
+#include <numbers>
 #include <vector>
 
 #include "base/plane.hpp"
-#include "geodesic/face_layout.hpp"
 #include "gvd/exact_field.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
+#include "support/isoline_pieces.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"
 
 namespace gvd::test_face_contours {
 
-/// The default tolerance of isolines, in mean edges, and rounding.
-constexpr double kTolerance = 1e-4 + 1e-9;
+using test::length_of;
+constexpr double kTolerance = test::kIsolineTolerance;
 
 /// 3 x 1, two faces.
 Mesh make_rectangle() { return test::make_mesh({{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}); }
 
-/// A straight piece of an isoline, in a face that has both ends.
-struct Piece {
-  SurfacePoint from, to;
-
-  SurfacePoint at(double t) const {
-    Bary bary{};
-    for (std::size_t i = 0; i < 3; ++i) bary[i] = (1 - t) * from.bary[i] + t * to.bary[i];
-    return make_surface_point(from.face, bary);
-  }
-};
-
-std::vector<Piece> pieces_of(const Mesh& mesh, const Isoline& line) {
-  std::vector<Piece> pieces;
-  for (std::size_t i = line.closed ? 0 : 1; i < line.points.size(); ++i) {
-    const auto shared =
-        find_common_view(mesh, line.points[(i + line.points.size() - 1) % line.points.size()], line.points[i]);
-    REQUIRE(shared);
-    pieces.push_back({shared->first, shared->second});
-  }
-  return pieces;
-}
-
-double length_of(const Mesh& mesh, const Isoline& line) {
-  double length = 0;
-  for (const Piece& piece : pieces_of(mesh, line))
-    length += (position(mesh, piece.to) - position(mesh, piece.from)).norm();
-  return length;
-}
-
 /// The largest difference of a piece's points from the level, mean edges.
 double worst_of(const Mesh& mesh, const ExactField& field, const std::vector<Isoline>& lines) {
-  double worst = 0;
-  for (const Isoline& line : lines) {
-    for (const Piece& piece : pieces_of(mesh, line)) {
-      for (const double t : {0.0, 0.25, 0.5, 0.75}) {
-        worst = std::max(worst, std::abs(field.nearest(piece.at(t)).distance - line.level));
-      }
-    }
-  }
-  return worst / mesh.mean_edge_length();
+  return test::worst_of(mesh, lines, [&](const SurfacePoint& p) { return field.nearest(p).distance; });
 }
-
-/// Counts random segments inside faces whose ends lie on different sides of a level, while they cross its isolines an
-/// even number of times, or the other way round.
 int count_misses(const Mesh& mesh, const ExactField& field, double level, const std::vector<Isoline>& lines,
                  int segments) {
-  std::map<FaceId, std::vector<PlaneSegment>> in_face;
-  for (const Isoline& line : lines) {
-    for (const Piece& piece : pieces_of(mesh, line)) {
-      const FaceLayout layout(mesh, piece.from.face);
-      in_face[piece.from.face].push_back({layout.at(piece.from.bary), layout.at(piece.to.bary)});
-    }
-  }
-  test::Random random(5);
-  const auto inside = [&](FaceId f) {
-    const double u = random.real(0, 1), v = random.real(0, 1);
-    return make_surface_point(f, u + v < 1 ? Bary{u, v, 1 - u - v} : Bary{1 - u, 1 - v, u + v - 1});
-  };
-  int misses = 0;
-  for (int i = 0; i < segments; ++i) {
-    const FaceId f(random.below(mesh.face_count()));
-    const SurfacePoint a = inside(f), b = inside(f);
-    const double from = field.nearest(a).distance - level, to = field.nearest(b).distance - level;
-    if (std::min(std::abs(from), std::abs(to)) < 2 * kTolerance * mesh.mean_edge_length()) continue;
-    const FaceLayout layout(mesh, f);
-    const PlaneSegment segment{layout.at(a.bary), layout.at(b.bary)};
-    int crossed = 0;
-    for (const PlaneSegment& piece : in_face[f]) {
-      crossed += !lie_on_one_side(segment, piece.from, piece.to) && !lie_on_one_side(piece, segment.from, segment.to);
-    }
-    misses += (crossed % 2 == 1) != ((from > 0) != (to > 0));
-  }
-  return misses;
+  return test::count_misses(mesh, level, lines, segments,
+                            [&](const SurfacePoint& p) { return field.nearest(p).distance; });
 }
 
 void check_levels(const Mesh& mesh, const ExactField& field, int levels) {
@@ -182,6 +118,52 @@ TEST_CASE("an isoline through vertices and along edges is still on its level") {
   const ExactField field(grid, {vertex_point(grid, VertexId(10)), vertex_point(grid, VertexId(24))});
   for (const double level : {1.0, std::sqrt(2.0), 2.0, 3.0})
     CHECK(worst_of(grid, field, field.isolines({level})) <= kTolerance);
+}
+
+TEST_CASE("an isoline that comes back beside itself, nearer than the tolerance, is whole") {
+  // Two faces, 100 x 1: the tolerance is 6e-3, and halfway between the long sides the distance is 0.5.
+  const Mesh mesh = test::make_mesh({{0, 0, 0}, {100, 0, 0}, {100, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  const ExactField field(mesh, boundary_curves(mesh));
+  for (const double below : {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9}) {
+    CAPTURE(below);
+    const double level = 0.5 - below;
+    const auto lines = field.isolines({level});
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].closed);
+    // Each of the two ends may be cut off by the tolerance.
+    const double margin = 2 * kTolerance * mesh.mean_edge_length();
+    CHECK(length_of(mesh, lines[0]) == Approx(2 * (100 - 2 * level) + 4 * below).margin(margin));
+  }
+  CHECK(field.isolines({0.5 + 1e-9}).empty());
+}
+
+TEST_CASE("circles that almost touch are one curve where they overlap, and else two") {
+  const Mesh mesh = make_rectangle();
+  test::Random random(3);
+  int wrong = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vec2 middle(random.real(0.7, 2.3), random.real(0.35, 0.65));
+    const Vec2 arm = 0.3 * unit_vector(random.real(0, 6));
+    const auto at = [&](const Vec2& p) {
+      const double x = p.x(), y = p.y();  // the diagonal is y = x / 3
+      return y < x / 3 ? make_surface_point(FaceId(0), {1 - x / 3, x / 3 - y, y})
+                       : make_surface_point(FaceId(1), {1 - y, x / 3, y - x / 3});
+    };
+    const ExactField field(mesh, {at(middle - arm), at(middle + arm)});
+    for (const double beyond : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
+      for (const double level : {0.3 - beyond, 0.3 + beyond}) {
+        const auto lines = field.isolines({level});
+        const bool reaches_side = std::min({middle.y(), 1 - middle.y()}) - std::abs(arm.y()) < level;
+        if (reaches_side) continue;
+        wrong += lines.size() != (level < 0.3 ? 2 : 1);
+        double length = 0;
+        for (const Isoline& line : lines) length += length_of(mesh, line);
+        const double half_angle = level < 0.3 ? 0 : std::acos(0.3 / level);
+        wrong += std::abs(length - 4 * level * (std::numbers::pi - half_angle)) > 1e-3;
+      }
+    }
+  }
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("isolines of points are on their level and separate what is nearer from what is farther") {

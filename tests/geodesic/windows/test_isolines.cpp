@@ -10,6 +10,7 @@
 #include "support/generators.hpp"
 #include "support/many_threads.hpp"
 #include "support/meshes.hpp"
+#include "support/refusal.hpp"
 
 namespace gvd::test_isolines {
 
@@ -117,7 +118,7 @@ TEST_CASE("isolines on a plane are circles") {
 TEST_CASE("the nearer side of an isoline is on its left") {
   const Mesh mesh = test::make_grid(8, 8);
   const ExactField field(mesh, {vertex_point(mesh, VertexId(40))});
-  const Vec3 centre = mesh.position(VertexId(40));
+  const Vec3& centre = mesh.position(VertexId(40));
   for (const Isoline& line : field.isolines({0.4, 1.3, 3.1})) {
     double area = 0;
     for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -182,6 +183,14 @@ TEST_CASE("isolines of levels that are not ascending, not above 0 or beyond the 
     CHECK_THROWS_AS(field.isolines(levels), Error);
   }
   CHECK_THROWS_AS(field.isolines({0.5}, {.chord_tolerance = 0}), Error);
+}
+
+TEST_CASE("isolines that would fill the memory are refused before they are traced") {
+  const Mesh mesh = test::make_grid(100, 100);  // 30,200 edges
+  const ExactField field(mesh, {vertex_point(mesh, VertexId(0))});
+  CHECK(test::refusal([&] { field.isolines(make_levels(100 * std::sqrt(2.0) / 200'000, 140)); },
+                      ErrorCode::invalid_option) ==
+        "the curves would cross edges 3.7e+07 times, more than 2e+07; give fewer levels");
 }
 
 }  // namespace gvd::test_isolines

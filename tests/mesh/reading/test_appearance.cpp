@@ -140,6 +140,7 @@ std::string textured_glb(const std::string& accessor, const std::string& more = 
       replaced(description, R"("count":12,"type":"SCALAR"}],)", R"("count":12,"type":"SCALAR"},)" + accessor + "],");
   description = replaced(description, R"("byteOffset":84,"byteLength":48}])",
                          R"("byteOffset":84,"byteLength":48},{"buffer":0,"byteOffset":132,"byteLength":32}])");
+  description = replaced(description, R"("byteLength":132}])", R"("byteLength":164}])");
   std::string numbers = glb_numbers();
   for (int k = 0; k < 4; ++k) numbers += bytes_of(static_cast<float>(k)) + bytes_of(static_cast<float>(k) / 4);
   return glb_of(description, numbers);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <random>
 
+#include "gvd/gltf_files.hpp"
 #include "gvd/read_soup.hpp"
 #include "mesh/reading/gltf_buffers.hpp"
 #include "mesh/reading/soup_files.hpp"
@@ -46,6 +47,26 @@ struct Models {
   }
 };
 
+TEST_CASE("gltf buffers: the files beside the mesh that it refers to are listed, images too, and no other addresses") {
+  const Models at;
+  at.read("sub%20folder/n%231%2520.bin");
+  CHECK(list_gltf_files(at.models / "mesh.gltf") == std::vector<fs::path>{"sub folder/n#1%20.bin"});
+  Models::write(at.models / "painted.gltf",
+                replaced(gltf_of(glb_description(2), "numbers.bin"), "\"buffers\"",
+                         R"("images":[{"uri":"paint%20er.png"},{"uri":"data:image/png;base64,AA=="},{"bufferView":0},)"
+                         R"({"uri":"../up.png"},{"uri":"https://a.org/b.png"},{"uri":7}],"buffers")"));
+  CHECK(list_gltf_files(at.models / "painted.gltf") == std::vector<fs::path>{"numbers.bin", "paint er.png"});
+  Models::write(at.models / "packed.glb", glb_of(gltf_of(glb_description(2), "numbers.bin"), ""));
+  CHECK(list_gltf_files(at.models / "packed.glb") == std::vector<fs::path>{"numbers.bin"});
+  for (const std::string& bytes : {kGltf, kObj, kGltf.substr(1)}) {
+    Models::write(at.models / "mesh.gltf", bytes);
+    CHECK(list_gltf_files(at.models / "mesh.gltf").empty());
+  }
+  Models::write(at.models / "mesh.gltf", kGltf.substr(0, 40));
+  CHECK_THAT(refusal([&] { list_gltf_files(at.models / "mesh.gltf"); }, ErrorCode::unreadable_input),
+             Catch::Matchers::Contains("mesh.gltf: the scene's description is damaged"));
+}
+
 TEST_CASE("gltf buffers: a file beside the mesh or below it is read, and percent-encoded names are decoded once") {
   const Models at;
   for (const char* uri :
@@ -66,7 +87,7 @@ TEST_CASE("gltf buffers: a file beside the mesh or below it is read, and percent
 TEST_CASE("gltf buffers: a buffer that begins as a gzip file does is read as it is") {
   const Models at;
   Models::write(at.models / "packed.bin", "\x1f\x8b\x08");
-  CHECK_THAT(at.refused("packed.bin"), Catch::Matchers::Contains("view 0 has 48 bytes from 0 on, and buffer 0 has 3"));
+  CHECK_THAT(at.refused("packed.bin"), Catch::Matchers::Contains("buffer 0 should have 132 bytes, and has 3"));
 }
 
 TEST_CASE("gltf buffers: what is not below the folder of the mesh is refused, however its name is written") {
@@ -130,8 +151,8 @@ TEST_CASE("gltf buffers: data URIs are Base64; without a folder there is nothing
   };
   refused("data:application/octet-stream,abc", "is a data URI without Base64");
   refused("data:", "is a data URI without Base64");
-  refused("data:;base64", "view 0 has 48 bytes from 0 on, and buffer 0 has 0");
-  refused("data:;base64,AAAA", "view 0 has 48 bytes from 0 on, and buffer 0 has 3");
+  refused("data:;base64", "buffer 0 should have 132 bytes, and has 0");
+  refused("data:;base64,AAAA", "buffer 0 should have 132 bytes, and has 3");
   refused("data:;base64,AA*ABBBB", "is a data URI whose Base64 is damaged");
   refused("numbers.bin", "name the mesh by its path, with the buffer beside it, or export one .glb");
   refused("/etc/hostname", "is not in the file");
@@ -145,6 +166,7 @@ TEST_CASE("gltf buffers: a file counts once, and its size among what may be unfo
   std::string description =
       replaced(glb_description(2), R"("byteOffset":60,"byteLength":24)", R"("byteOffset":132,"byteLength":2000000)");
   description = replaced(description, R"("componentType":5123,"count":12)", R"("componentType":5123,"count":999999)");
+  description = replaced(description, R"("byteLength":132}])", R"("byteLength":2000132}])");
   Models::write(at.models / "mesh.gltf", gltf_of(description, "numbers.bin"));
   CHECK(read_soup(at.models / "mesh.gltf").polygon_count() == 333333);
 }

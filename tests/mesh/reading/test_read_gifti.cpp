@@ -90,7 +90,14 @@ TEST_CASE("gifti: what is wrong with a surface is refused in one line") {
   refused("NIFTI_INTENT_POINTSET", "NIFTI_INTENT_SHAPE", "no array NIFTI_INTENT_POINTSET; give a surface (.surf.gii)");
   refused("\"ASCII\"", "\"ExternalFileBinary\" ExternalFileName=\"a.dat\"", "the numbers are in another file, 'a.dat'");
   refused("\"ASCII\"", "\"Morse\"", "has the encoding 'Morse'");
-  refused("Dim0=\"4\"", "Dim0=\"5\"", "with Dim0 '5' and Dim1 '3' has 12 numbers");
+  refused("Dim0=\"4\"", "Dim0=\"5\"",
+          "an array 'NIFTI_INTENT_POINTSET' should have 15 numbers (Dim0 '5', Dim1 '3'), and its data hold 12 numbers; "
+          "export the file again");
+  refused("Dim0=\"4\"", "Dim0=\"4x\"",
+          "an array 'NIFTI_INTENT_POINTSET' has Dim0 '4x', and should have a whole number from 0 there; export");
+  refused("Dim0=\"4\"", "Dim0=\"-4\"", "has Dim0 '-4', and should");
+  refused("Dim0=\"4\"", "", "should have 0 numbers (Dim1 '3'), and its data hold 12 numbers");
+  require_tetrahedron(parse_gii(replaced(kGifti, "Dim0=\"4\"", "Dim0=\" 4 \"")));
   refused("Dim0=\"4\"", "Dim0=\"99999999999999\"", "99999999999999 in one dimension are more than the file can hold");
   refused("Dim1=\"3\"", "Dim1=\"4\"", "has 16 numbers in 4 rows; three in a row are needed");
   refused("Dimensionality=\"2\"", "Dimensionality=\"0\"", "has no dimensions");
@@ -99,12 +106,17 @@ TEST_CASE("gifti: what is wrong with a surface is refused in one line") {
                   ErrorCode::precondition);
   require_refused("<?xml version=\"1.0\"?><VTKFile/>", MeshFormat::gii, "the XML has no element GIFTI");
   for (const std::string encoding : {"Base64Binary", "GZipBase64Binary"}) {
-    const bool is_packed = encoding == "GZipBase64Binary";
-    const std::string part =
-        is_packed ? "or not the 48 bytes that Dim0 '4' and Dim1 '3' promise" : "has 11 numbers, or";
-    require_refused(with_points("FLOAT32", numbers(kFloats).substr(1), encoding), MeshFormat::gii, part);
-    require_refused(with_points("FLOAT32", numbers(kFloats) + "more", encoding), MeshFormat::gii,
-                    is_packed ? part : "has 13 numbers, or");
+    INFO(encoding);
+    const std::string hold = "should have 12 numbers (Dim0 '4', Dim1 '3'), and its data hold ";
+    require_refused(with_points("FLOAT32", numbers(kFloats).substr(1), encoding), MeshFormat::gii,
+                    hold + "11 numbers and 3 more bytes; export");
+    require_refused(with_points("FLOAT32", numbers(kFloats) + "more", encoding), MeshFormat::gii, hold + "13 numbers;");
+    require_refused(with_points("FLOAT32", numbers(kFloats) + numbers(kFloats), encoding), MeshFormat::gii,
+                    hold + "24 numbers;");
+    require_refused(with_points("FLOAT32", "", encoding), MeshFormat::gii, hold + "0 numbers;");
+    // Far more than the file has, and fewer than it could unfold to.
+    require_refused(replaced(with_points("FLOAT32", numbers(kFloats), encoding), "Dim0=\"4\"", "Dim0=\"3000000\""),
+                    MeshFormat::gii, "should have 9000000 numbers (Dim0 '3000000', Dim1 '3'), and its data hold 12 ");
     require_refused(with_points("STRING", numbers(kFloats), encoding), MeshFormat::gii, "the type 'NIFTI_TYPE_STRING'");
   }
   std::string noise = with_points("FLOAT32", numbers(kFloats), "GZipBase64Binary");

@@ -15,8 +15,9 @@ TEST_CASE("glb: indices of 8, 16 and 32 bits, and none") {
     INFO(indices);
     require_tetrahedron(parse(glb_description(indices)));
   }
-  // Without indices each three vertices are a triangle: the fourth is in none.
-  const PolygonSoup soup = parse(replaced(glb_description(1), ",\"indices\":1", ""));
+  // Without indices each three vertices are a triangle.
+  const PolygonSoup soup =
+      parse(replaced(replaced(glb_description(1), ",\"indices\":1", ""), "\"count\":4", "\"count\":3"));
   CHECK(soup.corners == std::vector<std::int32_t>{0, 1, 2});
 }
 
@@ -130,6 +131,57 @@ TEST_CASE("glb: what is not read is refused in one clear line") {
                   "a coordinate of vertex 1 is not a finite number", ErrorCode::precondition);
 }
 
+TEST_CASE("glb: lengths, steps and counts that don't fit together are refused, and tell what there is") {
+  const auto refused = [](const std::string& from, const std::string& to, const std::string& part) {
+    INFO(from << " -> " << to);
+    require_refused(glb_of(replaced(glb_description(2), from, to), glb_numbers()), MeshFormat::glb, part);
+  };
+  const std::string again = "; export the file again";
+  refused(R"("byteLength":132})", R"("byteLength":133})", "buffer 0 should have 133 bytes, and has 132" + again);
+  refused(R"("byteLength":132})", R"("byteLength":80})", "view 2 has 24 bytes from 60 on, and buffer 0 has 80");
+  refused(R"("byteLength":132})", R"("byteLength":-1})", "'byteLength' is no index or count");
+  refused(R"("byteLength":48})", R"("byteLength":47})", "accessor 0 has 4 elements, and its view has 47 bytes");
+  refused(R"("byteLength":48})", R"("byteLength":48,"byteStride":8})",
+          "accessor 0 has elements of 12 bytes, and its view steps by 8 ('byteStride')" + again);
+  refused(
+      R"("byteLength":48})", R"("byteLength":56,"byteStride":14})",
+      "accessor 0 has numbers of 4 bytes at byte 0 of its buffer and each 14 bytes on, which are no multiples of 4");
+  refused(R"({"buffer":0,"byteLength":48})", R"({"buffer":0,"byteOffset":2,"byteLength":50})",
+          "accessor 0 has numbers of 4 bytes at byte 2 of its buffer");
+  refused(R"("byteOffset":60)", R"("byteOffset":59)", "accessor 2 has numbers of 2 bytes at byte 59 of its buffer");
+  refused(R"("componentType":5123,"count":12)", R"("componentType":5123,"count":11)",
+          "mesh 0 has a list of triangles with 11 corners, of which the last triangle lacks some" + again);
+  refused(R"(,"indices":2)", "", "mesh 0 has a list of triangles with 4 corners, of which");
+  refused(R"("componentType":5123,"count":12,"type":"SCALAR")", R"("componentType":5123,"count":4,"type":"VEC3")",
+          "accessor 2 has vectors of 3 numbers, and indices are single numbers" + again);
+  refused(R"([{"mesh":0}])", R"([{"mesh":0,"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1, 5]}])",
+          "node 0 has a matrix of 17 numbers that is no affine transform");
+  refused(
+      R"([{"mesh":0}])", R"([{"mesh":0,"matrix":[1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]}])",
+      "node 0 has a matrix of 16 numbers that is no affine transform: it needs 16, and the last row 0 0 0 1" + again);
+  refused(R"([{"mesh":0}])", R"([{"mesh":0,"rotation":[0,0,0,0]}])", "node 0 has a rotation of length 0" + again);
+  refused(R"("indices":2)", R"("indices":2,"mode":7)", "mesh 0 has the unknown mode 7" + again);
+  const auto with_mode = [](int mode, int count) {
+    const std::string two =
+        replaced(glb_description(2), "\"indices\":2", "\"indices\":2,\"mode\":" + std::to_string(mode));
+    return glb_of(
+        replaced(two, R"("componentType":5123,"count":12)", R"("componentType":5123,"count":)" + std::to_string(count)),
+        glb_numbers());
+  };
+  require_refused(with_mode(5, 2), MeshFormat::glb, "mesh 0 has a strip of triangles with 2 corners");
+  require_refused(with_mode(6, 1), MeshFormat::glb, "mesh 0 has a fan of triangles with 1 corner,");
+  std::string longer = glb_of(glb_description(2), glb_numbers());
+  longer.replace(8, 4, bytes_of(static_cast<std::uint32_t>(longer.size() + 4)));
+  require_refused(longer, MeshFormat::glb,
+                  "the header says that the file has " + std::to_string(longer.size() + 4) + " bytes, and it has " +
+                      std::to_string(longer.size()) + "; copy it again");
+  // A chunk is padded, a file may be followed by other bytes, and a step of 0 is none.
+  const std::string whole =
+      glb_of(replaced(glb_description(2), R"("byteLength":132})", R"("byteLength":131})"), glb_numbers());
+  require_tetrahedron(parse_soup(whole + "more", MeshFormat::glb, "file"));
+  require_tetrahedron(parse(replaced(glb_description(2), R"("byteLength":48})", R"("byteLength":48,"byteStride":0})")));
+}
+
 TEST_CASE("glb: required extensions that leave the triangles as they are do not matter") {
   for (const std::string name : {"KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_basisu"}) {
     require_tetrahedron(
@@ -170,9 +222,10 @@ TEST_CASE("glb: instances are counted, so that a small file can't take all memor
   }
   // 12 bytes of the binary chunk are a million corners.
   std::string description = glb_description(1, nodes + "]}" + instances + "]");
-  description = replaced(description, R"("count":12)", R"("count":100000)");
-  description = replaced(description, R"("byteOffset":48,"byteLength":12)", R"("byteOffset":132,"byteLength":100000)");
-  require_refused(glb_of(description, glb_numbers() + std::string(100000, '\0')), MeshFormat::glb,
+  description = replaced(description, R"("count":12)", R"("count":100002)");
+  description = replaced(description, R"("byteOffset":48,"byteLength":12)", R"("byteOffset":132,"byteLength":100002)");
+  description = replaced(description, R"("byteLength":132}])", R"("byteLength":100134}])");
+  require_refused(glb_of(description, glb_numbers() + std::string(100002, '\0')), MeshFormat::glb,
                   "unfolds to more than 200 times its size");
 }
 

@@ -103,6 +103,18 @@ TEST_CASE("OBJ colours: from 0 to 1, or from 0 to 255 where a number of the file
   CHECK(colors_of("v 0 0 0 0 1 1 0.2\nv 1 0 0 1 1 1\n") == Rows{{0, 255}, {255, 255}, {255, 255}, {51, 255}});
 }
 
+TEST_CASE("OBJ colours: numbers that rounding moved out of their range neither choose another nor lose the colours") {
+  const Rows row{{255}, {128}, {0}};
+  for (const std::string end : {"1", "1.0000001", "1.00001", "1.001"}) {
+    INFO(end);
+    CHECK(colors_of("v 0 0 0 " + end + " 0.5 0\n") == row);
+    CHECK(colors_of("v 0 0 0 " + end + " 0.5 -1e-7\n") == row);
+  }
+  CHECK(colors_of("v 0 0 0 255.0001 128 -1e-7\n") == row);
+  CHECK(colors_of("v 0 0 0 2 0.5 0\n") == Rows{{2}, {1}, {0}});
+  CHECK(colors_of("v 0 0 0 1 0.5 -0.01\n").empty());
+}
+
 TEST_CASE("OBJ colours: a vertex without one is white; continued lines and comments count as for faces") {
   CHECK(colors_of("v 0 0 0 # 1 1 1\nv 1 0 0 0 \\\n 0 0 # black\n") == Rows{{255, 0}, {255, 0}, {255, 0}});
   CHECK(colors_of("v 0 0 0 1\nv 1 0 0 0 0 0\n") == Rows{{255, 0}, {255, 0}, {255, 0}});

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "mesh/reading/soup_files.hpp"
 
 namespace gvd::test_read_off {
@@ -41,6 +43,25 @@ TEST_CASE("OFF: a vertex or a face may continue on the next lines") {
   CHECK(soup.first_corner == std::vector<std::size_t>{0, 4, 7});
 }
 
+TEST_CASE("OFF: all numbers may be on one line") {
+  std::string line = kOff;
+  std::ranges::replace(line, '\n', ' ');
+  for (const std::string& bytes : {line, replaced(line, "OFF ", ""), replaced(line, "OFF 4", "OFF4"),
+                                   line + "\n# end\n", replaced(line, "OFF ", "OFF\n"), "# one\r\n" + line + "\r\n"}) {
+    INFO(bytes);
+    require_tetrahedron(parse(bytes));
+  }
+  CHECK(parse("OFF 4 1 0 0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3").corners == std::vector<std::int32_t>{0, 1, 2, 3});
+  CHECK(parse("OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2\n3 2 1 0\n").notes ==
+        std::vector<std::string>{"1 line after the last face left out"});
+  require_refused(
+      "OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2 255 0 0", MeshFormat::off,
+      "file:1: '255' follows the last face; if faces or vertices have colours, give each a line of its own");
+  require_refused("OFF 4 1 0 0 0 0 1 0 0 0 1 0 0 0 1 4 0 1 2", MeshFormat::off, "a corner of the face is missing");
+  // What else stands behind the counts is skipped, as ever.
+  CHECK(parse("OFF 3 1 0 9 9\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").positions[1] == Vec3(1, 0, 0));
+}
+
 TEST_CASE("OFF: lines after the last face are noted") {
   CHECK(parse(kOff + "3 0 1 2\n# comment\n").notes == std::vector<std::string>{"1 line after the last face left out"});
   CHECK(parse(kOff + "\n# comment\n").notes.empty());
@@ -60,7 +81,8 @@ TEST_CASE("OFF: bad bytes are refused with their line") {
   refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", "file:6: face 0 has -3 corners");
   refused("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "ends after line 6, and face 1 of 2 is missing");
   refused("OFF\n3 1 0\n0.0 0 0\n10.0 0 0\n", "ends after line 4, and vertex 2 of 3 is missing");
-  refused("OFF\n4000000000 1 0\n0 0 0\n", "file:2: the number of vertices is 4000000000, and the file has only 6 more");
+  refused("OFF\n4000000000 1 0\n0 0 0\n",
+          "file:2: the number of vertices is 4000000000, and the file has only 10 more");
   refused("OFF\n1 999999999999999 0\n0 0 0\n", "file:2: the number of faces is 999999999999999");
   refused("OFF\n-3 1 0\n", "file:2: the number of vertices is -3");
   refused("OFF\n3.5 1 0\n", "file:2: the number of vertices is '3.5', and should be a whole number");

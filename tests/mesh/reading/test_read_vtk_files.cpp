@@ -34,10 +34,11 @@ TEST_CASE("vtp: polygons, pieces, strips, and lines that are left out with their
   const PolygonSoup two = parse_vtp(replaced(kVtp, piece, piece + piece));
   CHECK(two.positions.size() == 8);
   CHECK(two.polygon(7)[0] == 5);
-  const PolygonSoup strip = parse_vtp(
+  const PolygonSoup strip = parse_vtp(replaced(
       replaced(replaced(replaced(replaced(kVtp, "NumberOfPolys=\"4\"", "NumberOfStrips=\"1\""), "<Polys>", "<Strips>"),
                         "</Polys>", "</Strips>"),
-               ">3 6 9 12<", ">4<"));
+               ">3 6 9 12<", ">4<"),
+      ">0 1 2 0 3 1 0 2 3 1 3 2<", ">0 1 2 0<"));
   CHECK(strip.corners == std::vector<std::int32_t>{0, 1, 2, 2, 1, 0});
   std::string lines = replaced(kVtp, "NumberOfPoints=\"4\"", "NumberOfPoints=\"6\" NumberOfLines=\"1\"");
   lines = replaced(replaced(lines, ">0 0 0 1 1 0", ">9 9 9 0 0 0 1 1 0"), " 0 1 1<", " 0 1 1 8 8 8<");
@@ -57,6 +58,8 @@ TEST_CASE("vtp: appended data, raw and in Base64, may hold anything") {
   require_tetrahedron(parse_vtp(with_appended("raw", "</VTKFile>" + point_bytes(), "10")));
   require_refused(with_appended("raw", point_bytes(4000)), MeshFormat::vtp,
                   "an array of Points ends before its last byte");
+  require_refused(with_appended("raw", point_bytes(97) + "x"), MeshFormat::vtp,
+                  "an array of Points has 97 bytes for numbers of 8 bytes; write the file again");
   require_refused(with_appended("raw", point_bytes(), "99999"), MeshFormat::vtp,
                   "an array of Points begins 99999 bytes into");
   require_refused(with_appended("base64", "YAAAAA==!"), MeshFormat::vtp, "ends before its last byte, or is no Base64");
@@ -82,6 +85,17 @@ TEST_CASE("vtu: cells of a surface are read, lines are left out, and other cells
     require_refused(replaced(kVtu, from, to), MeshFormat::vtu, part);
   };
   refused("5 5 7 5<", "5 5 10 5<", "cell 2 has the VTK type 10, and only triangles");
+  // The four triangles as one with four corners and others, and as a quad and a pixel with three.
+  refused("3 6 9 12<", "4 6 9 12<",
+          "cell 0 has 4 corners, and its VTK type 5 has 3; correct it, or write a polygon (type 7)");
+  refused("5 5 7 5<", "5 9 7 5<",
+          "cell 1 has 3 corners, and its VTK type 9 has 4; correct it, or write a polygon (type 7)");
+  refused("5 5 7 5<", "5 5 7 8<",
+          "cell 3 has 3 corners, and its VTK type 8 has 4; correct it, or write a polygon (type 7)");
+  refused("1 3 2<", "1 3 2 0 1 2<",
+          "the corners of the last cell end at 12, and the file has 15; write the file again");
+  refused("NumberOfCells=\"4\"", "", "a piece has Cells and lacks NumberOfCells; write the file again");
+  refused("NumberOfPoints=\"4\"", "", "a piece has Points and lacks NumberOfPoints; write the file again");
   refused("5 5 7 5<", "5 5 7<", "there are 4 cells and 3 types of cells");
   refused("NumberOfCells=\"4\"", "NumberOfCells=\"99999999999\"", "has 4 offsets");
   refused("5 5 7 5<", "3 3 3 3<", "4 vertices and no face; a surface is needed (4 lines and vertices are left out)");
@@ -138,6 +152,7 @@ TEST_CASE("vtp: what is wrong is refused in one line") {
   refused("</PolyData>", "", "the XML is damaged");
   refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"", "a piece of 5 points has 12 coordinates");
   refused("NumberOfPolys=\"4\"", "NumberOfPolys=\"99999999999\"", "has 4 offsets");
+  refused("NumberOfPolys=\"4\"", "", "a piece has Polys and lacks NumberOfPolys; write the file again");
   refused("3 6 9 12", "3 6 9 13", "the corners of cell 3 end at 13");
   refused("3 6 9 12", "3 6 5 12", "the corners of cell 2 end at 5");
   refused("0 2 3 1 3 2", "0 2 3 1 3 4", "cell 3 refers to point 4, and there are 4");
@@ -168,6 +183,8 @@ TEST_CASE("vtk: text with offsets, strips, fields, metadata and data behind the 
                         "0 3 6 9 12\nCONNECTIVITY vtktypeint64\n0 1 2 0 3 1 0 2 3 1 3 2\nPOINT_DATA 4\nanything"),
                "Version 3.0", "Version 5.1");
   require_tetrahedron(parse_vtk(offsets));
+  require_refused(replaced(offsets, "\n0 3 6 9 12\n", "\n3 3 6 9 12\n"), MeshFormat::vtk,
+                  "the offsets begin with 3 and not with 0");
   require_tetrahedron(
       parse_vtk(replaced(kVtk, "POINTS", "FIELD FieldData 2\nTIME 1 1 double\n0.5\nb 2 2 int\n1 2 3 4\npoints")));
   CHECK(parse_vtk(replaced(kVtk, "POLYGONS", "TRIANGLE_STRIPS")).polygon_count() == 4);

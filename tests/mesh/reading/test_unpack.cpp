@@ -1,5 +1,4 @@
 // gzip around each format, its limits, and the names of contents that are no mesh.
-#define ZLIB_CONST
 #include <zlib.h>
 
 #include <vector>
@@ -79,9 +78,9 @@ TEST_CASE("gzip: a damaged, cut or endless file is refused in one line") {
 }
 
 // How an object of MNI shines, and the number of its points.
-std::string binary_surface(bool big_endian) {
+std::string binary_surface(bool big_endian, float shine = 10) {
   std::string bytes;
-  for (const float number : {0.3F, 0.3F, 0.4F, 10.F, 1.F}) bytes += bytes_of(number, big_endian);
+  for (const float number : {0.3F, 0.3F, 0.4F, shine, 1.F}) bytes += bytes_of(number, big_endian);
   return bytes + bytes_of(std::int32_t{4}, big_endian);
 }
 
@@ -155,6 +154,8 @@ TEST_CASE("content that is no mesh is named, whatever the extension says") {
       {std::string("\xff\xfe\0\0v\0\0\0", 8), "text in UTF-32"},
       {"p" + binary_surface(false), "a binary object of MNI; write it as text, or as PLY"},
       {"p" + binary_surface(true), "a binary object of MNI"},
+      {"p" + binary_surface(false, 12345), "a binary object of MNI"},
+      {"p" + binary_surface(true, -1), "a binary object of MNI"},
       {"$MeshFormat\n4.1 0 8\n", "a Gmsh mesh"}};
   for (const auto& [bytes, part] : contents) {
     for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::stl, MeshFormat::glb}) {

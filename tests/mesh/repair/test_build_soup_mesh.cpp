@@ -2,8 +2,11 @@
 
 #include "mesh/reading/soup_files.hpp"
 #include "support/meshes.hpp"
+#include "support/twisted_strip.hpp"
 
 namespace gvd::test_build_soup_mesh {
+
+using test::kTwist, test::make_twisted_strip, test::split_triangles;
 
 using Polygons = std::vector<std::vector<std::int32_t>>;
 
@@ -298,6 +301,21 @@ TEST_CASE("a component of faces without area is dropped and counted, and one tha
   CHECK(build_mesh(make_soup({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}})).defects.zero_area_faces == 1);
 }
 
+TEST_CASE("a component without area is found at every size of a mesh") {
+  for (const double size : {1e-75, 1e-60, 1e-30, 1.0, 1e30, 1e74}) {
+    CAPTURE(size);
+    // A needle whose height is above 1e-15 of its longest side, and one whose height is below.
+    PolygonSoup soup = points_soup(3, {{0, 1, 2}});
+    append(soup, make_soup({{5, 0, 0}, {6, 0, 0}, {5.5, 1.1e-15, 0}}, {{0, 1, 2}}));
+    append(soup, make_soup({{5, 1, 0}, {6, 1, 0}, {5.5, 1, 0.9e-15}}, {{0, 1, 2}}));
+    for (Vec3& p : soup.positions) p *= size;
+    const CheckedMesh checked = build_mesh(soup);
+    CHECK(checked.defects.count(DefectKind::zero_area_components) == 1);
+    CHECK(checked.mesh.face_count() == 2);
+    CHECK(checked.defects.zero_area_faces == 0);
+  }
+}
+
 TEST_CASE("a face without area that the cut of an edge sets free is dropped") {
   const PolygonSoup fin =
       make_soup({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1, 0, 0}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
@@ -315,6 +333,92 @@ TEST_CASE("a long band with a half twist is cut where its faces disagree, a shor
   CHECK(checked.mesh.face_count() == 120);
   CHECK_THAT(checked.defects.messages.front(), Catch::Matchers::Contains("cut, the surface has a boundary there"));
   require_refused(make_band(20, true), "only one side", 0);
+}
+
+TEST_CASE("a closed one-sided surface is cut along seven twisted edges if these are fewer than 1 % of its edges") {
+  // 21 edges for each of 33 rows are 693. Those of a closed mesh are a multiple of 3.
+  for (const int split : {0, 2}) {
+    PolygonSoup soup = make_twisted_strip(33, true);
+    split_triangles(soup, split);
+    require_refused(soup, "the component of face 0 has only one side, like a Moebius strip", 0);
+  }
+  PolygonSoup soup = make_twisted_strip(33, true);
+  split_triangles(soup, 3);  // 702 edges
+  const CheckedMesh checked = require_repaired(soup, DefectKind::one_sided_edges, kTwist, 3);
+  const MeshSummary summary = compute_mesh_summary(checked.mesh);
+  CHECK(summary.components == 1);
+  CHECK(summary.boundary_loops == 2);
+  CHECK(summary.euler_characteristic == 0);
+  CHECK(summary.faces == std::int64_t(soup.polygon_count()));
+  CHECK(summary.vertices == std::ssize(soup.positions) + kTwist);
+  CHECK(checked.defects.messages ==
+        std::vector<std::string>{"7 edges between faces of opposite orientations make the surface one-sided, like a "
+                                 "Moebius strip, first the one between vertices 1 and 2 of face 3: cut, the surface "
+                                 "has a boundary there"});
+}
+
+TEST_CASE("a strip with a half twist of seven edges is refused at exactly 1 % of its edges, and cut below") {
+  for (const int split : {6, 7}) {  // 22 edges for each of 31 rows, and 3 for each split
+    PolygonSoup soup = make_twisted_strip(31, false);
+    split_triangles(soup, split);
+    if (split == 6) {  // 700 edges
+      require_refused(soup, "only one side", 0);
+      continue;
+    }
+    const CheckedMesh checked = require_repaired(soup, DefectKind::one_sided_edges, kTwist, 7);
+    const MeshSummary summary = compute_mesh_summary(checked.mesh);
+    CHECK(summary.components == 1);
+    CHECK(summary.boundary_loops == 1);
+    CHECK(summary.euler_characteristic == 1);
+    CHECK(summary.vertices == std::ssize(soup.positions) + kTwist + 1);
+  }
+}
+
+// Reverses a triangle.
+void flip(PolygonSoup& soup, int f) { std::swap(soup.corners[3 * f + 1], soup.corners[3 * f + 2]); }
+
+TEST_CASE("faces that are reversed inside a one-sided component are flipped, and not cut off") {
+  PolygonSoup soup = make_twisted_strip(60, true);  // 1260 edges
+  flip(soup, 300);
+  const CheckedMesh checked = build_mesh(soup);
+  CHECK(checked.defects.count(DefectKind::one_sided_edges) == kTwist);
+  CHECK(checked.defects.count(DefectKind::inconsistent_orientation) == 1);
+  const MeshSummary summary = compute_mesh_summary(checked.mesh);
+  CHECK(summary.components == 1);
+  CHECK(summary.boundary_loops == 2);
+  CHECK(summary.euler_characteristic == 0);
+  flip(soup, 301);  // the other half of its quadrilateral: 7 + 4 edges disagree
+  CHECK(build_mesh(soup).defects.count(DefectKind::one_sided_edges) == kTwist);
+  for (int f = 100; f < 104; ++f) flip(soup, f);  // two quadrilaterals side by side: 7 + 4 + 6
+  require_refused(soup, "only one side", 0);
+}
+
+TEST_CASE("of several seams the longest are closed by flips, and the shortest is cut") {
+  // Forty rows are reversed: three seams. Without the last two triangles, that at the ends of the strip has six edges.
+  PolygonSoup soup = make_twisted_strip(140, false);  // 3080 edges
+  const int row = 2 * kTwist;
+  for (int f = 70 * row; f < 110 * row; ++f) flip(soup, f);
+  soup.corners.resize(soup.corners.size() - 6);
+  soup.first_corner.resize(soup.first_corner.size() - 2);
+  const CheckedMesh checked = build_mesh(soup);
+  CHECK(checked.defects.count(DefectKind::one_sided_edges) == kTwist - 1);
+  CHECK(checked.defects.count(DefectKind::inconsistent_orientation) == 40 * row);
+  const MeshSummary summary = compute_mesh_summary(checked.mesh);
+  CHECK(summary.components == 1);
+  CHECK(summary.euler_characteristic == 1);
+}
+
+TEST_CASE("a few twists are counted for each component, and the largest component may be one that is cut") {
+  PolygonSoup soup = make_twisted_strip(40, true);
+  append(soup, make_band(20, false, 5));
+  const CheckedMesh repaired = build_mesh(soup);
+  CHECK(repaired.defects.count(DefectKind::one_sided_edges) == kTwist);
+  CHECK(compute_mesh_summary(repaired.mesh).boundary_loops == 4);
+  const CheckedMesh largest = build_mesh(soup, DefectPolicy::largest);
+  CHECK(largest.defects.count(DefectKind::one_sided_edges) == kTwist);
+  CHECK(largest.mesh.face_count() == 560);
+  append(soup, make_band(20, true, 10));  // one edge of 80 disagrees
+  require_refused(soup, "the component of face 580 has only one side", 580);
 }
 
 TEST_CASE("largest: the component with the largest area, of equals the first") {

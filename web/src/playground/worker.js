@@ -118,7 +118,7 @@ const handlers = {
     forget(...Object.keys(last));
     const before = [mesh, scenes], made = [];
     try {
-      made.push((mesh = gvd.mesh_from_bytes(new Uint8Array(bytes), name, 'repair')));
+      made.push((mesh = gvd.mesh_from_bytes(new Uint8Array(bytes), name, 'repair', null)));
       made.push((scenes = new gvd.Scenes(mesh)));
       const opened = { name, faces: mesh.summary().faces, notes: mesh.notes() };
       const scene = handlers.show(state);

@@ -56,6 +56,9 @@ typedef struct gvd_mesh gvd_mesh;
 /* Reads a mesh file. Defects are repaired if `repair` is not 0, where no part of the surface is lost by that; otherwise
  * they are refused with GVD_PRECONDITION. */
 GVD_API gvd_status gvd_mesh_read(const char* path, int repair, gvd_mesh** mesh);
+/* As gvd_mesh_read, and joins vertices at the same position, as those of an STL are; with a tolerance above 0 (mesh
+ * units) also those at most so far apart, as --weld does. */
+GVD_API gvd_status gvd_mesh_read_welded(const char* path, int repair, double tolerance, gvd_mesh** mesh);
 /* Makes a mesh of `vertex_count` positions (3 numbers each) and `face_count` triangles (3 vertices each). */
 GVD_API gvd_status gvd_mesh_create(const double* vertices, int64_t vertex_count, const int32_t* faces,
                                    int64_t face_count, int repair, gvd_mesh** mesh);

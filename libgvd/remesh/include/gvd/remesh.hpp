@@ -76,6 +76,7 @@ struct RemeshResult {
   std::int64_t added_on_creases = 0;      ///< of these, those on creases, so that edges follow them
   double crease_length = 0;               ///< of the creases of the options, mesh units
   double crease_gap_length = 0;           ///< of their parts that edges do not follow: other cells come between
+  bool creases_lack_added = false;        ///< only `max_added` kept generators from being added on those parts
   std::int32_t rounds = 0;                ///< number of diagrams, before a search for fewer
   std::vector<SurfacePoint> face_points;  ///< the branch point of every face
   std::vector<FaceId> slivers;            ///< faces with a Q (gvd/quality.hpp) below kSliverQ, ascending

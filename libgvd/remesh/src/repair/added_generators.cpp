@@ -4,10 +4,13 @@
 // or on two sheets that touch. For these, a search over the faces within the distance tells whether one connected part
 // of the surface holds both. Where the distance is less than the surface's features, this agrees with the geodesic one.
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/least.hpp"
 #include "gvd/closest_point.hpp"
+#include "gvd/text.hpp"
 #include "repair/repair_steps.hpp"
 
 namespace gvd {
@@ -37,9 +40,22 @@ double AddedGenerators::clearance(const SurfacePoint& point) const {
   return std::sqrt(least);
 }
 
+namespace {
+
+/// The last round with the most defects. Few generators have few defects, and the first ones added make more.
+RepairHistory::const_iterator find_peak(const RepairHistory& history) {
+  auto peak = history.begin();
+  for (auto round = history.begin(); round != history.end(); ++round) {
+    if (round->second >= peak->second) peak = round;
+  }
+  return peak;
+}
+
+}  // namespace
+
 std::optional<std::int64_t> estimate_added(const MeshSummary& mesh, std::size_t generators,
                                            const RepairHistory& history) {
-  const auto [first_added, first_defects] = history.front();
+  const auto [first_added, first_defects] = *find_peak(history);
   const auto [added, defects] = history.back();
   const std::int64_t least =
       mesh.boundary_loops > 0 ? 3 * std::max(mesh.components, mesh.boundary_loops) : std::int64_t{4} * mesh.components;
@@ -49,6 +65,26 @@ std::optional<std::int64_t> estimate_added(const MeshSummary& mesh, std::size_t 
       removed > 0 ? added + std::llround(double(defects) * double(added - first_added) / removed) : 0;
   const std::int64_t need = std::max(by_topology, by_trend);
   return need > added ? std::optional(need) : std::nullopt;
+}
+
+std::string advise_at_limit(const MeshSummary& mesh, std::size_t generators, const RepairHistory& history,
+                            bool is_max_added) {
+  const std::size_t first = history.front().second, most = find_peak(history)->second, last = history.back().second;
+  const bool added_any = history.back().first > 0;
+  std::string advice;
+  if (added_any) {
+    advice = fmt::format(", and {} became {}{}", counted(std::int64_t(first), "defect", "defects"),
+                         most > first && most > last ? fmt::format("{}, then ", most) : "", last);
+  }
+  const auto need = estimate_added(mesh, generators, history);
+  if (!need && last > first) {
+    return advice +
+           "; so far, added generators make it worse, so look at the surface there: it may be thin, folded "
+           "or far too coarse";
+  }
+  if (need) advice += fmt::format("; about {} are likely to be needed", *need);
+  advice += ": give more or other ones";
+  return is_max_added && (need || !added_any) ? advice + ", or raise max_added" : advice;
 }
 
 std::vector<SurfacePoint> propose_farthest(const Mesh& mesh, const Diagram& diagram, std::size_t count) {

@@ -16,6 +16,7 @@
 #include <functional>
 #include <map>
 #include <queue>
+#include <set>
 
 #include "base/least.hpp"
 #include "gvd/closest_point.hpp"
@@ -97,6 +98,17 @@ class ArcLister {
 /// less than parts is enough. Farther away, the generator's own cell may not cover its part of the loop.
 constexpr double kFarFromLoop = 1.0 / 2;
 
+/// The links of each face.
+std::vector<std::vector<std::size_t>> list_links(std::size_t faces, const std::vector<DualLink>& links) {
+  std::vector<std::vector<std::size_t>> links_of(faces);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    for (const std::int32_t node : links[i].nodes) {
+      if (node != DualLink::kOutside) links_of[node].push_back(i);
+    }
+  }
+  return links_of;
+}
+
 }  // namespace
 
 std::vector<BoundaryArc> list_boundary_arcs(const Mesh& mesh, const Diagram& diagram) {
@@ -144,12 +156,7 @@ void CellTree::grow(VertexId root, GeneratorId cell) {
 }
 
 std::vector<HalfedgeId> prune_leaves(std::size_t faces, const std::vector<DualLink>& links) {
-  std::vector<std::vector<std::size_t>> links_of(faces);
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    for (const std::int32_t node : links[i].nodes) {
-      if (node != DualLink::kOutside) links_of[node].push_back(i);
-    }
-  }
+  const std::vector<std::vector<std::size_t>> links_of = list_links(faces, links);
   std::vector<std::size_t> degree, leaves;
   for (std::size_t i = 0; i < faces; ++i) {
     degree.push_back(links_of[i].size());
@@ -193,6 +200,28 @@ std::vector<SurfacePoint> CellLoops::find(GeneratorId cell, int parts) {
   }
   if (!shortest.value.valid()) return {};
   return divide(close_loop(shortest.value), parts);
+}
+
+std::vector<std::vector<SurfacePoint>> CellLoops::borders(GeneratorId cell) const {
+  const auto is_inside = [&](HalfedgeId h) { return h.valid() && is_in_cell(cut_, h, cell); };
+  std::set<HalfedgeId> left;
+  for (const FaceId f : faces_of(cell)) {
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
+      if (!is_inside(cut_.mesh.twin(h))) left.insert(h);
+    }
+  }
+  std::vector<std::vector<SurfacePoint>> borders;
+  while (!left.empty()) {
+    std::vector<SurfacePoint>& border = borders.emplace_back();
+    for (HalfedgeId h = *left.begin(); left.erase(h) > 0;) {
+      const FaceId parent = cut_.parent[Mesh::face(h)];
+      border.push_back(closest_point_on_face(mesh_, parent, cut_.mesh.position(cut_.mesh.from(h))).point);
+      // The next one begins where this one ends, beyond the faces of the cell round that corner.
+      h = Mesh::next(h);
+      while (is_inside(cut_.mesh.twin(h))) h = Mesh::next(cut_.mesh.twin(h));
+    }
+  }
+  return borders;
 }
 
 std::vector<FaceId> CellLoops::faces_of(GeneratorId cell) const {

@@ -107,6 +107,10 @@ class CellLoops {
   /// Cost: O(k log k) for a cell of k faces.
   std::vector<SurfacePoint> find(GeneratorId cell, int parts = 3);
 
+  /// The borders of a cell: closed, each as the points of the input mesh at its corners, without repetition. Two for an
+  /// annulus. Cost: O(k) for a cell of k faces.
+  std::vector<std::vector<SurfacePoint>> borders(GeneratorId cell) const;
+
  private:
   struct Loop {
     std::vector<VertexId> vertices;  ///< closed, without repetition
@@ -127,6 +131,15 @@ class CellLoops {
   std::vector<FaceId> by_label_;              // all faces of the cut mesh, ascending by label
   IdVector<FaceId, std::int32_t> face_node_;  // scratch of find_loop_edges: the node of each face of the cell
 };
+
+// opposite_points.cpp
+
+/// Points of which each one, as one more generator, takes from the cell of `cell` the way round between two of its
+/// borders (`CellLoops::borders`): an annulus becomes a disc. None for a cell with a single border. On a limb it is the
+/// point opposite the generator, as far along the limb as the generator, so that none shuts the other one out.
+/// opposite_points.cpp has the proof. Cost: O(n), and two exact fields on the cell's faces for each point.
+std::vector<SurfacePoint> find_opposite_points(const Mesh& mesh, const Diagram& diagram, GeneratorId cell,
+                                               const std::vector<std::vector<SurfacePoint>>& borders);
 
 // tip_rings.cpp
 

@@ -32,8 +32,6 @@ SurfacePoint find_midpoint(const Mesh& mesh, const Bisector& bisector) {
   return bisector.points.back();
 }
 
-namespace {
-
 /// The elements of a diagram by the cells that they touch, each list ascending. A repair looks at those of its cells
 /// alone: on a surface of many components, defects and elements are as many as these. Cost: O(n).
 struct CellElements {
@@ -104,9 +102,12 @@ class DefectRepair {
     if (added_.size() == before) add_farthest(g);
   }
 
-  /// Adds points that may divide the cell: those that halve a loop, and vertices, from the farthest one to the
-  /// generator, evenly by their number.
+  /// Adds points that may divide the cell: opposite ones, those that halve a loop, and vertices, from the farthest one
+  /// to the generator, evenly by their number.
   void divide(GeneratorId g) {
+    if (cut()) {
+      for (const SurfacePoint& p : find_opposite_points(mesh_, diagram_, g, loops_->borders(g))) added_.add(p);
+    }
     split_loop(g, kFewestParts);
     std::vector<VertexId> vertices = elements().vertices[g];
     std::ranges::stable_sort(vertices, std::greater(), [&](VertexId v) { return diagram_.vertex_distance[v]; });
@@ -253,6 +254,8 @@ class DefectRepair {
   std::vector<FaceId> first_face_;                        // of each component, once one of them needs it
 };
 
+namespace {
+
 bool any_set(const CellFlags& flags, const std::vector<GeneratorId>& cells) {
   return std::any_of(cells.begin(), cells.end(), [&](GeneratorId g) { return flags[g] != 0; });
 }
@@ -322,16 +325,22 @@ ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, 
   return proposed;
 }
 
-std::vector<std::vector<SurfacePoint>> list_disc_candidates(const Mesh& mesh, const Diagram& diagram,
-                                                            const std::vector<GeneratorId>& cells, std::size_t count) {
-  AddedGenerators added(mesh, diagram.generators, count);
-  DefectRepair repair(mesh, diagram, added);
-  std::vector<std::vector<SurfacePoint>> candidates;
-  for (const GeneratorId cell : cells) {
-    repair.divide(cell);
-    candidates.push_back(added.take());
-  }
-  return candidates;
+struct DiscCandidates::State {
+  State(const Mesh& mesh, const Diagram& diagram, std::size_t count)
+      : added(mesh, diagram.generators, count), repair(mesh, diagram, added) {}
+
+  AddedGenerators added;
+  DefectRepair repair;
+};
+
+DiscCandidates::DiscCandidates(const Mesh& mesh, const Diagram& diagram, std::size_t count)
+    : state_(std::make_unique<State>(mesh, diagram, count)) {}
+
+DiscCandidates::~DiscCandidates() = default;
+
+std::vector<SurfacePoint> DiscCandidates::list(GeneratorId cell) {
+  state_->repair.divide(cell);
+  return state_->added.take();
 }
 
 NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const std::vector<SurfacePoint>& added,

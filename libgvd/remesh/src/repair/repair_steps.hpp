@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -92,13 +94,19 @@ class AddedGenerators {
 /// The numbers of added generators and of defects, by round.
 using RepairHistory = std::vector<std::pair<std::int64_t, std::size_t>>;
 
-/// The number of generators that a repair is likely to have to add in all. Adding those of the rounds so far has
-/// removed some defects; the others are assumed to take as many each. It is at least what the topology needs: three
-/// vertices for each component and boundary loop, four for each component of a closed surface. Nothing where the
-/// defects get no fewer and the topology needs no more generators than there are. `generators`: how many there are now.
-/// `history`: of one round at least.
+/// The number of generators that a repair is likely to have to add in all. Adding those of the rounds since the last
+/// one with the most defects has removed some; the others are assumed to take as many each. It is at least what the
+/// topology needs: three vertices for each component and boundary loop, four for each component of a closed surface.
+/// Nothing where the defects get no fewer and the topology needs no more generators than there are. `generators`: how
+/// many there are now. `history`: of one round at least.
 std::optional<std::int64_t> estimate_added(const MeshSummary& mesh, std::size_t generators,
                                            const RepairHistory& history);
+
+/// What became of the defects until a repair ended at a limit, and what helps: behind "N generators were added in M
+/// rounds". More generators, or a higher `max_added` where that was the limit, only where an estimate tells how many;
+/// while defects get more, added ones make it worse.
+std::string advise_at_limit(const MeshSummary& mesh, std::size_t generators, const RepairHistory& history,
+                            bool is_max_added);
 
 /// The farthest vertices of the largest cells from their generators, at most `count`, one in each cell, for generators
 /// that no defect asks for. Cost: O(n log n).
@@ -228,12 +236,25 @@ struct ProposedGenerators {
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
                                       std::size_t max_count, const Progress& progress = {});
 
-/// For each of some cells that are no discs points, at most `count`, of which one may divide it as one more generator:
+/// Lists points of which one may make discs of a cell as one more generator: opposite points (`find_opposite_points`),
 /// a second point at the generator's distance from a tip or the opposite one of the shortest loop, then vertices, from
-/// the farthest one to the generator. Too close ones are left out, as above. Cost: that of cutting the mesh, and that
-/// of the elements of the cells.
-std::vector<std::vector<SurfacePoint>> list_disc_candidates(const Mesh& mesh, const Diagram& diagram,
-                                                            const std::vector<GeneratorId>& cells, std::size_t count);
+/// the farthest one to the generator. Too close ones are left out, as above.
+class DiscCandidates {
+ public:
+  /// `count`: the most points of a cell. Mesh and diagram must outlive this. Cost: O(n).
+  DiscCandidates(const Mesh& mesh, const Diagram& diagram, std::size_t count);
+  DiscCandidates(const DiscCandidates&) = delete;
+  DiscCandidates& operator=(const DiscCandidates&) = delete;
+  ~DiscCandidates();
+
+  /// The points of a cell that is no disc. Cost: O(n), cutting the mesh once, and two exact fields on the cell's faces
+  /// for each opposite point.
+  std::vector<SurfacePoint> list(GeneratorId cell);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 struct NearbyGenerators {
   std::vector<SurfacePoint> points;

@@ -5,7 +5,8 @@
 // a curve, a half-plane. What lies within the level is their union. So a curve of equal distance follows the boundary
 // of one region until it enters another one, at a corner, or leaves the face. It can turn only where the
 // circles and lines of two boundaries intersect; between two such places, one point tells what happens.
-// On fine meshes a few chords do: they are tried first, and ChordCheck tells whether they are near enough.
+// Most sources can't come near to an arc, which the tangent plane of their distance in the arc's middle tells; the
+// others are its rivals. On fine meshes few arcs have any besides the next one's source.
 // The sides' crossings are given. Where rounding keeps a curve from ending at one of them, the face is cut in two, and
 // both cells share the crossings on the cut. In a cell as small as the tolerance, any way to join them will do.
 // A curve that closes inside a face surrounds a hole in the union. There is none where at most two regions matter,
@@ -18,11 +19,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "geodesic/windows/path_directions.hpp"
+#include "geodesic/windows/window_geometry.hpp"
 
 namespace gvd {
 namespace {
@@ -37,129 +38,45 @@ constexpr double kChordShare = 0.9;
 /// at most as fast as points move, so the joining piece is off by no more.
 constexpr double kJoinShare = 0.05;
 
-/// Circles whose common chord has a negative square touch, up to this fraction of the radius' square. A point too many
-/// costs only time: it is tried, and the curve does not turn there.
-constexpr double kTouching = 1e-9;
-
-/// Chords of an arc turn by this angle at most, radians, so that a small circle is no triangle.
-constexpr double kWidestChord = std::numbers::pi / 6;
-
-/// A curve is halved so often before its arcs are followed. Most faces of fine meshes need two to eight chords; sixteen
-/// halvings close in on a corner that was not found until the chord over it is near enough.
-constexpr int kMostChordHalvings = 16;
-
-/// Sine of the turn from which on a corner is looked for.
+/// Sine of the turn from which on a corner of a curve is one of its points, even where a chord could pass it by.
 constexpr double kSharpCorner = 0.03;
 
-/// A point beside the level is moved onto it at most so often. Once is enough unless another source is nearer there.
-constexpr int kMostMoves = 4;
+/// Sine of the turn up to which a curve goes on smoothly from the end of one arc to the next source's. Whatever it is,
+/// the way is checked: this only saves the look at the part of a boundary that turns away at once.
+constexpr double kSmooth = 1e-6;
 
-constexpr double kFullTurn = 2 * std::numbers::pi;  // radians
-
-/// The angle from a to b, counter-clockwise, in [0, 2 pi).
-double turn(const Vec2& a, const Vec2& b) {
-  const double angle = std::atan2(cross(a, b), a.dot(b));
-  return angle < 0 ? angle + kFullTurn : angle;
-}
-
-double distance_to_segment(const PlaneSegment& segment, const Vec2& p) {
-  const Vec2 way = segment.to - segment.from;
-  const double square = way.squaredNorm();
-  const double t = square > 0 ? std::clamp((p - segment.from).dot(way) / square, 0.0, 1.0) : 0;
-  return (p - segment.from - t * way).norm();
-}
+/// Straight paths of a source end so far from an arc, relative to the longest side, if they do not come to it. Far
+/// above the rounding of rays, so that the next window is always seen from the end of an arc.
+constexpr double kSeen = 1e-9;
 
 }  // namespace
 
-/// A part of a region's boundary, from a place on it to its end, by angle or length.
-class FaceContours::PartOfWay {
- public:
-  PartOfWay(const Region& region, std::size_t part, const Vec2& at) : carrier_(region.part[part]), from_(at) {
-    const FaceSource& s = *region.source;
-    if (carrier_.kind == Carrier::Kind::line) {
-      // Along the front, to the path through the left end.
-      end_ = std::max(0.0, (s.begin - at).dot(carrier_.along));
-      return;
-    }
-    start_ = at - carrier_.at;
-    angle_ = std::atan2(start_.y(), start_.x());
-    if (s.is_corner || part == 2) {
-      end_ = s.is_corner ? kFullTurn : std::numbers::pi;
-      return;
-    }
-    const Vec2 through_end = s.is_parallel() ? s.image : Vec2((part == 0 ? s.end : s.begin) - s.image);
-    end_ = turn(start_, through_end);
-    if (end_ > std::numbers::pi) end_ = 0;  // rounding: already there
-  }
-
-  double end() const { return end_; }
-  Vec2 at(double t) const {
-    if (carrier_.kind == Carrier::Kind::line) return from_ + t * carrier_.along;
-    return carrier_.at + carrier_.radius * unit_vector(angle_ + t);
-  }
-  double position(const Vec2& p) const {
-    return carrier_.kind == Carrier::Kind::line ? (p - from_).dot(carrier_.along) : turn(start_, p - carrier_.at);
-  }
-  /// Number of chords up to t that stay so near to the arc.
-  int chords(double t, double sagitta) const {
-    if (carrier_.kind == Carrier::Kind::line) return 1;
-    const double widest = 2 * std::acos(std::max(0.0, 1 - sagitta / carrier_.radius));
-    return std::max(1, int(std::ceil(t / std::min(widest, kWidestChord))));
-  }
-
- private:
-  const Carrier& carrier_;
-  Vec2 from_, start_ = Vec2::Zero();
-  double angle_ = 0, end_ = 0;
-};
-
-/// Calls visit(p) for the common points of two carriers, or their nearest ones where they almost touch.
-template <class Visit>
-void FaceContours::intersect(const Carrier& a, const Carrier& b, const Visit& visit) {
-  using Kind = Carrier::Kind;
-  if (a.kind == Kind::none || b.kind == Kind::none) return;
-  if (a.kind == Kind::line && b.kind == Kind::line) {
-    const double denominator = cross(a.along, b.along);
-    if (denominator != 0) visit(Vec2(a.at + cross(b.at - a.at, b.along) / denominator * a.along));
-    return;
-  }
-  if (b.kind == Kind::line) return intersect(b, a, visit);
-  // A line and a circle, or two circles, which intersect where the first one and the line of their chord do. `foot` is
-  // the chord's middle, `along` its direction.
-  const bool is_line = a.kind == Kind::line;
-  const Vec2 way = b.at - a.at;
-  const double square_apart = way.squaredNorm(), sum = a.radius + b.radius, difference = a.radius - b.radius;
-  if (!is_line) {  // most circles are far apart, or one is inside the other
-    const double slack = kTouching * sum * sum;
-    if (square_apart == 0 || square_apart > sum * sum + slack || square_apart < difference * difference - slack) return;
-  }
-  const double apart = std::sqrt(square_apart);
-  const Vec2 along = is_line ? a.along : Vec2(turned_left(way) / apart);
-  const double radius = is_line ? b.radius : a.radius;
-  const double from_centre = is_line ? cross(a.along, way) : 0.5 * (apart + difference * (sum / apart));
-  const double square = (radius - from_centre) * (radius + from_centre);
-  if (!(square >= -kTouching * radius * radius)) return;
-  const Vec2 foot = is_line ? Vec2(a.at + way.dot(along) * along) : Vec2(a.at + from_centre / apart * way);
-  const double half = std::sqrt(std::max(0.0, square));
-  visit(Vec2(foot - half * along));
-  visit(Vec2(foot + half * along));
-}
-
 void FaceContours::enter(const FaceLayout& layout, std::span<const FaceSource> sources) {
   layout_ = &layout;
+  sources_ = sources;
   longest_ = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     longest_ = std::max(longest_, (layout.corner[(i + 1) % 3] - layout.corner[i]).norm());
   }
+  stack_.clear();
+  for (std::size_t i = 0; i < sources.size(); ++i) stack_.push_back({std::int32_t(i), {}, 0});
+  const Range kept = keep_relevant(layout.corner, {0, stack_.size()}, kInfinity);
+  of_face_.assign(stack_.begin() + std::ptrdiff_t(kept.begin), stack_.end());
   // A corner to which a window brings its distance adds nothing: no path over it is shorter than the window's own.
-  sources_.clear();
-  for (const FaceSource& s : sources) {
-    const double known = s.offset + kRounding * (s.offset + longest_);
-    const bool is_beaten = s.is_corner && std::ranges::any_of(sources, [&](const FaceSource& other) {
-                             return !other.is_corner && other.distance(s.image) <= known;
-                           });
-    if (!is_beaten) sources_.push_back(s);
+  std::array<double, 3> by_windows{kInfinity, kInfinity, kInfinity};
+  for (const Candidate& c : of_face_) {
+    if (sources[c.source].is_corner) continue;
+    for (std::size_t i = 0; i < 3; ++i) by_windows[i] = std::min(by_windows[i], c.at_corner[i]);
   }
+  // It is kept apart: paths round the ends of openings there are paths over it.
+  beaten_corners_.clear();
+  std::erase_if(of_face_, [&](const Candidate& c) {
+    const FaceSource& s = sources[c.source];
+    const auto i = std::ranges::find(layout.corner, s.image) - layout.corner.begin();
+    const bool is_beaten = s.is_corner && i < 3 && by_windows[i] <= s.offset + kRounding * (s.offset + longest_);
+    if (is_beaten) beaten_corners_.push_back(c.source);
+    return is_beaten;
+  });
 }
 
 void FaceContours::trace(double level, const std::array<bool, 3>& is_near, std::span<const SideCrossing> crossings,
@@ -168,49 +85,35 @@ void FaceContours::trace(double level, const std::array<bool, 3>& is_near, std::
   rounding_ = kRounding * (level + longest_);
   chord_ = std::max(kChordShare * tolerance_, rounding_);
   join_ = std::max(kJoinShare * tolerance_, 2 * rounding_);
-  regions_.clear();
   stack_.clear();
-  for (const FaceSource& s : sources_) {
-    Region region{&s, {}};
-    region.part[1] = s.is_parallel()
-                         ? Carrier::line(s.begin + (level - s.distance_begin) * s.image, turned_left(s.image))
-                         : Carrier::circle(s.image, level - s.offset);
-    if (!s.is_corner) {
-      region.part[0] = Carrier::circle(s.end, level - s.distance_end);
-      region.part[2] = Carrier::circle(s.begin, level - s.distance_begin);
-    }
-    stack_.push_back(std::int32_t(regions_.size()));
-    regions_.push_back(region);
+  for (const Candidate& c : of_face_) {
+    if (c.lowest <= level + join_) stack_.push_back(c);
   }
   pieces_.clear();
   inner_.clear();
   side_crossings_ = std::int32_t(crossings.size());
-  visit({.corner = layout_->corner, .is_near = is_near, .crossings = {crossings.begin(), crossings.end()}},
-        {0, stack_.size()});
+  Cell face{.corner = layout_->corner, .is_near = is_near, .crossings = {crossings.begin(), crossings.end()}};
+  visit(face, {0, stack_.size()});
   join_pieces(crossings, found);
 }
 
-/// The part of a region's boundary on which p lies.
-std::size_t FaceContours::part_at(const Region& region, const Vec2& p) {
-  const FaceSource& s = *region.source;
-  if (s.is_corner || (s.beside(p, s.begin) >= 0 && s.beside(p, s.end) <= 0)) return 1;
-  return s.beside(p, s.begin) < 0 ? 2 : 0;
+/// Takes a source if its distance is less than that of the best one so far.
+void FaceContours::keep_nearer(std::int32_t source, const Vec2& p, std::int32_t& best, double& distance) const {
+  // No path is shorter than the straight line from the image: mostly this tells, without a square root.
+  const FaceSource& s = sources_[source];
+  const double left = distance - s.offset;
+  if (left <= 0 || (!s.is_parallel() && (p - s.image).squaredNorm() >= left * left)) return;
+  const double d = s.distance(p);
+  if (!(d < distance)) return;
+  distance = d;
+  best = source;
 }
 
-/// The nearest source of some regions; -1 where there is none.
-std::int32_t FaceContours::nearest(const Range& regions, const Vec2& p, double& distance) const {
+/// The nearest source of some candidates; -1 where there is none.
+std::int32_t FaceContours::nearest(const Range& candidates, const Vec2& p, double& distance) const {
   std::int32_t best = -1;
   distance = kInfinity;
-  for (std::size_t i = regions.begin; i < regions.end; ++i) {
-    // No path is shorter than the straight line from the image: mostly this tells, without a square root.
-    const FaceSource& s = *regions_[stack_[i]].source;
-    const double left = distance - s.offset;
-    if (left <= 0 || (p - s.image).squaredNorm() >= left * left) continue;
-    const double d = s.distance(p);
-    if (!(d < distance)) continue;
-    distance = d;
-    best = stack_[i];
-  }
+  for (std::size_t i = candidates.begin; i < candidates.end; ++i) keep_nearer(stack_[i].source, p, best, distance);
   return best;
 }
 
@@ -226,73 +129,80 @@ double FaceContours::Cell::set_sides() {
   return longest;
 }
 
-void FaceContours::visit(Cell cell, const Range& candidates) {
-  const Range regions = keep_relevant(cell, candidates);
-  const bool is_simple = has_no_hole(cell, regions);
+void FaceContours::visit(Cell& cell, const Range& candidates) {
+  const bool is_simple = has_no_hole(cell, candidates);
   if (cell.set_sides() <= chord_) {
     pair(cell);
-  } else if (!cell.crossings.empty() ? !(is_simple && follow_all(cell, regions)) : cell.is_near[0] && !is_simple) {
-    split(cell, regions);
+  } else if (!cell.crossings.empty() ? !(is_simple && follow_all(cell, candidates)) : cell.is_near[0] && !is_simple) {
+    split(cell, candidates);
   }
-  stack_.resize(regions.begin);
 }
 
-/// The regions that reach the cell and may be the nearest in it. They are put on the stack.
-FaceContours::Range FaceContours::keep_relevant(const Cell& cell, const Range& candidates) {
-  const Vec2 centre = (cell.corner[0] + cell.corner[1] + cell.corner[2]) / 3;
-  double radius = rounding_, least = kInfinity;
-  for (const Vec2& corner : cell.corner) radius = std::max(radius, (corner - centre).norm() + rounding_);
-  paths_.clear();
-  for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
-    paths_.push_back(regions_[stack_[i]].source->shortest_path(centre));
-    least = std::min(least, paths_.back().distance);
-  }
-  // Distances of one source are convex, so the tangent plane in the middle bounds them from below.
-  const auto lowest = [&](const FaceSource::Path& path) {
-    const Vec2 last = centre - path.from;
-    const double length = last.norm();
-    if (!(length > rounding_)) return path.distance - radius;
-    const auto rise = [&](const Vec2& corner) { return last.dot(corner - centre) / length; };
-    return path.distance + std::min({rise(cell.corner[0]), rise(cell.corner[1]), rise(cell.corner[2])});
-  };
+/// Puts those candidates on the stack that may be the nearest somewhere in a triangle, and no farther than the level.
+FaceContours::Range FaceContours::keep_relevant(const std::array<Vec2, 3>& corner, const Range& candidates,
+                                                double level) {
+  const Vec2 centre = (corner[0] + corner[1] + corner[2]) / 3;
+  double radius = 0, least = kInfinity;
+  double beaten = kInfinity;  // what is farther everywhere is never the nearest
+  for (const Vec2& c : corner) radius = std::max(radius, (c - centre).norm());
   const std::size_t begin = stack_.size();
   for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
-    const FaceSource::Path& path = paths_[i - candidates.begin];
-    if (path.distance <= least + 2 * radius && lowest(path) <= level_ + chord_ + join_) stack_.push_back(stack_[i]);
+    Candidate c{stack_[i].source, {}, 0};
+    const FaceSource& s = sources_[c.source];
+    const FaceSource::Path path = s.shortest_path(centre);
+    if (path.distance > least + 2 * radius + kRounding * (least + longest_)) continue;
+    least = std::min(least, path.distance);
+    // Distances of one source are convex, so the tangent plane in the middle bounds them from below.
+    const Vec2 last = centre - path.from;
+    const double length = last.norm();
+    const auto rise = [&](const Vec2& p) { return last.dot(p - centre) / length; };
+    c.lowest =
+        path.distance -
+        (length > kRounding * longest_ ? -std::min({rise(corner[0]), rise(corner[1]), rise(corner[2])}) : radius);
+    if (c.lowest > level + join_) continue;
+    for (std::size_t k = 0; k < 3; ++k) c.at_corner[k] = s.distance(corner[k]);
+    beaten = std::min(beaten, c.most() + kRounding * (c.most() + longest_));
+    stack_.push_back(c);
   }
+  stack_.erase(std::remove_if(stack_.begin() + std::ptrdiff_t(begin), stack_.end(),
+                              [&](const Candidate& c) { return c.lowest > beaten; }),
+               stack_.end());
   return {begin, stack_.size()};
 }
 
 /// Whether the regions' union surely has no hole inside the cell. Two convex regions never enclose one. Regions with a
 /// common point are seen from there without a gap. And inside a hole the distance has a maximum.
-bool FaceContours::has_no_hole(const Cell& cell, const Range& regions) const {
-  if (regions.end - regions.begin <= 2) return true;
-  const std::span<const std::int32_t> all(stack_.data() + regions.begin, regions.end - regions.begin);
-  const auto holds = [&](std::int32_t r, const Vec2& p) { return regions_[r].source->distance(p) <= level_; };
-  const auto is_common = [&](const Vec2& p) { return std::ranges::all_of(all, [&](auto r) { return holds(r, p); }); };
-  const auto covers = [&](auto r) { return std::ranges::all_of(cell.corner, [&](auto& p) { return holds(r, p); }); };
-  return std::ranges::any_of(cell.corner, is_common) || std::ranges::any_of(all, covers) ||
-         rises_one_way(cell, regions);
+bool FaceContours::has_no_hole(const Cell& cell, const Range& candidates) const {
+  const std::span<const Candidate> all(stack_.data() + candidates.begin, candidates.end - candidates.begin);
+  if (all.size() <= 2) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (std::ranges::all_of(all, [&](const Candidate& c) { return c.at_corner[i] <= level_; })) return true;
+  }
+  return std::ranges::any_of(all, [&](const Candidate& c) { return c.most() <= level_; }) ||
+         rises_one_way(cell, candidates);
 }
 
 /// The directions of the paths to points of the cell. Behind a vertex where paths bend, those round an opening's end
 /// count: at the corners that they are the shortest to.
-std::vector<Directions> FaceContours::list_directions(const Cell& cell, const Range& regions) const {
+std::vector<Directions> FaceContours::list_directions(const Cell& cell, const Range& candidates) const {
   std::vector<Directions> found;
-  for (std::size_t i = regions.begin; i < regions.end; ++i) {
-    if (const auto own = directions_of(*regions_[stack_[i]].source, cell.corner)) found.push_back(*own);
+  for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
+    if (const auto own = directions_of(sources_[stack_[i].source], cell.corner)) found.push_back(*own);
   }
-  for (const Vec2& corner : cell.corner) {
-    double distance = kInfinity;
-    const FaceSource& s = *regions_[nearest(regions, corner, distance)].source;
-    if (const Vec2 last = direction_of(s, corner); !s.is_corner && !last.isZero(0)) found.push_back({last, last});
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto best = std::min_element(
+        stack_.begin() + std::ptrdiff_t(candidates.begin), stack_.begin() + std::ptrdiff_t(candidates.end),
+        [&](const Candidate& a, const Candidate& b) { return a.at_corner[k] < b.at_corner[k]; });
+    const FaceSource& s = sources_[best->source];
+    if (s.is_corner) continue;
+    if (const Vec2 last = direction_of(s, cell.corner[k]); !last.isZero(0)) found.push_back({last, last});
   }
   return found;
 }
 
 /// Whether all paths to points of the cell have a component in one direction: then the distance has no maximum inside.
-bool FaceContours::rises_one_way(const Cell& cell, const Range& regions) const {
-  const std::vector<Directions> found = list_directions(cell, regions);
+bool FaceContours::rises_one_way(const Cell& cell, const Range& candidates) const {
+  const std::vector<Directions> found = list_directions(cell, candidates);
   if (found.empty()) return true;
   Directions all = found.front();
   for (const Directions& own : found) {
@@ -304,25 +214,13 @@ bool FaceContours::rises_one_way(const Cell& cell, const Range& regions) const {
          });
 }
 
-bool FaceContours::follow_all(const Cell& cell, const Range& regions) {
+bool FaceContours::follow_all(const Cell& cell, const Range& candidates) {
   const std::size_t before = pieces_.size();
   is_taken_.assign(cell.crossings.size(), false);
   for (const SideCrossing& start : cell.crossings) {
     if (!start.leaves) continue;
     FaceContour piece{start.id, FaceContour::kClosed, {}};
-    if (cell.crossings.size() == 2) {
-      const SideCrossing& end = cell.crossings[cell.crossings[0].leaves ? 1 : 0];
-      piece.to = end.id;
-      double distance = kInfinity;
-      const CurvePoint from{start.at, nearest(regions, start.at, distance)},
-          to{end.at, nearest(regions, end.at, distance)};
-      if (add_chords(cell, regions, from, to, kMostChordHalvings, piece.points)) {
-        pieces_.push_back(std::move(piece));
-        continue;
-      }
-      piece.points.clear();
-    }
-    if (!follow(cell, regions, start, piece)) {
+    if (!follow(cell, candidates, start, piece)) {
       pieces_.resize(before);
       return false;
     }
@@ -331,160 +229,184 @@ bool FaceContours::follow_all(const Cell& cell, const Range& regions) {
   return true;
 }
 
-/// Adds the points between two points of a curve that needs no more than a few chords. Without arcs this is several
-/// times as fast, and serves nearly all faces of fine meshes. False where chords may not be near enough to the level.
-bool FaceContours::add_chords(const Cell& cell, const Range& regions, const CurvePoint& from, const CurvePoint& to,
-                              int halvings, std::vector<Vec2>& points) {
-  if (from.region < 0 || to.region < 0) return false;
-  // The middle of a chord that is too long is mostly off the level: one distance tells.
-  const Vec2 halfway = 0.5 * (from.at + to.at);
-  double distance = kInfinity;
-  const std::int32_t at_halfway = nearest(regions, halfway, distance);
-  if (std::abs(distance - level_) <= chord_ && is_on_level(regions, {from.at, to.at})) return true;
-  if (halvings == 0) return false;
-  // On its two sides, a corner is a point of the one source and of the other.
-  const auto go_on = [&](const CurvePoint& end, const CurvePoint& begin) {
-    if (!add_chords(cell, regions, from, end, halvings - 1, points)) return false;
-    points.push_back(end.at);
-    return add_chords(cell, regions, begin, to, halvings - 1, points);
-  };
-  if (const auto corner = find_corner(cell, regions, from, to)) {
-    return go_on({*corner, from.region}, {*corner, to.region});
-  }
-  const auto middle = find_on_level(cell, regions, {halfway, at_halfway}, distance);
-  return middle && go_on(*middle, *middle);
-}
-
-/// Whether the distance surely stays as near to the level as a chord may be.
-bool FaceContours::is_on_level(const Range& regions, const PlaneSegment& chord) {
-  check_.begin(chord, level_ - chord_, level_ + chord_);
-  for (std::size_t i = regions.begin; i < regions.end; ++i) {
-    if (!check_.add(*regions_[stack_[i]].source)) return false;
-  }
-  return check_.is_covered(rounding_);
-}
-
-/// The corner between the two ends of a chord, where their nearest sources are equally near. None where it is blunt:
-/// then any point between will do.
-std::optional<Vec2> FaceContours::find_corner(const Cell& cell, const Range& regions, const CurvePoint& from,
-                                              const CurvePoint& to) const {
-  if (from.region == to.region) return std::nullopt;
-  const Region &first = regions_[from.region], &second = regions_[to.region];
-  if (cross(direction_of(*first.source, from.at), direction_of(*second.source, to.at)) > -kSharpCorner) {
-    return std::nullopt;
-  }
-  double distance = kInfinity;
-  std::optional<Vec2> corner;
-  intersect(first.part[1], second.part[1], [&](const Vec2& p) {
-    if (cell.outside(p) > rounding_) return;
-    nearest(regions, p, distance);
-    if (std::abs(distance - level_) <= rounding_) corner = p;
-  });
-  return corner;
-}
-
-/// The point on the level that a straight path leads to, from a point beside it or on to there. `distance`: of the
-/// point. None outside the cell.
-std::optional<FaceContours::CurvePoint> FaceContours::find_on_level(const Cell& cell, const Range& regions,
-                                                                    CurvePoint p, double distance) const {
-  for (int i = 0; i < kMostMoves; ++i) {
-    if (p.region < 0 || cell.outside(p.at) > rounding_) return std::nullopt;
-    if (std::abs(distance - level_) <= rounding_) return p;
-    p.at += (level_ - distance) * direction_of(*regions_[p.region].source, p.at);
-    p.region = nearest(regions, p.at, distance);
-  }
-  return std::nullopt;
-}
-
 /// Follows the boundary of the union from a crossing through the cell. False where rounding prevents it.
-bool FaceContours::follow(const Cell& cell, const Range& regions, const SideCrossing& start, FaceContour& piece) {
+bool FaceContours::follow(const Cell& cell, const Range& candidates, const SideCrossing& start, FaceContour& piece) {
   double distance = kInfinity;
-  Place place{nearest(regions, start.at, distance), 0, start.at};
+  Place place{nearest(candidates, start.at, distance), 0, start.at, 0};
   if (!(std::abs(distance - level_) <= join_)) return false;
-  place.part = part_at(regions_[place.region], place.at);
+  place.part = part_at(sources_[place.source], place.at);
+  chain_.begin(start.at, chord_, rounding_);
   // Each part of each boundary is followed at most once, unless rounding leads in a circle.
-  const std::size_t most = 4 * (regions.end - regions.begin) + 4;
+  const std::size_t most = 4 * (candidates.end - candidates.begin) + 4;
   for (std::size_t step = 0; step < most; ++step) {
-    if (regions_[place.region].part[place.part].kind == Carrier::Kind::none) return false;
-    const Stop stop = advance(cell, regions, place, piece.points);
-    if (stop == Stop::leaves_cell) return end_at_crossing(cell, start.at, place.at, piece);
-    append(piece.points, place.at);
-    if (stop == Stop::part_ends) {
-      if (place.part == 2 || regions_[place.region].source->is_corner) return false;
-      ++place.part;
-    } else {
-      place.part = part_at(regions_[place.region], place.at);
+    if (carrier_of(sources_[place.source], place.part, level_).kind == Carrier::Kind::none) return false;
+    const Place before = place;
+    const Stop stop = advance(cell, candidates, place);
+    if (stop == Stop::leaves_cell) return end_at_crossing(cell, place, piece);
+    bool is_corner = false;
+    if (stop == Stop::enters_region) {
+      const FaceSource &last = sources_[before.source], &next = sources_[place.source];
+      is_corner = cross(direction_of(last, place.at), direction_of(next, place.at)) < -kSharpCorner;
+      place.part = part_at(next, place.at);
     }
+    chain_.add(place.at, place.off, is_corner);
+    if (stop == Stop::part_ends && !pass_end(place)) return false;
   }
   return false;
 }
 
-/// Goes on to where the part of the region's boundary ends, or leaves the cell, or enters another region: that one is
-/// the place's region then. Appends the points before.
-FaceContours::Stop FaceContours::advance(const Cell& cell, const Range& regions, Place& place,
-                                         std::vector<Vec2>& points) {
-  const Region& region = regions_[place.region];
-  const PartOfWay way(region, place.part, place.at);
-  stops_.clear();
-  const auto add = [&](const Vec2& p) {
-    if (cell.outside(p) > join_) return;  // most are: the curve leaves the cell before
-    const double t = way.position(p);
-    if (t > 0 && t < way.end()) stops_.push_back(t);
-  };
-  const Carrier& own = region.part[place.part];
-  for (std::size_t i = 0; i < 3; ++i) {
-    intersect(own, Carrier::line(cell.corner[i], cell.side[i]), add);
+/// Collects the sources that may be nearer than the level somewhere on a stretch of the boundary of `of`.
+void FaceContours::list_rivals(const Range& candidates, std::int32_t of, const StretchOfWay& stretch) {
+  rivals_.clear();
+  for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
+    const std::int32_t other = stack_[i].source;
+    // Paths round an end of an opening are no shorter than the straight ones of all sources and those over corners.
+    const FaceSource& s = sources_[other];
+    if (other != of && stretch.may_see(s, kSeen * longest_, level_ + longest_) &&
+        stretch.may_reach(s, level_ + rounding_)) {
+      rivals_.push_back(other);
+    }
   }
-  for (std::size_t i = regions.begin; i < regions.end; ++i) {
-    if (stack_[i] == place.region) continue;
-    for (const Carrier& other : regions_[stack_[i]].part) intersect(own, other, add);
+  for (const std::int32_t corner : beaten_corners_) {
+    if (corner != of && stretch.may_reach(sources_[corner], level_ + rounding_)) rivals_.push_back(corner);
+  }
+}
+
+/// Collects where a way up to `end` meets boundaries of rivals in the cell, ascending, and its end.
+void FaceContours::list_stops(const Cell& cell, const ContourWay& way, double end) {
+  stops_.clear();
+  const auto stop_at = [&](const Vec2& p) {
+    if (cell.outside(p) > join_) return;
+    const double t = way.position(p);
+    if (t > 0 && t < end) stops_.push_back(t);
+  };
+  for (const std::int32_t other : rivals_) {
+    for (std::size_t part = 0; part < 3; ++part) {
+      intersect(way.carrier(), carrier_of(sources_[other], part, level_), stop_at);
+    }
   }
   std::ranges::sort(stops_);
-  stops_.push_back(way.end());
+  stops_.push_back(end);
+}
+
+/// Goes on to where the part of the region's boundary ends, or leaves the cell, or enters another source's region: that
+/// one is the place's source then. Adds the points before.
+FaceContours::Stop FaceContours::advance(const Cell& cell, const Range& candidates, Place& place) {
+  const ContourWay way(sources_[place.source], place.part, level_, place.at);
+  const Exit exit = find_exit(cell, way);
+  list_rivals(candidates, place.source, StretchOfWay(way, exit.at));
+  list_stops(cell, way, exit.at);
   double at = 0;
-  Stop stop = Stop::part_ends;
+  Stop stop = exit.leaves_cell ? Stop::leaves_cell : Stop::part_ends;
   for (const double next : stops_) {
+    if (rivals_.empty()) break;
     const Vec2 middle = way.at(0.5 * (at + next));
-    double distance = kInfinity;
-    const std::int32_t other = nearest(regions, middle, distance);
-    if (cell.outside(middle) > rounding_) stop = Stop::leaves_cell;
-    if (stop == Stop::part_ends && distance < level_ - rounding_) {
+    std::int32_t nearest = -1;
+    double distance = level_ - rounding_;
+    for (const std::int32_t other : rivals_) keep_nearer(other, middle, nearest, distance);
+    if (nearest >= 0) {
       stop = Stop::enters_region;
-      place.region = other;
+      place.source = nearest;
+      break;
     }
-    if (stop != Stop::part_ends) break;
     at = next;
   }
+  if (stop != Stop::enters_region) at = exit.at;
   const int chords = way.chords(at, chord_);
-  for (int i = 1; i < chords; ++i) append(points, way.at(at * i / chords));
+  place.off = way.sagitta(at / chords);
+  for (int i = 1; i < chords; ++i) chain_.add(way.at(at * i / chords), place.off, false);
   place.at = way.at(at);
   return stop;
 }
 
-/// Ends a curve that leaves the cell at the crossing there. Where the curve runs along a side, which is on the level,
-/// rounding decides where the crossings are: then it is one that the curve has passed.
-bool FaceContours::end_at_crossing(const Cell& cell, const Vec2& start, const Vec2& exit, FaceContour& piece) {
+/// How far a way stays in the cell, and whether it leaves it there. It may touch a side before.
+FaceContours::Exit FaceContours::find_exit(const Cell& cell, const ContourWay& way) {
+  stops_.clear();
+  for (std::size_t i = 0; i < 3; ++i) {
+    intersect(way.carrier(), Carrier::line(cell.corner[i], cell.side[i]), [&](const Vec2& p) {
+      if (cell.outside(p) > join_) return;  // on the line of a side, beyond it
+      const double t = way.position(p);
+      if (t > 0 && t < way.end()) stops_.push_back(t);
+    });
+  }
+  std::ranges::sort(stops_);
+  stops_.push_back(way.end());
+  double at = 0;
+  for (const double next : stops_) {
+    if (cell.outside(way.at(0.5 * (at + next))) > rounding_) return {at, true};
+    at = next;
+  }
+  return {at, false};
+}
+
+/// Goes on from the end of a part of a boundary: to the source behind the same end of the opening, if its boundary goes
+/// on there, or else to the next part. False where there is none.
+bool FaceContours::pass_end(Place& place) const {
+  const FaceSource& s = sources_[place.source];
+  if (place.part == 2 || s.is_corner) return false;
+  ++place.part;
+  if (place.part == 1) return true;
+  const Vec2 ahead = turned_left(direction_of(s, place.at));
+  for (const std::int32_t other : rivals_) {
+    const FaceSource& next = sources_[other];
+    const FaceSource::Path path = next.shortest_path(place.at);
+    const std::size_t part = part_at(next, place.at);
+    const Vec2 last = place.at - path.from;
+    if (path.distance > level_ + rounding_ || part == 2 || last.dot(ahead) > kSmooth * last.norm()) continue;
+    place.source = other;
+    // Two windows share the path through their common end, up to rounding.
+    const double sine = next.beside(place.at, next.end) / (next.end - place.at).norm();
+    place.part = part == 0 && sine <= kGrazingAngle * (next.is_parallel() ? 1 : level_ - next.offset) ? 1 : part;
+    return true;
+  }
+  return true;
+}
+
+/// The crossing at `exit` where no curve ends yet, within the tolerance of joints.
+std::optional<std::size_t> FaceContours::crossing_at(const Cell& cell, const Vec2& exit) const {
   std::optional<std::size_t> best;
-  const auto is_open = [&](std::size_t i) { return !cell.crossings[i].leaves && !is_taken_[i]; };
   double least = join_;
   for (std::size_t i = 0; i < cell.crossings.size(); ++i) {
-    const double off = is_open(i) ? (cell.crossings[i].at - exit).norm() : kInfinity;
+    const double off = is_open(cell, i) ? (cell.crossings[i].at - exit).norm() : kInfinity;
     if (!(off <= least)) continue;
     least = off;
     best = i;
   }
-  std::vector<Vec2>& points = piece.points;
-  for (std::size_t k = 0; !best && k <= points.size(); ++k) {
-    const PlaneSegment segment{k == 0 ? start : points[k - 1], k == points.size() ? exit : points[k]};
-    for (std::size_t i = 0; !best && i < cell.crossings.size(); ++i) {
-      if (is_open(i) && distance_to_segment(segment, cell.crossings[i].at) <= join_) best = i;
+  return best;
+}
+
+/// The first crossing beside the points where no curve ends yet. The points behind it are removed.
+std::optional<std::size_t> FaceContours::cut_at_passed_crossing(const Cell& cell, std::vector<Vec2>& points) const {
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const PlaneSegment chord{points[k - 1], points[k]};
+    for (std::size_t i = 0; i < cell.crossings.size(); ++i) {
+      if (!is_open(cell, i) || distance_to_segment(chord, cell.crossings[i].at) > join_) continue;
+      points.resize(k + 1);
+      return i;
     }
-    if (best) points.resize(k);
   }
-  if (!best) return false;
-  is_taken_[*best] = true;
-  piece.to = cell.crossings[*best].id;
-  while (!points.empty() && (points.back() - cell.crossings[*best].at).norm() <= rounding_) points.pop_back();
+  return std::nullopt;
+}
+
+/// Ends a curve that leaves the cell at the crossing there. Where the curve runs along a side, which is on the level,
+/// rounding decides where the crossings are: then it is one that the curve has passed.
+bool FaceContours::end_at_crossing(const Cell& cell, const Place& exit, FaceContour& piece) {
+  std::vector<Vec2>& points = chain_.points();
+  std::optional<std::size_t> end = crossing_at(cell, exit.at);
+  if (end) {
+    chain_.add(cell.crossings[*end].at, exit.off, true);
+  } else {
+    points.push_back(exit.at);
+    end = cut_at_passed_crossing(cell, points);
+  }
+  if (!end) return false;
+  is_taken_[*end] = true;
+  piece.to = cell.crossings[*end].id;
+  // The ends are crossings: what is between them is the piece's own.
+  if (points.size() > 2) piece.points.assign(points.begin() + 1, points.end() - 1);
+  while (!piece.points.empty() && (piece.points.back() - cell.crossings[*end].at).norm() <= rounding_) {
+    piece.points.pop_back();
+  }
   return true;
 }
 
@@ -497,7 +419,7 @@ void FaceContours::pair(const Cell& cell) {
 }
 
 /// Cuts a cell in two, from the middle of its longest side.
-void FaceContours::split(const Cell& cell, const Range& regions) {
+void FaceContours::split(const Cell& cell, const Range& candidates) {
   std::size_t first = 0;
   const auto length = [&](std::size_t i) { return (cell.after(i) - cell.corner[i]).squaredNorm(); };
   for (std::size_t i = 1; i < 3; ++i) {
@@ -513,7 +435,7 @@ void FaceContours::split(const Cell& cell, const Range& regions) {
     return (crossing.at - middle).dot(along) >= 0;
   });
   const bool near_middle = cell.is_near[first] != ((beyond - halved.begin()) % 2 == 1);
-  std::vector<SideCrossing> cut = cross_segment({middle, c}, near_middle, cell.is_near[third], regions);
+  std::vector<SideCrossing> cut = cross_segment({middle, c}, near_middle, cell.is_near[third], candidates);
 
   const auto take = [](Cell& to, auto begin, auto end, std::int32_t side) {
     for (; begin != end; ++begin) {
@@ -532,19 +454,22 @@ void FaceContours::split(const Cell& cell, const Range& regions) {
   take(right, of_side[second].begin(), of_side[second].end(), 1);
   for (SideCrossing& crossing : cut) crossing.leaves = !crossing.leaves;
   take(right, cut.rbegin(), cut.rend(), 2);
-  visit(std::move(left), regions);
-  visit(std::move(right), regions);
+  for (Cell* part : {&left, &right}) {
+    const Range kept = keep_relevant(part->corner, candidates, level_);
+    visit(*part, kept);
+    stack_.resize(kept.begin);
+  }
 }
 
 /// The crossings of a segment between two cells, from its begin on. They agree with the states of its ends.
 std::vector<SideCrossing> FaceContours::cross_segment(const PlaneSegment& segment, bool near_at_begin, bool near_at_end,
-                                                      const Range& regions) {
+                                                      const Range& candidates) {
   const double length = (segment.to - segment.from).norm();
   const Carrier line = Carrier::line(segment.from, (segment.to - segment.from) / length);
   stops_.clear();
-  for (std::size_t i = regions.begin; i < regions.end; ++i) {
-    for (const Carrier& part : regions_[stack_[i]].part) {
-      intersect(line, part, [&](const Vec2& p) {
+  for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
+    for (std::size_t part = 0; part < 3; ++part) {
+      intersect(line, carrier_of(sources_[stack_[i].source], part, level_), [&](const Vec2& p) {
         const double t = (p - line.at).dot(line.along);
         if (t > 0 && t < length) stops_.push_back(t);
       });
@@ -564,7 +489,7 @@ std::vector<SideCrossing> FaceContours::cross_segment(const PlaneSegment& segmen
   for (const double next : stops_) {
     if (next - at <= rounding_) continue;
     double distance = kInfinity;
-    nearest(regions, line.at + 0.5 * (at + next) * line.along, distance);
+    nearest(candidates, line.at + 0.5 * (at + next) * line.along, distance);
     cross_to(distance <= level_, at);
     at = next;
   }
@@ -585,10 +510,13 @@ void FaceContours::join_pieces(std::span<const SideCrossing> crossings, std::vec
     const auto is_inner = [&](std::int32_t id) { return id >= side_crossings_; };
     const bool is_closed = is_inner(std::int32_t(begin));
     FaceContour curve{std::int32_t(begin), std::int32_t(begin), {}};
+    const auto append = [&](const Vec2& p) {
+      if (curve.points.empty() || (curve.points.back() - p).norm() > rounding_) curve.points.push_back(p);
+    };
     do {
-      if (is_inner(curve.to)) append(curve.points, inner_[curve.to - side_crossings_]);
+      if (is_inner(curve.to)) append(inner_[curve.to - side_crossings_]);
       const FaceContour& piece = pieces_[std::exchange(leaving[curve.to], -1)];
-      for (const Vec2& p : piece.points) append(curve.points, p);
+      for (const Vec2& p : piece.points) append(p);
       curve.to = piece.to;
     } while (is_inner(curve.to) && leaving[curve.to] >= 0);
     if (is_closed) curve.from = curve.to = FaceContour::kClosed;

@@ -11,7 +11,7 @@
 #include "base/plane.hpp"
 #include "geodesic/distance_field.hpp"
 #include "geodesic/face_layout.hpp"
-#include "geodesic/windows/chord_check.hpp"
+#include "geodesic/windows/contour_way.hpp"
 #include "geodesic/windows/path_directions.hpp"
 #include "gvd/vec.hpp"
 
@@ -44,34 +44,16 @@ class FaceContours {
   /// `tolerance`: largest distance of a point of a polyline from its level, mesh units, > 0.
   explicit FaceContours(double tolerance) : tolerance_(tolerance) {}
 
-  /// Starts a face. The least of the sources' distances is the distance. Cost: O(k^2) for k sources.
+  /// Starts a face. The least of the sources' distances is the distance. Cost: O(k) for k sources.
   void enter(const FaceLayout& layout, std::span<const FaceSource> sources);
 
   /// Appends the curves of one level. `is_near`: whether each corner is within the level. `crossings`: those of the
   /// sides, counter-clockwise from corner 0, numbered from 0; `leaves` alternates and agrees with `is_near`.
-  /// Cost: mostly O(k^2 log k + points), where k sources reach the level in the face.
+  /// Cost: mostly O(k points), where k sources reach the level in the face.
   void trace(double level, const std::array<bool, 3>& is_near, std::span<const SideCrossing> crossings,
              std::vector<FaceContour>& found);
 
  private:
-  /// A circle, or a line, on which a part of a source's level set lies. The near side is on the left.
-  struct Carrier {
-    enum class Kind { none, circle, line } kind = Kind::none;
-    Vec2 at = Vec2::Zero();     // centre, or a point of the line
-    Vec2 along = Vec2::Zero();  // unit vector of the line
-    double radius = 0;          // of the circle, mesh units
-
-    static Carrier circle(const Vec2& centre, double radius) {
-      return {radius > 0 ? Kind::circle : Kind::none, centre, Vec2::Zero(), radius};
-    }
-    static Carrier line(const Vec2& point, const Vec2& along) { return {Kind::line, point, along, 0}; }
-  };
-  /// The part of the plane within the level of one source: convex. Its boundary, counter-clockwise, has a part round
-  /// the right end of the opening, the part that straight paths reach, and one round the left end.
-  struct Region {
-    const FaceSource* source;
-    std::array<Carrier, 3> part;
-  };
   /// A triangle inside the face, with the crossings of its sides, counter-clockwise from corner 0.
   struct Cell {
     std::array<Vec2, 3> corner;
@@ -86,70 +68,78 @@ class FaceContours {
     }
     double set_sides();
   };
-  /// Indices of regions on the stack.
+  /// A source that may be the nearest somewhere in a cell.
+  struct Candidate {
+    std::int32_t source;              // index
+    std::array<double, 3> at_corner;  // its distances at the cell's corners
+    double lowest;                    // no distance in the cell is less
+
+    /// Distances of one source are convex.
+    double most() const { return std::max({at_corner[0], at_corner[1], at_corner[2]}); }
+  };
+  /// Candidates on the stack.
   struct Range {
     std::size_t begin, end;
   };
-  /// A position on the boundary of a region, on the way round it.
+  /// A position on the boundary of what a source reaches, on the way round it.
   struct Place {
-    std::int32_t region;
+    std::int32_t source;
     std::size_t part;
     Vec2 at;
+    double off;  // the largest distance of the last chord from the curve
   };
-  /// A point of a curve, and a region that it bounds there: its source is the nearest. -1: none.
-  struct CurvePoint {
-    Vec2 at;
-    std::int32_t region;
+  /// Where a way leaves a cell, or ends in it.
+  struct Exit {
+    double at;
+    bool leaves_cell;
   };
   enum class Stop { leaves_cell, enters_region, part_ends };
-  class PartOfWay;
 
-  template <class Visit>
-  static void intersect(const Carrier& a, const Carrier& b, const Visit& visit);
-
-  void visit(Cell cell, const Range& candidates);
-  Range keep_relevant(const Cell& cell, const Range& candidates);
-  bool has_no_hole(const Cell& cell, const Range& regions) const;
-  std::vector<Directions> list_directions(const Cell& cell, const Range& regions) const;
-  bool rises_one_way(const Cell& cell, const Range& regions) const;
-  bool follow_all(const Cell& cell, const Range& regions);
-  bool add_chords(const Cell& cell, const Range& regions, const CurvePoint& from, const CurvePoint& to, int halvings,
-                  std::vector<Vec2>& points);
-  bool is_on_level(const Range& regions, const PlaneSegment& chord);
-  std::optional<Vec2> find_corner(const Cell& cell, const Range& regions, const CurvePoint& from,
-                                  const CurvePoint& to) const;
-  std::optional<CurvePoint> find_on_level(const Cell& cell, const Range& regions, CurvePoint p, double distance) const;
-  bool follow(const Cell& cell, const Range& regions, const SideCrossing& start, FaceContour& piece);
-  Stop advance(const Cell& cell, const Range& regions, Place& place, std::vector<Vec2>& points);
-  bool end_at_crossing(const Cell& cell, const Vec2& start, const Vec2& exit, FaceContour& piece);
+  void visit(Cell& cell, const Range& candidates);
+  Range keep_relevant(const std::array<Vec2, 3>& corner, const Range& candidates, double level);
+  bool has_no_hole(const Cell& cell, const Range& candidates) const;
+  std::vector<Directions> list_directions(const Cell& cell, const Range& candidates) const;
+  bool rises_one_way(const Cell& cell, const Range& candidates) const;
+  bool follow_all(const Cell& cell, const Range& candidates);
+  bool follow(const Cell& cell, const Range& candidates, const SideCrossing& start, FaceContour& piece);
+  void list_rivals(const Range& candidates, std::int32_t of, const StretchOfWay& stretch);
+  void list_stops(const Cell& cell, const ContourWay& way, double end);
+  Stop advance(const Cell& cell, const Range& candidates, Place& place);
+  Exit find_exit(const Cell& cell, const ContourWay& way);
+  bool pass_end(Place& place) const;
+  /// Whether a curve that comes through the cell may end at this crossing.
+  bool is_open(const Cell& cell, std::size_t crossing) const {
+    return !cell.crossings[crossing].leaves && !is_taken_[crossing];
+  }
+  std::optional<std::size_t> crossing_at(const Cell& cell, const Vec2& exit) const;
+  std::optional<std::size_t> cut_at_passed_crossing(const Cell& cell, std::vector<Vec2>& points) const;
+  bool end_at_crossing(const Cell& cell, const Place& exit, FaceContour& piece);
   void pair(const Cell& cell);
-  void split(const Cell& cell, const Range& regions);
+  void split(const Cell& cell, const Range& candidates);
   std::vector<SideCrossing> cross_segment(const PlaneSegment& segment, bool near_at_begin, bool near_at_end,
-                                          const Range& regions);
+                                          const Range& candidates);
   void join_pieces(std::span<const SideCrossing> crossings, std::vector<FaceContour>& found);
 
-  std::int32_t nearest(const Range& regions, const Vec2& p, double& distance) const;
-  static std::size_t part_at(const Region& region, const Vec2& p);
-  void append(std::vector<Vec2>& points, const Vec2& p) const {
-    if (points.empty() || (points.back() - p).norm() > rounding_) points.push_back(p);
-  }
+  std::int32_t nearest(const Range& candidates, const Vec2& p, double& distance) const;
+  void keep_nearer(std::int32_t source, const Vec2& p, std::int32_t& best, double& distance) const;
 
   double tolerance_;
   const FaceLayout* layout_ = nullptr;
-  std::vector<FaceSource> sources_;
-  double longest_ = 0;  // side of the face
+  std::span<const FaceSource> sources_;
+  std::vector<Candidate> of_face_;
+  std::vector<std::int32_t> beaten_corners_;  // sources to which a window brings their distance
+  double longest_ = 0;                        // side of the face
 
   // The state of one level:
   double level_ = 0, rounding_ = 0, chord_ = 0, join_ = 0;
-  std::vector<Region> regions_;
-  std::vector<std::int32_t> stack_;  // regions that matter in the cell and in those that contain it
+  std::vector<Candidate> stack_;     // candidates of the cell and of those that contain it
   std::vector<FaceContour> pieces_;  // in cells, between crossings of their sides
   std::vector<Vec2> inner_;          // positions of the crossings between cells, whose ids follow those of the sides
   std::int32_t side_crossings_ = 0;  // their number
   std::vector<bool> is_taken_;       // [crossing of the cell]
-  ChordCheck check_;
-  std::vector<FaceSource::Path> paths_;  // to the middle of a cell
-  std::vector<double> stops_;            // on the way round a region, or along a segment
+  ChordChain chain_;
+  std::vector<std::int32_t> rivals_;  // sources that may be as near as the level somewhere on the way
+  std::vector<double> stops_;         // on the way round a region, or along a segment
 };
 
 }  // namespace gvd

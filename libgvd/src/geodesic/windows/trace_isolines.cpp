@@ -9,10 +9,13 @@
 // alternate, since the states of an edge's ends are those of the vertices.
 #include "geodesic/windows/trace_isolines.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <span>
 #include <utility>
@@ -21,6 +24,7 @@
 #include "geodesic/face_layout.hpp"
 #include "geodesic/windows/face_contours.hpp"
 #include "geodesic/windows/window_queries.hpp"
+#include "gvd/error.hpp"
 
 namespace gvd {
 namespace {
@@ -44,9 +48,15 @@ struct Crossing {
 
 /// A curve in a face, from one crossing to another.
 struct Arc {
-  std::int32_t from, to;             // indices of crossings; FaceContour::kClosed where it closes inside the face
-  std::int32_t level;                // index
-  std::vector<SurfacePoint> points;  // between them
+  std::int32_t from, to;  // indices of crossings; FaceContour::kClosed where it closes inside the face
+  std::int32_t level;     // index
+  std::size_t end;        // its points are those of the list up to here, from the end of the arc before it
+};
+
+/// The curves in a chunk of faces.
+struct ArcList {
+  std::vector<Arc> arcs = {};
+  std::vector<SurfacePoint> points = {};  // between the crossings, of all arcs
 };
 
 /// The part of an edge within a distance, for one source: begin > end if it is empty.
@@ -92,7 +102,14 @@ void merge(std::vector<Reach>& reaches, double seam) {
   reaches.resize(count);
 }
 
-void cross_edge(const LevelSets& sets, EdgeId e, std::vector<EdgeSource>& sources, std::vector<Crossing>& found) {
+/// Memory that is used for one edge after the other.
+struct EdgeScratch {
+  std::vector<EdgeSource> sources = {};
+  std::vector<Reach> reaches = {};
+};
+
+void cross_edge(const LevelSets& sets, EdgeId e, EdgeScratch& scratch, std::vector<Crossing>& found) {
+  auto& [sources, reaches] = scratch;
   const Mesh& mesh = sets.mesh;
   const HalfedgeId h = mesh.halfedge(e);
   const double length = mesh.length(h), start = sets.field.distance[mesh.from(h)],
@@ -104,7 +121,6 @@ void cross_edge(const LevelSets& sets, EdgeId e, std::vector<EdgeSource>& source
   const auto last = std::upper_bound(first, sets.levels.end(), 0.5 * (start + end + length) + slack);
   if (first == last) return;
   collect_edge_sources(mesh, sets.field, h, sources);
-  std::vector<Reach> reaches;
   for (auto level = first; level != last; ++level) {
     reaches.clear();
     for (const EdgeSource& s : sources) {
@@ -120,12 +136,35 @@ void cross_edge(const LevelSets& sets, EdgeId e, std::vector<EdgeSource>& source
   }
 }
 
+/// More crossings than these would fill the memory: each takes up to a kilobyte until its curve is written.
+constexpr double kMostCrossings = 2e7;
+
+/// Refuses levels that cross edges too often. Counted by the ends of the edges, so there are at least as many.
+void check_crossings(const LevelSets& sets) {
+  const Mesh& mesh = sets.mesh;
+  if (double(mesh.edge_count()) * double(sets.levels.size()) <= kMostCrossings) return;
+  IdVector<VertexId, std::int64_t> levels_below;
+  for (const double d : sets.field.distance) {
+    levels_below.push_back(std::ranges::lower_bound(sets.levels, d) - sets.levels.begin());
+  }
+  double crossings = 0;
+  for (const EdgeId e : mesh.edges()) {
+    const VertexId from = mesh.from(mesh.halfedge(e)), to = mesh.to(mesh.halfedge(e));
+    if (!std::isfinite(sets.field.distance[from]) || !std::isfinite(sets.field.distance[to])) continue;
+    crossings += double(std::abs(levels_below[to] - levels_below[from]));
+  }
+  if (crossings <= kMostCrossings) return;
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("the curves would cross edges {:.2g} times, more than {:.2g}; give fewer levels", crossings,
+                          kMostCrossings));
+}
+
 void find_crossings(LevelSets& sets, const ParallelChunks& parallel) {
   const std::int32_t edges = sets.mesh.edge_count();
   sets.crossings = parallel.collect(cut_into_chunks(edges, kChunk), kEdgePart, [&](const Chunk& chunk) {
     std::vector<Crossing> found;
-    std::vector<EdgeSource> sources;
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) cross_edge(sets, EdgeId(i), sources, found);
+    EdgeScratch scratch;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) cross_edge(sets, EdgeId(i), scratch, found);
     return found;
   });
   sets.first.assign(edges + 1, 0);
@@ -138,7 +177,7 @@ class FaceTracer {
  public:
   FaceTracer(const LevelSets& sets, double tolerance) : sets_(sets), contours_(tolerance) {}
 
-  void trace(FaceId f, std::vector<Arc>& found) {
+  void trace(FaceId f, ArcList& found) {
     const Mesh& mesh = sets_.mesh;
     collect_crossings(f);
     const auto levels = levels_inside(f);
@@ -200,8 +239,7 @@ class FaceTracer {
     return {std::to_address(first), std::to_address(last)};
   }
 
-  void trace_level(FaceId f, const FaceLayout& layout, std::int32_t level, std::span<const Seen> seen,
-                   std::vector<Arc>& found) {
+  void trace_level(FaceId f, const FaceLayout& layout, std::int32_t level, std::span<const Seen> seen, ArcList& found) {
     const Mesh& mesh = sets_.mesh;
     sides_.clear();
     for (const Seen& c : seen) {
@@ -219,12 +257,12 @@ class FaceTracer {
       const auto crossing = [&](std::int32_t id) {
         return id == FaceContour::kClosed ? FaceContour::kClosed : seen[id].crossing;
       };
-      Arc& arc = found.emplace_back(Arc{crossing(curve.from), crossing(curve.to), level, {}});
       for (const Vec2& p : curve.points) {
         Bary bary = layout.bary(p);
         for (double& weight : bary) weight = std::clamp(weight, 0.0, 1.0);
-        arc.points.push_back(make_surface_point(f, bary));
+        found.points.push_back(make_surface_point(f, bary));
       }
+      found.arcs.push_back({crossing(curve.from), crossing(curve.to), level, found.points.size()});
     }
   }
 
@@ -239,12 +277,18 @@ class FaceTracer {
 /// Joins arcs to curves.
 class ArcJoiner {
  public:
-  ArcJoiner(const LevelSets& sets, const std::vector<Arc>& arcs)
-      : sets_(sets), arcs_(arcs), leaving_(sets.crossings.size(), -1), is_entered_(sets.crossings.size(), false) {
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-      if (arcs[i].from == FaceContour::kClosed) continue;
-      leaving_[arcs[i].from] = std::int32_t(i);
-      is_entered_[arcs[i].to] = true;
+  ArcJoiner(const LevelSets& sets, const std::vector<ArcList>& lists)
+      : sets_(sets), leaving_(sets.crossings.size(), -1), is_entered_(sets.crossings.size(), false) {
+    for (const ArcList& list : lists) {
+      std::size_t begin = 0;
+      for (const Arc& arc : list.arcs) {
+        if (arc.from != FaceContour::kClosed) {
+          leaving_[arc.from] = std::int32_t(arcs_.size());
+          is_entered_[arc.to] = true;
+        }
+        arcs_.push_back({arc, {list.points.data() + begin, list.points.data() + arc.end}});
+        begin = arc.end;
+      }
     }
   }
 
@@ -259,10 +303,10 @@ class ArcJoiner {
         add(std::move(line), lines);
       }
     }
-    for (const Arc& arc : arcs_) {
+    for (const auto& [arc, points] : arcs_) {
       if (arc.from != FaceContour::kClosed) continue;
       Isoline line{sets_.levels[arc.level], true, {}};
-      for (const SurfacePoint& p : arc.points) append(line.points, p);
+      for (const SurfacePoint& p : points) append(line.points, p);
       add(std::move(line), lines);
     }
     std::ranges::stable_sort(lines, {}, &Isoline::level);
@@ -270,6 +314,11 @@ class ArcJoiner {
   }
 
  private:
+  struct ArcOfList {
+    Arc arc;
+    std::span<const SurfacePoint> points;
+  };
+
   /// Follows the arcs from a crossing to the boundary, or round to it, and takes them.
   Isoline follow(std::int32_t at) {
     Isoline line{sets_.levels[sets_.crossings[at].level], false, {}};
@@ -277,10 +326,10 @@ class ArcJoiner {
       const HalfedgeId h = sets_.mesh.halfedge(sets_.crossings[at].edge);
       const SurfacePoint point = edge_point(h, std::min(1.0, sets_.crossings[at].t / sets_.mesh.length(h)));
       append(line.points, make_surface_point(point.face, point.bary));
-      const std::int32_t arc = std::exchange(leaving_[at], -1);
-      if (arc < 0) return line;
-      for (const SurfacePoint& p : arcs_[arc].points) append(line.points, p);
-      at = arcs_[arc].to;
+      const std::int32_t next = std::exchange(leaving_[at], -1);
+      if (next < 0) return line;
+      for (const SurfacePoint& p : arcs_[next].points) append(line.points, p);
+      at = arcs_[next].arc.to;
     }
   }
 
@@ -298,7 +347,7 @@ class ArcJoiner {
   }
 
   const LevelSets& sets_;
-  const std::vector<Arc>& arcs_;
+  std::vector<ArcOfList> arcs_;
   std::vector<std::int32_t> leaving_;  // [crossing] the arc that leaves it and has not been taken; -1: none
   std::vector<bool> is_entered_;       // [crossing]
 };
@@ -310,9 +359,10 @@ std::vector<Isoline> trace_isolines(const Mesh& mesh, const WindowField& field, 
   const ParallelChunks parallel(options.threads, options.progress);
   const double tolerance = options.chord_tolerance * mean_edge;
   LevelSets sets{mesh, field, levels};
+  check_crossings(sets);
   find_crossings(sets, parallel);
-  const auto arcs = parallel.collect(cut_into_chunks(mesh.face_count(), kChunk), kFacePart, [&](const Chunk& chunk) {
-    std::vector<Arc> found;
+  const auto arcs = parallel.map(cut_into_chunks(mesh.face_count(), kChunk), kFacePart, [&](const Chunk& chunk) {
+    ArcList found;
     FaceTracer tracer(sets, tolerance);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) tracer.trace(FaceId(i), found);
     return found;

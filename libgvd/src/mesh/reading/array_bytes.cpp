@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <new>
 
 #include "gvd/error.hpp"
@@ -32,6 +33,30 @@ bool append_inflated(std::string& content, std::string_view packed, std::uint64_
                                 reinterpret_cast<const Bytef*>(packed.data()), packed.size());
   if (status == Z_MEM_ERROR) throw std::bad_alloc();
   return status == Z_OK && made == size;
+}
+
+std::optional<std::uint64_t> inflated_size(std::string_view packed, std::uint64_t most) {
+  z_stream stream{};
+  if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
+  std::string block(std::size_t{1} << 14, '\0');
+  std::uint64_t made = 0;
+  int status = Z_OK;
+  while (status == Z_OK && made < most) {
+    if (stream.avail_in == 0) {
+      const std::string_view next = packed.substr(0, block.size());
+      stream.next_in = reinterpret_cast<const Bytef*>(next.data());
+      stream.avail_in = static_cast<uInt>(next.size());
+      packed.remove_prefix(next.size());
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(block.data());
+    stream.avail_out = static_cast<uInt>(block.size());
+    status = inflate(&stream, Z_NO_FLUSH);
+    made += block.size() - stream.avail_out;
+  }
+  inflateEnd(&stream);
+  if (status == Z_MEM_ERROR) throw std::bad_alloc();
+  if (status != Z_OK && status != Z_STREAM_END) return std::nullopt;
+  return std::min(made, most);
 }
 
 std::vector<double> parse_array_text(std::string_view text, std::string_view what, std::string_view name) {

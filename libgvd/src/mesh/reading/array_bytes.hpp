@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,9 @@ class ArrayBytes {
 /// Appends what zlib makes of `packed`. False where that is not `size` bytes, or the data are damaged. Throws what
 /// `limit` throws, before it takes memory.
 bool append_inflated(std::string& content, std::string_view packed, std::uint64_t size, ExpansionLimit& limit);
+
+/// The number of bytes that zlib makes of `packed`, or `most` where there are more; nothing where the data are damaged.
+std::optional<std::uint64_t> inflated_size(std::string_view packed, std::uint64_t most);
 
 /// The numbers of a text, with blanks between them. Throws Error{unreadable_input} for anything else; `what` is the
 /// array in the message, `name` the file. Cost: O(length).

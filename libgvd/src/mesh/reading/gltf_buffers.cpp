@@ -59,9 +59,6 @@ class BufferReader {
     throw Error(ErrorCode::unreadable_input, fmt::format("{}: buffer {}, {}, {}", name_, number_, quoted(uri_), what));
   }
 
- private:
-  static constexpr std::string_view kData = "data:";
-
   /// The address as a path that leads down from the folder of the mesh.
   std::filesystem::path relative_path() const {
     const std::string path = decode();
@@ -75,6 +72,9 @@ class BufferReader {
     if (leads_up) refuse("is not in the folder of the mesh; put it there, or export one .glb");
     return path;
   }
+
+ private:
+  static constexpr std::string_view kData = "data:";
 
   /// The address with its percent-encoded bytes decoded.
   std::string decode() const {
@@ -102,6 +102,16 @@ class BufferReader {
 };
 
 }  // namespace
+
+std::optional<std::filesystem::path> gltf_file(std::string_view uri) {
+  const BufferReader reader(uri, 0, "");
+  if (reader.is_data()) return std::nullopt;
+  try {
+    return reader.relative_path();
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
 
 std::string read_gltf_buffer(std::string_view uri, std::size_t b, const std::optional<std::filesystem::path>& folder,
                              ExpansionLimit& limit, std::string_view name) {

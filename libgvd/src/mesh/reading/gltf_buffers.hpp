@@ -20,4 +20,8 @@ namespace gvd {
 std::string read_gltf_buffer(std::string_view uri, std::size_t b, const std::optional<std::filesystem::path>& folder,
                              ExpansionLimit& limit, std::string_view name);
 
+/// The path from the folder of the mesh that an address of a glTF stands for; nothing where it is a data URI or leads
+/// elsewhere.
+std::optional<std::filesystem::path> gltf_file(std::string_view uri);
+
 }  // namespace gvd

@@ -99,13 +99,24 @@ class GiftiParser {
     Shape shape;
     const std::uint64_t dimensions = std::min<std::uint64_t>(array.attribute("Dimensionality").as_ullong(), 6);
     for (std::uint64_t i = 0; i < dimensions; ++i) {
-      const std::uint64_t size = array.attribute(fmt::format("Dim{}", i).c_str()).as_ullong();
+      const std::uint64_t size = read_size(array, fmt::format("Dim{}", i));
       if (i == 0) shape.rows = size;
       if (size > most_numbers_ / std::max<std::uint64_t>(shape.numbers, 1)) refuse_size(array, size);
       shape.numbers *= size;
     }
     if (dimensions == 0) refuse(fmt::format("an array {} has no dimensions", quoted(intent_of(array))));
     return shape;
+  }
+
+  /// A dimension; 0 where it is missing, which no array fits.
+  std::uint64_t read_size(pugi::xml_node array, const std::string& dimension) const {
+    std::string_view text = array.attribute(dimension.c_str()).value();
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    const auto size = parse_number<std::uint64_t>(text);
+    if (size || text.empty()) return size.value_or(0);
+    refuse(fmt::format("an array {} has {} {}, and should have a whole number from 0 there; {}",
+                       quoted(intent_of(array)), dimension, quoted(text), kExportAgain));
   }
 
   std::vector<double> read_rows_of_three(pugi::xml_node array) {
@@ -127,26 +138,38 @@ class GiftiParser {
       refuse(fmt::format("the numbers are in another file, {}; write all into one, with another encoding",
                          quoted(array.attribute("ExternalFileName").value())));
     }
-    const bool is_text = is_one_of(array, "Encoding", "ASCII", "GIFTI_ENCODING_ASCII");
-    std::vector<double> numbers = is_text ? parse_array_text(text, quoted(intent_of(array)), name_)
-                                          : decode(array, ArrayBytes(text, true), shape.numbers);
-    if (numbers.size() != shape.numbers) refuse_count(array, numbers.size());
+    if (!is_one_of(array, "Encoding", "ASCII", "GIFTI_ENCODING_ASCII")) {
+      return decode(array, ArrayBytes(text, true), shape.numbers);
+    }
+    std::vector<double> numbers = parse_array_text(text, quoted(intent_of(array)), name_);
+    if (numbers.size() != shape.numbers) refuse_count(array, shape.numbers, number_count(numbers.size()));
     return numbers;
   }
 
-  /// `count` numbers of a binary array; fewer where the data end, one more where they go on.
+  /// The `count` numbers of a binary array.
   std::vector<double> decode(pugi::xml_node array, ArrayBytes data, std::uint64_t count) {
     const bool is_packed = is_one_of(array, "Encoding", "GZipBase64Binary", "GIFTI_ENCODING_B64GZ");
     const StoredNumber type = find_type(array, is_packed);
-    limit_.spend(count * sizeof(double));
-    if (!is_packed) return type.read_all(data.take((count + 1) * type.size));
-    std::string bytes;
-    if (!append_inflated(bytes, data.take(data.most()), count * type.size, limit_)) {
-      refuse(fmt::format("the packed data of an array {} are damaged, or not the {} that Dim0 {} and Dim1 {} promise",
-                         quoted(intent_of(array)), counted(std::int64_t(count * type.size), "byte", "bytes"),
-                         quoted(array.attribute("Dim0").value()), quoted(array.attribute("Dim1").value())));
+    std::string bytes = data.take(data.most());
+    if (data.most() > 0) {
+      refuse(fmt::format("the Base64 of an array {} is damaged behind byte {}; {}", quoted(intent_of(array)),
+                         bytes.size(), kExportAgain));
     }
+    if (is_packed) bytes = unpack(array, bytes, count, type);
+    if (bytes.size() != count * type.size) refuse_bytes(array, count, type, bytes.size());
+    limit_.spend(count * sizeof(double));
     return type.read_all(bytes);
+  }
+
+  std::string unpack(pugi::xml_node array, std::string_view packed, std::uint64_t count, const StoredNumber& type) {
+    std::string bytes;
+    if (append_inflated(bytes, packed, count * type.size, limit_)) return bytes;
+    const std::uint64_t most = most_numbers_ * type.size;
+    const auto found = inflated_size(packed, most);
+    if (!found || *found == most || *found == count * type.size) {
+      refuse(fmt::format("the packed data of an array {} are damaged; {}", quoted(intent_of(array)), kExportAgain));
+    }
+    refuse_bytes(array, count, type, *found);
   }
 
   /// How the numbers of a binary array are stored.
@@ -175,9 +198,26 @@ class GiftiParser {
     }
   }
 
-  [[noreturn]] void refuse_count(pugi::xml_node array, std::uint64_t found) const {
-    refuse(fmt::format("an array {} with Dim0 {} and Dim1 {} has {} numbers, or is damaged", quoted(intent_of(array)),
-                       quoted(array.attribute("Dim0").value()), quoted(array.attribute("Dim1").value()), found));
+  static std::string number_count(std::uint64_t count) { return counted(std::int64_t(count), "number", "numbers"); }
+
+  /// `found`: what the data hold.
+  [[noreturn]] void refuse_count(pugi::xml_node array, std::uint64_t declared, const std::string& found) const {
+    std::string dimensions;
+    for (const pugi::xml_attribute attribute : array.attributes()) {
+      const std::string_view name = attribute.name();
+      if (name.size() != 4 || !name.starts_with("Dim")) continue;
+      dimensions += fmt::format("{}{} {}", dimensions.empty() ? "" : ", ", name, quoted(attribute.value()));
+    }
+    refuse(fmt::format("an array {} should have {} ({}), and its data hold {}; {}", quoted(intent_of(array)),
+                       number_count(declared), dimensions, found, kExportAgain));
+  }
+
+  [[noreturn]] void refuse_bytes(pugi::xml_node array, std::uint64_t declared, const StoredNumber& type,
+                                 std::uint64_t bytes) const {
+    const std::uint64_t rest = bytes % type.size;
+    refuse_count(array, declared,
+                 number_count(bytes / type.size) +
+                     (rest == 0 ? "" : " and " + counted(std::int64_t(rest), "more byte", "more bytes")));
   }
 
   [[noreturn]] void refuse_size(pugi::xml_node array, std::uint64_t size) const {

@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,7 @@
 #include <utility>
 
 #include "gvd/error.hpp"
+#include "gvd/gltf_files.hpp"
 #include "gvd/text.hpp"
 #include "mesh/reading/gltf_buffers.hpp"
 #include "mesh/reading/readers.hpp"
@@ -35,7 +37,13 @@ using Transform = Eigen::Matrix4d;
 constexpr std::string_view kMark = "glTF";
 constexpr std::uint32_t kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
+/// White space before the brace of a .gltf may be so long; exporters write none.
+constexpr std::size_t kHeadBytes = 4096;
 constexpr std::size_t kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6;  // primitive.mode
+
+/// How far the last row of a matrix may be from 0 0 0 1, absolute: products of matrices of 32-bit floats are that
+/// exact.
+constexpr double kAffine = 1e-5;
 
 /// The extension that compresses single primitives.
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
@@ -107,12 +115,24 @@ class GltfFile {
     const std::string type = accessor.at("type");
     Accessor read{{}, type == "SCALAR" ? 1U : type == "VEC2" ? 2U : type == "VEC3" ? 3U : 0U};
     if (read.size == 0) refuse(fmt::format("accessor {} has the type {}", a, gvd::quoted(type)));
-    const std::string_view view = find_view(number(accessor, "bufferView"));
+    const std::size_t v = number(accessor, "bufferView");
+    const std::string_view view = find_view(v);
     const std::size_t count = number(accessor, "count"), begin = number(accessor, "byteOffset", 0);
     const std::size_t element = read.size * stored.size;
-    const std::size_t given = number(item("bufferViews", number(accessor, "bufferView")), "byteStride", 0);
+    const std::size_t given = number(item("bufferViews", v), "byteStride", 0);
     const std::size_t stride = given == 0 ? element : given;
     if (count == 0) return read;
+    if (stride < element) {
+      refuse(fmt::format("accessor {} has elements of {} bytes, and its view steps by {} ('byteStride'); {}", a,
+                         element, stride, kExportAgain));
+    }
+    const std::size_t first = number(item("bufferViews", v), "byteOffset", 0) + begin;
+    if (first % stored.size != 0 || stride % stored.size != 0) {
+      refuse(
+          fmt::format("accessor {} has numbers of {} bytes at byte {} of its buffer and each {} bytes on, which are "
+                      "no multiples of {}; {}",
+                      a, stored.size, first, stride, stored.size, kExportAgain));
+    }
     if (begin > view.size() || element > view.size() - begin || count - 1 > (view.size() - begin - element) / stride) {
       refuse(fmt::format("accessor {} has {}, and its view has {} bytes", a, counted(count, "element", "elements"),
                          view.size()));
@@ -128,6 +148,19 @@ class GltfFile {
       }
     }
     return read;
+  }
+
+  /// The files beside this one that it refers to, with buffers and images.
+  std::vector<std::filesystem::path> other_files() const {
+    std::vector<std::filesystem::path> files;
+    for (const char* kind : {"buffers", "images"}) {
+      for (const Json& described : array(kind)) {
+        const auto address = described.find("uri");
+        if (address == described.end() || !address->is_string()) continue;
+        if (auto file = gltf_file(address->get_ref<const std::string&>())) files.push_back(*std::move(file));
+      }
+    }
+    return files;
   }
 
   [[noreturn]] void refuse(const std::string& message) const {
@@ -148,7 +181,8 @@ class GltfFile {
   /// Finds the binary chunk, and returns the description.
   std::string_view read_chunks() {
     if (word(4) != kVersion) refuse(fmt::format("the file has version {} of glTF, and only 2 is read", word(4)));
-    bytes_ = bytes_.substr(0, word(8));  // what follows the file's own length is no part of it
+    const std::size_t whole = word(8);
+    bytes_ = bytes_.substr(0, whole);  // what follows the file's own length is no part of it
     std::string_view json;
     for (std::size_t at = kHeaderBytes; at < bytes_.size();) {
       const std::size_t length = word(at), begin = at + kChunkHeaderBytes;
@@ -160,6 +194,10 @@ class GltfFile {
       if (kind == kJsonChunk && json.empty()) json = bytes_.substr(begin, length);
       if (kind == kBinaryChunk && binary_.empty()) binary_ = bytes_.substr(begin, length);
       at = begin + length;
+    }
+    if (whole > bytes_.size()) {
+      refuse(fmt::format("the header says that the file has {} bytes, and it has {}; copy it again", whole,
+                         bytes_.size()));
     }
     return json;
   }
@@ -180,6 +218,15 @@ class GltfFile {
     const auto known = buffers_.find(b);
     if (known != buffers_.end()) return known->second;
     const Json& buffer = item("buffers", b);
+    const std::string_view stored = read_buffer(buffer, b);
+    const std::size_t length = number(buffer, "byteLength", stored.size());
+    if (length > stored.size()) {
+      refuse(fmt::format("buffer {} should have {} bytes, and has {}; {}", b, length, stored.size(), kExportAgain));
+    }
+    return buffers_[b] = stored.substr(0, length);  // a chunk is padded
+  }
+
+  std::string_view read_buffer(const Json& buffer, std::size_t b) {
     const auto address = buffer.find("uri");
     if (address == buffer.end()) {
       if (is_binary_ && b == 0) return binary_;
@@ -188,7 +235,7 @@ class GltfFile {
     const auto& uri = address->get_ref<const std::string&>();
     const auto [content, is_new] = contents_.try_emplace(uri);
     if (is_new) content->second = read_gltf_buffer(uri, b, folder_, limit_, name_);
-    return buffers_[b] = content->second;
+    return content->second;
   }
 
   StoredNumber stored_number(std::size_t component_type) const {
@@ -296,7 +343,7 @@ class GltfParser {
       waiting.pop_back();
       const Json& node = file_.item("nodes", n);
       if (std::exchange(visited_[n], 1) != 0) file_.refuse(fmt::format("node {} has two parents", n));
-      const Transform transform = parent * transform_of(node);
+      const Transform transform = parent * transform_of(node, n);
       if (node.contains("mesh")) add_mesh(file_.number(node, "mesh"), transform);
       const Json children = node.value("children", Json::array());
       for (std::size_t i = children.size(); i-- > 0;)
@@ -305,12 +352,24 @@ class GltfParser {
   }
 
   /// A matrix, by columns, or a translation, a rotation as quaternion (x, y, z, w) and a scale.
-  static Transform transform_of(const Json& node) {
+  Transform transform_of(const Json& node, std::size_t n) const {
     const auto matrix = node.find("matrix");
-    if (matrix != node.end()) return Transform(matrix->get<std::array<double, 16>>().data());
+    if (matrix != node.end()) {
+      const Transform made(matrix->get<std::array<double, 16>>().data());
+      if (matrix->size() > 16 || !((made.row(3) - Transform::Identity().row(3)).cwiseAbs().maxCoeff() <= kAffine)) {
+        file_.refuse(
+            fmt::format("node {} has a matrix of {} numbers that is no affine transform: it needs 16, and the "
+                        "last row 0 0 0 1; {}",
+                        n, matrix->size(), kExportAgain));
+      }
+      return made;
+    }
     const auto t = node.value("translation", std::array{0.0, 0.0, 0.0}),
                s = node.value("scale", std::array{1.0, 1.0, 1.0});
     const auto r = node.value("rotation", std::array{0.0, 0.0, 0.0, 1.0});
+    if (!(Eigen::Vector4d(r.data()).norm() > 0)) {
+      file_.refuse(fmt::format("node {} has a rotation of length 0; {}", n, kExportAgain));
+    }
     Eigen::Affine3d transform = Eigen::Affine3d::Identity();
     transform.translate(Vec3(t[0], t[1], t[2])).rotate(Eigen::Quaterniond(r[3], r[0], r[1], r[2]).normalized());
     return transform.scale(Vec3(s[0], s[1], s[2])).matrix();
@@ -320,7 +379,8 @@ class GltfParser {
     std::map<std::size_t, std::size_t> first_vertex;  // of each accessor of positions
     for (const Json& primitive : file_.item("meshes", m).at("primitives")) {
       const std::size_t mode = file_.number(primitive, "mode", kTriangleList);
-      if (mode < kTriangleList || mode > kTriangleFan) {
+      if (mode > kTriangleFan) file_.refuse(fmt::format("mesh {} has the unknown mode {}; {}", m, mode, kExportAgain));
+      if (mode < kTriangleList) {
         ++left_out_;
         continue;
       }
@@ -332,6 +392,7 @@ class GltfParser {
       const std::size_t count = file_.number(file_.item("accessors", positions), "count");
       if (is_new) add_positions(positions, transform);
       std::vector<double> corners = read_indices(primitive, count);
+      check_corners(corners.size(), mode, m);
       for (double& corner : corners) corner = require_vertex(corner, count) + double(known->second);
       const std::size_t begin = soup_.corners.size();
       add_triangles(corners, mode, transform.topLeftCorner<3, 3>().determinant() < 0);
@@ -382,11 +443,26 @@ class GltfParser {
   }
 
   std::vector<double> read_indices(const Json& primitive, std::size_t vertices) {
-    if (primitive.contains("indices")) return file_.read_accessor(file_.number(primitive, "indices")).numbers;
+    if (primitive.contains("indices")) {
+      const std::size_t accessor = file_.number(primitive, "indices");
+      Accessor indices = file_.read_accessor(accessor);
+      if (indices.size == 1) return std::move(indices.numbers);
+      file_.refuse(fmt::format("accessor {} has vectors of {} numbers, and indices are single numbers; {}", accessor,
+                               indices.size, kExportAgain));
+    }
     file_.spend(std::uint64_t(vertices) * sizeof(double));
     std::vector<double> all(vertices);
     std::iota(all.begin(), all.end(), 0.0);
     return all;
+  }
+
+  /// Refuses corners that are no whole triangles: some of them are lost.
+  void check_corners(std::size_t corners, std::size_t mode, std::size_t mesh) const {
+    if (mode == kTriangleList ? corners % 3 == 0 : corners == 0 || corners > 2) return;
+    constexpr std::array<const char*, 3> kNames{"list", "strip", "fan"};
+    file_.refuse(fmt::format("mesh {} has a {} of triangles with {}, of which the last triangle lacks some; {}", mesh,
+                             kNames.at(mode - kTriangleList), counted(std::int64_t(corners), "corner", "corners"),
+                             kExportAgain));
   }
 
   double require_vertex(double corner, std::size_t count) const {
@@ -430,12 +506,11 @@ class GltfParser {
   PolygonSoup soup_;
 };
 
-}  // namespace
-
-PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
-                       const std::optional<std::filesystem::path>& folder) {
+/// The result of `work`, which reads the description of a file.
+template <class Work>
+auto name_errors(std::string_view name, const Work& work) {
   try {
-    return GltfParser(bytes, name, folder).parse();
+    return work();
   } catch (const Json::exception& error) {  // a member is missing or has another type
     const std::string_view what(error.what());
     const std::size_t end_of_code = what.find("] ");  // "[json.exception.type_error.302] type must be ..."
@@ -444,6 +519,25 @@ PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
                             "export the file again",
                             name, printable(what.substr(end_of_code == what.npos ? 0 : end_of_code + 2), 120)));
   }
+}
+
+}  // namespace
+
+PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
+                       const std::optional<std::filesystem::path>& folder) {
+  return name_errors(name, [&] { return GltfParser(bytes, name, folder).parse(); });
+}
+
+std::vector<std::filesystem::path> list_gltf_files(const std::filesystem::path& mesh) {
+  // Its first bytes tell of a file that is not packed whether it is one, so that no other large mesh is read again.
+  std::string head(kHeadBytes, '\0');
+  std::ifstream file(mesh, std::ios::binary);
+  file.read(head.data(), std::streamsize(head.size()));
+  head.resize(std::size_t(file.gcount()));
+  if (find_compression(head).empty() && !head.starts_with(kMark) && !is_json(head)) return {};
+  const std::string name = mesh.string(), bytes = read_file_bytes(mesh);
+  if (!bytes.starts_with(kMark) && !is_json(bytes)) return {};
+  return name_errors(name, [&] { return GltfFile(bytes, name, mesh.parent_path()).other_files(); });
 }
 
 }  // namespace gvd

@@ -233,9 +233,10 @@ class ObjParser {
 ///
 /// MeshLab, Metashape and Blender write `v x y z r g b` with numbers from 0 to 1, others from 0 to 255, and MeshLab
 /// also an alpha. Which of the two holds is decided for the whole file, since dark colours of 0 to 255 may all be at
-/// most 1. A single number behind the coordinates is the weight of a curve's point. Numbers that are negative or beyond
-/// 255 are no colours (normals, for example), and then no vertex has one. ZBrush writes `#MRGB` and eight digits for
-/// each vertex: a mask, red, green and blue.
+/// most 1. Numbers that were computed leave their range by rounding (1.0000001), so the largest number decides with a
+/// tolerance, and what is beyond a range's end counts as the end. A single number behind the coordinates is the weight
+/// of a curve's point. Numbers that are further below 0 or above 255 are no colours (normals, for example), and then no
+/// vertex has one. ZBrush writes `#MRGB` and eight digits for each vertex: a mask, red, green and blue.
 class ObjColorParser {
  public:
   ObjColorParser(std::string_view bytes, std::string_view name) : text_(bytes, name, false) {}
@@ -250,7 +251,7 @@ class ObjColorParser {
         read_masked();
       }
     }
-    if (are_colors_ && largest_ >= 0) return make_properties(colors_, largest_ <= 1 ? kMost : 1);
+    if (are_colors_ && largest_ > kNone) return make_properties(colors_, largest_ <= 1 + kBeyond ? kMost : 1);
     if (!masked_.empty() && masked_.size() == colors_.size()) return make_properties(masked_, 1);
     return {};
   }
@@ -258,6 +259,9 @@ class ObjColorParser {
  private:
   using Color = std::array<double, 4>;
   static constexpr double kMost = 255, kNone = -1;  // a vertex without a colour is white
+  /// How far numbers may leave their range, absolute: half of a step of 8 bits from 0 to 1. Up to there, rounding to 8
+  /// bits gives the end of the range anyway, so that clamping changes no colour.
+  static constexpr double kBeyond = 0.5 / kMost;
 
   void read_vertex() {
     Color color{kNone, kNone, kNone, kNone};
@@ -273,7 +277,8 @@ class ObjColorParser {
       return;
     }
     for (std::size_t i = 0; i < count; ++i) {
-      are_colors_ = are_colors_ && color[i] >= 0 && color[i] <= kMost;
+      are_colors_ = are_colors_ && color[i] >= -kBeyond && color[i] <= kMost + kBeyond;
+      color[i] = std::max(color[i], 0.0);
       largest_ = std::max(largest_, color[i]);
     }
     has_alpha_ = has_alpha_ || count == 4;
@@ -305,7 +310,7 @@ class ObjColorParser {
       MeshProperty property{name, NumberType::uint8, true, {}, {}, {}};
       property.values.reserve(colors.size());
       for (const Color& color : colors) {
-        property.values.push_back(color[channel] < 0 ? kMost : std::round(scale * color[channel]));
+        property.values.push_back(color[channel] < 0 ? kMost : std::min(std::round(scale * color[channel]), kMost));
       }
       made.push_back(std::move(property));
     }

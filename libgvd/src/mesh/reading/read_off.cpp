@@ -1,8 +1,9 @@
 // Geomview's OFF in text: a keyword, the counts, then a line for each vertex and each face.
 //
 // The keyword is optional, and the counts may follow on its line, even without a blank: most files of ModelNet40 begin
-// with "OFF642 1280 0". Numbers of an element may continue on the next lines,
-// but what follows them on the last line (a normal, a colour) is skipped.
+// with "OFF642 1280 0". Numbers of an element may continue on the next lines, but what follows them on the last line (a
+// normal, a colour) is skipped. A file whose numbers are all on the line of the counts has no such lines: there one
+// element follows the other, and colours can't be told from them.
 // Source: the Geomview manual, section OFF. Binary files and those of other dimensions are refused by their keyword.
 // Invariant: counts are compared with the bytes that are left before they reserve memory.
 #include <fmt/format.h>
@@ -24,6 +25,7 @@ class OffParser {
 
   PolygonSoup parse() {
     read_header();
+    if (is_one_line()) return parse_line();
     for (std::int64_t v = 0; v < vertices_; ++v) {
       if (!text_.begin_element()) refuse_end("vertex", v, vertices_);
       soup_.positions.push_back(text_.position(v));
@@ -39,6 +41,28 @@ class OffParser {
   }
 
  private:
+  /// Whether the line of the counts goes on with all numbers of the vertices and faces. It is not changed.
+  bool is_one_line() {
+    const std::string_view rest = text_.line();
+    std::int64_t wanted = 1 + 3 * vertices_ + faces_;  // the number of edges; of a face at least that of its corners
+    if (rest.size() < std::size_t(wanted)) return false;
+    while (wanted > 0 && !text_.token().empty()) --wanted;
+    text_.replace_line(rest);
+    return wanted == 0;
+  }
+
+  PolygonSoup parse_line() {
+    text_.integer("the number of edges");
+    for (std::int64_t v = 0; v < vertices_; ++v) soup_.positions.push_back(text_.position(v));
+    for (std::int64_t f = 0; f < faces_; ++f) read_face(f);
+    if (const std::string_view more = text_.token(); !more.empty()) {
+      text_.refuse(fmt::format(
+          "{} follows the last face; if faces or vertices have colours, give each a line of its own", quoted(more)));
+    }
+    note_extra_lines();
+    return std::move(soup_);
+  }
+
   void read_header() {
     if (!text_.next_content_line()) text_.refuse_end("and holds no OFF header");
     const std::string_view line = text_.line();
@@ -79,9 +103,10 @@ class OffParser {
   std::int64_t read_count(std::string_view what, std::size_t shortest_line) {
     const std::int64_t count = text_.integer(what);
     if (count < 0) text_.refuse(fmt::format("{} is {}", what, count));
-    if (std::uint64_t(count) > (text_.remaining() + 1) / shortest_line) {
+    const std::size_t left = text_.line().size() + text_.remaining();
+    if (std::uint64_t(count) > (left + 1) / shortest_line) {
       text_.refuse(fmt::format("{} is {}, and the file has only {}", what, count,
-                               counted(text_.remaining(), "more byte", "more bytes")));
+                               counted(std::int64_t(left), "more byte", "more bytes")));
     }
     return count;
   }

@@ -88,7 +88,8 @@ class VtkParser {
       if (lists == 0) return cells;
       cells.ends = numbers(lists, offsets_type("offsets"));
       cells.corners = numbers(size, offsets_type("connectivity"));
-      cells.ends.erase(cells.ends.begin());  // the first one is 0
+      if (cells.ends.front() != 0) refuse(fmt::format("the offsets begin with {} and not with 0", cells.ends.front()));
+      cells.ends.erase(cells.ends.begin());
       return cells;
     }
     const std::vector<double> mixed = numbers(size, plain_int());

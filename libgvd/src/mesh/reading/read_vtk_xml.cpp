@@ -154,8 +154,18 @@ class VtkXmlParser {
 
   static std::uint64_t count_in(pugi::xml_node piece, const char* name) { return piece.attribute(name).as_ullong(); }
 
+  /// Refuses a piece that has arrays of a kind and does not say how many: they would be taken for none.
+  void require_count(pugi::xml_node piece, const char* number, const char* kind) const {
+    if (piece.attribute(number)) return;
+    for (const pugi::xml_node array : piece.child(kind).children("DataArray")) {
+      const bool is_empty = *array.child_value() == '\0' && !array.attribute("offset");
+      if (!is_empty) soup_.refuse(fmt::format("a piece has {} and lacks {}; write the file again", kind, number));
+    }
+  }
+
   /// False where the piece is empty.
   bool read_points(pugi::xml_node piece) {
+    require_count(piece, "NumberOfPoints", "Points");
     const std::uint64_t points = count_in(piece, "NumberOfPoints");
     if (points == 0) return false;
     const std::vector<double> coordinates = read_array(piece.child("Points").child("DataArray"), "Points");
@@ -170,6 +180,9 @@ class VtkXmlParser {
   void read_piece(pugi::xml_node piece) {
     const auto count = [&](const char* name) { return count_in(piece, name); };
     if (!read_points(piece)) return;
+    for (const auto& [number, kind] : {std::pair("NumberOfStrips", "Strips"), {"NumberOfPolys", "Polys"}}) {
+      require_count(piece, number, kind);
+    }
     if (count("NumberOfVerts") > 0) soup_.leave_out(read_cells(piece, "Verts", count("NumberOfVerts")));
     if (count("NumberOfLines") > 0) soup_.leave_out(read_cells(piece, "Lines", count("NumberOfLines")));
     if (count("NumberOfStrips") > 0) soup_.add_strips(read_cells(piece, "Strips", count("NumberOfStrips")));
@@ -177,6 +190,7 @@ class VtkXmlParser {
   }
 
   void read_grid_piece(pugi::xml_node piece) {
+    require_count(piece, "NumberOfCells", "Cells");
     const std::uint64_t count = count_in(piece, "NumberOfCells");
     if (!read_points(piece) || count == 0) return;
     const VtkCells cells = read_cells(piece, "Cells", count);
@@ -204,16 +218,20 @@ class VtkXmlParser {
                                quoted(array.attribute("type").value())));
     }
     type->big_endian = big_endian_;
-    if (format == "binary") return to_numbers(*type, read_bytes({array.child_value(), true}, what));
+    if (format == "binary") return to_numbers(*type, read_bytes({array.child_value(), true}, what), what);
     const std::uint64_t offset = array.attribute("offset").as_ullong();
     if (offset >= appended_.size()) {
       soup_.refuse(fmt::format("an array of {} begins {} bytes into the appended data, which have {}", what, offset,
                                appended_.size()));
     }
-    return to_numbers(*type, read_bytes({appended_.substr(offset), is_base64_appended_}, what));
+    return to_numbers(*type, read_bytes({appended_.substr(offset), is_base64_appended_}, what), what);
   }
 
-  std::vector<double> to_numbers(const StoredNumber& type, const std::string& bytes) {
+  std::vector<double> to_numbers(const StoredNumber& type, const std::string& bytes, std::string_view what) {
+    if (bytes.size() % type.size != 0) {
+      soup_.refuse(fmt::format("an array of {} has {} for numbers of {} bytes; write the file again", what,
+                               counted(std::ssize(bytes), "byte", "bytes"), type.size));
+    }
     limit_.spend(bytes.size() / type.size * sizeof(double));
     return type.read_all(bytes);
   }

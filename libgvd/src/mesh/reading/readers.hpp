@@ -15,6 +15,9 @@
 
 namespace gvd {
 
+/// What to do about a damaged file, in messages of readers.
+inline constexpr const char* kExportAgain = "export the file again";
+
 /// The double nearest to a decimal number, the same in any locale: "1", "+1.5", "-2e-3", "nan", "inf". A number that is
 /// too small for a double is 0, one that is too large is infinity. None where the token is anything else.
 std::optional<double> parse_double(std::string_view token);
@@ -112,7 +115,7 @@ std::vector<MeshProperty> parse_ply_properties(std::string_view bytes, std::stri
 std::vector<MeshProperty> parse_ply_vertices(std::string_view bytes, std::string_view name);
 
 /// Geomview's OFF in text, with or without colours, normals and texture coordinates, which are skipped. Each vertex and
-/// each face begins a line.
+/// each face begins a line, or all numbers are on the line of the counts.
 PolygonSoup parse_off(std::string_view bytes, std::string_view name);
 
 /// Whether a word is the keyword of an OFF file: OFF, COFF, NOFF, STCNOFF, 4OFF, nOFF and so on, also with the number

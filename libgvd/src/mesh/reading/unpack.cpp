@@ -49,20 +49,11 @@ bool is_3mf(std::string_view zip) {
          to_lower(end).find("3d/3dmodel.model") != std::string::npos;
 }
 
-/// Whether a file is an object of MNI in binary: `p`, then five small floats that tell how the surface shines.
+/// Whether a file is an object of MNI in binary: `p`, five floats that tell how the surface shines, and the number of
+/// points. A number below 16 million has a zero among its bytes, and text has none.
 bool is_binary_mni(std::string_view bytes) {
-  constexpr std::size_t kFloats = 5;
-  if (!bytes.starts_with('p') || bytes.size() < 1 + 4 * kFloats) return false;
-  const auto are_small = [&](bool big_endian) {
-    constexpr double kLeast = 1e-3, kMost = 1e3;  // no two letters make such a float
-    const StoredNumber stored{StoredNumber::Kind::real, 4, big_endian};
-    for (std::size_t i = 0; i < kFloats; ++i) {
-      const double number = stored.read(bytes.data() + 1 + 4 * i);
-      if (number != 0 && !(number >= kLeast && number <= kMost)) return false;
-    }
-    return true;
-  };
-  return are_small(false) || are_small(true);
+  constexpr std::size_t kHeader = 4 * (5 + 1);
+  return bytes.starts_with('p') && bytes.size() > kHeader && bytes.substr(1, kHeader).find('\0') != bytes.npos;
 }
 
 /// Whether a text is UTF-16 that lacks its byte order mark: every second one of its first bytes is a zero.
@@ -142,8 +133,8 @@ std::string to_utf8(std::string_view utf16) {
 
 std::string describe_content(std::string_view bytes) {
   if (is_binary_stl(bytes)) return "";  // it begins with anything
-  if (is_binary_mni(bytes)) return "a binary object of MNI; write it as text, or as PLY";
   if (lacks_byte_order_mark(bytes)) return "text in UTF-16 without a byte order mark; save it as UTF-8";
+  if (is_binary_mni(bytes)) return "a binary object of MNI; write it as text, or as PLY";
   if (bytes.starts_with(std::string_view("\xff\xfe\0\0", 4)) ||
       bytes.starts_with(std::string_view("\0\0\xfe\xff", 4))) {
     return "text in UTF-32; save it as UTF-8";

@@ -23,6 +23,12 @@ namespace {
 /// Types of cells, as a file's numbers.
 constexpr double kPolyLine = 4, kTriangle = 5, kStrip = 6, kPolygon = 7, kPixel = 8, kQuad = 9;
 
+/// The number of corners that a type of faces fixes.
+std::optional<std::size_t> corners_of(double type) {
+  if (type == kTriangle) return 3;
+  return type == kPixel || type == kQuad ? std::optional<std::size_t>(4) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<StoredNumber> find_vtk_type(std::string_view name) {
@@ -85,6 +91,10 @@ void VtkSoup::for_each_cell(const VtkCells& cells, void (VtkSoup::*add)(Corners)
     begin = next;
     ++cell_;
   }
+  if (begin < cells.corners.size()) {
+    refuse(fmt::format("the corners of the last cell end at {}, and the file has {}; write the file again", begin,
+                       cells.corners.size()));
+  }
 }
 
 void VtkSoup::add_polygon(Corners corners) {
@@ -115,11 +125,14 @@ void VtkSoup::add_cells(const VtkCells& cells, const std::vector<double>& types)
 
 void VtkSoup::add_typed(Corners corners) {
   const double type = *type_++;
+  if (const auto wanted = corners_of(type); wanted && corners.size() != *wanted) {
+    refuse(fmt::format("cell {} has {}, and its VTK type {} has {}; correct it, or write a polygon (type {})", cell_,
+                       counted(std::ssize(corners), "corner", "corners"), type, *wanted, kPolygon),
+           cell_);
+  }
   if (type == kTriangle || type == kPolygon || type == kQuad) return add_polygon(corners);
   if (type == kStrip) return add_strip(corners);
-  if (type == kPixel && corners.size() == 4) {
-    return add_polygon(std::array{corners[0], corners[1], corners[3], corners[2]});
-  }
+  if (type == kPixel) return add_polygon(std::array{corners[0], corners[1], corners[3], corners[2]});
   if (type >= 0 && type <= kPolyLine) return leave_out_cell(corners);
   refuse(fmt::format("cell {} has the VTK type {}, and only triangles, quads, polygons and strips are read; extract "
                      "the surface first",

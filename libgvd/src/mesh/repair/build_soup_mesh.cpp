@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "gvd/text.hpp"
 #include "mesh/repair/repair_steps.hpp"
@@ -65,10 +66,6 @@ void flip(WorkFaces& work, std::int32_t f) {
   }
 }
 
-/// A component with one side only is cut open where fewer than one of so many edges joins faces of opposite
-/// orientations: then the file's own orientation says where. Elsewhere it says nothing.
-constexpr std::int64_t kLeastEdgesPerTwist = 100;
-
 [[noreturn]] void refuse_one_sided(const WorkFaces& work, const OrientedComponent& component) {
   const std::int32_t first = *std::min_element(component.faces.begin(), component.faces.end());
   const std::int32_t origin = work.origin[first];
@@ -116,11 +113,18 @@ double twice_area(const WorkFaces& work, std::int32_t f, const std::vector<Vec3>
 constexpr double kHeightWithoutArea = 1e-15;
 
 /// Whether a face counts as one without area: the same faces as `count_faces_below` counts in the finished mesh.
+///
+/// Nearly all faces pass a test that needs no root and no scaling: its bound is at least twice the one on twice the
+/// area, since 2 (|ab|^2 + |ac|^2) is at least the square of each side, bc too. Where squares underflow, the smallest
+/// normal number holds the test back.
 bool is_without_area(const WorkFaces& work, std::int32_t f) {
-  double longest = 0;
-  for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-    longest = std::max(longest, (work.positions[work.to(h)] - work.positions[work.from(h)]).stableNorm());
-  }
+  const auto& [a, b, c] = work.faces[f];
+  const Vec3 ab = work.positions[b] - work.positions[a], ac = work.positions[c] - work.positions[a];
+  const double bound = 4 * kHeightWithoutArea * (ab.squaredNorm() + ac.squaredNorm());
+  const double squared = ab.cross(ac).squaredNorm();
+  if (squared > bound * bound + std::numeric_limits<double>::min()) return false;
+  const double longest =
+      std::max({ab.stableNorm(), ac.stableNorm(), (work.positions[c] - work.positions[b]).stableNorm()});
   return twice_area(work, f, work.positions) <= kHeightWithoutArea * longest * longest;
 }
 
@@ -302,60 +306,9 @@ void require_shapes(const Mesh& mesh) {
                   longest_edge(mesh)));
 }
 
-/// The boundary vertices of the input, sorted by their positions. Copies that the repair made count once.
-std::vector<PlacedVertex> place_boundary_vertices(const CheckedMesh& checked) {
-  std::vector<PlacedVertex> placed;
-  for (const VertexId v : checked.mesh.vertices()) {
-    if (!checked.mesh.is_boundary(v) || checked.input_vertex[v] < 0) continue;
-    const Vec3& p = checked.mesh.position(v);
-    placed.push_back({{p.x(), p.y(), p.z()}, checked.input_vertex[v]});
-  }
-  std::sort(placed.begin(), placed.end());
-  placed.erase(std::unique(placed.begin(), placed.end()), placed.end());
-  return placed;
-}
-
-/// Number of `placed` vertices at the position of the one before: each comes from another vertex of the input.
-std::int64_t count_coincident_vertices(const std::vector<PlacedVertex>& placed) {
-  std::int64_t count = 0;
-  for (std::size_t i = 1; i < placed.size(); ++i) count += placed[i - 1].first == placed[i].first;
-  return count;
-}
-
-/// Number of boundary edges that would find a partner if the vertices at each position became one. An edge is known by
-/// the first vertex at each of its ends. Edges between the same vertices of the input were cut apart by the repair.
-std::int64_t count_closable_edges(const CheckedMesh& checked, const std::vector<PlacedVertex>& placed) {
-  const Mesh& mesh = checked.mesh;
-  const auto first_at = [&](VertexId v) {
-    const Vec3& p = mesh.position(v);
-    const PlacedVertex least{{p.x(), p.y(), p.z()}, -1};
-    return std::lower_bound(placed.begin(), placed.end(), least)->second;
-  };
-  using Ends = std::pair<std::int32_t, std::int32_t>;
-  std::vector<std::pair<Ends, Ends>> open;  // the ends once welded, and as they are
-  for (const EdgeId e : mesh.edges()) {
-    if (!mesh.is_boundary(e)) continue;
-    const VertexId a = mesh.from(mesh.halfedge(e)), b = mesh.to(mesh.halfedge(e));
-    if (checked.input_vertex[a] < 0 || checked.input_vertex[b] < 0) continue;
-    open.emplace_back(std::minmax({first_at(a), first_at(b)}),
-                      std::minmax({checked.input_vertex[a], checked.input_vertex[b]}));
-  }
-  std::sort(open.begin(), open.end());
-  open.erase(std::unique(open.begin(), open.end()), open.end());
-  std::int64_t count = 0;
-  for (std::size_t begin = 0, end = 0; begin < open.size(); begin = end) {
-    while (end < open.size() && open[end].first == open[begin].first) ++end;
-    count += std::int64_t((end - begin) / 2 * 2);
-  }
-  return count;
-}
-
-void add_remarks(CheckedMesh& checked) {
+void add_remarks(CheckedMesh& checked, const PolygonSoup& soup) {
   DefectReport& report = checked.defects;
   report.zero_area_faces = count_faces_below(checked.mesh, kHeightWithoutArea);
-  const std::vector<PlacedVertex> placed = place_boundary_vertices(checked);
-  report.coincident_vertices = count_coincident_vertices(placed);
-  if (report.coincident_vertices > 0) report.closable_edges = count_closable_edges(checked, placed);
   if (report.split_edges > 0) {
     report.messages.push_back(fmt::format("{} along which the surface touches itself: cut by new vertices on them",
                                           counted(report.split_edges, "edge", "edges")));
@@ -364,34 +317,7 @@ void add_remarks(CheckedMesh& checked) {
     report.messages.push_back(fmt::format("{} no area (three points on a line): kept, they hold the surface together",
                                           counted(report.zero_area_faces, "triangle has", "triangles have")));
   }
-  if (report.coincident_vertices > 0) {
-    report.messages.push_back(fmt::format(
-        "{} at the position of another one: not joined, the surface is open there{}",
-        counted(report.coincident_vertices, "boundary vertex is", "boundary vertices are"),
-        report.closable_edges == 0
-            ? ""
-            : fmt::format("; welding would close {}", counted(report.closable_edges, "open edge", "open edges"))));
-  }
-}
-
-/// Whether a halfedge is the first one of an edge at which two faces of opposite orientations meet.
-bool is_twist(const WorkFaces& work, std::int32_t h) {
-  const std::int32_t twin = work.twin[h];
-  return twin > h && work.from(h) == work.from(twin);
-}
-
-/// The twists of a one-sided component, if they are few among its edges: else none.
-std::vector<std::int32_t> find_few_twists(const WorkFaces& work, const OrientedComponent& component) {
-  std::int64_t edges = 0;
-  std::vector<std::int32_t> twists;
-  for (const std::int32_t f : component.faces) {
-    for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-      edges += work.twin[h] < 0 || work.twin[h] > h;
-      if (is_twist(work, h)) twists.push_back(h);
-    }
-  }
-  if (std::ssize(twists) * kLeastEdgesPerTwist >= edges) twists.clear();
-  return twists;
+  examine_open_edges(checked, soup.weld_tolerance);
 }
 
 }  // namespace
@@ -404,41 +330,6 @@ EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count) {
     if (edge.size() == 2) work.link(edge[0], edge[1]);
   });
   return nonmanifold_edges;
-}
-
-std::vector<std::int32_t> cut_twists(WorkFaces& work, DefectLog& log) {
-  std::vector<std::int32_t> ends;
-  bool any = false;
-  for (std::int32_t h = 0; h < work.halfedge_count() && !any; ++h) any = is_twist(work, h);
-  if (!any) return ends;
-  std::int64_t count = 0;
-  std::int32_t first = -1;  // the first twist of the first component that has few
-  std::vector<signed char> side(work.faces.size(), -1);
-  for (std::int32_t start = 0; start < work.face_count(); ++start) {
-    if (side[start] >= 0) continue;
-    const OrientedComponent component = walk_component(work, start, side);
-    if (component.conflict < 0) continue;
-    const std::vector<std::int32_t> twists = find_few_twists(work, component);
-    if (twists.empty()) continue;
-    count += std::ssize(twists);
-    if (first < 0) first = *std::min_element(twists.begin(), twists.end());
-    for (const std::int32_t h : twists) {
-      work.twin[work.twin[h]] = -1;
-      work.twin[h] = -1;
-      ends.insert(ends.end(), {work.from(h), work.to(h)});
-    }
-  }
-  if (count == 0) return ends;
-  const auto [low, high] = std::minmax({work.from(first), work.to(first)});
-  const std::int32_t face = work.origin[first / 3];
-  log.add(DefectKind::one_sided_edges, count, face,
-          fmt::format("{} the surface one-sided, like a Moebius strip, first the one between vertices {} and {} of "
-                      "face {}",
-                      counted(count, "edge between faces of opposite orientations makes",
-                              "edges between faces of opposite orientations make"),
-                      low, high, face),
-          "cut, the surface has a boundary there");
-  return ends;
 }
 
 std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, DefectLog& log) {
@@ -561,7 +452,7 @@ CheckedMesh build_repaired(const PolygonSoup& soup, DefectPolicy policy) {
   require_shapes(checked.mesh);
   checked.defects = std::move(log.report());
   checked.appearance = carry_appearance(soup, checked);
-  add_remarks(checked);
+  add_remarks(checked, soup);
   return checked;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -124,9 +125,10 @@ ProjectedPolygon project_polygon(std::span<const std::int32_t> polygon, const st
 /// or more faces, in the order of `visit_edges`. Cost: that of `visit_edges`.
 EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count);
 
-/// Cuts components with one side only open, along the edges where the orientations of two faces disagree, where these
-/// are fewer than 1 % of the component's edges. Faces keep their orientations. Returns the ends of these edges: the
-/// vertices that `cut_vertices` shall not count. Cost: O(n).
+/// Cuts components with one side only open, where the orientations of two faces disagree at fewer than 1 % of the
+/// component's edges: along those of these edges where no flip of faces helps. Faces keep their orientations. Returns
+/// the ends of the cut edges: the vertices that `cut_vertices` shall not count. Cost: O(n), and O(k log k) for k such
+/// edges.
 std::vector<std::int32_t> cut_twists(WorkFaces& work, DefectLog& log);
 
 /// Flips faces so that each component follows the majority of its faces. The halfedges in `nonmanifold_edges` follow
@@ -167,5 +169,10 @@ void drop_zero_area_components(WorkFaces& work, DefectLog& log);
 /// The appearance of the soup on the faces of the mesh that it became. The midpoint of a split edge has the texture
 /// coordinates that are linear between the edge's ends. Cost: O(n), and O(k) for each corner of a polygon with k ones.
 Appearance carry_appearance(const PolygonSoup& soup, const CheckedMesh& checked);
+
+/// Counts the copies of vertices along open edges of the mesh, and the edges that welding would close, and notes them.
+/// `weld_tolerance`: of `weld_soup`, if it was called; where that has joined nothing, a note says so. Cost: O(n log n)
+/// for n open edges.
+void examine_open_edges(CheckedMesh& checked, std::optional<double> weld_tolerance);
 
 }  // namespace gvd

@@ -1,125 +1,147 @@
 // Vertices within a tolerance of each other move to one place, where the repair makes one vertex of them.
 //
-// Points are sorted into boxes whose side is the tolerance over the root of 3, so that two points of one box are within
-// the tolerance, and points within the tolerance at most two boxes apart. The boxes are in the order of x, y and z.
-// The boxes near a box lie in 25 rows along z, and by symmetry the 13 rows that do not come before it suffice. Where a
-// row begins moves forward only, as the boxes do, so that each row costs one walk over all boxes. Invariant: union-find
-// unites exactly the pairs within the tolerance, and their chains, whatever their order.
+// In the order of their numbers, each vertex stays unless one that stays already is within the tolerance. Then every
+// other vertex moves to the nearest one that stays. Joining all chains of near pairs instead would move vertices by any
+// number of tolerances, collapse a mesh whose edges are shorter than the tolerance, and compare all pairs at worst.
+// Vertices that stay are farther than the tolerance apart, so that a ball holds few of them, however many vertices lie
+// in it. They are found by the cells of a grid, which are sorted.
+// Source: the leader algorithm, J. A. Hartigan, Clustering Algorithms, 1975, chapter 3.
+// Invariant: what a vertex does depends on the vertices that stay, and not on the order in which cells list them.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
-#include "base/union_find.hpp"
 #include "gvd/text.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {
 
-/// The side of a box, in tolerances: below 1 / sqrt(3) = .57735 by far more than the rounding of a box's number.
-constexpr double kBoxSide = 0.577;
-/// Points within the tolerance are fewer than 1 / kBoxSide + 1 < 3 boxes apart along each axis.
-constexpr int kReach = 2;
+/// The side of a cell, in tolerances. At 4, half of the balls cross the sides of their cell along an axis, and a cell
+/// holds at most 176 vertices that stay: balls of half a tolerance fill at most 74 % of a cube of 5 tolerances.
+constexpr double kCellSide = 4;
+/// Dimensionless. How much farther than the tolerance cells are looked at: far above the rounding of a distance, so
+/// that no vertex within the tolerance lies in a cell beyond.
+constexpr double kReach = 1 + 1e-12;
 
-/// Box numbers are whole, but may be too large for an integer. From 2^53 on, neighbours of a double are farther apart
-/// than the tolerance, and only equal points share a box.
-using Box = std::array<double, 3>;
+/// GridCell numbers are whole, but may be too large for an integer.
+using GridCell = std::array<double, 3>;
 
-struct Boxes {
-  std::vector<Box> box;                // ascending
-  std::vector<std::size_t> first;      // per box its first entry in `vertices`, and the number of all at the end
-  std::vector<std::int32_t> vertices;  // box by box, ascending in each
+/// The next whole number that a double can hold. From 2^53 on, these are more than 1 apart.
+double next_whole(double number) { return std::max(number + 1, std::nextafter(number, kInfinity)); }
+
+/// The vertex nearest to another one, of those that stay.
+struct NearestStaying {
+  std::int32_t vertex = -1;
+  double squared = kInfinity;  // its squared distance, in square mesh units
+  std::int32_t count = 0;      // number of vertices that stay within the tolerance
 };
 
-Boxes sort_into_boxes(const std::vector<Vec3>& positions, double tolerance) {
-  const double side = kBoxSide * tolerance;
-  std::vector<PlacedVertex> placed;
-  placed.reserve(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const auto number = [&](int axis) { return std::floor(positions[v][axis] / side) + 0.0; };
-    placed.push_back({{number(0), number(1), number(2)}, std::int32_t(v)});
-  }
-  std::sort(placed.begin(), placed.end());
-  Boxes boxes;
-  boxes.vertices.reserve(placed.size());
-  for (const auto& [box, v] : placed) {
-    if (boxes.box.empty() || boxes.box.back() != box) {
-      boxes.box.push_back(box);
-      boxes.first.push_back(boxes.vertices.size());
+/// The vertices that stay, in the cells of a grid.
+class StayingVertices {
+ public:
+  StayingVertices(const std::vector<Vec3>& positions, double tolerance)
+      : positions_(positions), tolerance_(tolerance), cell_of_(positions.size()), next_(positions.size(), -1) {
+    std::vector<PlacedVertex> placed;
+    placed.reserve(positions.size());
+    for (const Vec3& p : positions) placed.emplace_back(cell_at(p), std::int32_t(placed.size()));
+    std::sort(placed.begin(), placed.end());
+    for (const auto& [cell, v] : placed) {
+      if (cells_.empty() || cells_.back() != cell) cells_.push_back(cell);
+      cell_of_[v] = std::int32_t(cells_.size() - 1);
     }
-    boxes.vertices.push_back(v);
+    first_.assign(cells_.size(), -1);
   }
-  boxes.first.push_back(boxes.vertices.size());
-  return boxes;
+
+  void add(std::int32_t v) {
+    std::int32_t& first = first_[cell_of_[v]];
+    next_[v] = first;
+    first = v;
+    ++count_;
+  }
+  std::int32_t count() const { return count_; }
+
+  /// Whether a vertex that stays is within the tolerance of v. Copies find one in their own cell, without a search.
+  bool covers(std::int32_t v) const {
+    NearestStaying nearest;
+    look_into(cell_of_[v], positions_[v], nearest);
+    return nearest.count > 0 || find_nearest(v).count > 0;
+  }
+
+  /// The nearest vertex that stays within the tolerance of v; of equally near ones that with the smallest number.
+  NearestStaying find_nearest(std::int32_t v) const {
+    const Vec3& p = positions_[v];
+    NearestStaying nearest;
+    look_into(cell_of_[v], p, nearest);
+    if (nearest.squared == 0) return nearest;  // a copy: no other one that stays is within the tolerance
+    nearest = {};
+    const Vec3 reach = Vec3::Constant(kReach * tolerance_);
+    const GridCell low = cell_at(p - reach), high = cell_at(p + reach);
+    for (double x = low[0]; x <= high[0]; x = next_whole(x)) {
+      for (double y = low[1]; y <= high[1]; y = next_whole(y)) {
+        const auto begin = std::lower_bound(cells_.begin(), cells_.end(), GridCell{x, y, low[2]});
+        const GridCell last{x, y, high[2]};
+        for (auto at = begin; at != cells_.end() && *at <= last; ++at) look_into(at - cells_.begin(), p, nearest);
+      }
+    }
+    return nearest;
+  }
+
+ private:
+  GridCell cell_at(const Vec3& p) const {
+    const auto number = [&](double x) { return std::floor(x / (kCellSide * tolerance_)); };
+    return {number(p.x()), number(p.y()), number(p.z())};
+  }
+
+  void look_into(std::ptrdiff_t cell, const Vec3& p, NearestStaying& nearest) const {
+    for (std::int32_t w = first_[cell]; w >= 0; w = next_[w]) {
+      const double squared = (positions_[w] - p).squaredNorm();
+      if (squared > tolerance_ * tolerance_) continue;
+      ++nearest.count;
+      if (squared > nearest.squared || (squared == nearest.squared && w > nearest.vertex)) continue;
+      nearest.vertex = w;
+      nearest.squared = squared;
+    }
+  }
+
+  const std::vector<Vec3>& positions_;  // those of vertices that stay are read only
+  double tolerance_;                    // mesh units
+  std::vector<GridCell> cells_;         // ascending
+  std::vector<std::int32_t> cell_of_;   // per vertex
+  std::vector<std::int32_t> first_;     // per cell a vertex that stays there, -1 for none
+  std::vector<std::int32_t> next_;      // per vertex the next one that stays in its cell, -1 for none
+  std::int32_t count_ = 0;
+};
+
+[[noreturn]] void refuse_joining_all(double tolerance) {
+  refuse_soup(fmt::format("welding within {:g} joins all vertices: choose a smaller tolerance", tolerance), -1);
 }
 
-/// Unites vertices of two boxes where one pair is within the tolerance: each box is in one set already.
-void unite_boxes(const std::vector<Vec3>& positions, double tolerance, const Boxes& boxes, std::size_t a, std::size_t b,
-                 UnionFind& welded) {
-  if (welded.find(boxes.vertices[boxes.first[a]]) == welded.find(boxes.vertices[boxes.first[b]])) return;
-  for (std::size_t i = boxes.first[a]; i < boxes.first[a + 1]; ++i) {
-    for (std::size_t j = boxes.first[b]; j < boxes.first[b + 1]; ++j) {
-      const std::int32_t v = boxes.vertices[i], w = boxes.vertices[j];
-      if (!((positions[v] - positions[w]).stableNorm() <= tolerance)) continue;
-      welded.unite(v, w);
-      return;
-    }
-  }
-}
-
-/// Unites each box with those at most kReach away along z in the row that is dx and dy away.
-void unite_row(const std::vector<Vec3>& positions, double tolerance, const Boxes& boxes, int dx, int dy,
-               UnionFind& welded) {
-  std::size_t begin = 0;
-  for (std::size_t a = 0; a < boxes.box.size(); ++a) {
-    const auto& [x, y, z] = boxes.box[a];
-    const Box low{x + dx, y + dy, z - kReach}, high{x + dx, y + dy, z + kReach};
-    while (begin < boxes.box.size() && boxes.box[begin] < low) ++begin;
-    for (std::size_t b = begin; b < boxes.box.size() && boxes.box[b] <= high; ++b) {
-      if (a != b) unite_boxes(positions, tolerance, boxes, a, b, welded);
-    }
-  }
-}
-
-UnionFind find_clusters(const std::vector<Vec3>& positions, double tolerance) {
-  UnionFind welded(positions.size());
-  const Boxes boxes = sort_into_boxes(positions, tolerance);
-  for (std::size_t a = 0; a < boxes.box.size(); ++a) {
-    for (std::size_t i = boxes.first[a]; i < boxes.first[a + 1]; ++i) {
-      welded.unite(boxes.vertices[boxes.first[a]], boxes.vertices[i]);
-    }
-  }
-  for (int dx = 0; dx <= kReach; ++dx) {
-    for (int dy = dx == 0 ? 0 : -kReach; dy <= kReach; ++dy) unite_row(positions, tolerance, boxes, dx, dy, welded);
-  }
-  return welded;
-}
-
-/// Moves each vertex to the first one of its cluster, and notes chains of pairs that are longer than the tolerance.
-void join_clusters(PolygonSoup& soup, double tolerance) {
-  UnionFind welded = find_clusters(soup.positions, tolerance);
-  std::int64_t far = 0;
-  double farthest = 0;
-  std::int32_t clusters = 0;
+/// Moves vertices as the head of this file says. Notes those that had a choice: their mesh is finer than the tolerance.
+void move_to_staying(PolygonSoup& soup, double tolerance) {
+  StayingVertices staying(soup.positions, tolerance);
+  std::vector<char> stays(soup.positions.size(), 0);
   for (std::int32_t v = 0; v < std::ssize(soup.positions); ++v) {
-    const std::int32_t first = welded.find(v);
-    clusters += first == v;
-    const double moved = (soup.positions[v] - soup.positions[first]).stableNorm();
-    far += moved > tolerance;
-    farthest = std::max(farthest, moved);
-    soup.positions[v] = Vec3(soup.positions[first]);  // a first vertex stays where it is
+    if (staying.covers(v)) continue;
+    staying.add(v);
+    stays[v] = 1;
   }
-  if (clusters <= 1) {
-    refuse_soup(fmt::format("welding within {:g} joins all vertices: choose a smaller tolerance", tolerance), -1);
+  if (staying.count() == 1) refuse_joining_all(tolerance);
+  std::int64_t between = 0;
+  for (std::int32_t v = 0; v < std::ssize(soup.positions); ++v) {
+    if (stays[v]) continue;
+    const NearestStaying nearest = staying.find_nearest(v);
+    between += nearest.count > 1;
+    soup.positions[v] = Vec3(soup.positions[nearest.vertex]);
   }
-  if (far == 0) return;
-  soup.notes.push_back(
-      fmt::format("welding within {:g} joins chains of vertices, and moves {} farther than that, by up to {:.4g}: a "
-                  "smaller tolerance keeps them apart",
-                  tolerance, counted(far, "vertex", "vertices"), farthest));
+  if (between == 0) return;
+  soup.notes.push_back(fmt::format(
+      "welding within {:g}: {} between others that stay apart, and moved to the nearest; a smaller tolerance "
+      "joins copies only",
+      tolerance, counted(between, "vertex was", "vertices were")));
 }
 
 }  // namespace
@@ -129,12 +151,20 @@ void weld_soup(PolygonSoup& soup, double tolerance) {
     throw Error(ErrorCode::invalid_option,
                 fmt::format("weld: the tolerance {:g} is not a finite number from 0 on", tolerance));
   }
+  if (tolerance > 0 && tolerance < kSmallestWeld) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("weld: the tolerance {:g} is below {:g}; 0 joins exact copies", tolerance, kSmallestWeld));
+  }
   soup.unwelded = true;
   soup.weld_tolerance = tolerance;
-  const bool is_finite =
-      std::all_of(soup.positions.begin(), soup.positions.end(), [](const Vec3& p) { return p.allFinite(); });
-  if (tolerance > 0 && is_finite && !soup.positions.empty())
-    join_clusters(soup, tolerance);  // build_mesh refuses others
+  if (tolerance == 0 || soup.positions.empty()) return;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : soup.positions) {
+    if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kLargestCoordinate) return;  // build_mesh refuses it
+    box.extend(p);
+  }
+  if (tolerance >= box.sizes().norm()) refuse_joining_all(tolerance);
+  move_to_staying(soup, tolerance);
 }
 
 }  // namespace gvd

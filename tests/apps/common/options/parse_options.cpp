@@ -30,7 +30,12 @@ app::Options parse_options(const std::vector<std::string>& arguments) {
 
 void check_line(const std::vector<std::string>& arguments, const app::OutputFormats& formats) {
   SharedLine line;
+  check_line(line, arguments, formats);
+}
+
+void check_line(SharedLine& line, const std::vector<std::string>& arguments, const app::OutputFormats& formats) {
   line.parse(arguments);
+  line.options.list = &line.list;
   app::check_inputs(line.options, formats);
   if (const auto missing = line.list.find_missing(line.given)) app::refuse(line.list, line.given, *missing);
   app::check_outputs(line.options, formats);

@@ -33,4 +33,8 @@ app::Options parse_options(const std::vector<std::string>& arguments);
 /// Parses a command line, and checks its options as a command does. Throws what check_inputs and check_outputs throw.
 void check_line(const std::vector<std::string>& arguments, const app::OutputFormats& formats = kOutputFormats);
 
+/// The same of a command that has further options.
+void check_line(SharedLine& line, const std::vector<std::string>& arguments,
+                const app::OutputFormats& formats = kOutputFormats);
+
 }  // namespace gvd::test

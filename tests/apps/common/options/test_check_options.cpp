@@ -1,6 +1,12 @@
 // What is refused before any work starts, and the runs of several inputs.
 
+#include <sys/stat.h>
+
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "apps/common/options/parse_options.hpp"
 #include "apps/run_command.hpp"
@@ -135,6 +141,42 @@ TEST_CASE("no target is a file that the run reads, whatever it is called") {
   CHECK_THAT(refusal({mesh, "--generators", list, "--report", list}), Contains("the run reads this file"));
 }
 
+TEST_CASE("an output's place is compared with every file that the command's own options read") {
+  const test::ScratchFolder scratch;
+  const std::string mesh = scratch / "mesh.obj", numbers = scratch / "numbers.json";
+  test::write_text(mesh, "v 0 0 0\n");
+  test::write_text(numbers, "1\n");
+  const auto refused = [&](const std::string& option, const std::string& value) {
+    test::SharedLine line;
+    std::string file, source, curves, points;
+    std::optional<std::vector<std::int64_t>> vertices;
+    line.list.option("fixed", File{&file}, {.help = "A file"});
+    line.list.option("within", ValueSource{&source}, {.help = "A file or a property"});
+    line.list.option("curves", Curves{&curves, 30}, {.help = "A file or a kind of curves"});
+    line.list.option("to", PointList{&vertices, &points}, {.help = "A file or vertices"});
+    return test::refusal(
+        [&] {
+          check_line(line, {mesh, "-n", "3", "--report", numbers, option, value});
+        },
+        ErrorCode::invalid_option);
+  };
+  for (const char* option : {"--fixed", "--within", "--curves", "--to"}) {
+    CAPTURE(option);
+    CHECK(refused(option, numbers) == "--report " + numbers + ": the run reads this file; name another one");
+  }
+  CHECK_NOTHROW(check_line({mesh, "-n", "3", "--report", numbers}));
+}
+
+TEST_CASE("for several inputs, no option reads a pipe") {
+  const test::ScratchFolder scratch;
+  const std::string a = scratch / "a.obj", b = scratch / "b.obj";
+  for (const std::string& mesh : {a, b}) test::write_text(mesh, "v 0 0 0\n");
+  REQUIRE(mkfifo((scratch / "pipe").c_str(), 0600) == 0);
+  CHECK_THAT(refusal({a, b, "--output-dir", scratch / "out", "--generators", scratch / "pipe"}),
+             Contains(scratch / "pipe" + ": a pipe can be read for one input only; name a file"));
+  CHECK_NOTHROW(check_line({a, "--output-dir", scratch / "out", "--generators", scratch / "pipe"}));
+}
+
 TEST_CASE("a link that leads nowhere yet is the file that it names") {
   const test::ScratchFolder scratch;
   std::filesystem::create_symlink("b.ply", scratch / "a.ply");
@@ -173,6 +215,9 @@ TEST_CASE("a folder of outputs that is none, or can't be made, is refused with w
   for (const char* nested : {"x/y", "x/y/", "x/y//"}) {
     CHECK_THAT(into(scratch / nested), Contains(": there is no directory " + scratch / "x; create it first"));
   }
+  CHECK_THAT(into(mesh + "/x"), Contains(": " + mesh + " is not a directory; choose another one"));
+  CHECK_THAT(refusal({mesh, "-n", "3", "-o", mesh + "/b.ply"}, ErrorCode::unwritable_output),
+             Contains(": " + mesh + " is not a directory; choose another one"));
   CHECK(refusal({mesh, "-n", "3", "--output-dir", ""}) ==
         "--output-dir: the name is empty; name a folder (see gvd-test --help)");
   CHECK_NOTHROW(check_line({mesh, "-n", "3", "--output-dir", scratch / "new/"}));

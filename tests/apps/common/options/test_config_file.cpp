@@ -178,6 +178,20 @@ TEST_CASE("a message about a key or about what is no TOML is printable and short
   }
 }
 
+TEST_CASE("a file in UTF-16 is refused with what to do") {
+  const std::string little(
+      "n\0 \0=\0 \0"
+      "3\0",
+      10),
+      big("\0n\0 \0=\0 \0"
+          "3",
+          10);
+  for (const std::string& text : {"\xff\xfe" + little, "\xfe\xff" + big, little, big}) {
+    CHECK(refusal(text) == "f: the file is text in UTF-16; save it as UTF-8");
+  }
+  CHECK(values("\xef\xbb\xbfinput = 'a'\n") == Texts{"a"});
+}
+
 TEST_CASE("a file that can't be read is refused by its name") {
   const test::ScratchFolder scratch;
   const auto with = [](const std::string& file) { return parse_options({"a.obj", "--config", file}); };

@@ -49,7 +49,7 @@ constexpr int kMarginRings = 3;
 constexpr int kMeetingRings = 2;
 
 /// Attempts with more and more generators before all take part.
-constexpr int kMaxAttempts = 3;
+constexpr int kMaxLocalAttempts = 3;
 
 /// Share of the generators from which on all take part.
 constexpr double kMostGenerators = 0.6;
@@ -174,7 +174,7 @@ class WindowUpdate {
     }
     find_touched();
     select_generators();
-    for (int attempt = 0; attempt < kMaxAttempts && is_local(); ++attempt) {
+    for (int attempt = 0; attempt < kMaxLocalAttempts && is_local(); ++attempt) {
       open_faces();
       propagate_selected();
       const FaceSet changed = find_changes();
