@@ -75,8 +75,8 @@ void describe_input(OptionList& list, InputOptions& input) {
               {.help = "How to treat defects of the mesh",
                .more = ": refuse them, repair them without loss, or repair them and keep only the largest component"});
   list.option("weld", Number{&input.weld, {.least = 0}, {}, 0},
-              {.help = "Join vertices at the same place, as in an STL",
-               .more = ", and with a number also those at most this far apart",
+              {.help = "Join vertices at most this far apart",
+               .more = "; without a number, those at the same place, as in an STL",
                .unit = "mesh units"});
 }
 
