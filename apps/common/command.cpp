@@ -61,7 +61,7 @@ int run_described(const CommandInfo& info, OptionList& list, Options& options, i
     complete(given);
     resolve(options.compute.diagram);
     check_inputs(options, info.formats);
-    if (const auto missing = list.find_missing(given)) refuse(list, given, *missing);
+    if (const auto missing = list.find_missing(given)) refuse_option(list, given, *missing);
     check_outputs(options, info.formats);
     if (!options.output.folder.empty()) {
       exit_code = run_several(info.name, plan_runs(options), body);

@@ -148,14 +148,15 @@ void store(const OptionList& list, Given& given, const GivenTexts& texts, const 
   given.add(texts.option->name, texts.source);
   if (texts.source.spelling == "-o" && !texts.texts.empty() && texts.texts.front().starts_with('=')) {
     // "=" parts a name with two dashes from its value, but "-o=a.ply" is the value "=a.ply".
-    refuse(list, given,
-           {texts.option->name, fmt::format("-o: '{}' begins with =; write -o {}", printable(texts.texts.front()),
-                                            printable(texts.texts.front().substr(1)))},
-           hint);
+    refuse_option(
+        list, given,
+        {texts.option->name, fmt::format("-o: '{}' begins with =; write -o {}", printable(texts.texts.front()),
+                                         printable(texts.texts.front().substr(1)))},
+        hint);
   }
   const std::string wrong = read_option(*texts.option, texts.texts);
   if (!wrong.empty())
-    refuse(list, given, {texts.option->name, fmt::format("{}: {}", texts.source.spelling, wrong)}, hint);
+    refuse_option(list, given, {texts.option->name, fmt::format("{}: {}", texts.source.spelling, wrong)}, hint);
   if (turns_off(texts)) given.remove(texts.option->name);
 }
 
@@ -246,7 +247,7 @@ std::optional<std::string> parse_command_line(const CommandWords& command, const
     }
   }
   leave_out_idle(list, given);
-  if (const auto problem = list.find_problem(given)) refuse(list, given, *problem);
+  if (const auto problem = list.find_problem(given)) refuse_option(list, given, *problem);
   return std::nullopt;
 }
 

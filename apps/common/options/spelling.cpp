@@ -50,7 +50,7 @@ std::string spell(const OptionList& list, const Given& given, const std::string&
 
 std::string spell(const OptionList& list, const std::string& text) { return spell(list, Given(), text); }
 
-void refuse(const OptionList& list, const Given& given, const Problem& problem, const std::string& hint) {
+void refuse_option(const OptionList& list, const Given& given, const Problem& problem, const std::string& hint) {
   const Given::Source* const source = given.find(problem.option);
   const bool in_file = source != nullptr && !source->place.empty();
   const std::string text = spell(list, given, problem.text, in_file);

@@ -28,7 +28,7 @@ std::string spell(const OptionList& list, const Given& given, const std::string&
 std::string spell(const OptionList& list, const std::string& text);
 
 /// Throws Error{invalid_option} with the place of the option in a file, if it comes from one, and `hint` otherwise.
-[[noreturn]] void refuse(const OptionList& list, const Given& given, const Problem& problem,
-                         const std::string& hint = "");
+[[noreturn]] void refuse_option(const OptionList& list, const Given& given, const Problem& problem,
+                                const std::string& hint = "");
 
 }  // namespace gvd::app

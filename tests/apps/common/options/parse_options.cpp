@@ -37,7 +37,7 @@ void check_line(SharedLine& line, const std::vector<std::string>& arguments, con
   line.parse(arguments);
   line.options.list = &line.list;
   app::check_inputs(line.options, formats);
-  if (const auto missing = line.list.find_missing(line.given)) app::refuse(line.list, line.given, *missing);
+  if (const auto missing = line.list.find_missing(line.given)) app::refuse_option(line.list, line.given, *missing);
   app::check_outputs(line.options, formats);
 }
 
