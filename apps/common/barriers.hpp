@@ -48,7 +48,7 @@ class BarrierCounts {
  public:
   void add(Barrier barrier) { ++counts_[static_cast<std::size_t>(barrier)]; }
 
-  /// "in another component", or with the numbers of all where there are several: "3 in no face, 2 in another
+  /// "in another component", or with the numbers of all where there are several: "3 in no face; 2 in another
   /// component". `inside`: words for Barrier::inside.
   std::string describe(const std::string& inside) const;
 

@@ -35,6 +35,9 @@ class MeasuredSurface {
   /// all of them; a point in faces that are left out has none.
   PlacedPoints place(const std::vector<SurfacePoint>& points) const;
 
+  /// Whether a face of the input is in no region.
+  bool is_left_out(FaceId f) const { return is_parted() && regions_[f] < 0; }
+
   /// Whether regions part it.
   bool is_parted() const { return !regions_.empty(); }
 

@@ -6,7 +6,8 @@ namespace gvd::app {
 
 std::string UnreachedPoints::inside() const {
   if (!surface_.is_parted()) return "beyond --max-distance";
-  return has_limit_ ? "in another region or beyond --max-distance" : "in another region";
+  return has_limit_ ? "in another region, in another part of its region, or beyond --max-distance"
+                    : "in another region, or in another part of its region";
 }
 
 void UnreachedPoints::find_faces() {
@@ -17,7 +18,10 @@ void UnreachedPoints::find_faces() {
     return;
   }
   IdVector<VertexId, char> is_measured(input_.mesh.vertex_count(), 0);
-  for (const VertexId v : surface_.mesh().vertices()) is_measured[surface_.input_vertex(v)] = 1;
+  for (const FaceId f : input_.mesh.faces()) {
+    if (surface_.is_left_out(f)) continue;
+    for (const VertexId v : input_.mesh.vertices(f)) is_measured[v] = 1;
+  }
   for (const VertexId v : input_.mesh_vertex) {
     face_.push_back(v.valid() ? Mesh::face(input_.mesh.halfedge(v)) : FaceId());
     is_left_out_.push_back(v.valid() && !is_measured[v] ? 1 : 0);

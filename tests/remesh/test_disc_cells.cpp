@@ -1,5 +1,10 @@
 // Cells made discs: the given generators stay, the fewest that are known suffice, and no added one is in vain.
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "gvd/disc_cells.hpp"
 #include "gvd/error.hpp"
@@ -79,6 +84,41 @@ TEST_CASE("disc cells: on a long thin body, each cell that goes round it takes o
       check_discs(needle, given, made);
       CHECK(annuli > 0);
       CHECK(std::size_t(made.added) == annuli);
+    }
+  }
+}
+
+/// An open tube of radius 1 round half a circle of radius 100: `rings` rings of twelve vertices.
+Mesh make_bent_tube(int rings) {
+  constexpr int kSides = 12;
+  std::vector<Vec3> positions;
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i < rings; ++i) {
+    const double along = std::numbers::pi * i / (rings - 1);
+    for (int k = 0; k < kSides; ++k) {
+      const double round = 2 * std::numbers::pi * k / kSides, radius = 100 + std::cos(round);
+      positions.emplace_back(radius * std::cos(along), radius * std::sin(along), std::sin(round));
+      if (i == 0) continue;
+      const int a = kSides * i + k, b = kSides * i + (k + 1) % kSides;
+      faces.push_back({a - kSides, b - kSides, b});
+      faces.push_back({a - kSides, b, a});
+    }
+  }
+  return test::make_mesh(std::move(positions), faces);
+}
+
+TEST_CASE("disc cells: on a long thin limb that bends, rounds that are in vain let other candidates come first") {
+  const Mesh tube = make_bent_tube(61);
+  SamplingOptions sampling;
+  for (const auto kind : {Sampling::farthest, Sampling::random}) {
+    for (const int count : {1, 2, 5}) {
+      CAPTURE(int(kind), count);
+      sampling.kind = kind;
+      sampling.count = count;
+      const auto given = sample_generators(tube, sampling);
+      const DiscCells made = make(tube, given);
+      check_discs(tube, given, made);
+      CHECK(made.added < 30);
     }
   }
 }

@@ -112,7 +112,7 @@ CheckedMesh as_input(Mesh mesh);
 /// The limits keep squared areas, products of four lengths, in the range of a double (1e-308 to 1e308).
 inline constexpr double kLargestCoordinate = 1e75;  ///< absolute, in mesh units
 inline constexpr double kSmallestExtent = 1e-75;    ///< of the largest side of the bounding box, in mesh units
-/// Of a tolerance of `weld_soup` other than 0, in mesh units: below the rounding of any mesh of the smallest extent.
+/// The smallest tolerance of `weld_soup` above 0, in mesh units: below the rounding of any mesh of the smallest extent.
 inline constexpr double kSmallestWeld = 1e-100;
 
 }  // namespace gvd

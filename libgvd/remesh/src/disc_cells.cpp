@@ -76,8 +76,9 @@ class DiscMaker {
     for (const GeneratorId cell : cells) {
       if (std::int64_t(generators.size() - given_) >= max_added_) break;
       if (near_change[cell]) continue;
-      const std::vector<SurfacePoint> points = candidates.list(cell);
+      std::vector<SurfacePoint> points = candidates.list(cell);
       if (points.empty()) continue;
+      std::rotate(points.begin(), points.begin() + std::ptrdiff_t(vain_rounds_ % points.size()), points.end());
       generators.push_back(choose_point(cell, points));
       const CellFlags rings = grow_rings(result_.diagram, {cell}, kRingsApart);
       for (const GeneratorId g : rings.ids()) near_change[g] |= rings[g];
@@ -85,8 +86,16 @@ class DiscMaker {
     if (generators.size() == result_.diagram.generators.size()) {
       refuse(cells, "every point for a new generator is too close to another one; move or remove generators there");
     }
+    const int before = count_all_defects();
     result_.diagram = compute_diagram(mesh_, generators, options_.diagram);
     ++result_.rounds;
+    vain_rounds_ = count_all_defects() < before ? 0 : vain_rounds_ + 1;
+  }
+
+  int count_all_defects() const {
+    int all = 0;
+    for (const Cell& each : result_.diagram.cells) all += count_defects(each);
+    return all;
   }
 
   /// The candidate that takes away most defects, as far as trials are allowed. Where it takes away as many as the cell
@@ -94,8 +103,7 @@ class DiscMaker {
   SurfacePoint choose_point(GeneratorId cell, const std::vector<SurfacePoint>& candidates) {
     const LocalDual local(mesh_, result_.diagram, {cell}, {}, options_.diagram);
     const int own = count_defects(result_.diagram.cells[cell]);
-    int all = 0;
-    for (const Cell& each : result_.diagram.cells) all += count_defects(each);
+    const int all = count_all_defects();
     Least<SurfacePoint, int> best{candidates.front(), std::numeric_limits<int>::max()};
     const double few = events_ + (most_events_ - events_) * kTrialsAfterSuccess;
     for (std::size_t i = 0; i < candidates.size() && best.rank > -all; ++i) {
@@ -166,7 +174,10 @@ class DiscMaker {
   const std::int64_t max_added_;
   const double most_events_;  // windows propagated in trials, and in the search
   double events_ = 0;         // of trials
-  std::size_t first_ = 0;     // cells that are no discs, of the given generators
+  /// Rounds in a row that took no defect away. Each lets another candidate come first, which is taken where none is
+  /// better: the point opposite a generator divides a straight limb, and creeps along a bent one.
+  std::size_t vain_rounds_ = 0;
+  std::size_t first_ = 0;  // cells that are no discs, of the given generators
   DiscCells result_;
 };
 

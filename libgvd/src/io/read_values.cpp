@@ -208,7 +208,7 @@ std::vector<double> read_values(const std::filesystem::path& path) {
 std::optional<ElementValues> read_element_values(const CheckedMesh& input, const std::string& name,
                                                  const std::filesystem::path& mesh_file, SoupElement preferred,
                                                  ValueColumns columns) {
-  // Of a file and a property of one name, the file counts, also one that is a pipe.
+  // A file, also a pipe, goes before a property of the same name.
   std::error_code ignored;
   const auto status = std::filesystem::status(name, ignored);
   if (std::filesystem::exists(status) && !std::filesystem::is_directory(status)) {

@@ -13,6 +13,9 @@
 // shortest paths are. (s - d(a, g)) d(a, g) = (D - s - d(b, g)) d(b, g) puts p as far along a tube as g, within terms
 // of the fourth order in l, and satisfies both conditions on any surface.
 //
+// P is sought in the faces that meet the cell. Where it leaves the cell, as may happen in one with handles, nothing is
+// proved: whoever takes the point has to try it.
+//
 // On a border, the point behind the generator is best. There the direction in which shortest paths leave the generator
 // jumps most, from one way round to the other.
 

@@ -325,22 +325,14 @@ ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, 
   return proposed;
 }
 
-struct DiscCandidates::State {
-  State(const Mesh& mesh, const Diagram& diagram, std::size_t count)
-      : added(mesh, diagram.generators, count), repair(mesh, diagram, added) {}
-
-  AddedGenerators added;
-  DefectRepair repair;
-};
-
 DiscCandidates::DiscCandidates(const Mesh& mesh, const Diagram& diagram, std::size_t count)
-    : state_(std::make_unique<State>(mesh, diagram, count)) {}
+    : added_(mesh, diagram.generators, count), repair_(std::make_unique<DefectRepair>(mesh, diagram, added_)) {}
 
 DiscCandidates::~DiscCandidates() = default;
 
 std::vector<SurfacePoint> DiscCandidates::list(GeneratorId cell) {
-  state_->repair.divide(cell);
-  return state_->added.take();
+  repair_->divide(cell);
+  return added_.take();
 }
 
 NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const std::vector<SurfacePoint>& added,

@@ -236,6 +236,8 @@ struct ProposedGenerators {
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
                                       std::size_t max_count, const Progress& progress = {});
 
+class DefectRepair;  // propose_generators.cpp
+
 /// Lists points of which one may make discs of a cell as one more generator: opposite points (`find_opposite_points`),
 /// a second point at the generator's distance from a tip or the opposite one of the shortest loop, then vertices, from
 /// the farthest one to the generator. Too close ones are left out, as above.
@@ -252,8 +254,8 @@ class DiscCandidates {
   std::vector<SurfacePoint> list(GeneratorId cell);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  AddedGenerators added_;
+  std::unique_ptr<DefectRepair> repair_;
 };
 
 struct NearbyGenerators {

@@ -37,7 +37,7 @@ using Transform = Eigen::Matrix4d;
 constexpr std::string_view kMark = "glTF";
 constexpr std::uint32_t kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
-/// White space before the brace of a .gltf may be so long; exporters write none.
+/// So many bytes tell what a file is, unless all are blank.
 constexpr std::size_t kHeadBytes = 4096;
 constexpr std::size_t kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6;  // primitive.mode
 
@@ -534,7 +534,8 @@ std::vector<std::filesystem::path> list_gltf_files(const std::filesystem::path& 
   std::ifstream file(mesh, std::ios::binary);
   file.read(head.data(), std::streamsize(head.size()));
   head.resize(std::size_t(file.gcount()));
-  if (find_compression(head).empty() && !head.starts_with(kMark) && !is_json(head)) return {};
+  const bool is_packed = !find_compression(head).empty(), is_blank = head.find_first_not_of(" \t\r\n") == head.npos;
+  if (!is_packed && !is_blank && !is_utf16(head) && !head.starts_with(kMark) && !is_json(head)) return {};
   const std::string name = mesh.string(), bytes = read_file_bytes(mesh);
   if (!bytes.starts_with(kMark) && !is_json(bytes)) return {};
   return name_errors(name, [&] { return GltfFile(bytes, name, mesh.parent_path()).other_files(); });
