@@ -13,7 +13,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -21,7 +20,6 @@
 #include <utility>
 
 #include "gvd/error.hpp"
-#include "gvd/gltf_files.hpp"
 #include "gvd/text.hpp"
 #include "mesh/reading/gltf_buffers.hpp"
 #include "mesh/reading/readers.hpp"
@@ -37,8 +35,6 @@ using Transform = Eigen::Matrix4d;
 constexpr std::string_view kMark = "glTF";
 constexpr std::uint32_t kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
-/// So many bytes tell what a file is, unless all are blank.
-constexpr std::size_t kHeadBytes = 4096;
 constexpr std::size_t kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6;  // primitive.mode
 
 /// How far the last row of a matrix may be from 0 0 0 1, absolute: products of matrices of 32-bit floats are that
@@ -528,17 +524,8 @@ PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
   return name_errors(name, [&] { return GltfParser(bytes, name, folder).parse(); });
 }
 
-std::vector<std::filesystem::path> list_gltf_files(const std::filesystem::path& mesh) {
-  // Its first bytes tell of a file that is not packed whether it is one, so that no other large mesh is read again.
-  std::string head(kHeadBytes, '\0');
-  std::ifstream file(mesh, std::ios::binary);
-  file.read(head.data(), std::streamsize(head.size()));
-  head.resize(std::size_t(file.gcount()));
-  const bool is_packed = !find_compression(head).empty(), is_blank = head.find_first_not_of(" \t\r\n") == head.npos;
-  if (!is_packed && !is_blank && !is_utf16(head) && !head.starts_with(kMark) && !is_json(head)) return {};
-  const std::string name = mesh.string(), bytes = read_file_bytes(mesh);
-  if (!bytes.starts_with(kMark) && !is_json(bytes)) return {};
-  return name_errors(name, [&] { return GltfFile(bytes, name, mesh.parent_path()).other_files(); });
+std::vector<std::filesystem::path> list_gltf_files(std::string_view bytes, std::string_view name) {
+  return name_errors(name, [&] { return GltfFile(bytes, name, std::nullopt).other_files(); });
 }
 
 }  // namespace gvd
