@@ -230,6 +230,14 @@ TEST_CASE("welding that joins nothing says so, and how near vertices on open edg
         Messages{"welding within 0.1 joins nothing: no two vertices are so near, and no edge is open"});
 }
 
+/// The number in the note that welding within the tolerance joins nothing.
+double told_gap(const PolygonSoup& soup, double tolerance) {
+  const std::string note = weld(soup, tolerance).defects.messages.back();
+  const std::string before = "that no edge joins are ";
+  REQUIRE_THAT(note, Contains(before) && EndsWith(" apart"));
+  return std::stod(note.substr(note.find(before) + before.size()));
+}
+
 TEST_CASE("the nearest vertices on open edges are those of all pairs that no edge joins") {
   std::mt19937 random(7);
   for (int round = 0; round < 20; ++round) {
@@ -246,7 +254,21 @@ TEST_CASE("the nearest vertices on open edges are those of all pairs that no edg
         if (v / 3 != w / 3) least = std::min(least, (soup.positions[v] - soup.positions[w]).norm());
       }
     }
-    CHECK_THAT(weld(soup, 0.5 * least).defects.messages.back(), Contains(fmt::format("are {:.6g} apart", least)));
+    const double told = told_gap(soup, 0.5 * least);
+    CHECK(told >= least);
+    CHECK(told <= least + 1e-5 * least);  // a step of the sixth digit
+  }
+}
+
+TEST_CASE("the number that a note tells of the nearest vertices joins them") {
+  // Distances between decimals and just above them, whose sixth digit would be rounded down.
+  for (const double gap : {0.25, 0.1234564, 0.1234566, 1e-3 + 1e-12, 9.9999996e-3, 1.0 / 3, 2.0 / 3, 7.0e-9}) {
+    CAPTURE(gap);
+    const PolygonSoup soup = make_parted_square(gap);
+    const double told = told_gap(soup, 0.5 * gap);
+    CHECK(told >= gap);
+    CHECK(told <= gap + 1e-5 * gap);
+    CHECK(weld(soup, told).defects.count(DefectKind::unwelded_vertices) == 2);
   }
 }
 
