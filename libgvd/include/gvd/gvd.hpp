@@ -34,6 +34,7 @@
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/text.hpp"
+#include "gvd/text_encoding.hpp"
 #include "gvd/trace_diagram.hpp"
 #include "gvd/vec.hpp"
 #include "gvd/version.hpp"

@@ -4,25 +4,14 @@
 
 #include "base/least.hpp"
 #include "gvd/check.hpp"
-#include "gvd/error.hpp"
 #include "gvd/remesh.hpp"
+#include "remesh/remesh_refusal.hpp"
 #include "repair/repair_steps.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
 namespace gvd::test_repair_limits {
-
-/// The error of a remesh that finds no mesh.
-Error refusal(const Mesh& mesh, const std::vector<SurfacePoint>& given, const RemeshOptions& options) {
-  try {
-    remesh(mesh, given, options);
-  } catch (const Error& error) {
-    return error;
-  }
-  FAIL("no error");
-  return {ErrorCode::precondition, ""};
-}
 
 TEST_CASE("remesh: a refusal estimates how many generators are needed") {
   const Mesh loose = test::make_loose_triangles(40);
@@ -34,7 +23,7 @@ TEST_CASE("remesh: a refusal estimates how many generators are needed") {
   CHECK(needed >= 119);  // three for each
   CHECK(needed <= 125);
   CHECK_THAT(
-      refusal(loose, first, few).what(),
+      test::remesh_refusal(loose, first, few).what(),
       Catch::Matchers::Contains("20 generators were added") &&
           Catch::Matchers::Contains("about 119 are likely to be needed: give more or other ones, or raise max_added"));
 }
@@ -61,7 +50,7 @@ TEST_CASE("remesh: the default limit is raised where that is likely to do, a giv
   CHECK(result.added > usual);
   CHECK(result.max_added == 3 * usual);
   options.max_added = usual;
-  CHECK_THAT(refusal(needle, given, options).what(), Catch::Matchers::Contains("raise max_added"));
+  CHECK_THAT(test::remesh_refusal(needle, given, options).what(), Catch::Matchers::Contains("raise max_added"));
 }
 
 TEST_CASE("remesh: with a limit below the default, a higher one is advised, and helps") {
@@ -73,11 +62,11 @@ TEST_CASE("remesh: with a limit below the default, a higher one is advised, and 
   options.placement.method = Placement::generator;
   options.max_added = 10;
   CHECK_THAT(
-      refusal(needle, given, options).what(),
+      test::remesh_refusal(needle, given, options).what(),
       Contains("10 generators were added in 5 rounds, and 5 defects became 17; by default, 150 may be added: give "
                "more or other ones, or raise max_added"));
   options.max_added = 100;
-  CHECK_THAT(refusal(needle, given, options).what(),
+  CHECK_THAT(test::remesh_refusal(needle, given, options).what(),
              Contains("are likely to be needed: give more or other ones, or raise max_added") && !Contains("worse"));
   options.max_added = 200;
   CHECK(remesh(needle, given, options).added < 200);
