@@ -61,7 +61,10 @@ void Command::print_results(std::function<std::string()> choose_format) {
 void Command::complete_options() {
   for (const char* name : {"--within", "--mask", "--balance", "--shares", "--weights", "--density", "--fixed"}) {
     const CLI::Option* const option = line_.get_option_no_throw(name);
-    if (option != nullptr && option->count() > 0) options_.input.others.push_back(option->results().back());
+    if (option == nullptr || option->count() == 0) continue;
+    options_.input.others.push_back(option->results().back());
+    if (contains({"--shares", "--weights"}, name) && option->results().back() == "-")
+      options_.input.piped.push_back(name);
   }
   OutputOptions& output = options_.output;
   if (output.open && output.view.empty()) output.view = default_page(options_.input.path);

@@ -40,20 +40,21 @@ constexpr NumberKind kShares{"--shares", "share", "finite numbers above 0", 0};
 /// A number for each generator, from a file; none without one.
 std::vector<double> read_for_generators(const NumberKind& kind, const std::string& file, std::size_t generators) {
   if (file.empty()) return {};
+  const std::string name = file == "-" ? kStandardInput : file;
   std::vector<double> values = [&] {
     const WaitForInput wait(file);
-    return read_values(file);
+    return read_values(file == "-" ? "/dev/stdin" : file);
   }();
   if (values.size() != generators) {
     throw Error(
         ErrorCode::unreadable_input,
-        fmt::format("{}: {} for {}; {} takes one for each", file, counted(std::ssize(values), "number", "numbers"),
+        fmt::format("{}: {} for {}; {} takes one for each", name, counted(std::ssize(values), "number", "numbers"),
                     counted(std::ptrdiff_t(generators), "generator", "generators"), kind.option));
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] > kind.above && values[i] < kInfinity) continue;
     throw Error(ErrorCode::precondition,
-                fmt::format("{}: the {} of generator {} is {}; give {}", file, kind.name, i, values[i], kind.range),
+                fmt::format("{}: the {} of generator {} is {}; give {}", name, kind.name, i, values[i], kind.range),
                 std::int64_t(i));
   }
   return values;
@@ -78,10 +79,11 @@ void add_weight_options(CLI::App& app, WeightOptions& target) {
                "Make all cells equal by weights of their generators: in area, or in the integral of a number for each "
                "vertex or face, out of a file or a property of INPUT",
                "area|FILE|PROPERTY");
-  add_file(app, "--shares", target.shares, "With --balance, the share of each generator (any unit; default: equal)")
+  add_file(app, "--shares", target.shares,
+           "With --balance, the share of each generator (any unit; default: equal; - is standard input)")
       ->needs(balance);
   add_file(app, "--weights", target.weights,
-           "Make the distances of each generator longer by its number in FILE (mesh units)");
+           "Make the distances of each generator longer by its number in FILE (mesh units; - is standard input)");
 }
 
 void report_weight_options(Run& run, const WeightOptions& options) {

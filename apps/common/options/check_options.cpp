@@ -90,6 +90,7 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
     if (list->file == "-") piped.push_back(list->names.file);
   }
   if (options.generators.curves == "-") piped.emplace_back("--curves");
+  piped.insert(piped.end(), options.input.piped.begin(), options.input.piped.end());
   const bool into_folder = !options.output.folder.empty();
   check_commands(options.input.path);
   if (options.input.path == "-" && !options.input.format) {

@@ -15,6 +15,7 @@
 #include "common/options/options.hpp"
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
+#include "gvd/text_encoding.hpp"
 
 // Two faults of toml++ 3.3 that files can reach are mended before it is included.
 // 1. It asserts before it tests: `[` and a zero byte would abort a build with assertions, and break an assumption of
@@ -184,13 +185,6 @@ bool is_overridden(const CLI::Option& option) {
                      [](const CLI::Option* need) { return !is_given(*need) && excludes_any_given(*need); });
 }
 
-/// Whether a text is UTF-16: by its byte order mark, or since a zero belongs to each of its first two characters.
-bool is_utf16(std::string_view content) {
-  if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff")) return true;
-  return content.size() > 3 &&
-         ((content[0] == '\0' && content[2] == '\0') || (content[1] == '\0' && content[3] == '\0'));
-}
-
 }  // namespace
 
 bool is_given(const CLI::Option& option) {
@@ -202,7 +196,8 @@ std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const 
   if (input.bad()) refuse_file(file, "could not be read to its end");
   const std::string_view program = find_compression(content);
   if (!program.empty()) refuse_file(file, fmt::format("the file is compressed by {}; unpack it first", program));
-  if (is_utf16(content)) refuse_file(file, "the file is text in UTF-16; save it as UTF-8");
+  if (has_utf16_mark(content) || is_unmarked_utf16(content, 2))
+    refuse_file(file, "the file is text in UTF-16; save it as UTF-8");
   const toml::table table = parse_toml(content, file);
   std::vector<CLI::ConfigItem> kept;
   std::map<const CLI::Option*, std::string> keys;

@@ -21,6 +21,7 @@ struct InputOptions {
   std::vector<std::string> paths;    ///< of all runs; each a file, or "-" for standard input
   std::string path;                  ///< of this run
   std::vector<std::string> others;   ///< what the command's own options read: files, or names of properties
+  std::vector<std::string> piped;    ///< the options of these that read standard input
   std::optional<MeshFormat> format;  ///< nothing: told from content and extension
   DefectPolicy on_defect = DefectPolicy::repair;
   std::optional<double> weld;  ///< tolerance in mesh units, 0 for exact copies; nothing: as the format asks
