@@ -99,8 +99,11 @@ GivenRegions read_regions(Run& run, const CheckedMesh& input, const RegionFiles&
         read_numbers(run, input, "--within", files.within, {is_whole, "region", "whole numbers of 32 bits"});
     name_errors("--within", files.within, [&] { found.regions = make_face_regions(mesh, numbers); });
     if (std::ranges::all_of(found.regions, [](std::int32_t region) { return region < 0; })) {
-      throw Error(ErrorCode::precondition,
-                  fmt::format("--within {}: no face is left; all numbers are negative", files.within));
+      throw Error(
+          ErrorCode::precondition,
+          fmt::format("--within {}: no face is left, since all numbers are negative; give numbers from 0 for the "
+                      "faces of regions",
+                      files.within));
     }
     note_lost_regions(run, files.within, numbers, found.regions);
     found.given = found.regions;

@@ -22,6 +22,7 @@
 
 #include "common/outcome.hpp"
 #include "common/process.hpp"
+#include "common/referred_files.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/text.hpp"
 
@@ -166,6 +167,7 @@ class SummaryFile {
 }  // namespace
 
 int run_several(const std::string& command, const std::vector<Options>& runs, const std::function<void(Run&)>& body) {
+  check_referred_files(runs);
   std::vector<RunResult> results;
   int exit_code = kDone;
   SummaryFile file(runs.front().output.summary);

@@ -39,20 +39,21 @@ constexpr NumberKind kShares{"--shares", "share", "finite numbers above 0", 0};
 /// A number for each generator, from a file; none without one.
 std::vector<double> read_for_generators(const NumberKind& kind, const std::string& file, std::size_t generators) {
   if (file.empty()) return {};
+  const std::string name = file == "-" ? kStandardInput : file;
   std::vector<double> values = [&] {
     const WaitForInput wait(file);
-    return read_values(file);
+    return read_values(file == "-" ? "/dev/stdin" : file);
   }();
   if (values.size() != generators) {
     throw Error(
         ErrorCode::unreadable_input,
-        fmt::format("{}: {} for {}; {} takes one for each", file, counted(std::ssize(values), "number", "numbers"),
+        fmt::format("{}: {} for {}; {} takes one for each", name, counted(std::ssize(values), "number", "numbers"),
                     counted(std::ptrdiff_t(generators), "generator", "generators"), kind.option));
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] > kind.above && values[i] < kInfinity) continue;
     throw Error(ErrorCode::precondition,
-                fmt::format("{}: the {} of generator {} is {}; give {}", file, kind.name, i, values[i], kind.range),
+                fmt::format("{}: the {} of generator {} is {}; give {}", name, kind.name, i, values[i], kind.range),
                 std::int64_t(i));
   }
   return values;
@@ -78,9 +79,13 @@ void describe(OptionList& list, WeightOptions& options, const ComputeOptions& co
        .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
                "{option:input}"});
   list.option("shares", File{&options.shares},
-              {.help = "With {option:balance}, the share of each generator, in any unit", .usual = "equal"});
+              {.help = "With {option:balance}, the share of each generator, in any unit",
+               .more = "; - is standard input",
+               .usual = "equal"});
   list.option("weights", File{&options.weights},
-              {.help = "Make the distances of each generator longer by its number in FILE", .unit = "mesh units"});
+              {.help = "Make the distances of each generator longer by its number in FILE",
+               .more = "; - is standard input",
+               .unit = "mesh units"});
   list.needs("shares", "balance");
   for (const char* name : {"balance", "weights"}) {
     list.rule({name, {"method"}, [&compute, name](const Given&) {

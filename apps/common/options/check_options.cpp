@@ -15,6 +15,7 @@
 #include <utility>
 #include <variant>
 
+#include "common/options/spelling.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/option_text.hpp"
@@ -112,11 +113,10 @@ std::vector<std::string> list_read_files(const Options& options) {
 void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
   std::vector<std::string> piped;  // what is standard input
-  if (options.input.path == "-") piped.emplace_back("INPUT");
-  for (const GeneratorOptions* list : {&options.generators, &options.targets}) {
-    if (list->file == "-") piped.push_back(list->names.file);
+  for (const Option* const option : options.list->options()) {
+    const bool reads = option->spec.positional ? options.input.path == "-" : contains(list_read(option->field), "-");
+    if (reads && option->name != "config") piped.push_back(usual_name(*option));
   }
-  if (options.generators.curves == "-") piped.emplace_back("--curves");
   const bool into_folder = !options.output.folder.empty();
   check_commands(options.input.path);
   if (options.input.path == "-" && !options.input.format) {

@@ -92,7 +92,8 @@ struct CheckedMesh {
 CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy = DefectPolicy::repair, std::string_view name = {});
 
 /// Asks `build_mesh` to make one vertex of copies: those at the same position and, where `tolerance` (mesh units) is
-/// above 0, those near each other, which this call moves to one position. Vertices keep their numbers.
+/// above 0, those near each other, which this call moves to one position. Vertices keep their numbers. Those in no
+/// polygon neither join others nor move.
 ///
 /// The rule: in the order of their numbers, a vertex stays unless one that stays already is at most `tolerance` away;
 /// then every other vertex moves to the nearest one that stays, of equally near ones to that with the smallest number.

@@ -305,10 +305,11 @@ class Remesher {
     if (result_.added >= max_added_) raise_limit();
     const std::int64_t may_add = max_added_ - result_.added;
     if (may_add <= 0 || result_.rounds >= kMaxRemeshRounds) {
+      const MeshSummary summary = compute_mesh_summary(mesh_);
       refuse(defects, fmt::format("{} added in {}{}", counted(result_.added, "generator was", "generators were"),
                                   counted(result_.rounds, "round", "rounds"),
-                                  advise_at_limit(compute_mesh_summary(mesh_), result_.generators.size(), history_,
-                                                  may_add <= 0)));
+                                  advise_at_limit(summary, result_.generators.size(), history_, may_add <= 0,
+                                                  default_max_added(summary, given_count()))));
     }
     const auto [points, narrow] =
         propose_generators(mesh_, result_.diagram, defects, may_add, options_.diagram.progress);

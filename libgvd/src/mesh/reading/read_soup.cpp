@@ -223,7 +223,9 @@ PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshForma
            "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTU, VTK, glTF, GIFTI, MNI or "
            "FreeSurfer file; name the format");
   }
-  return parse_unpacked(bytes, *format, name, path.parent_path());
+  std::error_code ignored;
+  const bool has_folder = std::filesystem::is_regular_file(path, ignored);  // which a pipe has not
+  return parse_unpacked(bytes, *format, name, has_folder ? std::optional(path.parent_path()) : std::nullopt);
 }
 
 std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property,

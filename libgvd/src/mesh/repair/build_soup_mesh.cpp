@@ -248,8 +248,7 @@ std::vector<char> find_used_vertices(const WorkFaces& work) {
 
 /// Logs the vertices in no polygon of the soup. Vertices that lost their faces by a repair do not count.
 void log_unused_vertices(const PolygonSoup& soup, DefectLog& log) {
-  std::vector<char> used(soup.positions.size(), 0);
-  for (const std::int32_t v : soup.corners) used[v] = 1;
+  const std::vector<char> used = find_used_vertices(soup);
   const std::int64_t count = std::count(used.begin(), used.end(), 0);
   const std::int64_t first = std::find(used.begin(), used.end(), 0) - used.begin();
   log.add(DefectKind::unused_vertices, count, first,
