@@ -15,6 +15,7 @@
 #include "common/process.hpp"
 #include "common/run_several.hpp"
 #include "gvd/diagram_options.hpp"
+#include "gvd/error.hpp"
 #include "gvd/version.hpp"
 
 namespace gvd::app {
@@ -36,6 +37,14 @@ std::string default_page(const std::string& input) {
 }
 
 }  // namespace
+
+void with_spelled_errors(const Options& options, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    throw Error(error.code(), spell(*options.list, *options.given, error.what()), error.element());
+  }
+}
 
 int run_described(const CommandInfo& info, OptionList& list, Options& options, int argc, const char* const* argv,
                   const std::function<void(const Given&)>& complete, const std::function<void(Run&)>& body) {

@@ -17,6 +17,7 @@
 
 #include "common/run_parts.hpp"
 #include "gvd/error.hpp"
+#include "gvd/read_values.hpp"
 
 namespace gvd::app {
 namespace {
@@ -44,9 +45,10 @@ struct Wanted {
 };
 
 /// The numbers that an option names.
-SoupProperty read_numbers(Run& run, const CheckedMesh& input, const std::string& option, const std::string& name,
+SoupProperty read_numbers(const CheckedMesh& input, const std::string& option, const GivenNumbers& given,
                           const Wanted& wanted) {
-  SoupProperty numbers = find_numbers(run, input, option, name, read_region_numbers);
+  const std::string& name = given.name;
+  SoupProperty numbers = to_region_numbers(input, *given.values);
   for (std::size_t i = 0; i < numbers.values.size(); ++i) {
     if (wanted.accepts(numbers.values[i])) continue;
     const std::int64_t in_file = numbers.of_vertices ? input.input_vertex[VertexId(i)] : input.input_polygon[FaceId(i)];
@@ -81,11 +83,11 @@ void note_lost_regions(Run& run, const std::string& name, const SoupProperty& nu
 
 void describe(OptionList& list, RegionFiles& files, const std::string& kept) {
   list.option(
-      "within", ValueSource{&files.within},
+      "within", ValueSource{&files.within, {}, ValueSource::Of::faces},
       {.help = fmt::format("Keep {} inside given regions", kept),
        .more = ": a file with a whole number for each face or each vertex, or the name of a property of a PLY, VTP "
                "or VTU input; faces with negative numbers are left out"});
-  list.option("mask", ValueSource{&files.mask},
+  list.option("mask", ValueSource{&files.mask, {}, ValueSource::Of::faces},
               {.help = "Leave out the faces whose number in this file or property is not 0"});
 }
 
@@ -94,21 +96,21 @@ GivenRegions read_regions(Run& run, const CheckedMesh& input, const RegionFiles&
   if (!files.are_given()) return found;
   const Mesh& mesh = input.mesh;
   found.regions.assign(mesh.face_vertices().size(), 0);
-  if (!files.within.empty()) {
+  if (files.within.is_given()) {
     const SoupProperty numbers =
-        read_numbers(run, input, "--within", files.within, {is_whole, "region", "whole numbers of 32 bits"});
-    name_errors("--within", files.within, [&] { found.regions = make_face_regions(mesh, numbers); });
+        read_numbers(input, "--within", files.within, {is_whole, "region", "whole numbers of 32 bits"});
+    name_errors("--within", files.within.name, [&] { found.regions = make_face_regions(mesh, numbers); });
     if (std::ranges::all_of(found.regions, [](std::int32_t region) { return region < 0; })) {
       throw Error(ErrorCode::precondition,
-                  fmt::format("--within {}: no face is left; all numbers are negative", files.within));
+                  fmt::format("--within {}: no face is left; all numbers are negative", files.within.name));
     }
-    note_lost_regions(run, files.within, numbers, found.regions);
+    note_lost_regions(run, files.within.name, numbers, found.regions);
     found.given = found.regions;
   }
-  if (!files.mask.empty()) {
+  if (files.mask.is_given()) {
     const auto is_finite = [](double value) { return std::isfinite(value); };
-    const SoupProperty mask = read_numbers(run, input, "--mask", files.mask, {is_finite, "number", "finite numbers"});
-    name_errors("--mask", files.mask, [&] { mask_regions(mesh, mask, found.regions); });
+    const SoupProperty mask = read_numbers(input, "--mask", files.mask, {is_finite, "number", "finite numbers"});
+    name_errors("--mask", files.mask.name, [&] { mask_regions(mesh, mask, found.regions); });
     if (!found.given.empty()) update_numbers(found.regions, found.given);
   }
   return found;

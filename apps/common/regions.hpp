@@ -11,10 +11,10 @@
 namespace gvd::app {
 
 struct RegionFiles {
-  std::string within;  ///< a file or a property with the region of each face; empty: none
-  std::string mask;    ///< a file or a property, not 0 for the faces to leave out; empty: none
+  GivenNumbers within;  ///< the region of each face
+  GivenNumbers mask;    ///< not 0 for the faces to leave out
 
-  bool are_given() const { return !within.empty() || !mask.empty(); }
+  bool are_given() const { return within.is_given() || mask.is_given(); }
 };
 
 /// Describes the two options. `kept`: what stays inside the regions.

@@ -18,14 +18,18 @@
 #include <tuple>
 #include <utility>
 
+#include "common/given_files.hpp"
 #include "common/options/option_json.hpp"
 #include "common/options/options.hpp"
 #include "common/process.hpp"
 #include "common/referred_files.hpp"
+#include "common/run_observer.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/operation_json.hpp"
+#include "gvd/relaxation_parts.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #ifdef GVD_HAS_VERIFY
@@ -85,57 +89,6 @@ void check_formats(const OutputOptions& output, const Mesh& mesh) {
   for (const std::string& name : formats) {
     if (const auto format = parse_output_format(name)) check_format(mesh, *format);
   }
-}
-
-void note_changes(Run& run, const GeneratorOptions& list, const ResolvedGenerators& resolved, double diagonal) {
-  Console& console = run.console();
-  const std::string& points = list.names.points;
-  if (!run.options().generators.max_snap) note_far_entry(run, resolved, diagonal);
-  if (resolved.longest_snap) {
-    console.note(fmt::format("{}: moved to the surface, by at most {:.4g}", points, *resolved.longest_snap));
-  }
-  if (resolved.merged == 0) return;
-  console.note(fmt::format("{}: {}", points,
-                           counted(resolved.merged, "is merged with an earlier one", "are merged with earlier ones")));
-}
-
-/// Refuses a name that is no file: with --from and --to, it may have been meant for something else.
-void check_list(const GeneratorOptions& list) {
-  std::error_code ignored;
-  if (list.names.points == "generators" || std::filesystem::exists(list.file, ignored)) return;
-  throw Error(ErrorCode::unreadable_input,
-              fmt::format("{0} {1}: there is no such file; name one that lists points, or write vertices, as in {0} "
-                          "3,17,99",
-                          list.names.file, printable(list.file)));
-}
-
-GeneratorList read_list(const GeneratorOptions& options) {
-  if (options.file == "-") {
-    const std::string content = read_standard_input();
-    return parse_generators(content, options.format.value_or(detect_generator_format(content)), kStandardInput);
-  }
-  if (!options.vertices) {
-    check_list(options);
-    const WaitForInput wait(options.file);
-    return read_generators(options.file, options.format);
-  }
-  GeneratorList list{options.names.vertices, {}};
-  for (const std::int64_t vertex : *options.vertices) {
-    list.entries.push_back({GeneratorEntry::Kind::vertex, vertex, {}, 0});
-  }
-  return list;
-}
-
-ResolvedGenerators resolve(const CheckedMesh& input, const GeneratorOptions& asked, ResolveOptions options) {
-  options.input_vertices = &input.mesh_vertex;
-  return resolve_generators(input.mesh, read_list(asked), options);
-}
-
-ResolvedGenerators sample(Run& run, const Mesh& mesh, const Sampler& sampler) {
-  ResolvedGenerators sampled;
-  sampled.points = sampler(mesh, make_sampling_options(run));
-  sampled.snap_distance.resize(sampled.points.size());
-  return sampled;
 }
 
 #ifdef GVD_HAS_VERIFY
@@ -302,16 +255,6 @@ void note_far_vertices(Run& run, const CheckedMesh& checked) {
 
 }  // namespace
 
-/// A snap beyond this fraction of the bounding box's diagonal is told: the list may be of another model, or in other
-/// units. Digitised and rounded points are much nearer to their surface.
-constexpr double kFarSnap = 0.01;
-
-void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagonal) {
-  if (!(resolved.longest_snap.value_or(0) > kFarSnap * diagonal)) return;
-  run.console().note(fmt::format("{} is {:.4g} from the surface, and the model's diagonal is {:.4g}: check its units",
-                                 resolved.farthest, *resolved.longest_snap, diagonal));
-}
-
 void note_on_input(Run& run, const std::string& message) {
   const Options& options = run.options();
   run.console().note(options.output.folder.empty() ? name_of(options.input) + ": " + message : message);
@@ -333,6 +276,7 @@ CheckedMesh load_input(Run& run, PipedInput* piped) {
                                    counted(summary.faces, "face", "faces"),
                                    counted(summary.components, "component", "components"),
                                    counted(summary.boundary_loops, "boundary loop", "boundary loops")));
+  read_given_files(run, checked);
   return checked;
 }
 
@@ -361,18 +305,6 @@ void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost)
       cost.microseconds * 1e-3, cost.kilobytes));
 }
 
-SamplingOptions make_sampling_options(Run& run) {
-  const GeneratorOptions& asked = run.options().generators;
-  SamplingOptions options;
-  options.seed = asked.seed;
-  options.front = run.options().compute.diagram.chosen_front();
-  options.progress = run.progress();
-  if (asked.wanted()) options.count = *asked.wanted();
-  if (asked.radius) options.radius = *asked.radius;
-  options.kind = asked.radius ? Sampling::covering_radius : asked.sampling;
-  return options;
-}
-
 std::string property_file(Run& run) {
   const std::string& path = run.options().input.path;
   return is_read_once(path) ? "" : path;
@@ -393,45 +325,66 @@ void refuse_name(Run& run, const std::string& option, const std::string& name) {
 
 namespace {
 
-ResolvedGenerators choose_generators(Run& run, const CheckedMesh& input, const Sampler& sampler) {
-  const GeneratorOptions& asked = run.options().generators;
-  ResolvedGenerators found = run.timed("generators", [&] {
-    const ResolveOptions resolving{
-        .max_snap = asked.max_snap, .merge_coincident = asked.merge_coincident, .progress = run.progress()};
-    ResolvedGenerators chosen =
-        asked.are_listed() ? resolve(input, asked, resolving) : sample(run, input.mesh, sampler);
-    note_changes(run, asked, chosen, input.mesh.bbox_diagonal());
-    return chosen;
-  });
+/// Lists generators in the report.
+void report_generators(Run& run, const Mesh& mesh, const ResolvedGenerators& found) {
   for (std::size_t i = 0; i < found.points.size(); ++i) {
-    run.report().generators().push_back(
-        {found.points[i], position(input.mesh, found.points[i]), found.snap_distance[i]});
+    run.report().generators().push_back({found.points[i], position(mesh, found.points[i]), found.snap_distance[i]});
   }
-  run.console().detail(counted(std::ssize(found.points), "generator", "generators"));
-  return found;
 }
 
 }  // namespace
 
 std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, const Sampler& sampler) {
-  return choose_generators(run, input, sampler).points;
+  RunObserver observer(run);
+  const GeneratorOptions& asked = run.options().generators;
+  ResolvedGenerators found;
+  if (sampler == nullptr || asked.are_listed()) {
+    found = choose_generators(input, asked, run.options().compute.diagram, observer);
+  } else {
+    const Step step(observer, "generators");
+    found.points = sampler(input.mesh, make_sampling_options(asked, run.options().compute.diagram, observer));
+    found.snap_distance.resize(found.points.size());
+    observer.detail(counted(std::ssize(found.points), "generator", "generators"));
+  }
+  report_generators(run, input.mesh, found);
+  return std::move(found.points);
 }
 
 ListedPoints load_sources(Run& run, const CheckedMesh& input) {
-  ResolvedGenerators found = choose_generators(run, input, sample_generators);
+  RunObserver observer(run);
+  ResolvedGenerators found =
+      choose_generators(input, run.options().generators, run.options().compute.diagram, observer);
+  report_generators(run, input.mesh, found);
   return {std::move(found.points), std::move(found.vertex)};
 }
 
 ListedPoints load_targets(Run& run, const CheckedMesh& input) {
-  const GeneratorOptions& asked = run.options().targets;
+  GeneratorOptions asked = run.options().targets;
   if (!asked.are_listed()) return {};
-  return run.timed("targets", [&] {
-    ResolvedGenerators found =
-        resolve(input, asked,
-                {.max_snap = run.options().generators.max_snap, .keep_coincident = true, .progress = run.progress()});
-    note_changes(run, asked, found, input.mesh.bbox_diagonal());
-    return ListedPoints{std::move(found.points), std::move(found.vertex)};
+  asked.max_snap = run.options().generators.max_snap;
+  RunObserver observer(run);
+  const Step step(observer, "targets");
+  ResolvedGenerators found = resolve_listed(input, asked, observer, true);
+  return {std::move(found.points), std::move(found.vertex)};
+}
+
+std::vector<GeneratorCurve> load_curves(Run& run, const CheckedMesh& input) {
+  RunObserver observer(run);
+  std::vector<GeneratorCurve> curves = choose_curves(input, run.options().generators, observer);
+  for (const GeneratorCurve& curve : curves) {
+    const SurfacePoint& first = curve.points.front();
+    run.report().generators().push_back({first, position(input.mesh, first), std::nullopt});
+  }
+  return curves;
+}
+
+Diagram build_curve_diagram(Run& run, const Mesh& mesh, const std::vector<GeneratorCurve>& curves) {
+  Diagram diagram = run.timed("diagram", [&] {
+    return compute_timed(run, run.options().compute.diagram,
+                         [&](const DiagramOptions& options) { return compute_diagram(mesh, curves, options); });
   });
+  report_diagram(run, diagram);
+  return diagram;
 }
 
 Diagram compute_timed(Run& run, DiagramOptions options, const std::function<Diagram(const DiagramOptions&)>& compute) {
@@ -457,22 +410,19 @@ Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint
   return diagram;
 }
 
-void report_diagram(Run& run, const Diagram& diagram) {
-  const DiagramReport& report = diagram.report;
+void set_diagram(Run& run, const Diagram& diagram) {
   run.report().set_diagram(diagram);
   run.figures().regions = std::ssize(diagram.cells);
-  run.console().note(fmt::format("{}, {}, {} of length {:.6g}", counted(std::ssize(diagram.cells), "cell", "cells"),
-                                 counted(std::ssize(diagram.branch_points), "branch point", "branch points"),
-                                 counted(std::ssize(diagram.bisectors), "bisector", "bisectors"), diagram.length));
-  if (report.straightened_faces > 0) {
-    run.console().note(fmt::format(
-        "bisectors are straightened in {}; there they are nearer to one generator than to the other by up to {:.3g}",
-        counted(report.straightened_faces, "face", "faces"), report.straightened_error));
-  }
-  if (report.unresolved_ends > 0) {
-    run.console().note(fmt::format("the diagram is incomplete: {} no branch point",
-                                   counted(report.unresolved_ends, "end of a bisector has", "ends of bisectors have")));
-  }
+}
+
+void report_diagram(Run& run, const Diagram& diagram) {
+  set_diagram(run, diagram);
+  RunObserver observer(run);
+  tell_diagram(observer, diagram);
+}
+
+void report_figures(Run& run, const Object& object) {
+  run.report().results().update(nlohmann::ordered_json::parse(figures_json(object)));
 }
 
 void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::string, OutputWriter>& own_formats) {

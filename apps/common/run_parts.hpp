@@ -11,9 +11,11 @@
 #include "common/process.hpp"
 #include "common/run.hpp"
 #include "gvd/diagram.hpp"
+#include "gvd/generator_curve.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/view.hpp"
+#include "gvd/object.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
@@ -24,10 +26,6 @@ namespace gvd::app {
 
 /// Notes something about the input, behind its name. With --output-dir the console's lines have that name already.
 void note_on_input(Run& run, const std::string& message);
-
-/// Notes which entry of a list lies farthest from the surface, if that is far in view of the model's `diagonal`, in
-/// mesh units.
-void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagonal);
 
 /// What standard input or a pipe held, which can be read only once.
 struct PipedInput {
@@ -47,24 +45,13 @@ std::string property_file(Run& run);
 /// Refuses the name that `option` has, which is neither that of a file nor of a property of INPUT.
 [[noreturn]] void refuse_name(Run& run, const std::string& option, const std::string& name);
 
-/// What `read` finds under the name that `option` has: a function of the input, the name and the `property_file` that
-/// returns nothing where the name is neither a file nor a property. Throws Error{unreadable_input} then.
-template <class Read>
-auto find_numbers(Run& run, const CheckedMesh& input, const std::string& option, const std::string& name,
-                  const Read& read) {
-  const WaitForInput wait(name);  // which may be a pipe
-  auto found = read(input, name, property_file(run));
-  if (!found) refuse_name(run, option, name);
-  return *std::move(found);
-}
-
 /// Samples generators of a mesh.
 using Sampler = std::function<std::vector<SurfacePoint>(const Mesh&, const SamplingOptions&)>;
 
 /// Chooses the generators by the options, exactly as many as they say, and reports them: those of a list, or sampled
 /// ones. Throws what read_generators, resolve_generators and sample_generators throw.
 std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input,
-                                          const Sampler& sampler = sample_generators);
+                                          const Sampler& sampler = nullptr);
 
 /// What a command takes for each generator, where a mesh has fewer faces than generators: nearly all of the work is in
 /// the generators then, and grows with their number.
@@ -74,9 +61,6 @@ struct GeneratorCost {
 
 /// Notes before the work how long -n may take, where it exceeds the faces of the mesh and that is long.
 void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost);
-
-/// The library's options for sampled generators.
-SamplingOptions make_sampling_options(Run& run);
 
 /// Points of a list of the user's.
 struct ListedPoints {
@@ -97,7 +81,19 @@ Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint
 /// Calls compute(options), and reports the time of each of its steps as "diagram: step".
 Diagram compute_timed(Run& run, DiagramOptions options, const std::function<Diagram(const DiagramOptions&)>& compute);
 
-/// Notes and reports the figures of a diagram.
+/// The curves of --curves, and reports them as generators, each by its first point. Throws what choose_curves throws.
+std::vector<GeneratorCurve> load_curves(Run& run, const CheckedMesh& input);
+
+/// Computes the diagram of curves, and reports it. Throws what compute_diagram throws.
+Diagram build_curve_diagram(Run& run, const Mesh& mesh, const std::vector<GeneratorCurve>& curves);
+
+/// Adds the figures of an object to the results of the report.
+void report_figures(Run& run, const Object& object);
+
+/// Reports the figures of a diagram.
+void set_diagram(Run& run, const Diagram& diagram);
+
+/// The same, and notes them.
 void report_diagram(Run& run, const Diagram& diagram);
 
 /// Writes to `-o` in one format.

@@ -22,7 +22,6 @@
 
 #include "common/barriers.hpp"
 #include "common/command.hpp"
-#include "common/curves.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/run_parts.hpp"
 #include "distance/measured_surface.hpp"
@@ -160,7 +159,7 @@ void check(const Options& options, const OwnOptions& own) {
   if (own.paths && !has_targets)
     refuse("--paths does nothing here: add --to, where the paths begin, or leave --paths out");
   if (own.each && own.isolines) refuse("--each and --isolines exclude each other: isolines are of the nearest source");
-  if (own.each && !options.generators.curves.empty()) refuse("--each and --curves exclude each other: keep one");
+  if (own.each && options.generators.curves.is_given()) refuse("--each and --curves exclude each other: keep one");
   if (own.each && has_view) refuse("--each and --view exclude each other: the page shows the nearest source");
   if (own.each && !own.paths && writes(options, {"ply", "vtp", "vtu", "obj"})) {
     refuse(
@@ -501,7 +500,7 @@ void write_files(Run& run, const CheckedMesh& input, const DistanceTable& table,
 /// One field for the nearest source.
 void measure_nearest(Run& run, const OwnOptions& own, const Measurement& measured, DistanceTable& table) {
   const Mesh &input = measured.input.mesh, &mesh = measured.surface.mesh();
-  const bool has_curves = !run.options().generators.curves.empty();
+  const bool has_curves = run.options().generators.curves.is_given();
   const std::vector<GeneratorCurve> curves =
       has_curves ? load_curves(run, measured.input) : std::vector<GeneratorCurve>();
   for (const GeneratorCurve& curve : curves) table.sources.push_back(curve.points.front());
@@ -571,7 +570,7 @@ void measure(Run& run, OwnOptions& own) {
   check(run.options(), own);
   const CheckedMesh input = load_input(run);
   DistanceTable table;
-  if (run.options().generators.curves.empty()) {
+  if (!run.options().generators.curves.is_given()) {
     ListedPoints sources = load_sources(run, input);
     table.sources = std::move(sources.points);
     table.source_vertices = std::move(sources.vertices);

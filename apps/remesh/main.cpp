@@ -19,12 +19,13 @@
 #include "common/options/options.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/process.hpp"
-#include "common/relaxation.hpp"
+#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/carry_properties.hpp"
 #include "gvd/error.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/relaxation_parts.hpp"
 #include "gvd/remesh_map.hpp"
 #include "gvd/remesh_options.hpp"
 #include "gvd/remesh_scenes.hpp"
@@ -54,7 +55,7 @@ const std::vector<std::string> kFormats{"ply", "obj", "off", "stl", "vtp", "vtu"
 
 struct OwnOptions : Options {
   SurfaceRemeshOptions remesh;
-  ConstraintFiles files;
+  GivenConstraints constraints;
   bool carry = false;
   std::string map;  ///< a file; empty: none
 };
@@ -98,7 +99,8 @@ void describe_rules(OptionList& list, const OwnOptions& own) {
 
 void describe_own(OptionList& list, OwnOptions& own) {
   describe_input(list, own.input);
-  describe_generators(list, own.generators, {"target_edge", "error"});
+  describe(list, own.generators, {"target_edge", "error"});
+  describe_generators_format(list, own.input);
   describe_diagram(list, own.compute);
   describe_output(list, own.output, kFormats);
   describe_diagram_output(list, own.output);
@@ -107,7 +109,7 @@ void describe_own(OptionList& list, OwnOptions& own) {
                            "each input vertex"});
   describe_sizes(list, own.generators);
   list.group("Relaxation");
-  describe(list, own.files);
+  describe(list, own.constraints);
   describe(list, own.remesh);
   list.option("carry", Flag{&own.carry},
               {.help = "Carry over the colours and other properties of a PLY input to PLY output",
@@ -115,9 +117,17 @@ void describe_own(OptionList& list, OwnOptions& own) {
   describe_rules(list, own);
 }
 
+Json describe_copy(const CoarseRelaxation& copy) {
+  if (copy.faces == 0) return nullptr;
+  return {{"faces", copy.faces}, {"iterations", copy.iterations}, {"diagrams", copy.diagrams}};
+}
+
 void report_relaxation(Run& run, const SurfaceRemesh& made) {
   const LloydResult& relaxed = *made.relaxation;
-  note_copy(run, relaxed.copy, made.start, made.relaxation_ends_on_copy);
+  {
+    RunObserver observer(run);
+    tell_copy(observer, relaxed.copy, made.start, made.relaxation_ends_on_copy);
+  }
   run.console().detail(fmt::format("generators relaxed in {}, energy {:.6g} -> {:.6g} mesh units^4",
                                    counted(std::ssize(relaxed.iterations), "iteration", "iterations"),
                                    relaxed.initial_energy, relaxed.final_energy));
@@ -131,7 +141,10 @@ void report_relaxation(Run& run, const SurfaceRemesh& made) {
 /// The library's options for this run; the user's own ones become what they stand for, for the report.
 SurfaceRemeshOptions make_remesh_options(Run& run, const CheckedMesh& input, OwnOptions& own) {
   SurfaceRemeshOptions options = own.remesh;
-  options.start = make_start_options(run, input, own.files, own.remesh.start);
+  RunObserver observer(run);
+  options.start =
+      make_start_options(input, own.generators, own.compute.diagram, own.constraints, own.remesh.start, observer);
+  options.start.progress = options.start.sampling.progress = run.progress();
   options.remesh.diagram = run.options().compute.diagram;
   options.remesh.diagram.progress = run.progress();
   own.remesh.relaxation = options.iterations();
@@ -151,13 +164,18 @@ SurfaceRemesh make_remesh(Run& run, const Mesh& mesh, SurfaceRemeshOptions optio
     times.start(step);
     run.console().set_status("");
   };
-  options.on_iteration = [&run](std::int64_t iterations, double energy) { show_iteration(run, iterations, energy); };
+  options.on_iteration = [&run](std::int64_t iterations, double energy) {
+    run.console().set_status(fmt::format("iteration {}, energy {:.6g}", iterations, energy));
+  };
   return remesh_surface(mesh, options);
 }
 
 void report_result(Run& run, const Mesh& mesh, OwnOptions& own, const SurfaceRemesh& made) {
   const RemeshResult& result = made.result;
-  report_start(run, mesh, made.start, own.remesh.start);
+  {
+    RunObserver observer(run);
+    tell_start(observer, mesh, made.start, own.remesh.start, own.generators.are_listed());
+  }
   run.report().results()["relaxation"] = nullptr;
   if (made.relaxation) report_relaxation(run, made);
   own.remesh.remesh.max_added = result.max_added;

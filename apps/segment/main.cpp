@@ -16,7 +16,6 @@
 
 #include "common/barriers.hpp"
 #include "common/command.hpp"
-#include "common/curves.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/referred_files.hpp"
 #include "common/run_parts.hpp"
@@ -112,7 +111,8 @@ void describe_regions(OptionList& list, OwnOptions& own) {
 
 void describe_own(OptionList& list, OwnOptions& own) {
   describe_input(list, own.input);
-  describe_generators(list, own.generators, {"curves", "per_region", "levels"});
+  describe(list, own.generators, {"curves", "per_region", "levels"});
+  describe_generators_format(list, own.input);
   describe_diagram(list, own.compute);
   describe_output(list, own.output, kFormats);
   describe_no_curves(list, own.output);
@@ -332,7 +332,7 @@ void segment(Run& run, OwnOptions& own) {
   note_many_generators(run, input.mesh, kGeneratorCost);
   const PartedSurface surface(run, input, own.regions, options);
   const Mesh& mesh = surface.mesh();
-  Diagram diagram = run.options().generators.curves.empty()
+  Diagram diagram = !run.options().generators.curves.is_given()
                         ? build_weighted_diagram(run, {input, mesh}, surface.make_generators(run), own.weights)
                         : build_curve_diagram(run, mesh, load_curves(run, input));
   if (own.charts.disc) {

@@ -13,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
@@ -50,7 +51,9 @@ PartedSurface::PartedSurface(Run& run, const CheckedMesh& input, const RegionOpt
 // A level needs no report of its own: a run of gvd-segment with its number of generators has the same figures.
 void PartedSurface::label_levels(Run& run, const SegmentOptions& labels) {
   LevelOptions level;
-  level.generators.sampling = make_sampling_options(run);
+  RunObserver observer(run);
+  level.generators.sampling = make_sampling_options(run.options().generators, run.options().compute.diagram, observer);
+  level.generators.sampling.progress = run.progress();
   level.diagram = run.options().compute.diagram;
   level.diagram.progress = run.progress();
   level.labels = labels;

@@ -12,19 +12,16 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "common/balance.hpp"
-#include "common/process.hpp"
-#include "common/relaxation.hpp"
+#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/balance.hpp"
 #include "gvd/error.hpp"
 #include "gvd/read_values.hpp"
+#include "gvd/relaxation_parts.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// What a file holds for each generator, and which numbers may be.
 struct NumberKind {
@@ -36,13 +33,11 @@ struct NumberKind {
 constexpr NumberKind kWeights{"--weights", "weight", "finite numbers", -kInfinity};
 constexpr NumberKind kShares{"--shares", "share", "finite numbers above 0", 0};
 
-/// A number for each generator, from a file; none without one.
-std::vector<double> read_for_generators(const NumberKind& kind, const std::string& file, std::size_t generators) {
-  if (file.empty()) return {};
-  std::vector<double> values = [&] {
-    const WaitForInput wait(file);
-    return read_values(file);
-  }();
+/// A number for each generator; none where none is given.
+std::vector<double> read_for_generators(const NumberKind& kind, const GivenNumbers& given, std::size_t generators) {
+  if (!given.values) return {};
+  const std::vector<double>& values = given.values->soup.values;
+  const std::string& file = given.values->title;
   if (values.size() != generators) {
     throw Error(
         ErrorCode::unreadable_input,
@@ -58,14 +53,27 @@ std::vector<double> read_for_generators(const NumberKind& kind, const std::strin
   return values;
 }
 
+/// The figures of a balanced diagram.
+class BalanceFigures : public Object {
+ public:
+  explicit BalanceFigures(const BalancedDiagram& balanced) : balanced_(balanced) {}
+  std::string_view kind() const override { return "balance"; }
+  void visit(ObjectVisitor& visitor) const override { visit_balance(visitor, &balanced_); }
+
+ private:
+  const BalancedDiagram& balanced_;
+};
+
 Diagram balance(Run& run, const DiagramSurface& surface, const std::vector<SurfacePoint>& generators,
                 const WeightOptions& options, BalanceOptions balancing) {
-  if (options.balance != "area") balancing.density = find_density(run, surface.input, "--balance", options.balance);
+  balancing.density = find_density(surface.input, options.balance);
   balancing.shares = read_for_generators(kShares, options.shares, generators.size());
   balancing.diagram.progress = run.progress();
   BalancedDiagram balanced = run.timed("balance", [&] { return balance_cells(surface.mesh, generators, balancing); });
   report_diagram(run, balanced.diagram);
-  report_balance(run, balanced);
+  RunObserver observer(run);
+  tell_balance(observer, balanced);
+  report_figures(run, BalanceFigures(balanced));
   return std::move(balanced.diagram);
 }
 
@@ -77,9 +85,9 @@ void describe(OptionList& list, WeightOptions& options, const ComputeOptions& co
       {.help = "Make all cells equal by weights of their generators",
        .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
                "{option:input}"});
-  list.option("shares", File{&options.shares},
+  list.option("shares", ValueSource{&options.shares, {}, ValueSource::Of::generators},
               {.help = "With {option:balance}, the share of each generator, in any unit", .usual = "equal"});
-  list.option("weights", File{&options.weights},
+  list.option("weights", ValueSource{&options.weights, {}, ValueSource::Of::generators},
               {.help = "Make the distances of each generator longer by its number in FILE", .unit = "mesh units"});
   list.needs("shares", "balance");
   for (const char* name : {"balance", "weights"}) {
@@ -93,11 +101,11 @@ void describe(OptionList& list, WeightOptions& options, const ComputeOptions& co
 
 Diagram build_weighted_diagram(Run& run, const DiagramSurface& surface, const std::vector<SurfacePoint>& generators,
                                const WeightOptions& options) {
-  if (options.balance.empty() && options.weights.empty()) return build_diagram(run, surface.mesh, generators);
+  if (!options.balance.is_given() && !options.weights.is_given()) return build_diagram(run, surface.mesh, generators);
   BalanceOptions balancing;
   balancing.diagram = run.options().compute.diagram;
   balancing.diagram.weights = read_for_generators(kWeights, options.weights, generators.size());
-  Diagram diagram = options.balance.empty() ? build_diagram(run, surface.mesh, generators, balancing.diagram.weights)
+  Diagram diagram = !options.balance.is_given() ? build_diagram(run, surface.mesh, generators, balancing.diagram.weights)
                                             : balance(run, surface, generators, options, balancing);
   run.report().results()["weights"] = diagram.weights;
   return diagram;

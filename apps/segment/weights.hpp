@@ -13,9 +13,9 @@
 namespace gvd::app {
 
 struct WeightOptions {
-  std::string balance;  ///< "area", a file, or a property of the input; empty: cells as they come
-  std::string shares;   ///< file of the shares; empty: equal ones
-  std::string weights;  ///< file of the weights, for --balance to start from; empty: none
+  GivenNumbers balance;  ///< "area", or a number for each vertex or face; none: cells as they come
+  GivenNumbers shares;   ///< of the generators; none: equal ones
+  GivenNumbers weights;  ///< of the generators, for --balance to start from
 };
 
 /// Describes them. `compute` tells whether the method takes weights; both must outlive the list.

@@ -1,0 +1,48 @@
+// The figures of an object as JSON. Dots in names part levels; a level of which nothing is there is null.
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "gvd/operation_json.hpp"
+
+namespace gvd {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class FigureReader : public ObjectVisitor {
+ public:
+  void figure(const Meaning& meaning, const Figure& value) override {
+    Json* at = &figures_;
+    std::string_view name = meaning.name;
+    for (std::size_t dot = 0; (dot = name.find('.')) != name.npos; name.remove_prefix(dot + 1)) {
+      at = &(*at)[std::string(name.substr(0, dot))];
+    }
+    Json& place = (*at)[std::string(name)];
+    std::visit(Overload{[&place](std::monostate) { place = nullptr; }, [&place](const auto& known) { place = known; }}, value);
+  }
+  Json take() {
+    for (auto& [name, value] : figures_.items()) {
+      if (!value.is_object()) continue;
+      const bool is_empty = std::all_of(value.begin(), value.end(), [](const Json& one) { return one.is_null(); });
+      if (is_empty) value = nullptr;
+    }
+    return std::move(figures_);
+  }
+
+ private:
+  Json figures_ = Json::object();
+};
+
+}  // namespace
+
+std::string figures_json(const Object& object) {
+  FigureReader reader;
+  object.visit(reader);
+  return reader.take().dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace gvd
