@@ -29,7 +29,7 @@
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/operation_json.hpp"
-#include "gvd/relaxation_parts.hpp"
+#include "gvd/diagram_parts.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #ifdef GVD_HAS_VERIFY
@@ -323,91 +323,12 @@ void refuse_name(Run& run, const std::string& option, const std::string& name) {
   throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: {}", option, name, why));
 }
 
-namespace {
-
-/// Lists generators in the report.
-void report_generators(Run& run, const Mesh& mesh, const ResolvedGenerators& found) {
-  for (std::size_t i = 0; i < found.points.size(); ++i) {
-    run.report().generators().push_back({found.points[i], position(mesh, found.points[i]), found.snap_distance[i]});
+void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& points,
+                       const std::vector<std::optional<double>>& snap_distance) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    run.report().generators().push_back(
+        {points[i], position(mesh, points[i]), i < snap_distance.size() ? snap_distance[i] : std::nullopt});
   }
-}
-
-}  // namespace
-
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, const Sampler& sampler) {
-  RunObserver observer(run);
-  const GeneratorOptions& asked = run.options().generators;
-  ResolvedGenerators found;
-  if (sampler == nullptr || asked.are_listed()) {
-    found = choose_generators(input, asked, run.options().compute.diagram, observer);
-  } else {
-    const Step step(observer, "generators");
-    found.points = sampler(input.mesh, make_sampling_options(asked, run.options().compute.diagram, observer));
-    found.snap_distance.resize(found.points.size());
-    observer.detail(counted(std::ssize(found.points), "generator", "generators"));
-  }
-  report_generators(run, input.mesh, found);
-  return std::move(found.points);
-}
-
-ListedPoints load_sources(Run& run, const CheckedMesh& input) {
-  RunObserver observer(run);
-  ResolvedGenerators found =
-      choose_generators(input, run.options().generators, run.options().compute.diagram, observer);
-  report_generators(run, input.mesh, found);
-  return {std::move(found.points), std::move(found.vertex)};
-}
-
-ListedPoints load_targets(Run& run, const CheckedMesh& input) {
-  GeneratorOptions asked = run.options().targets;
-  if (!asked.are_listed()) return {};
-  asked.max_snap = run.options().generators.max_snap;
-  RunObserver observer(run);
-  const Step step(observer, "targets");
-  ResolvedGenerators found = resolve_listed(input, asked, observer, true);
-  return {std::move(found.points), std::move(found.vertex)};
-}
-
-std::vector<GeneratorCurve> load_curves(Run& run, const CheckedMesh& input) {
-  RunObserver observer(run);
-  std::vector<GeneratorCurve> curves = choose_curves(input, run.options().generators, observer);
-  for (const GeneratorCurve& curve : curves) {
-    const SurfacePoint& first = curve.points.front();
-    run.report().generators().push_back({first, position(input.mesh, first), std::nullopt});
-  }
-  return curves;
-}
-
-Diagram build_curve_diagram(Run& run, const Mesh& mesh, const std::vector<GeneratorCurve>& curves) {
-  Diagram diagram = run.timed("diagram", [&] {
-    return compute_timed(run, run.options().compute.diagram,
-                         [&](const DiagramOptions& options) { return compute_diagram(mesh, curves, options); });
-  });
-  report_diagram(run, diagram);
-  return diagram;
-}
-
-Diagram compute_timed(Run& run, DiagramOptions options, const std::function<Diagram(const DiagramOptions&)>& compute) {
-  StepTimes times(run);
-  std::string current;
-  options.progress = [&, show = run.progress()](std::string_view step, double fraction) {
-    if (step != current) {
-      current = step;
-      times.start("diagram: " + current);
-    }
-    return show(step, fraction);
-  };
-  return compute(options);
-}
-
-Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                      const std::vector<double>& weights) {
-  DiagramOptions options = run.options().compute.diagram;
-  options.weights = weights;
-  const auto compute = [&](const DiagramOptions& timed) { return compute_diagram(mesh, generators, timed); };
-  Diagram diagram = run.timed("diagram", [&] { return compute_timed(run, options, compute); });
-  report_diagram(run, diagram);
-  return diagram;
 }
 
 void set_diagram(Run& run, const Diagram& diagram) {

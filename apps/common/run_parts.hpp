@@ -11,12 +11,9 @@
 #include "common/process.hpp"
 #include "common/run.hpp"
 #include "gvd/diagram.hpp"
-#include "gvd/generator_curve.hpp"
-#include "gvd/generator_list.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/object.hpp"
-#include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 
@@ -45,13 +42,9 @@ std::string property_file(Run& run);
 /// Refuses the name that `option` has, which is neither that of a file nor of a property of INPUT.
 [[noreturn]] void refuse_name(Run& run, const std::string& option, const std::string& name);
 
-/// Samples generators of a mesh.
-using Sampler = std::function<std::vector<SurfacePoint>(const Mesh&, const SamplingOptions&)>;
-
-/// Chooses the generators by the options, exactly as many as they say, and reports them: those of a list, or sampled
-/// ones. Throws what read_generators, resolve_generators and sample_generators throw.
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input,
-                                          const Sampler& sampler = nullptr);
+/// Lists generators in the report. `snap_distance`: from where they were given, as far as that is known.
+void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& points,
+                       const std::vector<std::optional<double>>& snap_distance);
 
 /// What a command takes for each generator, where a mesh has fewer faces than generators: nearly all of the work is in
 /// the generators then, and grows with their number.
@@ -61,31 +54,6 @@ struct GeneratorCost {
 
 /// Notes before the work how long -n may take, where it exceeds the faces of the mesh and that is long.
 void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost);
-
-/// Points of a list of the user's.
-struct ListedPoints {
-  std::vector<SurfacePoint> points;
-  std::vector<std::int64_t> vertices;  ///< of INPUT, as the list names them; -1 for points given otherwise
-};
-
-/// The points of --from, as make_generators chooses and reports them, with the user's numbers.
-ListedPoints load_sources(Run& run, const CheckedMesh& input);
-
-/// The points of --to, in their order, coincident ones too; none without it. Throws what make_generators throws.
-ListedPoints load_targets(Run& run, const CheckedMesh& input);
-
-/// Computes the diagram by the method of the options, and reports it. Throws what compute_diagram throws.
-Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                      const std::vector<double>& weights = {});
-
-/// Calls compute(options), and reports the time of each of its steps as "diagram: step".
-Diagram compute_timed(Run& run, DiagramOptions options, const std::function<Diagram(const DiagramOptions&)>& compute);
-
-/// The curves of --curves, and reports them as generators, each by its first point. Throws what choose_curves throws.
-std::vector<GeneratorCurve> load_curves(Run& run, const CheckedMesh& input);
-
-/// Computes the diagram of curves, and reports it. Throws what compute_diagram throws.
-Diagram build_curve_diagram(Run& run, const Mesh& mesh, const std::vector<GeneratorCurve>& curves);
 
 /// Adds the figures of an object to the results of the report.
 void report_figures(Run& run, const Object& object);

@@ -66,7 +66,6 @@ struct GeneralOptions {
 struct Options {
   InputOptions input;
   GeneratorOptions generators;
-  GeneratorOptions targets;  ///< a list of points that distances are asked for
   bool has_diagram = true;   ///< otherwise the options that build, sample and write a diagram are not there
   ComputeOptions compute;
   OutputOptions output;

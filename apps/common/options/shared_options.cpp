@@ -87,11 +87,6 @@ void describe_generators_format(OptionList& list, InputOptions& input) {
   list.needs("generators_format", "generators");
 }
 
-void describe_list(OptionList& list, const std::string& name, GeneratorOptions& points, Spec spec) {
-  points.points_name = points.vertices_name = "{option:" + name + "}";
-  list.option(name, PointList{&points.points}, std::move(spec));
-}
-
 void describe_resources(OptionList& list, ComputeOptions& compute) {
   describe_threads(list, compute.diagram.threads);
   list.option("max_memory", ByteSize{&compute.max_memory},

@@ -14,9 +14,6 @@ void describe_input(OptionList& list, InputOptions& input);
 /// The format of a list of generators in a file, behind the options that say where generators come from.
 void describe_generators_format(OptionList& list, InputOptions& input);
 
-/// A list of points: vertices, or a file.
-void describe_list(OptionList& list, const std::string& name, GeneratorOptions& points, Spec spec);
-
 /// How a diagram is built, and with which means.
 void describe_diagram(OptionList& list, ComputeOptions& compute);
 

@@ -49,8 +49,18 @@ class ViewCollector : public ObjectVisitor {
     handle_.arrays.insert_or_assign(std::string(meaning.name) + "_offsets", view(offsets));
     points(meaning, joined);
   }
-  void part(const Meaning& meaning, const std::shared_ptr<const Object>& part) override {
-    if (part) handle_.parts.insert_or_assign(std::string(meaning.name), part);
+  void rows(const Meaning& meaning, const std::vector<std::vector<double>>& rows) override {
+    std::vector<double>& joined = handle_.numbers.emplace_back();
+    for (const std::vector<double>& row : rows) joined.insert(joined.end(), row.begin(), row.end());
+    const std::int64_t columns = rows.empty() ? 0 : std::ssize(rows.front());
+    const std::int64_t stride = sizeof(double);
+    array(meaning, {joined.data(), ArrayType::float64, 2, {std::ssize(rows), columns}, {stride * columns, stride}});
+  }
+  void table(const Meaning& meaning, const Table& table) override {
+    for (const Column& column : table) figure({std::string(meaning.name) + '.' + column.name, "", ""}, column.values);
+  }
+  void part(const Meaning& meaning, std::string_view, const PartMaker& make) override {
+    if (auto made = make()) handle_.parts.insert_or_assign(std::string(meaning.name), std::move(made));
   }
 
  private:

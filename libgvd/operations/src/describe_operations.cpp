@@ -25,7 +25,7 @@ constexpr std::array kTypeNames{"int8",   "uint8", "int16",  "uint16",  "int32",
                                 "uint32", "int64", "uint64", "float32", "float64"};
 
 constexpr std::array kFigureKinds{"none",    "flag",          "whole number", "number",       "text",
-                                  "numbers", "whole numbers", "texts",        "whole numbers of several sets"};
+                                  "numbers", "whole numbers", "texts",        "lists of whole numbers", "lists of numbers", "flags"};
 static_assert(kFigureKinds.size() == std::variant_size_v<Figure>);
 
 Json describe_meaning(const Meaning& meaning) {
@@ -52,9 +52,17 @@ class Describer : public ObjectVisitor {
           view(std::vector<std::int64_t>()));
     add_points(meaning, std::vector<SurfacePoint>());
   }
-  void part(const Meaning& meaning, const std::shared_ptr<const Object>& part) override {
-    Json& one = kind_["parts"].emplace_back(describe_meaning(meaning));
-    if (part) one["kind"] = part->kind();
+  void rows(const Meaning& meaning, const std::vector<std::vector<double>>&) override {
+    Json& one = kind_["arrays"].emplace_back(describe_meaning(meaning));
+    one["type"] = "float64";
+    one["columns"] = nullptr;  // as many as there are
+  }
+  void table(const Meaning& meaning, const Table& table) override {
+    Json& one = kind_["tables"].emplace_back(describe_meaning(meaning));
+    for (const Column& column : table) one["columns"].push_back(column.name);
+  }
+  void part(const Meaning& meaning, std::string_view kind, const PartMaker&) override {
+    kind_["parts"].emplace_back(describe_meaning(meaning))["kind"] = kind;
   }
   Json take() { return std::move(kind_); }
 
@@ -65,7 +73,7 @@ class Describer : public ObjectVisitor {
     array({name + "_bary", "", text + ": barycentric coordinates"}, points.bary());
   }
 
-  Json kind_{{"figures", Json::array()}, {"arrays", Json::array()}, {"parts", Json::array()}};
+  Json kind_{{"figures", Json::array()}, {"tables", Json::array()}, {"arrays", Json::array()}, {"parts", Json::array()}};
 };
 
 Json describe_object(const Object& object) {

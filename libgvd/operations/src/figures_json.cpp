@@ -16,13 +16,27 @@ using Json = nlohmann::ordered_json;
 class FigureReader : public ObjectVisitor {
  public:
   void figure(const Meaning& meaning, const Figure& value) override {
-    Json* at = &figures_;
-    std::string_view name = meaning.name;
-    for (std::size_t dot = 0; (dot = name.find('.')) != name.npos; name.remove_prefix(dot + 1)) {
-      at = &(*at)[std::string(name.substr(0, dot))];
+    Json& place = this->place(meaning);
+    std::visit(Overload{[&place](std::monostate) { place = nullptr; }, [&place](const auto& known) { place = known; }},
+               value);
+  }
+  void table(const Meaning& meaning, const Table& table) override {
+    Json rows = Json::array();
+    for (const Column& column : table) {
+      const auto add = [&](const auto& values) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          if (rows.size() <= i) rows.push_back(Json::object());
+          const Json value = Json(values[i]);
+          if (!value.is_array() || !value.empty()) rows[i][column.name] = value;
+        }
+      };
+      std::visit(Overload{[&](const std::vector<double>& values) { add(values); },
+                          [&](const std::vector<std::int64_t>& values) { add(values); },
+                          [&](const std::vector<bool>& values) { add(values); },
+                          [&](const std::vector<std::vector<double>>& values) { add(values); }, [](const auto&) {}},
+                 column.values);
     }
-    Json& place = (*at)[std::string(name)];
-    std::visit(Overload{[&place](std::monostate) { place = nullptr; }, [&place](const auto& known) { place = known; }}, value);
+    place(meaning) = std::move(rows);
   }
   Json take() {
     for (auto& [name, value] : figures_.items()) {
@@ -34,6 +48,15 @@ class FigureReader : public ObjectVisitor {
   }
 
  private:
+  Json& place(const Meaning& meaning) {
+    Json* at = &figures_;
+    std::string_view name = meaning.name;
+    for (std::size_t dot = 0; (dot = name.find('.')) != name.npos; name.remove_prefix(dot + 1)) {
+      at = &(*at)[std::string(name.substr(0, dot))];
+    }
+    return (*at)[std::string(name)];
+  }
+
   Json figures_ = Json::object();
 };
 

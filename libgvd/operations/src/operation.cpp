@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "gvd/distances_operation.hpp"
 #include "gvd/lloyd_operation.hpp"
+#include "gvd/segment_operation.hpp"
 
 namespace gvd {
 namespace {
@@ -31,6 +33,10 @@ Operation make_operation(std::string_view name, std::string_view summary) {
 
 const std::vector<Operation>& operations() {
   static const std::vector<Operation> kOperations{
+      make_operation<DistancesCall, DistancesOutcome>(
+          "distances", "Measures exact distances from points or curves, with shortest paths and isolines"),
+      make_operation<SegmentCall, SegmentOutcome>(
+          "segment", "Labels every face with the region of the geodesically nearest generator, or cuts the faces"),
       make_operation<LloydCall, LloydOutcome>(
           "lloyd", "Moves generators to the geodesic centroids of their cells until they stop moving"),
   };

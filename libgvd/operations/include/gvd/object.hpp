@@ -100,7 +100,15 @@ struct Meaning {
 
 /// A value that is no array: nothing where there is none.
 using Figure = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
-                            std::vector<std::int64_t>, std::vector<std::string>, std::vector<std::vector<std::int64_t>>>;
+                            std::vector<std::int64_t>, std::vector<std::string>, std::vector<std::vector<std::int64_t>>,
+                            std::vector<std::vector<double>>, std::vector<bool>>;
+
+/// Columns of equal length, with a name each; a list without elements is left out of its row.
+struct Column {
+  std::string name;
+  Figure values;  ///< a list of numbers, or of lists of numbers
+};
+using Table = std::vector<Column>;
 
 /// Several lists of points, such as curves.
 struct PointLists {
@@ -109,6 +117,7 @@ struct PointLists {
 };
 
 class Object;
+using PartMaker = std::function<std::shared_ptr<const Object>()>;
 
 /// Reads what an object consists of, in the order of the documents.
 class ObjectVisitor {
@@ -118,7 +127,11 @@ class ObjectVisitor {
   virtual void array(const Meaning&, const ArrayView&) {}
   virtual void points(const Meaning&, const PointsView&) {}
   virtual void curves(const Meaning&, const PointLists&) {}
-  virtual void part(const Meaning&, const std::shared_ptr<const Object>&) {}
+  /// Rows of equal length.
+  virtual void rows(const Meaning&, const std::vector<std::vector<double>>&) {}
+  virtual void table(const Meaning&, const Table&) {}
+  /// `kind`: of the part. `make` gives it, or null where there is none.
+  virtual void part(const Meaning&, std::string_view /*kind*/, const PartMaker& /*make*/) {}
 };
 
 /// A mesh, a diagram or the result of an operation. It is complete once it is made, and keeps alive what it refers to.

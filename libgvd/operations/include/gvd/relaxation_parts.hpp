@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-#include "gvd/balance.hpp"
 #include "gvd/density.hpp"
 #include "gvd/generator_options.hpp"
 #include "gvd/lloyd.hpp"
@@ -43,14 +42,5 @@ void tell_copy(Observer& observer, const CoarseRelaxation& used, const Relaxatio
 
 /// The part of a relaxation on a copy of the mesh.
 void visit_copy(ObjectVisitor& visitor, const CoarseRelaxation& copy);
-
-/// Notes how equal the cells are, and which have no share of their own.
-void tell_balance(Observer& observer, const BalancedDiagram& balanced);
-
-/// The same as figures, which are empty without a diagram.
-void visit_balance(ObjectVisitor& visitor, const BalancedDiagram* balanced);
-
-/// Notes the numbers of cells, branch points and bisectors, and what is wrong with them.
-void tell_diagram(Observer& observer, const Diagram& diagram);
 
 }  // namespace gvd

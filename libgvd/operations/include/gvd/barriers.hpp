@@ -8,7 +8,7 @@
 #include "gvd/ids.hpp"
 #include "gvd/soup.hpp"
 
-namespace gvd::app {
+namespace gvd {
 
 /// Why no path leads from a generator or a source to a point.
 enum class Barrier {
@@ -59,4 +59,4 @@ class BarrierCounts {
 /// One barrier in words that follow "it is".
 std::string describe(Barrier barrier, const std::string& inside);
 
-}  // namespace gvd::app
+}  // namespace gvd

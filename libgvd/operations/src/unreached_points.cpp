@@ -1,12 +1,12 @@
 // Why distances are infinite: sources and points in different components, or what parts a component.
 
-#include "distance/unreached_points.hpp"
+#include "gvd/unreached_points.hpp"
 
-namespace gvd::app {
+namespace gvd {
 
 std::string UnreachedPoints::inside() const {
-  if (!surface_.is_parted()) return "beyond --max-distance";
-  return has_limit_ ? "in another region, in another part of its region, or beyond --max-distance"
+  if (!surface_.is_parted()) return "beyond {option:max_distance}";
+  return has_limit_ ? "in another region, in another part of its region, or beyond {option:max_distance}"
                     : "in another region, or in another part of its region";
 }
 
@@ -46,4 +46,4 @@ Barrier UnreachedPoints::find(std::size_t row, std::size_t point) {
   return barriers_->between(origin_, face_[point]);
 }
 
-}  // namespace gvd::app
+}  // namespace gvd

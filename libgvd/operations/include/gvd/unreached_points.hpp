@@ -5,20 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "common/barriers.hpp"
-#include "distance/measured_surface.hpp"
+#include "gvd/barriers.hpp"
+#include "gvd/distances_operation.hpp"
 #include "gvd/io/distance_writer.hpp"
+#include "gvd/measured_surface.hpp"
 
-namespace gvd::app {
+namespace gvd {
 
 /// Tells why distances of a table are infinite.
 class UnreachedPoints {
  public:
-  /// `targets`: the places of the points of --to. `has_limit`: whether there is a --max-distance. All must outlive
-  /// this.
-  UnreachedPoints(const CheckedMesh& input, const MeasuredSurface& surface, const DistanceTable& table,
-                  const PlacedPoints& targets, bool has_limit)
-      : input_(input), surface_(surface), table_(table), targets_(targets), has_limit_(has_limit) {}
+  /// The distances must outlive this.
+  explicit UnreachedPoints(const DistancesOutcome& of)
+      : input_(*of.input), surface_(*of.measured), table_(of.table), targets_(of.targets), has_limit_(of.has_limit) {}
 
   /// What keeps the sources of a row from a point of the table that they do not reach. Cost: O(1), for each row in turn
   /// O(components), and once that of `Barriers`.
@@ -42,4 +41,4 @@ class UnreachedPoints {
   Barriers::Origin origin_;  // of that row
 };
 
-}  // namespace gvd::app
+}  // namespace gvd

@@ -1,30 +1,35 @@
-// The surface of gvd-distance. On the separated mesh, distances respect regions by themselves. A border belongs to the
+// The surface that distances are measured on. On the separated mesh, distances respect regions by themselves. A border belongs to the
 // regions on both of its sides: a point there is seen once from each connected part, and the least distance counts.
 
-#include "distance/measured_surface.hpp"
+#include "gvd/measured_surface.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "gvd/text.hpp"
 
-namespace gvd::app {
+namespace gvd {
 
-MeasuredSurface::MeasuredSurface(Run& run, const CheckedMesh& input, const RegionFiles& files) : input_(input) {
-  if (!files.are_given()) return;
-  regions_ = run.timed("regions", [&] { return read_regions(run, input, files).regions; });
-  separated_ = run.timed("separate", [&] { return separate_regions(input.mesh, regions_); });
-  const auto is_left_out = [](std::int32_t region) { return region < 0; };
-  const auto left_out = std::ranges::count_if(regions_, is_left_out);
-  std::set<std::int32_t> numbers(regions_.begin(), regions_.end());
-  const auto regions = std::ranges::count_if(numbers, [&](std::int32_t region) { return !is_left_out(region); });
-  run.report().results()["within"] = {{"regions", regions}, {"left_out_faces", left_out}};
-  run.console().note(
-      fmt::format("inside {}{}", counted(regions, "region", "regions"),
+MeasuredSurface::MeasuredSurface(const CheckedMesh& input, const GivenRegions& given, Observer& observer)
+    : input_(input) {
+  if (!given.are_given()) return;
+  regions_ = as_step(observer, "regions", [&] { return find_regions(input, given, observer).regions; });
+  separated_ = as_step(observer, "separate", [&] { return separate_regions(input.mesh, regions_); });
+  const std::int64_t left_out = left_out_faces();
+  observer.note(
+      fmt::format("inside {}{}", counted(regions(), "region", "regions"),
                   left_out == 0 ? "" : fmt::format("; {} left out", counted(left_out, "face is", "faces are"))));
+}
+
+std::int64_t MeasuredSurface::regions() const {
+  const std::set<std::int32_t> numbers(regions_.begin(), regions_.end());
+  return std::ranges::count_if(numbers, [](std::int32_t region) { return region >= 0; });
+}
+
+std::int64_t MeasuredSurface::left_out_faces() const {
+  return std::ranges::count_if(regions_, [](std::int32_t region) { return region < 0; });
 }
 
 PlacedPoints MeasuredSurface::place(const std::vector<SurfacePoint>& points) const {
@@ -52,4 +57,4 @@ PlacedPoints MeasuredSurface::place(const std::vector<SurfacePoint>& points) con
   return placed;
 }
 
-}  // namespace gvd::app
+}  // namespace gvd

@@ -3,15 +3,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/regions.hpp"
-#include "common/run.hpp"
 #include "gvd/face_regions.hpp"
+#include "gvd/given_regions.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/observer.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 
-namespace gvd::app {
+namespace gvd {
 
 /// Where the points of a list are on a surface that is parted into regions.
 struct PlacedPoints {
@@ -19,11 +19,11 @@ struct PlacedPoints {
   std::vector<std::int32_t> point;   ///< whose place each one is
 };
 
-/// The surface that distances are measured on: INPUT, or with --within and --mask its regions, which paths don't leave.
+/// The surface that distances are measured on: the input, or its regions, which paths don't leave.
 class MeasuredSurface {
  public:
-  /// Reads the regions. Keeps a reference to the input. Throws what `read_regions` throws.
-  MeasuredSurface(Run& run, const CheckedMesh& input, const RegionFiles& files);
+  /// Keeps a reference to the input. Notes how many regions there are. Throws what `find_regions` throws.
+  MeasuredSurface(const CheckedMesh& input, const GivenRegions& given, Observer& observer);
 
   /// The input, or its faces with the vertices on the borders of regions doubled: surface points are those of both.
   const Mesh& mesh() const { return is_parted() ? separated_.mesh : input_.mesh; }
@@ -38,6 +38,9 @@ class MeasuredSurface {
   /// Whether a face of the input is in no region.
   bool is_left_out(FaceId f) const { return is_parted() && regions_[f] < 0; }
 
+  std::int64_t regions() const;         ///< number of regions
+  std::int64_t left_out_faces() const;  ///< faces in no region
+
   /// Whether regions part it.
   bool is_parted() const { return !regions_.empty(); }
 
@@ -47,4 +50,4 @@ class MeasuredSurface {
   SeparatedMesh separated_;
 };
 
-}  // namespace gvd::app
+}  // namespace gvd

@@ -4,7 +4,7 @@
 // are told by the vertex of the input that they stand for. Components that share an edge or a vertex of the input
 // belonged together before.
 
-#include "common/barriers.hpp"
+#include "gvd/barriers.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include <numeric>
 #include <utility>
 
-namespace gvd::app {
+namespace gvd {
 namespace {
 
 /// Sets of components, each known by its smallest one.
@@ -106,7 +106,7 @@ std::string describe(Barrier barrier, const std::string& inside) {
     case Barrier::no_face:
       return "in no face";
     case Barrier::left_out:
-      return "left out by --within or --mask";
+      return "left out by {option:within} or {option:mask}";
     case Barrier::inside:
       return inside;
     case Barrier::cut_edge:
@@ -123,10 +123,10 @@ std::string BarrierCounts::describe(const std::string& inside) const {
   std::vector<std::string> numbered, words;
   for (std::size_t i = 0; i < counts_.size(); ++i) {
     if (counts_[i] == 0) continue;
-    words.push_back(app::describe(static_cast<Barrier>(i), inside));
+    words.push_back(gvd::describe(static_cast<Barrier>(i), inside));
     numbered.push_back(fmt::format("{} {}", counts_[i], words.back()));
   }
   return words.size() == 1 ? words.front() : fmt::format("{}", fmt::join(numbered, "; "));
 }
 
-}  // namespace gvd::app
+}  // namespace gvd
