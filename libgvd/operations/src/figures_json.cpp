@@ -39,15 +39,19 @@ class FigureReader : public ObjectVisitor {
     place(meaning) = std::move(rows);
   }
   Json take() {
-    for (auto& [name, value] : figures_.items()) {
-      if (!value.is_object()) continue;
-      const bool is_empty = std::all_of(value.begin(), value.end(), [](const Json& one) { return one.is_null(); });
-      if (is_empty) value = nullptr;
-    }
+    for (auto& [name, value] : figures_.items()) clear_if_empty(value);
     return std::move(figures_);
   }
 
  private:
+  static void clear_if_empty(Json& level) {
+    if (!level.is_object()) return;
+    for (auto& [name, value] : level.items()) clear_if_empty(value);
+    const bool is_empty = std::all_of(level.begin(), level.end(),
+                                      [](const Json& one) { return one.is_null() || (one.is_array() && one.empty()); });
+    if (is_empty) level = nullptr;
+  }
+
   Json& place(const Meaning& meaning) {
     Json* at = &figures_;
     std::string_view name = meaning.name;

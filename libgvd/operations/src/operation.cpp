@@ -5,6 +5,7 @@
 
 #include "gvd/distances_operation.hpp"
 #include "gvd/lloyd_operation.hpp"
+#include "gvd/remesh_operation.hpp"
 #include "gvd/segment_operation.hpp"
 
 namespace gvd {
@@ -14,7 +15,10 @@ namespace {
 template <class Options>
 class CallWith : public Call {
  public:
-  void describe(OptionList& list) override { gvd::describe(list, options_); }
+  void describe(OptionList& list) override {
+    gvd::describe(list, options_);
+    if constexpr (requires { describe_for_programs(list, options_); }) describe_for_programs(list, options_);
+  }
   std::shared_ptr<const Object> run(const MeshPtr& input, Observer& observer) override {
     return gvd::run(input, options_, observer);
   }
@@ -39,6 +43,8 @@ const std::vector<Operation>& operations() {
           "segment", "Labels every face with the region of the geodesically nearest generator, or cuts the faces"),
       make_operation<LloydCall, LloydOutcome>(
           "lloyd", "Moves generators to the geodesic centroids of their cells until they stop moving"),
+      make_operation<RemeshCall, RemeshOutcome>(
+          "remesh", "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point"),
   };
   return kOperations;
 }

@@ -108,13 +108,13 @@ void tell_copy(Observer& observer, const CoarseRelaxation& used, const Relaxatio
                             counted(used.iterations, "iteration", "iterations"), used.faces));
 }
 
-void visit_copy(ObjectVisitor& visitor, const CoarseRelaxation& copy) {
-  const auto figure = [&](const Meaning& meaning, std::int64_t value) {
-    visitor.figure(meaning, copy.faces == 0 ? Figure() : Figure(value));
+void visit_copy(ObjectVisitor& visitor, const CoarseRelaxation& copy, const std::string& name) {
+  const auto figure = [&](const char* part, const char* text, std::int64_t value) {
+    visitor.figure({name + part, "", text}, copy.faces == 0 ? Figure() : Figure(value));
   };
-  figure({"coarse.faces", "", "of the copy of the mesh that was relaxed on first"}, copy.faces);
-  figure({"coarse.iterations", "", "on the copy"}, copy.iterations);
-  figure({"coarse.diagrams", "", "of the copy"}, copy.diagrams);
+  figure(".faces", "of the copy of the mesh that was relaxed on first", copy.faces);
+  figure(".iterations", "on the copy", copy.iterations);
+  figure(".diagrams", "of the copy", copy.diagrams);
 }
 
 }  // namespace gvd

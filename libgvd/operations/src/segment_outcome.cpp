@@ -107,9 +107,7 @@ void visit_charts(ObjectVisitor& visitor, const SegmentOutcome& made) {
   figure({"charts.torn_share", "", "of the area: faces that are torn off"}, charts.share(&Chart::torn_area));
   figure({"charts.unplaced_share", "", "of the area: faces without texture coordinates"},
          charts.share(&Chart::unplaced_area));
-  if (made.charts) {
-    visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts, made.chart_map));
-  }
+  visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts, made.chart_map));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "gvd/density.hpp"
 #include "gvd/generator_options.hpp"
@@ -40,7 +41,7 @@ void show_iteration(Observer& observer, std::int64_t iterations, double energy);
 /// Notes what was done on a copy of the mesh.
 void tell_copy(Observer& observer, const CoarseRelaxation& used, const RelaxationStart& start, bool ends_on_copy);
 
-/// The part of a relaxation on a copy of the mesh.
-void visit_copy(ObjectVisitor& visitor, const CoarseRelaxation& copy);
+/// The part of a relaxation on a copy of the mesh, as figures that begin with `name`.
+void visit_copy(ObjectVisitor& visitor, const CoarseRelaxation& copy, const std::string& name = "coarse");
 
 }  // namespace gvd

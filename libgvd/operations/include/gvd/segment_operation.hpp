@@ -12,6 +12,7 @@
 #include "gvd/face_regions.hpp"
 #include "gvd/generator_options.hpp"
 #include "gvd/given_regions.hpp"
+#include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh_objects.hpp"
 #include "gvd/observer.hpp"
 #include "gvd/option_list.hpp"
