@@ -14,7 +14,6 @@
 #include "common/options/spelling.hpp"
 #include "common/process.hpp"
 #include "common/run_several.hpp"
-#include "gvd/diagram_options.hpp"
 #include "gvd/error.hpp"
 #include "gvd/version.hpp"
 
@@ -68,7 +67,6 @@ int run_described(const CommandInfo& info, OptionList& list, Options& options, i
     options.input.path = options.input.paths.front();
     if (options.output.open && options.output.view.empty()) options.output.view = default_page(options.input.path);
     complete(given);
-    resolve(options.compute.diagram);
     check_inputs(options, info.formats);
     if (const auto missing = list.find_missing(given)) refuse_option(list, given, *missing);
     check_outputs(options, info.formats);
@@ -76,7 +74,7 @@ int run_described(const CommandInfo& info, OptionList& list, Options& options, i
       exit_code = run_several(info.name, plan_runs(options), body);
       return;
     }
-    limit_memory_of(options.compute);
+    limit_memory_of(options);
     Console console(info.name, detect_console_style(), options.general.quiet, options.general.verbose);
     Run run(info.name, options, console);
     body(run);

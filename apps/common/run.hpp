@@ -111,7 +111,7 @@ struct RunFigures {
 class Run {
  public:
   Run(const std::string& command, Options options, Console& console)
-      : options_(std::move(options)), console_(console), report_(command, options_.generators.seed) {}
+      : options_(std::move(options)), console_(console), report_(command, seed_of(options_)) {}
 
   const Options& options() const { return live_ != nullptr ? *live_ : options_; }
   /// From now on the options are these, which the body of the run may complete. They must outlive the run.

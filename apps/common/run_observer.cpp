@@ -9,7 +9,7 @@
 
 namespace gvd::app {
 
-RunObserver::RunObserver(Run& run) : run_(run) { threads = run.options().compute.diagram.threads; }
+RunObserver::RunObserver(Run& run) : run_(run) { threads = run.options().compute.threads; }
 
 RunObserver::~RunObserver() {
   for (const Timed& timed : steps_) {

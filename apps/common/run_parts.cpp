@@ -29,7 +29,6 @@
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/operation_json.hpp"
-#include "gvd/diagram_parts.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #ifdef GVD_HAS_VERIFY
@@ -94,7 +93,7 @@ void check_formats(const OutputOptions& output, const Mesh& mesh) {
 #ifdef GVD_HAS_VERIFY
 void verify(Run& run, const Mesh& mesh, const Diagram& diagram) {
   VerifyOptions options;
-  options.threads = run.options().compute.diagram.threads;
+  options.threads = run.options().compute.threads;
   options.progress = run.progress();
   const ErrorMeasure error = run.timed("verify", [&] { return verify_diagram(mesh, diagram, options); });
   run.report().set_error_measure(error);
@@ -294,8 +293,7 @@ constexpr double kLongRun = 10;  // seconds
 
 }  // namespace
 
-void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost) {
-  const std::int64_t count = run.options().generators.wanted().value_or(0);
+void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const GeneratorCost& cost) {
   const double seconds = cost.microseconds * 1e-6 * double(count);
   if (count <= mesh.face_count() || seconds < kLongRun) return;
   run.console().note(fmt::format(
@@ -334,12 +332,6 @@ void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoin
 void set_diagram(Run& run, const Diagram& diagram) {
   run.report().set_diagram(diagram);
   run.figures().regions = std::ssize(diagram.cells);
-}
-
-void report_diagram(Run& run, const Diagram& diagram) {
-  set_diagram(run, diagram);
-  RunObserver observer(run);
-  tell_diagram(observer, diagram);
 }
 
 void report_figures(Run& run, const Object& object) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <map>
@@ -52,17 +53,14 @@ struct GeneratorCost {
   double microseconds, kilobytes;
 };
 
-/// Notes before the work how long -n may take, where it exceeds the faces of the mesh and that is long.
-void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost);
+/// Notes before the work how long so many generators may take, where they exceed the faces of the mesh and that is long.
+void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const GeneratorCost& cost);
 
 /// Adds the figures of an object to the results of the report.
 void report_figures(Run& run, const Object& object);
 
 /// Reports the figures of a diagram.
 void set_diagram(Run& run, const Diagram& diagram);
-
-/// The same, and notes them.
-void report_diagram(Run& run, const Diagram& diagram);
 
 /// Writes to `-o` in one format.
 using OutputWriter = std::function<void(std::ostream&)>;

@@ -53,7 +53,6 @@ void describe_own(OptionList& list, OwnOptions& own) {
 /// Where no file is named, standard output has a text that a script reads as it is, or else the simplest format that
 /// holds all.
 void complete(OwnOptions& own, const Given& given) {
-  own.generators = own.call.sources;
   if (names_file(own.output)) return;
   if (!given.has("output_format")) own.output.formats = {own.call.isolines ? "json" : own.call.paths ? "csv" : "txt"};
   own.output.files = {"-"};

@@ -76,13 +76,6 @@ void describe_own(OptionList& list, OwnOptions& own) {
                   {.help = "Write energy, moves, methods and seconds of each iteration as CSV"});
 }
 
-/// What commands share reads these options here.
-void complete(OwnOptions& own, const Given&) {
-  own.generators = own.call.generators;
-  own.call.diagram.threads = own.compute.diagram.threads;
-  own.compute.diagram = own.call.diagram;
-}
-
 /// When the energy of each iteration was known, and the generators then. The library reads no clock.
 class RelaxationTrace {
  public:
@@ -212,7 +205,7 @@ void write_points_file(Run& run, const OwnOptions& own, const Mesh& mesh, const 
 
 void lloyd(Run& run, OwnOptions& own) {
   const auto input = std::make_shared<CheckedMesh>(load_input(run));
-  note_many_generators(run, input->mesh, kGeneratorCost);
+  note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   check_material_files(run, input->appearance);
   const Mesh& mesh = input->mesh;
   RelaxationTrace trace;
@@ -250,5 +243,5 @@ int main(int argc, char** argv) {
                                   "Moves generators to the geodesic centroids of their cells until they stop moving.",
                                   kExamples,
                                   {kFormats}},
-                                 {describe_own, lloyd, complete}, argc, argv);
+                                 {describe_own, lloyd}, argc, argv);
 }

@@ -61,13 +61,7 @@ void describe_own(OptionList& list, OwnOptions& own) {
                            "each input vertex"});
 }
 
-/// What commands share reads these options here.
-void complete(OwnOptions& own, const Given&) {
-  own.call.map = !own.map.empty();
-  own.generators = own.call.generators;
-  own.call.diagram.threads = own.compute.diagram.threads;
-  own.compute.diagram = own.call.diagram;
-}
+void complete(OwnOptions& own, const Given&) { own.call.map = !own.map.empty(); }
 
 std::vector<MeshProperty> read_properties(const InputOptions& input, const PipedInput& piped) {
   if (piped.bytes.empty()) return read_mesh_properties(input.path, input.format);
@@ -87,7 +81,7 @@ void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
   Mesh unplaced;  // the scenes refer to it
   write_view_file(run, "gvd-remesh", [&] {
     unplaced = make_unplaced(mesh, result);
-    return make_remesh_scenes(mesh, result, unplaced, run.options().compute.diagram.threads, run.progress());
+    return make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads, run.progress());
   });
 }
 
@@ -95,7 +89,7 @@ void run_remesh(Run& run, OwnOptions& own) {
   PipedInput piped;
   const bool carries = own.call.carry;
   const auto input = std::make_shared<CheckedMesh>(load_input(run, carries ? &piped : nullptr));
-  note_many_generators(run, input->mesh, kGeneratorCost);
+  note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   if (!carries && !input->appearance.empty() && !run.options().output.files.empty()) {
     note_on_input(run, "texture coordinates and materials are left out; --carry keeps them in .obj, .ply and .glb");
   }

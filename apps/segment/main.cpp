@@ -85,13 +85,7 @@ void describe_own(OptionList& list, OwnOptions& own) {
                   "or leave it out"));
 }
 
-/// What commands share reads these options here.
-void complete(OwnOptions& own, const Given&) {
-  own.call.complete();
-  own.generators = own.call.generators;
-  own.call.diagram.threads = own.compute.diagram.threads;
-  own.compute.diagram = own.call.diagram;
-}
+void complete(OwnOptions& own, const Given&) { own.call.complete(); }
 
 /// The labels of the faces and vertices, and the distances of the vertices: each as an array, as a table, or in a
 /// format of meshes that holds nothing else. With levels, each face has the labels of all.
@@ -155,7 +149,7 @@ void note_whole_faces(Run& run, const OwnOptions& own) {
 void segment(Run& run, OwnOptions& own) {
   const auto input = std::make_shared<CheckedMesh>(load_input(run));
   check_material_files(run, input->appearance, own.call.uv.has_value());
-  note_many_generators(run, input->mesh, kGeneratorCost);
+  note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   const auto made = [&] {
     RunObserver observer(run);
     return gvd::run(input, own.call, observer);

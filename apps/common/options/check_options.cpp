@@ -48,8 +48,10 @@ std::string describe_stray(const std::string& word, bool follows, const Options&
       if (option == nullptr || !options.given->has(name)) continue;
       return fmt::format("is not a file; {} takes commas without blanks, as in 3,17,99", usual_name(*option));
     }
-    if (options.has_diagram && !options.generators.count)
-      return fmt::format("is not a file; did you mean -n {}?", word);
+    const Option* const count = options.list->find("count");
+    if (count != nullptr && !options.given->has("count")) {
+      return fmt::format("is not a file; did you mean {} {}?", usual_name(*count), word);
+    }
   }
   return follows && contains(formats.extensions, file_extension(word))
              ? fmt::format("is not a file; did you mean -o {}?", word)

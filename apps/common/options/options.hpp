@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gvd/diagram.hpp"
 #include "gvd/generator_list.hpp"
-#include "gvd/generator_options.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/option_list.hpp"
 #include "gvd/soup.hpp"
@@ -28,7 +26,7 @@ struct InputOptions {
 };
 
 struct ComputeOptions {
-  DiagramOptions diagram;  ///< its threads are those of the whole run
+  int threads = 0;  ///< 0: one a core
   bool verify = false;
   std::optional<std::int64_t> max_memory;  ///< bytes that the process may hold, > 0
 };
@@ -65,7 +63,6 @@ struct GeneralOptions {
 /// The options that the commands share. A command adds its own in a struct that inherits these.
 struct Options {
   InputOptions input;
-  GeneratorOptions generators;
   bool has_diagram = true;   ///< otherwise the options that build, sample and write a diagram are not there
   ComputeOptions compute;
   OutputOptions output;
@@ -73,6 +70,9 @@ struct Options {
   const OptionList* list = nullptr;  ///< describes these options and those of the command; null before they are read
   const Given* given = nullptr;      ///< what the user set of them
 };
+
+/// The seed of the random choices; 0 where the command has none.
+std::uint64_t seed_of(const Options& options);
 
 /// FreeSurfer names its surfaces lh.white or rh.pial: for --output-format, this format takes any name.
 inline constexpr const char* kFreeSurfer = "fs";

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "gvd/diagram_options.hpp"
+#include "gvd/generator_options.hpp"
 
 namespace gvd::app {
 namespace {
@@ -88,15 +89,9 @@ void describe_generators_format(OptionList& list, InputOptions& input) {
 }
 
 void describe_resources(OptionList& list, ComputeOptions& compute) {
-  describe_threads(list, compute.diagram.threads);
+  describe_threads(list, compute.threads);
   list.option("max_memory", ByteSize{&compute.max_memory},
               {.help = "End the run if it needs more memory than this, as in 500M or 2G"});
-}
-
-void describe_diagram(OptionList& list, ComputeOptions& compute) {
-  describe(list, compute.diagram);
-  describe_resources(list, compute);
-  describe_verify(list, compute);
 }
 
 void describe_verify(OptionList& list, ComputeOptions& compute) {

@@ -14,9 +14,6 @@ void describe_input(OptionList& list, InputOptions& input);
 /// The format of a list of generators in a file, behind the options that say where generators come from.
 void describe_generators_format(OptionList& list, InputOptions& input);
 
-/// How a diagram is built, and with which means.
-void describe_diagram(OptionList& list, ComputeOptions& compute);
-
 /// The check of a diagram after the run.
 void describe_verify(OptionList& list, ComputeOptions& compute);
 

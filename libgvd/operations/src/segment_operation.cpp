@@ -106,15 +106,6 @@ std::vector<SurfacePoint> choose(const CheckedMesh& input, const SegmentCall& ca
   return std::exchange(parted.samples.points, {});
 }
 
-Diagram compute_of_curves(const CheckedMesh& input, const SegmentCall& call, Observer& observer) {
-  const std::vector<GeneratorCurve> curves = choose_curves(input, call.generators, observer);
-  Diagram made = compute_in_steps(observer, call.diagram, [&](const DiagramOptions& options) {
-    return compute_diagram(input.mesh, curves, options);
-  });
-  tell_diagram(observer, made);
-  return made;
-}
-
 Diagram make_cells_discs(const SegmentCall& call, Observer& observer, const Diagram& diagram, SegmentOutcome& outcome) {
   DiscOptions options;
   options.diagram = call.diagram;
@@ -330,7 +321,7 @@ std::shared_ptr<const SegmentOutcome> run(const MeshPtr& input, SegmentCall& cal
   outcome->input = input;
   outcome->parted = part(*input, call, observer);
   Diagram diagram = call.generators.curves.is_given()
-                        ? compute_of_curves(*input, call, observer)
+                        ? compute_of_curves(*input, call.generators, call.diagram, observer)
                         : compute_weighted(*input, outcome->surface(), choose(*input, call, observer, *outcome),
                                            call.weights, call.diagram, observer, outcome->balanced);
   if (call.disc) diagram = make_cells_discs(call, observer, diagram, *outcome);

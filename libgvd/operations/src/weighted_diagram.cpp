@@ -93,4 +93,14 @@ Diagram compute_weighted(const CheckedMesh& input, const Mesh& surface, const st
   return std::exchange(balanced->diagram, {});
 }
 
+Diagram compute_of_curves(const CheckedMesh& input, const GeneratorOptions& generators, const DiagramOptions& options,
+                          Observer& observer) {
+  const std::vector<GeneratorCurve> curves = choose_curves(input, generators, observer);
+  Diagram made = compute_in_steps(observer, options, [&](const DiagramOptions& stepped) {
+    return compute_diagram(input.mesh, curves, stepped);
+  });
+  tell_diagram(observer, made);
+  return made;
+}
+
 }  // namespace gvd

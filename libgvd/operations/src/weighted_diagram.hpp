@@ -21,4 +21,8 @@ Diagram compute_weighted(const CheckedMesh& input, const Mesh& surface, const st
                          const GivenWeights& weights, const DiagramOptions& options, Observer& observer,
                          std::optional<BalancedDiagram>& balanced);
 
+/// The diagram of the curves that are given as generators. Throws what choose_curves and compute_diagram throw.
+Diagram compute_of_curves(const CheckedMesh& input, const GeneratorOptions& generators, const DiagramOptions& options,
+                          Observer& observer);
+
 }  // namespace gvd

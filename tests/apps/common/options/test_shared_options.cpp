@@ -22,9 +22,9 @@ TEST_CASE("the defaults are the contract's") {
   CHECK(options.generators.count == 30);
   CHECK(options.generators.sampling == Sampling::farthest);
   CHECK(options.generators.seed == 0);
-  CHECK(options.compute.diagram.method == Method::exact);
-  CHECK_FALSE(options.compute.diagram.front);
-  CHECK(options.compute.diagram.chord_tolerance == 1e-4);
+  CHECK(options.diagram.method == Method::exact);
+  CHECK_FALSE(options.diagram.front);
+  CHECK(options.diagram.chord_tolerance == 1e-4);
   CHECK(format_of(options.output, "-") == "ply");
 }
 
@@ -69,10 +69,10 @@ TEST_CASE("every option is stored in its field") {
   CHECK(options.generators.count == 10);
   CHECK(options.generators.sampling == Sampling::poisson);
   CHECK(options.generators.seed == 18446744073709551615u);
-  CHECK(options.compute.diagram.method == Method::gbgvd);
-  CHECK(options.compute.diagram.front == Front::planar);
-  CHECK(options.compute.diagram.chosen_front() == Front::planar);
-  CHECK(options.compute.diagram.threads == 2);
+  CHECK(options.diagram.method == Method::gbgvd);
+  CHECK(options.diagram.front == Front::planar);
+  CHECK(options.diagram.chosen_front() == Front::planar);
+  CHECK(options.compute.threads == 2);
   CHECK(options.compute.verify);
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "B.OBJ", "-"});
   CHECK(format_of(options.output, "-") == "json");
@@ -84,7 +84,7 @@ TEST_CASE("every option is stored in its field") {
   CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--up", "z"}), Error);
   CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--view", "v.html", "--up", "w"}), Error);
   CHECK(parse_options({"--vertices", "3, 17,99", "a.obj"}).generators.vertices.vertices == std::vector<std::int64_t>{3, 17, 99});
-  CHECK(parse_options({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).compute.diagram.chord_tolerance == 2.5e-7);
+  CHECK(parse_options({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).diagram.chord_tolerance == 2.5e-7);
   CHECK(parse_options({"a.obj", "--radius", "2.5e-1"}).generators.radius == 0.25);
   CHECK(parse_options({"a.obj", "--generators", "g.txt", "--max-snap", "0"}).generators.max_snap == 0.0);
   CHECK(parse_options({"a.obj", "--vertices", "3", "--merge-coincident"}).generators.merge_coincident);
@@ -105,7 +105,7 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
       {"a.obj", "--seed", "9"});
   CHECK(options.generators.count == 12);
   CHECK(options.generators.seed == 9);
-  CHECK(options.compute.diagram.front == Front::planar);
+  CHECK(options.diagram.front == Front::planar);
   CHECK(options.compute.verify);
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "b.obj"});
   CHECK(with("vertices = \"1,2\"\n", {"a.obj"}).generators.vertices.vertices == std::vector<std::int64_t>{1, 2});
@@ -115,8 +115,8 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
   CHECK_THROWS_AS(with("nonsense = 3\n", {"a.obj", "-n", "3"}), Error);
   CHECK_THROWS_AS(with("seed = minus\n", {"a.obj", "-n", "3"}), Error);
   const Options chosen = with("method = \"gbgvd\"\nfront = \"planar\"\n", {"a.obj", "-n", "3", "--method", "exact"});
-  CHECK(chosen.compute.diagram.method == Method::exact);
-  CHECK_FALSE(chosen.compute.diagram.front);
+  CHECK(chosen.diagram.method == Method::exact);
+  CHECK_FALSE(chosen.diagram.front);
   const Options listed = with("n = 12\nsampling = \"random\"\n", {"a.obj", "--radius", "2"});
   CHECK_FALSE(listed.generators.count);
   CHECK(listed.generators.sampling == Sampling::farthest);
