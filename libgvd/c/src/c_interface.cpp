@@ -21,11 +21,10 @@
 #include "gvd/generator_list.hpp"
 #include "gvd/gvd.h"
 #include "gvd/io/mesh_writer.hpp"
-#include "gvd/lloyd_operation.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/lloyd_operation.hpp"
 #include "gvd/read_soup.hpp"
-#include "gvd/relaxation_start.hpp"
-#include "gvd/remesh_surface.hpp"
+#include "gvd/remesh_operation.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/soup.hpp"
@@ -118,17 +117,19 @@ bool has(const std::vector<VertexId>& vertices, std::int64_t vertex) {
 
 DefectPolicy policy(int repair) { return repair != 0 ? DefectPolicy::repair : DefectPolicy::error; }
 
-/// What gvd_lloyd_options and gvd_remesh_options share.
-template <class Options>
-RelaxationStartOptions start_options(const Mesh& mesh, const gvd_point* listed, std::int32_t count,
-                                     const Options& options, const gvd_run* run) {
-  RelaxationStartOptions start;
-  if (listed != nullptr) start.listed = to_points(mesh, listed, count);
-  start.sampling = sampling_options(options.sampling, count, options.seed);
-  if (!(options.crease_angle <= 0)) start.constraints.crease_angle = options.crease_angle;
-  start.threads = threads_of(run);
-  start.progress = progress_of(run);
-  return start;
+/// The generators of gvd_lloyd and gvd_remesh: those of a list, or sampled ones.
+GeneratorOptions generator_options(const Mesh& mesh, const gvd_point* listed, std::int32_t count, gvd_sampling kind,
+                                   std::uint64_t seed) {
+  GeneratorOptions options;
+  if (listed != nullptr) {
+    options.points.list = std::make_shared<GeneratorList>(to_list(mesh, listed, count));
+    return options;
+  }
+  const SamplingOptions sampling = sampling_options(kind, count, seed);
+  options.count = sampling.count;
+  options.sampling = sampling.kind;
+  options.seed = sampling.seed;
+  return options;
 }
 
 }  // namespace
@@ -384,14 +385,7 @@ gvd_status gvd_lloyd(const gvd_mesh* mesh, const gvd_point* listed, int32_t coun
     const MeshPtr& input = given(mesh, "mesh").checked();
     given(relaxed, "relaxed");
     LloydCall call;
-    if (listed != nullptr) {
-      call.generators.points.list = std::make_shared<GeneratorList>(to_list(input->mesh, listed, count));
-    } else {
-      const SamplingOptions sampling = sampling_options(asked.sampling, count, asked.seed);
-      call.generators.count = count;
-      call.generators.sampling = sampling.kind;
-      call.generators.seed = sampling.seed;
-    }
+    call.generators = generator_options(input->mesh, listed, count, asked.sampling, asked.seed);
     if (asked.iterations >= 0) call.relaxation.max_iterations = asked.iterations;
     if (!(asked.tolerance < 0)) call.relaxation.energy_tolerance = asked.tolerance;
     if (!(asked.crease_angle <= 0)) call.start.constraints.crease_angle = asked.crease_angle;
@@ -412,19 +406,23 @@ gvd_status gvd_remesh(const gvd_mesh* mesh, const gvd_point* listed, int32_t cou
     gvd_remesh_options asked;
     gvd_remesh_defaults(&asked);
     if (options != nullptr) asked = *options;
-    const Mesh& surface = given(mesh, "mesh").mesh();
+    const MeshPtr& input = given(mesh, "mesh").checked();
     given(coarse, "coarse");
-    SurfaceRemeshOptions remesh;
-    if (asked.relaxation >= 0) remesh.relaxation = asked.relaxation;
-    remesh.exact_count = asked.exact_count != 0;
-    remesh.start = start_options(surface, listed, count, asked, run);
-    remesh.start.constraints.prefers_boundary = asked.loose_boundary == 0;
-    remesh.start.constraints.prefers_creases = asked.crease_angle < 0;
-    if (asked.crease_angle < 0) remesh.start.constraints.crease_angle = kUsualCreaseAngle;
-    remesh.remesh.diagram = diagram_options(run);
-    RemeshResult result = remesh_surface(surface, remesh).result;
-    auto handle = make_handle(as_input(std::move(result.mesh)));
-    handle->generators = std::move(result.generators);
+    RemeshCall call;
+    call.generators = generator_options(input->mesh, listed, count, asked.sampling, asked.seed);
+    if (asked.relaxation >= 0) call.remesh.relaxation = asked.relaxation;
+    call.remesh.exact_count = asked.exact_count != 0;
+    StartOptions& constraints = call.remesh.start.constraints;
+    constraints.prefers_boundary = asked.loose_boundary == 0;
+    constraints.prefers_creases = asked.crease_angle < 0;
+    constraints.crease_angle.reset();
+    if (asked.crease_angle < 0) constraints.crease_angle = kUsualCreaseAngle;
+    if (!(asked.crease_angle <= 0)) constraints.crease_angle = asked.crease_angle;
+    RunObserver observer(run);
+    const auto outcome = gvd::run(input, call, observer);
+    const RemeshResult& result = outcome->result();
+    auto handle = make_handle(as_input(result.mesh));
+    handle->generators = result.generators;
     *coarse = handle.release();
   });
 }
