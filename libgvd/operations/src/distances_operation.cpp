@@ -265,8 +265,8 @@ std::int64_t count_levels(const std::vector<Isoline>& lines) {
 }  // namespace
 
 DistancesCall::DistancesCall() {
-  sources.points_name = "{option:from}";
-  targets.points_name = "{option:to}";
+  sources.points_name = sources.vertices_name = "{option:from}";
+  targets.points_name = targets.vertices_name = "{option:to}";
 }
 
 void describe(OptionList& list, DistancesCall& call) {
