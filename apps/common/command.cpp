@@ -14,7 +14,7 @@
 #include "common/options/spelling.hpp"
 #include "common/process.hpp"
 #include "common/run_several.hpp"
-#include "gvd/diagram_options.hpp"
+#include "gvd/error.hpp"
 #include "gvd/version.hpp"
 
 namespace gvd::app {
@@ -36,6 +36,14 @@ std::string default_page(const std::string& input) {
 }
 
 }  // namespace
+
+void with_spelled_errors(const Options& options, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    throw Error(error.code(), spell(*options.list, *options.given, error.what()), error.element());
+  }
+}
 
 int run_described(const CommandInfo& info, OptionList& list, Options& options, int argc, const char* const* argv,
                   const std::function<void(const Given&)>& complete, const std::function<void(Run&)>& body) {
@@ -59,7 +67,6 @@ int run_described(const CommandInfo& info, OptionList& list, Options& options, i
     options.input.path = options.input.paths.front();
     if (options.output.open && options.output.view.empty()) options.output.view = default_page(options.input.path);
     complete(given);
-    resolve(options.compute.diagram);
     check_inputs(options, info.formats);
     if (const auto missing = list.find_missing(given)) refuse_option(list, given, *missing);
     check_outputs(options, info.formats);
@@ -67,7 +74,7 @@ int run_described(const CommandInfo& info, OptionList& list, Options& options, i
       exit_code = run_several(info.name, plan_runs(options), body);
       return;
     }
-    limit_memory_of(options.compute);
+    limit_memory_of(options);
     Console console(info.name, detect_console_style(), options.general.quiet, options.general.verbose);
     Run run(info.name, options, console);
     body(run);

@@ -64,17 +64,21 @@ constexpr std::array<Advice, 9> kAdvice{{
      "choose PLY, OBJ, OFF or VTP by the extension of -o, or for -o - by --output-format"},
 }};
 
-/// The options that the message of a shortage depends on.
-ComputeOptions g_compute;
+/// What the message of a shortage depends on.
+struct MemoryAdvice {
+  std::optional<std::int64_t> limit;
+  bool has_chords = false;  ///< whether a chord tolerance counts
+};
+MemoryAdvice g_memory;
 
 Outcome out_of_memory() {
   // The points of the bisectors are most of an exact diagram. A few long needles take as much memory as many faces.
   std::string advice = "take a mesh of fewer or rounder triangles";
-  if (g_compute.diagram.method == Method::exact)
+  if (g_memory.has_chords)
     advice = "take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles";
-  std::string message = g_compute.max_memory
+  std::string message = g_memory.limit
                             ? fmt::format("out of memory: the run needs more than --max-memory {}; raise it, or {}",
-                                          format_bytes(*g_compute.max_memory), advice)
+                                          format_bytes(*g_memory.limit), advice)
                             : fmt::format("out of memory: up to {} in use; {}; --max-memory ends such a run sooner",
                                           format_bytes(peak_memory_bytes()), advice);
   return {kNoResult, std::move(message), "out of memory"};
@@ -91,7 +95,7 @@ Outcome describe_exception(const std::exception& error) {
   if (!tells_of_threads(error)) {
     return {kNoResult, fmt::format("unexpected: {}; please report it", error.what()), "unexpected error"};
   }
-  if (g_compute.max_memory) return out_of_memory();  // no memory for the thread's stack
+  if (g_memory.limit) return out_of_memory();  // no memory for the thread's stack
   return {kNoResult,
           "a thread could not be started: the system allows no more threads, or no memory for one; use --threads 1",
           "no thread"};
@@ -182,9 +186,10 @@ Outcome run_guarded(const std::function<void()>& work) {
   return failure ? describe_failure(failure) : Outcome();
 }
 
-void limit_memory_of(const ComputeOptions& compute) {
-  g_compute = compute;
-  limit_memory(compute.max_memory);
+void limit_memory_of(const Options& options) {
+  const Option* const chords = options.list == nullptr ? nullptr : options.list->find("chord_tolerance");
+  g_memory = {options.compute.max_memory, chords != nullptr && options.list->why_idle(*chords, *options.given).empty()};
+  limit_memory(options.compute.max_memory);
 }
 
 std::string format_bytes(std::int64_t bytes) {

@@ -36,7 +36,7 @@ Outcome run_guarded(const std::function<void()>& work);
 
 /// Limits the memory of the run that begins, by its options (--max-memory). Messages of a shortage tell the limit, and
 /// what helps.
-void limit_memory_of(const ComputeOptions& compute);
+void limit_memory_of(const Options& options);
 
 /// "1.5 GiB".
 std::string format_bytes(std::int64_t bytes);

@@ -66,7 +66,7 @@ RunResult run_one(const std::string& command, const Options& options, const std:
                   options.general.verbose);
   Run run(command, options, console);
   const Outcome outcome = run_guarded([&] {
-    limit_memory_of(options.compute);
+    limit_memory_of(options);
     body(run);
   });
   console.clear_bar();

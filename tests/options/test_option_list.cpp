@@ -58,8 +58,8 @@ TEST_CASE("every field goes back to its default") {
   toy.options.step = 1;
   toy.options.colour = test::Colour::red;
   toy.options.front = test::Colour::red;
-  toy.options.list = "a";
-  toy.options.vertices = {1};
+  toy.options.from.file = "a";
+  toy.options.vertices.vertices = {1};
   toy.options.angle = 3;
   toy.options.auto_angle = true;
   toy.options.unnamed_page = true;
@@ -68,8 +68,8 @@ TEST_CASE("every field goes back to its default") {
   CHECK(toy.options.step == 0.5);
   CHECK(toy.options.colour == test::Colour::green);
   CHECK(!toy.options.front);
-  CHECK(toy.options.list.empty());
-  CHECK(!toy.options.vertices);
+  CHECK(toy.options.from.file.empty());
+  CHECK(!toy.options.vertices.is_given());
   CHECK(!toy.options.angle);
   CHECK(!toy.options.auto_angle);
   CHECK(!toy.options.unnamed_page);

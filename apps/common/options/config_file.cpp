@@ -137,7 +137,7 @@ TakenTypes taken_types(const Field& field) {
                [](const ChoiceList&) -> TakenTypes {
                  return {"s", "a string, or an array of strings"};
                },
-               [&](const PointList&) { return kVertices; },
+               [&](const PointList& list) { return list.named == PointList::Named::file ? kText : kVertices; },
                [](const Counts&) -> TakenTypes {
                  return {"is", "an array of whole numbers, such as [10, 100], or a string, such as \"10,100\""};
                },

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gvd/error.hpp"
+#include "gvd/option_text.hpp"
 
 namespace gvd::app {
 
@@ -43,7 +44,9 @@ std::string spell(const OptionList& list, const Given& given, const std::string&
     const Given::Source* const source = given.find(name);
     const bool as_key = source != nullptr ? !source->place.empty() : in_file;
     std::string spelled = source != nullptr ? source->spelling : as_key ? dashed_name(*option) : usual_name(*option);
-    if (!value.empty()) spelled += as_key ? " = \"" + value + '"' : ' ' + value;
+    const bool is_flag = !takes_value(option->field);  // its name says which value is meant
+    if (is_flag && as_key && !value.empty()) spelled += " = true";
+    if (!is_flag && !value.empty()) spelled += as_key ? " = \"" + value + '"' : ' ' + value;
     return spelled;
   });
 }

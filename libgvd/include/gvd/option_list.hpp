@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "gvd/given_values.hpp"
 #include "gvd/names.hpp"
 
 // Options, each described once: its name, the field that has its value, its range, and its words for users. Whatever
@@ -82,16 +83,17 @@ struct File {
   bool* unnamed = nullptr;
 };
 
-/// Vertices of the input, counted from 0, or a file that lists points. Without `file`, vertices only.
+/// Points of the surface: vertices of the input, counted from 0, or a file that lists points, or only one of these.
 struct PointList {
-  std::optional<std::vector<std::int64_t>>* vertices;
-  std::string* file = nullptr;
+  enum class Named { any, vertices, file };
+  GivenPoints* value;
+  Named named = Named::any;
 };
 
 /// Curves on the surface: "boundary", "creases", "creases:ANGLE" with an angle in degrees, or a file of polylines.
 /// "creases" alone are those of `usual` degrees.
 struct Curves {
-  std::string* value;
+  GivenCurves* value;
   double usual;
 };
 
@@ -100,10 +102,16 @@ struct Counts {
   std::vector<std::int32_t>* value;
 };
 
-/// A number for each vertex or face: one of some words, a file, or a property of the input.
+/// Numbers: one of some words that stand for them, a file, or a property of the input where they are of its elements.
 struct ValueSource {
-  std::string* value;
+  enum class Of {
+    elements,   ///< vertices or faces; of a property that both have, the vertices
+    faces,      ///< the same, but the faces; of a table with several labels, the last
+    generators  ///< in a file only
+  };
+  GivenNumbers* value;
   std::vector<std::string> words = {};
+  Of of = Of::elements;
 };
 
 /// Bytes, as in 500M or 2G.

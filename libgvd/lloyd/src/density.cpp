@@ -25,6 +25,21 @@ std::vector<double> to_vertices(const CheckedMesh& input, const std::vector<doub
   return of_mesh;
 }
 
+void check_values(const std::vector<double>& values, std::int64_t wanted, const char* one, const char* many) {
+  if (std::ssize(values) != wanted) {
+    throw Error(ErrorCode::precondition,
+                fmt::format("the density has {}, and the mesh {}", counted(std::ssize(values), "value", "values"),
+                            counted(wanted, one, many)));
+  }
+  for (int i = 0; i < std::ssize(values); ++i) {
+    if (values[i] > 0 && std::isfinite(values[i])) continue;
+    throw Error(ErrorCode::precondition,
+                fmt::format("the density of {} {} is {}; give finite numbers above 0", one, i, values[i]), i);
+  }
+}
+
+}  // namespace
+
 Density make_density(const CheckedMesh& input, const ElementValues& given) {
   const SoupProperty& property = given.soup;
   try {
@@ -40,21 +55,6 @@ Density make_density(const CheckedMesh& input, const ElementValues& given) {
     throw Error(error.code(), given.title + ": " + error.what(), error.element());
   }
 }
-
-void check_values(const std::vector<double>& values, std::int64_t wanted, const char* one, const char* many) {
-  if (std::ssize(values) != wanted) {
-    throw Error(ErrorCode::precondition,
-                fmt::format("the density has {}, and the mesh {}", counted(std::ssize(values), "value", "values"),
-                            counted(wanted, one, many)));
-  }
-  for (int i = 0; i < std::ssize(values); ++i) {
-    if (values[i] > 0 && std::isfinite(values[i])) continue;
-    throw Error(ErrorCode::precondition,
-                fmt::format("the density of {} {} is {}; give finite numbers above 0", one, i, values[i]), i);
-  }
-}
-
-}  // namespace
 
 std::optional<Density> read_density(const CheckedMesh& input, const std::string& name,
                                     const std::filesystem::path& mesh_file) {

@@ -42,10 +42,7 @@ std::function<void()> make_reset(const Field& field) {
                                std::function<void()> reset = std::visit(any_pointer, file.value);
                                return file.unnamed == nullptr ? reset : both(std::move(reset), restore(file.unnamed));
                              },
-                             [&](const PointList& list) {
-                               std::function<void()> reset = restore(list.vertices);
-                               return list.file == nullptr ? reset : both(std::move(reset), restore(list.file));
-                             },
+                             [](const PointList& list) { return restore(list.value); },
                              [](const Curves& curves) { return restore(curves.value); },
                              [](const Counts& counts) { return restore(counts.value); },
                              [](const ValueSource& values) { return restore(values.value); },

@@ -11,7 +11,9 @@
 #include <thread>
 
 #include "apps/run_command.hpp"
+#include "common/options/options.hpp"
 #include "common/outcome.hpp"
+#include "gvd/diagram_options.hpp"
 #include "gvd/error.hpp"
 #include "gvd/soup.hpp"
 #include "support/catch.hpp"
@@ -68,24 +70,30 @@ TEST_CASE("bytes are written with the unit that suits them") {
 }
 
 TEST_CASE("a shortage is described with the limit and what helps") {
-  const auto message = [](const ComputeOptions& compute) {
+  const auto message = [](const Options& options) {
     return run_guarded([&] {
-             limit_memory_of(compute);
+             limit_memory_of(options);
              throw std::bad_alloc();
            })
         .message;
   };
-  ComputeOptions compute;
-  CHECK_THAT(message(compute),
+  DiagramOptions diagram;
+  OptionList list;
+  describe(list, diagram);
+  const Given given;
+  Options options;
+  options.list = &list;
+  options.given = &given;
+  CHECK_THAT(message(options),
              StartsWith("out of memory: up to ") &&
                  EndsWith("; take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles; "
                           "--max-memory ends such a run sooner"));
-  compute.diagram.method = Method::gbgvd;
-  CHECK_THAT(message(compute),
+  diagram.method = Method::gbgvd;
+  CHECK_THAT(message(options),
              EndsWith("take a mesh of fewer or rounder triangles; --max-memory ends such a run sooner") &&
                  !Contains("generators"));
-  compute.max_memory = std::int64_t{2} << 30;
-  CHECK(message(compute) ==
+  options.compute.max_memory = std::int64_t{2} << 30;
+  CHECK(message(options) ==
         "out of memory: the run needs more than --max-memory 2 GiB; raise it, or take a mesh of fewer or rounder "
         "triangles");
   limit_memory_of({});
@@ -103,9 +111,7 @@ Ended terminate_in(const std::function<void()>& work, const std::string& input =
   const pid_t child = ::fork();
   if (child == 0) {
     if (std::freopen(err.c_str(), "w", stderr) == nullptr) std::_Exit(1);
-    ComputeOptions compute;
-    compute.diagram.method = Method::gbgvd;
-    limit_memory_of(compute);
+    limit_memory_of({});
     report_termination("gvd-test", input);
     work();
     std::_Exit(0);
