@@ -35,11 +35,11 @@ void note_misses(Run& run, const BalancedDiagram& balanced) {
   }
   if (!cells.empty()) {
     const auto named = cells.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, cells.size()));
-    run.console().note(fmt::format(
-        "{} no share of its own: no weights divide what is beyond a vertex where the paths of both cells bend, or a "
-        "weight is at its bound: {}{}; other generators may help",
-        counted(std::ssize(cells), "cell has", "cells have"), fmt::join(cells.begin(), named, ", "),
-        named == cells.end() ? "" : ", ..."));
+    run.console().note(
+        fmt::format("{}: no weights divide what is beyond a vertex where the paths of both cells bend, or a "
+                    "weight is at its bound: {}{}; other generators may help",
+                    counted(std::ssize(cells), "cell has no share of its own", "cells have no shares of their own"),
+                    fmt::join(cells.begin(), named, ", "), named == cells.end() ? "" : ", ..."));
   }
   if (!balanced.converged) {
     run.console().note(

@@ -43,7 +43,7 @@ std::vector<GeneratorCurve> read(Run& run, const CheckedMesh& input, const std::
       input.mesh, list, {.input_vertices = &input.mesh_vertex, .max_snap = asked.max_snap, .progress = run.progress()},
       snapped);
   if (!asked.max_snap) note_far_entry(run, snapped, input.mesh.bbox_diagonal());
-  if (snapped.longest_snap) {
+  if (snapped.longest_snap.value_or(0) > 0) {
     run.console().note(fmt::format("points of curves: moved to the surface, by at most {:.4g}", *snapped.longest_snap));
   }
   return curves;

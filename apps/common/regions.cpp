@@ -28,7 +28,7 @@ void name_errors(const std::string& option, const std::string& name, const Work&
     work();
   } catch (const Error& error) {
     if (error.code() != ErrorCode::precondition) throw;
-    throw Error(error.code(), fmt::format("{} {}: {}", option, name, error.what()), error.element());
+    throw error.at(fmt::format("{} {}", option, name));
   }
 }
 

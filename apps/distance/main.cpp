@@ -360,7 +360,7 @@ std::vector<Isoline> trace_isolines(Run& run, const OwnOptions& own, const Mesh&
     return field.isolines(levels, {.threads = run.options().compute.diagram.threads, .progress = run.progress()});
   } catch (const Error& error) {
     if (error.code() != ErrorCode::invalid_option) throw;
-    refuse(fmt::format("--isolines {}: {}, with a larger step", *own.isolines, error.what()));
+    throw error.at(fmt::format("--isolines {}", *own.isolines));
   }
 }
 

@@ -113,17 +113,11 @@ void note_non_discs(Run& run, const Mesh& mesh, const IdVector<FaceId, Generator
 Charts chart_regions(Run& run, const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
                      const ChartRequest& request) {
   const ChartMap map = *request.uv;
-  try {
-    const ChartOptions options{map, run.options().compute.diagram.threads, run.progress()};
-    Charts charts = run.timed("charts", [&] { return make_charts(mesh, diagram, cut, options); });
-    report_charts(run, charts, map);
-    note_shares(run, charts, map);
-    return charts;
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::no_valid_result || request.disc) throw;
-    throw Error(error.code(), fmt::format("{}; --disc adds generators until every region is a disc", error.what()),
-                error.element());
-  }
+  const ChartOptions options{map, run.options().compute.diagram.threads, run.progress()};
+  Charts charts = run.timed("charts", [&] { return make_charts(mesh, diagram, cut, options); });
+  report_charts(run, charts, map);
+  note_shares(run, charts, map);
+  return charts;
 }
 
 }  // namespace gvd::app

@@ -166,7 +166,7 @@ std::unique_ptr<gvd_mesh> make_handle(CheckedMesh checked) {
   handle->shared->mesh = std::move(checked.mesh);
   handle->shared->vertex_of_input = std::move(checked.mesh_vertex);
   handle->shared->appearance = std::move(checked.appearance);
-  for (const std::string& line : checked.defects.messages) handle->shared->repairs += line + '\n';
+  for (const std::string& line : checked.defects.messages) handle->shared->repairs += spell_options(line) + '\n';
   return handle;
 }
 

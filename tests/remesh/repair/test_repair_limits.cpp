@@ -102,11 +102,11 @@ TEST_CASE("remesh: at a limit, more generators are advised only where they help"
     return advise_at_limit(sphere, generators, history, is_max_added);
   };
   const std::string shrink = ", and 100 defects became 60; about 50 are likely to be needed: give more or other ones";
-  CHECK(advice({{0, 100}, {10, 80}, {20, 60}}, true) == shrink + ", or raise max_added");
+  CHECK(advice({{0, 100}, {10, 80}, {20, 60}}, true) == shrink + ", or raise {option:max_added}");
   CHECK(advice({{0, 100}, {10, 80}, {20, 60}}, false) == shrink);  // the limit of rounds
   CHECK(advice({{0, 10}, {20, 100}, {40, 60}}, true) ==
         ", and 10 defects became 100, then 60; about 70 are likely to be needed: give more or other ones, or raise "
-        "max_added");
+        "{option:max_added}");
   const std::string grow =
       ", and 100 defects became 130; so far, added generators make it worse, so look at the surface there: it may be "
       "thin, "
@@ -114,10 +114,11 @@ TEST_CASE("remesh: at a limit, more generators are advised only where they help"
   CHECK(advice({{0, 100}, {20, 130}}, true) == grow);
   CHECK(advice({{0, 100}, {20, 130}}, false) == grow);
   CHECK(advice({{0, 100}, {20, 100}}, true) == ", and 100 defects became 100: give more or other ones");
-  CHECK(advice({{0, 5}}, true) == ": give more or other ones, or raise max_added");  // none may be added
+  CHECK(advice({{0, 5}}, true) == ": give more or other ones, or raise {option:max_added}");  // none may be added
   // Defects that grow while the topology needs more generators: two for three vertices are too few.
-  CHECK_THAT(advice({{0, 1}, {1, 3}}, true, 2),
-             EndsWith("became 3; about 3 are likely to be needed: give more or other ones, or raise max_added"));
+  CHECK_THAT(
+      advice({{0, 1}, {1, 3}}, true, 2),
+      EndsWith("became 3; about 3 are likely to be needed: give more or other ones, or raise {option:max_added}"));
 }
 
 }  // namespace gvd::test_repair_limits

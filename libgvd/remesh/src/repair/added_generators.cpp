@@ -84,7 +84,7 @@ std::string advise_at_limit(const MeshSummary& mesh, std::size_t generators, con
   }
   if (need) advice += fmt::format("; about {} are likely to be needed", *need);
   advice += ": give more or other ones";
-  return is_max_added && (need || !added_any) ? advice + ", or raise max_added" : advice;
+  return is_max_added && (need || !added_any) ? advice + ", or raise {option:max_added}" : advice;
 }
 
 std::vector<SurfacePoint> propose_farthest(const Mesh& mesh, const Diagram& diagram, std::size_t count) {
