@@ -65,10 +65,12 @@ RunResult run_one(const std::string& command, const Options& options, const std:
   Console console(fmt::format("{}: {}", command, input), detect_console_style(), options.general.quiet,
                   options.general.verbose);
   Run run(command, options, console);
-  const Outcome outcome = run_guarded([&] {
-    limit_memory_of(options);
-    body(run);
-  });
+  const Outcome outcome = run_guarded(
+      [&] {
+        limit_memory_of(options);
+        body(run);
+      },
+      &options);
   console.clear_bar();
   print_error(command, input, outcome.message);
   const std::string result =

@@ -123,9 +123,7 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
   const bool into_folder = !options.output.folder.empty();
   check_commands(options.input.path);
   if (options.input.path == "-" && !options.input.format) {
-    refuse(
-        "standard input has no extension: name its format with --input-format obj, ply, off, stl, vtp, vtu, vtk, glb, "
-        "gltf, gii, mni or fs");
+    refuse("standard input has no extension: name its format with " + input_format_option());
   }
   if (piped.size() > 1) {
     refuse(fmt::format("{} and {} are both standard input, which holds one of them: name a file for the other",

@@ -27,7 +27,7 @@ void name_errors(const GivenNumbers& given, const Work& work) {
     work();
   } catch (const Error& error) {
     if (error.code() != ErrorCode::precondition) throw;
-    throw Error(error.code(), fmt::format("{}: {}", given.values->title, error.what()), error.element());
+    throw error.at(given.values->title);
   }
 }
 
