@@ -1,3 +1,4 @@
+#include "gvd/read_soup.hpp"
 // Reads a mesh, builds a geodesic Voronoi diagram of a few generators, and walks through what it holds.
 //
 //   diagram_of_a_mesh MESH

@@ -1,3 +1,4 @@
+#include "gvd/read_soup.hpp"
 // Moves, adds and removes generators of an exact diagram; each change computes what it has an effect on.
 //
 //   edit_a_diagram MESH

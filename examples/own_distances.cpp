@@ -1,3 +1,4 @@
+#include "gvd/read_soup.hpp"
 // Diagrams from distances of one's own: shortest paths along edges, and geodesics in heat.
 //
 //   own_distances MESH [GENERATORS]

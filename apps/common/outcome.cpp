@@ -47,12 +47,11 @@ constexpr std::string_view kAllowOption = ", or add --allow-intersections";
 
 struct Advice {
   std::string_view of_library;
-  std::string_view of_command;
+  std::string of_command;
 };
 
-constexpr std::array<Advice, 9> kAdvice{{
-    {"name the format",
-     "name the format with --input-format obj, ply, off, stl, vtp, vtu, vtk, glb, gltf, gii, mni or fs"},
+const std::array<Advice, 8> kAdvice{{
+    {"name the format", "name the format with --input-format " + list_inputs()},
     {"allow its repair", "allow its repair with --on-defect repair"},
     {"give the list as CSV", "give the list as CSV with --generators-format csv"},
     {"raise max_snap", "raise --max-snap"},
@@ -60,8 +59,6 @@ constexpr std::array<Advice, 9> kAdvice{{
     {"set merge_coincident", "add --merge-coincident"},
     {"set refine", "leave --no-refine or --exact-count out"},
     {"raise max_added", "raise --max-added"},
-    {"choose PLY, OBJ, OFF or VTP",
-     "choose PLY, OBJ, OFF or VTP by the extension of -o, or for -o - by --output-format"},
 }};
 
 /// The options that the message of a shortage depends on.

@@ -8,6 +8,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/gltf_files.hpp"
+#include "gvd/io/mesh_writer.hpp"
 
 namespace gvd::app {
 namespace {
@@ -48,8 +49,8 @@ void check_referred_files(const Options& options, const Appearance& input) {
     for (const std::string& file : input.material_files) check(target, file);
   }
   for (const std::string& file : options.output.files) {
-    if (file_extension(file) != "obj") continue;
-    targets.push_back({"the materials of -o", fs::path(file).replace_extension(".mtl").string()});
+    const auto materials = materials_file(file);
+    if (materials) targets.push_back({"the materials of -o", materials->string()});
   }
   // Buffers and images that are not there can't be lost.
   std::error_code ignored;
@@ -65,10 +66,11 @@ void check_material_files(Run& run, const Appearance& appearance, bool drops_mat
   if (!appearance.material.empty() && !output.region_materials && !drops_materials) return;  // no .mtl is written
   const std::string& input = run.options().input.path;
   for (const std::string& path : output.files) {
-    const fs::path made = fs::path(path).replace_extension(".mtl");
+    const auto made = materials_file(path);
+    if (!made) continue;
     // Relative to the input. Several names on one line count as one with blanks, as most programs write a single one.
     for (const fs::path name : appearance.material_files) {
-      if (format_of(output, path) != "obj" || !is_same(made, fs::path(input).replace_filename(name))) continue;
+      if (!is_same(*made, fs::path(input).replace_filename(name))) continue;
       throw Error(ErrorCode::invalid_option,
                   fmt::format("-o {}: its materials would replace {}, which {} names; choose "
                               "another name",

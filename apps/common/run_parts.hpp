@@ -14,6 +14,7 @@
 #include "gvd/generator_list.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/view.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"

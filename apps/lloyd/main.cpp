@@ -40,9 +40,8 @@ using Json = nlohmann::ordered_json;
 /// 100,000 generators on 5,876 faces took 76 s of processor time and 0.96 GB.
 constexpr GeneratorCost kGeneratorCost{760, 9.6};
 
-const std::vector<std::string> kFormats{"txt",       "csv",       "json", "ply",   "obj", "off",
-                                        "coff",      "stl",       "vtp",  "vtu",   "glb", "surf.gii",
-                                        "label.gii", "shape.gii", "fs",   "annot", "curv"};
+const std::vector<std::string> kFormats =
+    output_extensions(Content::generators | Content::surface | Content::vertex_labels | Content::distances);
 
 struct OwnOptions : Options {
   LloydOptions relaxation;
@@ -66,7 +65,7 @@ void describe_own(OptionList& list, OwnOptions& own) {
   describe_input(list, own.input);
   describe_generators(list, own.generators);
   describe_diagram(list, own.compute);
-  describe_output(list, own.output, kFormats);
+  describe_output(list, own.output, kFormats, "txt");
   describe_no_curves(list, own.output);
   describe_diagram_output(list, own.output);
   describe_target(

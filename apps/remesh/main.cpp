@@ -50,7 +50,10 @@ constexpr const char* kExamples =
 /// 30,000 generators on 5,876 faces took 14 s of processor time and 0.44 GB.
 constexpr GeneratorCost kGeneratorCost{460, 14.7};
 
-const std::vector<std::string> kFormats{"ply", "obj", "off", "stl", "vtp", "vtu", "glb", "json", "surf.gii", "fs"};
+const std::vector<std::string> kFormats = output_extensions(Content::surface | Content::diagram);
+
+/// What --carry takes from the input.
+constexpr Content kCarried = Content::properties | Content::texture | Content::materials;
 
 struct OwnOptions : Options {
   SurfaceRemeshOptions remesh;
@@ -91,16 +94,17 @@ void describe_rules(OptionList& list, const OwnOptions& own) {
                                   given.has("place") ? "leave it out, or take {option:place=fit}"
                                                      : "ask for it with {option:place=fit}");
              }});
-  list.rule(format_rule(own.output, "carry", {"ply", "obj", "glb"},
-                        "{option:carry}: only PLY, OBJ and GLB files hold what is carried over; write one, such as "
-                        "{option:output=FILE.ply}"));
+  list.rule(format_rule(own.output, "carry", output_extensions(kCarried),
+                        fmt::format("{{option:carry}}: {} what is carried over; write one, such as "
+                                    "{{option:output=FILE.ply}}",
+                                    only_formats(kCarried))));
 }
 
 void describe_own(OptionList& list, OwnOptions& own) {
   describe_input(list, own.input);
   describe_generators(list, own.generators, {"target_edge", "error"});
   describe_diagram(list, own.compute);
-  describe_output(list, own.output, kFormats);
+  describe_output(list, own.output, kFormats, "ply");
   describe_diagram_output(list, own.output);
   describe_target(list, own.output, "map", own.map, {"json"},
                   {.help = "Write the point of {option:input} for each output vertex, and the point of the output for "
@@ -110,8 +114,11 @@ void describe_own(OptionList& list, OwnOptions& own) {
   describe(list, own.files);
   describe(list, own.remesh);
   list.option("carry", Flag{&own.carry},
-              {.help = "Carry over the colours and other properties of a PLY input to PLY output",
-               .more = ", texture coordinates to PLY, OBJ and GLB output, and materials to OBJ output"});
+              {.help = "Carry over the colours and other properties of a PLY input to " +
+                       list_extensions(output_extensions(Content::properties), "and"),
+               .more = fmt::format(", texture coordinates to {}, and materials to {}",
+                                   list_extensions(output_extensions(Content::texture), "and"),
+                                   list_extensions(output_extensions(Content::materials), "and"))});
   describe_rules(list, own);
 }
 
@@ -227,8 +234,9 @@ Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, co
   });
   if (carried.properties.empty() && carried.appearance.empty()) {
     note_on_input(run, "no properties, texture coordinates or materials to carry over");
-  } else if (!carried.properties.empty() && !contains(written_formats(run.options().output), "ply")) {
-    run.console().note("--carry: OBJ and GLB hold texture coordinates, and no properties; these need -o FILE.ply");
+  } else if (!carried.properties.empty() && !writes(run.options().output, Content::properties)) {
+    run.console().note(
+        fmt::format("--carry: {} properties; write one, such as -o FILE.ply", only_formats(Content::properties)));
   }
   return carried;
 }
@@ -254,7 +262,8 @@ void run_remesh(Run& run, OwnOptions& own) {
   const CheckedMesh input = load_input(run, own.carry ? &piped : nullptr);
   note_many_generators(run, input.mesh, kGeneratorCost);
   if (!own.carry && !input.appearance.empty() && !run.options().output.files.empty()) {
-    note_on_input(run, "texture coordinates and materials are left out; --carry keeps them in .obj, .ply and .glb");
+    note_on_input(run, fmt::format("texture coordinates and materials are left out; --carry keeps them in {}",
+                                   list_extensions(output_extensions(Content::texture | Content::materials), "and")));
   }
   const Mesh& mesh = input.mesh;
   const GeneratorOptions& asked = run.options().generators;

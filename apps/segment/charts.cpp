@@ -76,7 +76,8 @@ void describe(OptionList& list, ChartRequest& request) {
               {.help = "Add generators, as few as are found, until every region is a disc"});
   list.option(
       "uv", choice(request.uv, kChartMapNames),
-      {.help = "Give each region texture coordinates, in a .ply, .obj or .glb",
+      {.help =
+           "Give each region texture coordinates, in a " + list_extensions(output_extensions(Content::texture), "or"),
        .more = ": distance and direction from its generator, or a map that flips no face and needs discs (implies "
                "{option:cut})"});
   list.excludes("disc", {"balance", "weights"});

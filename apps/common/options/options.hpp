@@ -11,8 +11,10 @@
 #include "gvd/generator_list.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/option_list.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
+#include "gvd/text.hpp"
 
 // The options of the commands as plain values, with their defaults.
 namespace gvd::app {
@@ -104,6 +106,9 @@ struct Options {
   const Given* given = nullptr;      ///< what the user set of them
 };
 
+/// The names that --input-format takes, for messages.
+inline std::string list_inputs() { return join_words(names_in(input_format_names()), "or"); }
+
 /// FreeSurfer names its surfaces lh.white or rh.pial: for --output-format, this format takes any name.
 inline constexpr const char* kFreeSurfer = "fs";
 
@@ -113,6 +118,9 @@ std::string format_of(const OutputOptions& output, const std::string& file);
 
 /// The formats that a run writes to files of `-o`, to standard output, or into the folder.
 std::vector<std::string> written_formats(const OutputOptions& output);
+
+/// Whether one of them carries any of `any`.
+bool writes(const OutputOptions& output, Content any);
 
 /// A file that a run writes, or "-" for standard output.
 struct Target {

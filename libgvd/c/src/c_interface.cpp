@@ -416,11 +416,11 @@ gvd_status gvd_segment_write(const gvd_diagram* diagram, const char* path, const
     const gvd_diagram& of = given(diagram, "diagram");
     const Diagram& made = of.diagram;
     const std::filesystem::path file = &given(path, "path");
-    const OutputFormat format = output_format(file);
+    const MeshFormat format = output_format(file);
     SegmentOptions options;
     options.progress = progress_of(run);
     const Segmentation labels = segment_faces(of.shared->mesh, made, options);
-    if (format == OutputFormat::json) {
+    if (format == MeshFormat::json) {
       return write_file(file, [&](std::ostream& out) { write_segmentation_json(out, of.shared->mesh, made, labels); });
     }
     LabelledMesh written = label_mesh(of.shared->mesh, made, labels.face_label);

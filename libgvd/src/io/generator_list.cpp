@@ -29,6 +29,7 @@
 #include "base/plane.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/text.hpp"
 #include "io/parse_lists.hpp"

@@ -19,7 +19,7 @@ int run(
                                       describe_input(list, options.input);
                                       describe_generators(list, options.generators);
                                       describe_diagram(list, options.compute);
-                                      describe_output(list, options.output, kFormats);
+                                      describe_output(list, options.output, kFormats, "ply");
                                     },
                                     [](Run& run, Options&) { current(run); }};
   arguments.insert(arguments.begin(), "gvd-test");

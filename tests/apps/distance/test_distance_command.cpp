@@ -11,6 +11,7 @@
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/read_values.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"

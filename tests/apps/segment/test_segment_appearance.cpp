@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/run_command.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
 #include "support/catch.hpp"
 

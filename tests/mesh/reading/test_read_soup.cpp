@@ -84,7 +84,7 @@ struct CommaNumbers : std::numpunct<char> {
 TEST_CASE("the format is detected by content first, then by extension") {
   for (const auto& [format, bytes] : samples()) {
     for (const std::string name : {"a.obj", "a.OFF", "a.ply", "a.stl", "a", "a.b/c", "a.txt"}) {
-      INFO(name << " " << name_in(kMeshFormatNames, format));
+      INFO(name << " " << name_in(input_format_names(), format));
       CHECK(detect_format(bytes, name) == format);
     }
   }
@@ -146,7 +146,7 @@ TEST_CASE("numbers are the same in any locale") {
 TEST_CASE("a file cut off at any byte is read or refused") {
   for (const auto& [format, bytes] : samples()) {
     for (std::size_t size = 0; size < bytes.size(); ++size) {
-      INFO(name_in(kMeshFormatNames, format) << " cut off at " << size);
+      INFO(name_in(input_format_names(), format) << " cut off at " << size);
       read_anything(bytes.substr(0, size), format);
       // Formats with counts in the header notice every missing byte but the last line break.
       if (format != MeshFormat::obj && size + 1 < bytes.size() && size + 24 < bytes.size()) {
@@ -180,7 +180,7 @@ TEST_CASE("a file with changed bytes is read or refused") {
         }
         if (changed.empty()) changed.assign(1, ' ');
       }
-      INFO(name_in(kMeshFormatNames, format) << " " << changed);
+      INFO(name_in(input_format_names(), format) << " " << changed);
       read_anything(changed, format);
     }
   }
@@ -218,8 +218,8 @@ TEST_CASE("check_counts: as many vertices and polygons as 32-bit ids can count, 
 TEST_CASE("mesh format: names and extensions, upper or lower case") {
   for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off, MeshFormat::stl, MeshFormat::vtp,
                                   MeshFormat::vtu, MeshFormat::vtk, MeshFormat::glb, MeshFormat::gltf}) {
-    CHECK(format_from_extension(name_in(kMeshFormatNames, format)) == format);
-    CHECK(format_from_extension("a.b/model." + std::string(name_in(kMeshFormatNames, format))) == format);
+    CHECK(format_from_extension(name_in(input_format_names(), format)) == format);
+    CHECK(format_from_extension("a.b/model." + std::string(name_in(input_format_names(), format))) == format);
   }
   CHECK(format_from_extension("MODEL.OBJ") == MeshFormat::obj);
   CHECK(format_from_extension("model.obj.gz") == MeshFormat::obj);

@@ -10,7 +10,7 @@ SharedLine::SharedLine() {
   app::describe_input(list, options.input);
   app::describe_generators(list, options.generators);
   app::describe_diagram(list, options.compute);
-  app::describe_output(list, options.output, kFormats);
+  app::describe_output(list, options.output, kFormats, "ply");
   app::describe_no_curves(list, options.output);
   app::describe_diagram_output(list, options.output);
   app::describe(list, options.general);
