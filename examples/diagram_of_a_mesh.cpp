@@ -1,4 +1,3 @@
-#include "gvd/read_soup.hpp"
 // Reads a mesh, builds a geodesic Voronoi diagram of a few generators, and walks through what it holds.
 //
 //   diagram_of_a_mesh MESH
@@ -6,6 +5,7 @@
 #include <exception>
 #include <gvd/check.hpp>
 #include <gvd/diagram.hpp>
+#include <gvd/read_soup.hpp>
 #include <gvd/soup.hpp>
 #include <vector>
 

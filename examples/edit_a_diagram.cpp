@@ -1,9 +1,9 @@
-#include "gvd/read_soup.hpp"
 // Moves, adds and removes generators of an exact diagram; each change computes what it has an effect on.
 //
 //   edit_a_diagram MESH
 #include <gvd/diagram_editor.hpp>
 #include <gvd/error.hpp>
+#include <gvd/read_soup.hpp>
 #include <gvd/sampling.hpp>
 #include <gvd/soup.hpp>
 #include <iostream>

@@ -1,4 +1,3 @@
-#include "gvd/read_soup.hpp"
 // Diagrams from distances of one's own: shortest paths along edges, and geodesics in heat.
 //
 //   own_distances MESH [GENERATORS]
@@ -11,6 +10,7 @@
 #include <exception>
 #include <functional>
 #include <gvd/check.hpp>
+#include <gvd/read_soup.hpp>
 #include <gvd/sampling.hpp>
 #include <gvd/soup.hpp>
 #include <gvd/trace_diagram.hpp>

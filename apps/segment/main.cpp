@@ -59,8 +59,13 @@ const std::vector<std::string> kFormats =
 
 /// Arrays and tables, and the formats that hold nothing but these numbers of vertices.
 std::vector<std::string> array_formats(Content numbers) {
-  std::vector<std::string> found = output_extensions(numbers, Content::surface);
-  found.insert(found.begin(), {"npy", "csv"});
+  std::vector<std::string> found{"npy", "csv"};
+  for (const Format& format : formats()) {
+    const bool is_alone = has_any(format.carries, numbers) && !has_any(format.carries, Content::surface);
+    if (format.write != nullptr && is_alone) {
+      found.insert(found.end(), format.extensions.begin(), format.extensions.end());
+    }
+  }
   return found;
 }
 

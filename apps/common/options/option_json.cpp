@@ -1,4 +1,4 @@
-// Options as JSON: their values for reports, and their description for whatever else shows options.
+// Options as JSON: their values for reports, and their description for whatever else shows options; and the formats.
 
 #include "common/options/option_json.hpp"
 
@@ -10,6 +10,7 @@
 
 #include "common/options/help.hpp"
 #include "common/options/spelling.hpp"
+#include "gvd/io/format.hpp"
 #include "gvd/option_text.hpp"
 
 namespace gvd::app {
@@ -140,12 +141,29 @@ Json describe_options(const OptionList& list) {
   return all;
 }
 
-std::string print_options(const OptionList& list) {
+Json describe_formats() {
+  Json all = Json::array();
+  for (const Format& format : formats()) {
+    Json& one = all.emplace_back(Json{{"name", format.name}, {"title", or_null(std::string(format.title))}});
+    one["extensions"] = format.extensions;
+    one["input_extensions"] = format.input_extensions;
+    one["is_read"] = format.read != nullptr;
+    one["is_written"] = format.is_output();
+    one["is_binary"] = format.is_binary;
+    Json& carries = one["carries"] = Json::array();
+    for (const auto& [name, content] : kContentNames) {
+      if (has_any(format.carries, content)) carries.push_back(name);
+    }
+  }
+  return all;
+}
+
+std::string print_description(const OptionList& list) {
   const std::vector<std::string> unknown = list.find_unknown_names();
   if (!unknown.empty()) {
     throw std::logic_error(fmt::format("no option is called {}, as rules or texts do", fmt::join(unknown, " or ")));
   }
-  return describe_options(list).dump(1) + "\n";
+  return Json{{"options", describe_options(list)}, {"formats", describe_formats()}}.dump(1) + "\n";
 }
 
 }  // namespace gvd::app

@@ -151,7 +151,7 @@ TEST_CASE("a message that ends with advice of the library names the option") {
   CHECK(name_options("a.xyz:1: 3 from the surface; move it, or raise max_snap") ==
         "a.xyz:1: 3 from the surface; move it, or raise --max-snap");
   CHECK(name_options("name the format") ==
-        "name the format with --input-format obj, ply, off, stl, vtp, vtu, vtk, glb, gltf, gii, mni or fs");
+        "name the format with --input-format ply, obj, off, stl, vtp, vtu, vtk, glb, gltf, gii, mni or fs");
 }
 
 TEST_CASE("any other message stays as it is") {

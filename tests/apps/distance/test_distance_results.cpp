@@ -175,19 +175,25 @@ TEST_CASE("gvd-distance: without a file, paths are a table and isolines JSON, an
   CHECK(json::parse(output_of(strip + "--from 0 --to 4 --output-format json"))["distances"][0][0] == Approx(4));
   CHECK(output_of(strip + "--from 0 --to 4 -o - --output-format txt") == output_of(strip + "--from 0 --to 4"));
   CHECK(output_of(strip + "--from 0 -q --report " + scratch / "r.json").empty());
-  require_error("gvd-distance", strip + "--from 0 --to 4 --paths --output-format txt", 2, "--paths: only .csv, .json");
-  require_error("gvd-distance", strip + "--from 0 --isolines 1 --output-format txt", 2, "--isolines: only .obj");
+  require_error("gvd-distance", strip + "--from 0 --to 4 --paths --output-format txt", 2,
+                "--paths: only .obj, .vtp, .vtu, .glb, .json, .csv, --view and --report hold paths; write one of them");
+  require_error("gvd-distance", strip + "--from 0 --isolines 1 --output-format txt", 2,
+                "--isolines: only .obj, .vtp, .vtu, .glb, .json, --view and --report hold curves; write one of them");
 }
 
 TEST_CASE("gvd-distance: a mesh that would hold nothing of what was asked for is refused, with what to do") {
   const ScratchFolder scratch;
   const std::string strip = write_strip(scratch);
-  require_error("gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.obj", 2,
-                "p.obj: .obj holds no distances; add --paths for the shortest paths, or write .csv");
+  require_error(
+      "gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.obj", 2,
+      "p.obj: .obj holds no distances; add --paths for the shortest paths, or write .json, .npy, .csv or .txt");
   require_error("gvd-distance", strip + "--from 0 -o " + scratch / "p.obj", 2, "or add --isolines");
+  require_error("gvd-distance", strip + "--from 0 -o " + scratch / "p.glb", 2, ".glb holds no distances; write .ply");
   require_error("gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.vtp", 2,
                 "for which --to does nothing; add");
-  require_error("gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.ply", 2, "write .csv, .npy or .json");
+  require_error(
+      "gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.ply", 2,
+      "p.ply: .ply has the distances of all vertices, for which --to does nothing; write .json, .npy, .csv or .txt");
   output_of(strip + "--from 0 --to 4 --paths -o " + scratch / "p.obj");
   output_of(strip + "--from 0 --to 4 -o " + scratch / "p.ply" + " -o " + scratch / "p.csv");
 }

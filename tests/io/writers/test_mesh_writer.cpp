@@ -160,7 +160,7 @@ Mesh triangle(double size, double shift) {
 
 std::string float_refusal(const Mesh& mesh) {
   try {
-    io::check_single_precision(mesh, "STL");
+    check_format(mesh, MeshFormat::stl);
   } catch (const Error& error) {
     CHECK(error.code() == ErrorCode::unwritable_output);
     return error.what();
@@ -175,14 +175,14 @@ TEST_CASE("meshes that 32-bit floats hold are taken") {
 
 TEST_CASE("a coordinate beyond a float's range is refused") {
   using Catch::Matchers::Contains;
-  CHECK_THAT(float_refusal(triangle(1e39, 0)), Contains("STL holds 32-bit floats") && Contains("too large"));
+  CHECK_THAT(float_refusal(triangle(1e39, 0)), Contains(".stl holds 32-bit floats") && Contains("too large"));
   CHECK_THAT(float_refusal(triangle(-1e39, 0)), Contains("too large"));
 }
 
 TEST_CASE("a mesh smaller than the step of floats is refused") {
   using Catch::Matchers::Contains;
-  CHECK_THAT(float_refusal(triangle(1, 1e9)),
-             Contains("smaller than the step between two of them") && Contains("choose PLY"));
+  CHECK_THAT(float_refusal(triangle(1, 1e9)), Contains("smaller than the step between two of them") &&
+                                                  Contains("choose .ply, .obj, .off, .coff, .vtp or .vtu"));
   CHECK_THAT(float_refusal(triangle(1e-40, 0)), Contains("smaller than the step between two of them"));
 }
 

@@ -101,7 +101,7 @@ TEST_CASE("formats of labels or distances need them, and floats must hold the me
   for (const FaceId f : mesh.faces()) faces.push_back(mesh.vertices(f));
   const Mesh distant(far, faces);
   CHECK_THAT(refusal([&] { to_bytes(LabelledMesh{distant}, MeshFormat::gii); }, ErrorCode::unwritable_output),
-             Contains("GIFTI holds 32-bit floats"));
+             Contains(".surf.gii holds 32-bit floats"));
 }
 
 TEST_CASE("GIFTI's extensions have two parts") {

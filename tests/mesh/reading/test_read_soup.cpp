@@ -103,9 +103,8 @@ TEST_CASE("files are read whatever their extension, and refused with the reason"
   CHECK_THROWS_WITH(read_soup(file.path(), MeshFormat::off), Catch::Matchers::Contains("should be OFF, and is 'ply'"));
   require_file_refused(TemporaryFile("a.off", "").path(), "the file is empty");
   require_file_refused(TemporaryFile("a.txt", "hello\n").path(),
-                       "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTU, VTK, glTF, GIFTI, "
-                       "MNI or FreeSurfer "
-                       "file; name the format");
+                       "neither the name nor the content is that of a PLY, OBJ, OFF, STL, VTP, VTU, VTK, GLB, glTF, "
+                       "GIFTI, MNI or FreeSurfer file; name the format");
   for (const char* name : {"a.obj", "a.obj.gz", "gz"}) {
     require_file_refused(TemporaryFile(name, "\x1f\x8b\x08").path(), "gzip's data end after 0 unpacked bytes");
     require_file_refused(TemporaryFile(name, "PK\x03\x04").path(), "the file is compressed by zip; unpack it first");

@@ -105,8 +105,8 @@ struct Format {
                                                          std::string_view name, SoupElement preferred);
 
   MeshFormat id;
-  std::string_view name;   ///< of an input: "gii"
-  std::string_view title;  ///< in messages about any input: "GIFTI"
+  std::string_view name;        ///< of an input: "gii"
+  std::string_view title = {};  ///< of formats that are read, in messages: "GIFTI"
   /// In small letters, without dots. The first one names the format of an output, the others stand for the same.
   std::vector<std::string> extensions;
   Content carries = Content::nothing;
