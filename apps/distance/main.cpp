@@ -181,9 +181,10 @@ void check(const Options& options, const OwnOptions& own) {
   }
   const Format* const single = find_written(output, Content::distances, Content::rows);
   if (own.each && single != nullptr && !(own.paths && has_any(single->carries, Content::surface))) {
-    refuse(fmt::format("--each: {} hold one distance for each vertex; write {}, or add --to and --paths",
+    refuse(fmt::format("--each: {} hold one distance for each vertex; write {}{}",
                        list_extensions(output_extensions(Content::distances, Content::rows), "and"),
-                       list_formats(Content::rows)));
+                       list_formats(Content::rows),
+                       has_any(single->carries, Content::surface) ? ", or add --to and --paths" : ""));
   }
   if (own.isolines && !has_view && output.report.empty() && !writes(output, kIsolines)) {
     refuse(fmt::format("--isolines: {} curves; write one of them or leave --isolines out",

@@ -68,8 +68,9 @@ void describe_own(OptionList& list, OwnOptions& own) {
   describe_output(list, own.output, kFormats, "txt");
   describe_no_curves(list, own.output);
   describe_diagram_output(list, own.output);
+  const std::vector<std::string_view> names = names_in(kPointFormatNames);
   describe_target(
-      list, own.output, "points", own.points, {"ply", "xyz", "npy"},
+      list, own.output, "points", own.points, {names.begin(), names.end()},
       {.help = "Write the generators with normals, barycentric coordinates, areas and energies", .shown = Shown::main});
   describe_target(list, own.output, "trace", own.trace, {"csv"},
                   {.help = "Write energy, moves, methods and seconds of each iteration as CSV"});

@@ -38,6 +38,13 @@ std::string list_mesh_formats() {
   return fmt::format("{}", fmt::join(named, ", "));
 }
 
+/// What lists of generators end in.
+std::vector<std::string> extensions_of_lists() {
+  std::vector<std::string> extensions;
+  for (const auto& [name, format] : kGeneratorFormatNames) extensions.emplace_back(generator_extension(format));
+  return extensions;
+}
+
 /// The options that choose what is written.
 const std::vector<std::string> kTargets{"output", "output_dir", "output_format"};
 
@@ -101,8 +108,8 @@ void describe_generators(OptionList& list, GeneratorOptions& generators, const s
   list.option("radius", Number{&generators.radius, above(0)},
               {.help = "Sample generators until no point of the surface is farther than this from the nearest one",
                .unit = "mesh units"});
-  list.option("generators", File{&generators.file, Use::read, {"txt", "csv", "json", "ply", "xyz"}},
-              {.help = "File that lists the generators (text, .csv, .json, .ply or .xyz)",
+  list.option("generators", File{&generators.file, Use::read, extensions_of_lists()},
+              {.help = fmt::format("File that lists the generators ({})", list_extensions(extensions_of_lists(), "or")),
                .more = ", or - for standard input",
                .shown = Shown::main});
   list.option("generators_format", choice(generators.format, kGeneratorFormatNames),

@@ -69,11 +69,10 @@ std::string read_list_file(const std::filesystem::path& path) {
 
 std::optional<GeneratorFormat> format_of_extension(const std::filesystem::path& path) {
   const std::string extension = io::bare_extension(path.extension().string());
-  if (extension == "json") return GeneratorFormat::json;
-  if (extension == "csv") return GeneratorFormat::csv;
-  if (extension == "ply") return GeneratorFormat::ply;
-  if (extension == "xyz") return GeneratorFormat::xyz;
-  return extension == "txt" ? std::optional(GeneratorFormat::text) : std::nullopt;
+  for (const auto& [name, format] : kGeneratorFormatNames) {
+    if (generator_extension(format) == extension) return format;
+  }
+  return std::nullopt;
 }
 
 std::string text_of(const std::vector<SurfacePoint>& points) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
 #include "base/plane.hpp"
+#include "gvd/io/format.hpp"
 #include "support/catch.hpp"
 #include "support/plane_with_holes.hpp"
 
@@ -196,6 +198,39 @@ TEST_CASE("gvd-distance: a mesh that would hold nothing of what was asked for is
       "p.ply: .ply has the distances of all vertices, for which --to does nothing; write .json, .npy, .csv or .txt");
   output_of(strip + "--from 0 --to 4 --paths -o " + scratch / "p.obj");
   output_of(strip + "--from 0 --to 4 -o " + scratch / "p.ply" + " -o " + scratch / "p.csv");
+}
+
+TEST_CASE("gvd-distance: a format holds what its row in the table says, and is refused for the rest") {
+  const ScratchFolder scratch;
+  const std::string strip = write_strip(scratch);
+  struct Change {
+    Content content;
+    std::string one, other;
+  };
+  const std::array<Change, 5> changes{{
+      {Content::distances | Content::rows, "--from 0", "--from 3"},
+      {Content::rows, "--from 0,4 --each", "--from 0,3 --each"},
+      {Content::targets, "--from 0 --to 4", "--from 0 --to 3"},
+      {Content::curves | Content::paths, "--from 0 --to 4 --paths", "--from 0 --to 3 --paths"},
+      {Content::curves | Content::isolines, "--from 0 --isolines 1.5", "--from 0 --isolines 0.5"},
+  }};
+  for (const Format& format : formats()) {
+    const bool is_offered =
+        std::ranges::any_of(changes, [&](const Change& c) { return has_any(format.carries, c.content); });
+    if (!format.is_output() || !is_offered) continue;
+    for (const Change& change : changes) {
+      const std::string path = scratch / ("a." + format.extensions.front()), output = " -q -o " + path;
+      INFO(change.one + output);
+      if (!has_any(format.carries, change.content)) {
+        CHECK(run_command("gvd-distance", strip + change.one + output).exit_code == 2);
+        continue;
+      }
+      output_of(strip + change.one + output);
+      const std::string before = read_text(path);
+      output_of(strip + change.other + output);
+      CHECK(read_text(path) != before);
+    }
+  }
 }
 
 TEST_CASE("gvd-distance: -h names what is asked for") {
