@@ -249,7 +249,7 @@ std::vector<std::string> output_extensions(Content any, Content none) {
 namespace {
 
 std::vector<std::string> dotted(std::vector<std::string> extensions) {
-  for (std::string& extension : extensions) extension.insert(0, ".");
+  for (std::string& extension : extensions) extension = '.' + extension;
   return extensions;
 }
 
