@@ -20,7 +20,7 @@ SENTENCES = [
     ("docs/guide/commands.md", "| leave the bisectors out of {} |", "and", {"curves"}),
     ("python/gvd/_files.py", "`no_curves`: leaves the bisectors out of {}. `ascii_ply`", "and", {"curves"}),
     ("docs/guide/formats.md", "- {} have doubles and keep every bit", "and", {"doubles"}),
-    ("docs/guide/segment.md", "with all the same scale. {} have texture coordinates", "and", {"texture coordinates"}),
+    ("docs/guide/segment.md", "all with the same scale. {} have texture coordinates", "and", {"texture coordinates"}),
     ("docs/guide/remesh.md", "texture coordinates to {}, and materials", "and", {"texture coordinates"}),
     ("docs/guide/distance.md", "Paths and isolines go to {}", "and", {"curves", "isolines"}),
 ]

@@ -250,7 +250,7 @@ class Targets {
 void check_extension(const OutputOptions& output, const std::string& file, const std::vector<std::string>& extensions) {
   if (file.empty()) refuse("-o: the file name is empty; name a file");
   if (file == "-" || contains(extensions, format_of(output, file))) return;
-  refuse(fmt::format("-o {}: the extension must be {}", file, list_extensions(extensions, "or")));
+  refuse(fmt::format("-o {}: the extension must be one of {}", file, list_extensions(extensions, "or")));
 }
 
 /// Refuses inputs of one name before the work: the second result would replace the first.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
 #include "io/fixture.hpp"
 #include "io/writers/format_writers.hpp"
