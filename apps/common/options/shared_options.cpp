@@ -184,10 +184,11 @@ void describe_output(OptionList& list, OutputOptions& output, const Formats& for
               {.help = "Process each {option:input} in turn, and write files named after it to this folder",
                .shown = Shown::main});
   output.formats = {usual};
-  list.option("output_format", ChoiceList{&output.formats, formats},
-              {.help = "Format of {option:output=-} or {option:output_dir}",
-               .more = "; {option:output_dir} takes several, separated by commas. With fs, {option:output} takes any "
-                       "name, such as lh.white"});
+  list.option(
+      "output_format", ChoiceList{&output.formats, formats},
+      {.help = "Format of {option:output=-} or {option:output_dir}",
+       .more = std::string("; {option:output_dir} takes several, separated by commas") +
+               (contains(formats, kFreeSurfer) ? ". With fs, {option:output} takes any name, such as lh.white" : "")});
   list.option("ascii_ply", Flag{&output.ascii_ply},
               {.help = "Write .ply as text instead of binary",
                .more = "; meshio reads the labels of faces from text, and from .vtu"});
