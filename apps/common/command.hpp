@@ -17,7 +17,7 @@ struct CommandInfo {
   std::string name;         ///< "gvd-segment"
   std::string description;  ///< one sentence
   std::string examples;     ///< for --help: one call a line
-  OutputFormats formats;    ///< `-o -` writes the first one unless --output-format names another
+  OutputFormats formats;    ///< of -o
 };
 
 /// What a command is, of options in a struct that inherits Options.

@@ -15,6 +15,8 @@
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/object.hpp"
+#include "gvd/read_soup.hpp"
+#include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 
@@ -53,7 +55,8 @@ struct GeneratorCost {
   double microseconds, kilobytes;
 };
 
-/// Notes before the work how long so many generators may take, where they exceed the faces of the mesh and that is long.
+/// Notes before the work how long so many generators may take, where they exceed the faces of the mesh and that is
+/// long.
 void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const GeneratorCost& cost);
 
 /// Adds the figures of an object to the results of the report.

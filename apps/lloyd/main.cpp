@@ -34,9 +34,8 @@ namespace {
 /// 100,000 generators on 5,876 faces took 76 s of processor time and 0.96 GB.
 constexpr GeneratorCost kGeneratorCost{760, 9.6};
 
-const std::vector<std::string> kFormats{"txt",       "csv",       "json", "ply",   "obj", "off",
-                                        "coff",      "stl",       "vtp",  "vtu",   "glb", "surf.gii",
-                                        "label.gii", "shape.gii", "fs",   "annot", "curv"};
+const std::vector<std::string> kFormats =
+    output_extensions(Content::generators | Content::surface | Content::vertex_labels | Content::distances);
 
 struct OwnOptions : Options {
   LloydCall call;
@@ -66,11 +65,12 @@ void describe_own(OptionList& list, OwnOptions& own) {
                .more = "; the result then varies from run to run",
                .unit = "seconds",
                .usual = "no limit"});
-  describe_output(list, own.output, kFormats);
+  describe_output(list, own.output, kFormats, "txt");
   describe_no_curves(list, own.output);
   describe_diagram_output(list, own.output);
+  const std::vector<std::string_view> names = names_in(kPointFormatNames);
   describe_target(
-      list, own.output, "points", own.points, {"ply", "xyz", "npy"},
+      list, own.output, "points", own.points, {names.begin(), names.end()},
       {.help = "Write the generators with normals, barycentric coordinates, areas and energies", .shown = Shown::main});
   describe_target(list, own.output, "trace", own.trace, {"csv"},
                   {.help = "Write energy, moves, methods and seconds of each iteration as CSV"});

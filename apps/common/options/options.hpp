@@ -10,7 +10,10 @@
 #include "gvd/generator_list.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/option_list.hpp"
+#include "gvd/read_soup.hpp"
+#include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
+#include "gvd/text.hpp"
 
 // The options of the commands as plain values, with their defaults.
 namespace gvd::app {
@@ -63,7 +66,7 @@ struct GeneralOptions {
 /// The options that the commands share. A command adds its own in a struct that inherits these.
 struct Options {
   InputOptions input;
-  bool has_diagram = true;   ///< otherwise the options that build, sample and write a diagram are not there
+  bool has_diagram = true;  ///< otherwise the options that build, sample and write a diagram are not there
   ComputeOptions compute;
   OutputOptions output;
   GeneralOptions general;
@@ -83,6 +86,9 @@ std::string format_of(const OutputOptions& output, const std::string& file);
 
 /// The formats that a run writes to files of `-o`, to standard output, or into the folder.
 std::vector<std::string> written_formats(const OutputOptions& output);
+
+/// Whether one of them carries any of `any`.
+bool writes(const OutputOptions& output, Content any);
 
 /// A file that a run writes, or "-" for standard output.
 struct Target {

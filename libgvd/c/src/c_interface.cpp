@@ -1,6 +1,7 @@
 // The C interface on top of the C++ library: handles that own C++ objects, and a guard that lets no exception out.
 //
-// Arguments of callers are checked where C++ types would rule the mistake out: null pointers, faces out of range, barycentric coordinates.
+// Arguments of callers are checked where C++ types would rule the mistake out: null pointers, faces out of range,
+// barycentric coordinates.
 
 #include <algorithm>
 #include <array>
@@ -361,11 +362,11 @@ gvd_status gvd_segment_write(const gvd_diagram* diagram, const char* path, const
     const gvd_diagram& of = given(diagram, "diagram");
     const Diagram& made = of.diagram;
     const std::filesystem::path file = &given(path, "path");
-    const OutputFormat format = output_format(file);
+    const MeshFormat format = output_format(file);
     SegmentOptions options;
     options.progress = progress_of(run);
     const Segmentation labels = segment_faces(of.input->mesh, made, options);
-    if (format == OutputFormat::json) {
+    if (format == MeshFormat::json) {
       return write_file(file, [&](std::ostream& out) { write_segmentation_json(out, of.input->mesh, made, labels); });
     }
     LabelledMesh written = label_mesh(of.input->mesh, made, labels.face_label);

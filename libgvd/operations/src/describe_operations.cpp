@@ -8,12 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "gvd/io/mesh_writer.hpp"
+#include "gvd/io/format.hpp"
 #include "gvd/mesh_objects.hpp"
 #include "gvd/operation.hpp"
 #include "gvd/operation_json.hpp"
 #include "gvd/option_text.hpp"
-#include "gvd/read_soup.hpp"
 #include "gvd/version.hpp"
 
 namespace gvd {
@@ -24,12 +23,14 @@ using Json = nlohmann::ordered_json;
 constexpr std::array kTypeNames{"int8",   "uint8", "int16",  "uint16",  "int32",
                                 "uint32", "int64", "uint64", "float32", "float64"};
 
-constexpr std::array kFigureKinds{"none",    "flag",          "whole number", "number",       "text",
-                                  "numbers", "whole numbers", "texts",        "lists of whole numbers", "lists of numbers", "flags"};
+constexpr std::array kFigureKinds{
+    "none",          "flag",  "whole number",           "number",           "text", "numbers",
+    "whole numbers", "texts", "lists of whole numbers", "lists of numbers", "flags"};
 static_assert(kFigureKinds.size() == std::variant_size_v<Figure>);
 
 Json describe_meaning(const Meaning& meaning) {
-  return {{"name", meaning.name}, {"unit", meaning.unit.empty() ? Json() : Json(meaning.unit)}, {"meaning", meaning.text}};
+  return {
+      {"name", meaning.name}, {"unit", meaning.unit.empty() ? Json() : Json(meaning.unit)}, {"meaning", meaning.text}};
 }
 
 /// The parts of an object and of its parts, by their kinds.
@@ -44,9 +45,7 @@ class Describer : public ObjectVisitor {
     one["type"] = kTypeNames[std::size_t(view.type)];
     one["columns"] = view.dimensions == 1 ? 1 : view.shape[1];
   }
-  void points(const Meaning& meaning, const PointsView& points) override {
-    add_points(meaning, points);
-  }
+  void points(const Meaning& meaning, const PointsView& points) override { add_points(meaning, points); }
   void curves(const Meaning& meaning, const PointLists&) override {
     array({std::string(meaning.name) + "_offsets", "", "the place of each list's first point, and the number of all"},
           view(std::vector<std::int64_t>()));
@@ -73,7 +72,8 @@ class Describer : public ObjectVisitor {
     array({name + "_bary", "", text + ": barycentric coordinates"}, points.bary());
   }
 
-  Json kind_{{"figures", Json::array()}, {"tables", Json::array()}, {"arrays", Json::array()}, {"parts", Json::array()}};
+  Json kind_{
+      {"figures", Json::array()}, {"tables", Json::array()}, {"arrays", Json::array()}, {"parts", Json::array()}};
 };
 
 Json describe_object(const Object& object) {
@@ -101,7 +101,27 @@ Json describe_options(const OptionList& list) {
   return all;
 }
 
+Json describe_formats() {
+  Json all = Json::array();
+  for (const Format& format : formats()) {
+    Json& one =
+        all.emplace_back(Json{{"name", format.name}, {"title", format.title.empty() ? Json() : Json(format.title)}});
+    one["extensions"] = format.extensions;
+    one["input_extensions"] = format.input_extensions;
+    one["is_read"] = format.read != nullptr;
+    one["is_written"] = format.is_output();
+    one["is_binary"] = format.is_binary;
+    Json& carries = one["carries"] = Json::array();
+    for (const auto& [name, content] : kContentNames) {
+      if (has_any(format.carries, content)) carries.push_back(name);
+    }
+  }
+  return all;
+}
+
 }  // namespace
+
+std::string formats_json() { return describe_formats().dump(); }
 
 std::string describe_operations() {
   Json described{{"version", version()}, {"operations", Json::array()}, {"objects", Json::object()}};
@@ -116,7 +136,7 @@ std::string describe_operations() {
   }
   described["objects"]["mesh"] = describe_object(MeshObject());
   described["objects"]["diagram"] = describe_object(DiagramObject());
-  described["formats"] = {{"read", names_in(kMeshFormatNames)}, {"written", names_in(kOutputFormatNames)}};
+  described["formats"] = describe_formats();
   return described.dump();
 }
 

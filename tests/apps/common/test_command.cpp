@@ -22,14 +22,14 @@ int run(
                                             describe(list, options.generators);
                                             describe(list, options.diagram);
                                             describe_resources(list, options.compute);
-                                            describe_output(list, options.output, kFormats);
+                                            describe_output(list, options.output, kFormats, "ply");
                                           },
                                           [](Run& run, SharedOptions&) { current(run); }};
   arguments.insert(arguments.begin(), "gvd-test");
   std::vector<const char*> argv;
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   return run_command<SharedOptions>({"gvd-test", "A test.", "  gvd-test a.obj -n 3", {kFormats}}, steps,
-                              static_cast<int>(argv.size()), argv.data());
+                                    static_cast<int>(argv.size()), argv.data());
 }
 
 TEST_CASE("usage errors exit with 2") {

@@ -11,8 +11,8 @@
 // Options, figures and descriptions of operations as JSON, for doors that programs use.
 namespace gvd {
 
-/// Stores the options of a JSON object, and returns which ones it has. The numbers of `arrays` are options' values where
-/// the JSON has {"array": 0} for the first one. Numbers may be strings; null is as if the option were not there.
+/// Stores the options of a JSON object, and returns which ones it has. The numbers of `arrays` are options' values
+/// where the JSON has {"array": 0} for the first one. Numbers may be strings; null is as if the option were not there.
 ///
 /// Points are an array of vertices, of positions in three columns, or of faces and barycentric coordinates in four; or
 /// a list as in JSON files of generators. Curves are {"points": ..., "offsets": ...}, where an offset is the place of
@@ -33,6 +33,10 @@ std::string options_json(const OptionList& list, const Given& given);
 
 /// The figures of an object, nested at the dots of their names.
 std::string figures_json(const Object& object);
+
+/// The table of formats: an array of objects with `name`, `title`, `extensions`, `input_extensions`, `is_read`,
+/// `is_written`, `is_binary` and `carries`.
+std::string formats_json();
 
 /// Operations with their options and results, formats, and error codes.
 std::string describe_operations();
