@@ -9,7 +9,7 @@ namespace gvd::app {
 namespace {
 
 // {0}: the commands' scripts, {1}: their names, {2}: their cases
-constexpr const char* kBashScript = R"({0}
+constexpr const char* kBashOfProgram = R"({0}
 # Completion of gvd for bash, made by gvd --completion bash
 _gvd() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} words='{1}'
@@ -29,7 +29,7 @@ _gvd() {{
 complete -F _gvd gvd)";
 
 // {0}: the commands' functions, {1}: their names, {2}: the same with descriptions, {3}: cases
-constexpr const char* kZshScript = R"(#compdef gvd{1}
+constexpr const char* kZshOfProgram = R"(#compdef gvd{1}
 # Completion of gvd for zsh, made by gvd --completion zsh
 {0}
 case ${{service#gvd-}} in
@@ -52,7 +52,7 @@ case $words[1] in
 esac)";
 
 // {0}: the commands' lines, {1}: their names
-constexpr const char* kFishScript = R"({0}
+constexpr const char* kFishOfProgram = R"({0}
 # Completion of gvd for fish, made by gvd --completion fish
 function __gvd_runs
   set -l typed (commandline -opc)
@@ -75,7 +75,7 @@ std::string replace_beginnings(std::string script, const std::string& from, cons
   return script;
 }
 
-std::string make_bash(const std::vector<CompletedCommand>& commands) {
+std::string join_bash(const std::vector<CompletedCommand>& commands) {
   std::string scripts, names, cases;
   for (const CompletedCommand& command : commands) {
     scripts += command.script + '\n';
@@ -83,10 +83,10 @@ std::string make_bash(const std::vector<CompletedCommand>& commands) {
     cases += fmt::format("      {0}) _gvd_{0}; return ;;\n", command.name);
   }
   scripts.pop_back();
-  return fmt::format(fmt::runtime(kBashScript), scripts, names, cases);
+  return fmt::format(fmt::runtime(kBashOfProgram), scripts, names, cases);
 }
 
-std::string make_zsh(const std::vector<CompletedCommand>& commands) {
+std::string join_zsh(const std::vector<CompletedCommand>& commands) {
   std::string functions, names, described, cases;
   for (const CompletedCommand& command : commands) {
     functions += fmt::format("_gvd_{}() {{\n{}\n}}\n", command.name, command.script);
@@ -95,10 +95,10 @@ std::string make_zsh(const std::vector<CompletedCommand>& commands) {
     cases += fmt::format("  {0}) _gvd_{0}; return ;;\n", command.name);
   }
   functions.pop_back();
-  return fmt::format(fmt::runtime(kZshScript), functions, names, described, cases);
+  return fmt::format(fmt::runtime(kZshOfProgram), functions, names, described, cases);
 }
 
-std::string make_fish(const std::vector<CompletedCommand>& commands) {
+std::string join_fish(const std::vector<CompletedCommand>& commands) {
   std::string scripts, names;
   for (const CompletedCommand& command : commands) {
     const std::string& name = command.name;
@@ -112,13 +112,13 @@ std::string make_fish(const std::vector<CompletedCommand>& commands) {
         name, command.description);
   }
   scripts.pop_back();
-  return fmt::format(fmt::runtime(kFishScript), scripts, names);
+  return fmt::format(fmt::runtime(kFishOfProgram), scripts, names);
 }
 
 }  // namespace
 
 std::string make_program_completion(const std::vector<CompletedCommand>& commands, const std::string& shell) {
-  const auto make = shell == "bash" ? make_bash : shell == "zsh" ? make_zsh : make_fish;
+  const auto make = shell == "bash" ? join_bash : shell == "zsh" ? join_zsh : join_fish;
   return make(commands);
 }
 
