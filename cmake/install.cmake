@@ -12,7 +12,7 @@ install(DIRECTORY libgvd/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPON
 
 # The libraries that this configuration builds.
 set(GVD_INSTALLED_PARTS "")
-foreach(part segment lloyd remesh distance)
+foreach(part segment lloyd remesh operations)
   if(TARGET gvd_${part})
     list(APPEND GVD_INSTALLED_PARTS ${part})
     install(TARGETS gvd_${part} EXPORT gvd-targets COMPONENT dev)
@@ -69,7 +69,7 @@ endif()
 if(GVD_WITH_XML)
   list(APPEND GVD_PC_REQUIRES pugixml zlib)
 endif()
-foreach(part remesh segment lloyd)
+foreach(part operations remesh segment lloyd)
   if(part IN_LIST GVD_INSTALLED_PARTS)
     string(APPEND GVD_PC_LIBS "-lgvd_${part} ")
   endif()

@@ -39,7 +39,6 @@ int run_described(const CommandInfo& info, OptionList& list, Options& options, i
 
 /// Reads the options and runs the command, with --output-dir once for each input: see `run_several`. Returns the exit
 /// code: 0 where all goes well, or else that of `run_guarded`, with its message in one line on standard error.
-///
 template <class OwnOptions>
 int run_command(const CommandInfo& info, const CommandSteps<OwnOptions>& steps, int argc, const char* const* argv) {
   report_termination(info.name);  // options may not find the memory that they need
@@ -55,6 +54,7 @@ int run_command(const CommandInfo& info, const CommandSteps<OwnOptions>& steps, 
     if (!given) given = *options;
     options->input = run.options().input;
     options->output = run.options().output;
+    run.follow(*options);
     steps.run(run, *options);
   });
 }
@@ -69,10 +69,11 @@ struct Command {
 /// The script that completes a command in a shell, of options that `list` describes but for the general ones.
 std::string describe_completion(const CommandInfo& info, OptionList& list, Options& options, const std::string& shell);
 
+/// The command of these options and steps, for the table of gvd.
+///
 ///     struct OwnOptions : Options { bool cut = false; };
 ///     Command segment_command() {
-///       return make_command<OwnOptions>({"gvd-segment", "Labels ...", "  gvd-segment a.obj -n 30\n", {{"ply",
-///       "obj"}}},
+///       return make_command<OwnOptions>({"gvd-segment", "Labels ...", "  gvd-segment a.obj -n 30\n", {kFormats}},
 ///                                       {describe_own, segment});
 ///     }
 template <class OwnOptions>

@@ -54,7 +54,9 @@ void add_values(CompletedOption& option, const Field& field) {
                                        : file.extensions.empty() ? "any"
                                                                  : fmt::format("{}", fmt::join(file.extensions, "|"));
                       },
-                      [&](const PointList& list) { option.files = list.file == nullptr ? "" : "any"; },
+                      [&](const PointList& list) {
+                        option.files = list.named == PointList::Named::vertices ? "" : "txt|csv|json|ply|xyz";
+                      },
                       [&](const Curves&) {
                         words(std::array{"boundary", "creases"});
                         option.files = "any";
