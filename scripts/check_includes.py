@@ -41,6 +41,7 @@ FLOORS = [
     ["apps/common/options"],
     ["apps/common"],
     ["apps/segment", "apps/lloyd", "apps/remesh", "apps/distance"],
+    ["apps/gvd"],
 ]
 FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
 

@@ -220,14 +220,14 @@ void measure(Run& run, OwnOptions& own) {
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd::app;
-  return run_command<OwnOptions>(
+Command distance_command() {
+  return make_command<OwnOptions>(
       {"gvd-distance",
        "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
        kExamples,
        {kFormats, false}},
-      {describe_own, measure, complete}, argc, argv);
+      {describe_own, measure, complete});
 }
+
+}  // namespace gvd::app

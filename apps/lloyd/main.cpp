@@ -235,13 +235,13 @@ void lloyd(Run& run, OwnOptions& own) {
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd::app;
-  return run_command<OwnOptions>({"gvd-lloyd",
-                                  "Moves generators to the geodesic centroids of their cells until they stop moving.",
-                                  kExamples,
-                                  {kFormats}},
-                                 {describe_own, lloyd}, argc, argv);
+Command lloyd_command() {
+  return make_command<OwnOptions>({"gvd-lloyd",
+                                   "Moves generators to the geodesic centroids of their cells until they stop moving.",
+                                   kExamples,
+                                   {kFormats}},
+                                  {describe_own, lloyd});
 }
+
+}  // namespace gvd::app

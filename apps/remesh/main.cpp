@@ -122,14 +122,14 @@ void run_remesh(Run& run, OwnOptions& own) {
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd::app;
-  return run_command<OwnOptions>(
+Command remesh_command() {
+  return make_command<OwnOptions>(
       {"gvd-remesh",
        "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
        kExamples,
        {kFormats, false}},  // the coarse mesh has no labels
-      {describe_own, run_remesh, complete}, argc, argv);
+      {describe_own, run_remesh, complete});
 }
+
+}  // namespace gvd::app

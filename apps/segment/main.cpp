@@ -184,14 +184,14 @@ void segment(Run& run, OwnOptions& own) {
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd::app;
-  return run_command<OwnOptions>(
+Command segment_command() {
+  return make_command<OwnOptions>(
       {"gvd-segment",
        "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
        kExamples,
        {kFormats}},
-      {describe_own, segment, complete}, argc, argv);
+      {describe_own, segment, complete});
 }
+
+}  // namespace gvd::app

@@ -55,6 +55,8 @@ struct OutputOptions {
 
 enum class Shell { bash, zsh, fish };
 
+inline const Choices<Shell> kShells{{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}};
+
 /// The options that every command has.
 struct GeneralOptions {
   bool short_help = false, help = false, version = false, description = false;  ///< questions
