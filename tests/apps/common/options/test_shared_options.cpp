@@ -83,7 +83,8 @@ TEST_CASE("every option is stored in its field") {
   CHECK_FALSE(parse_options({"a.obj", "-n", "3", "--view", "v.html"}).output.up);
   CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--up", "z"}), Error);
   CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--view", "v.html", "--up", "w"}), Error);
-  CHECK(parse_options({"--vertices", "3, 17,99", "a.obj"}).generators.vertices.vertices == std::vector<std::int64_t>{3, 17, 99});
+  CHECK(parse_options({"--vertices", "3, 17,99", "a.obj"}).generators.vertices.vertices ==
+        std::vector<std::int64_t>{3, 17, 99});
   CHECK(parse_options({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).diagram.chord_tolerance == 2.5e-7);
   CHECK(parse_options({"a.obj", "--radius", "2.5e-1"}).generators.radius == 0.25);
   CHECK(parse_options({"a.obj", "--generators", "g.txt", "--max-snap", "0"}).generators.max_snap == 0.0);
@@ -132,7 +133,8 @@ TEST_CASE("a list of vertices has one index between each two commas") {
   CHECK(read("3") == Indices{3});
   CHECK(read("3, 17 ,\t99") == Indices{3, 17, 99});
   CHECK(read("9223372036854775807") == Indices{9223372036854775807});
-  CHECK(parse_options({"a.obj", "--vertices", "3,17", "--vertices", "99"}).generators.vertices.vertices == Indices{3, 17, 99});
+  CHECK(parse_options({"a.obj", "--vertices", "3,17", "--vertices", "99"}).generators.vertices.vertices ==
+        Indices{3, 17, 99});
   for (const char* wrong : {"", ",", "1,", "1,,2", "-1", "1.0", "0x1", "9223372036854775808"}) {
     CAPTURE(wrong);
     CHECK_THROWS_AS(read(wrong), Error);
