@@ -46,10 +46,10 @@ FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in fol
 
 # For users, all public headers are in one folder. This is the folder to which each one belongs.
 PUBLIC = {
-    "libgvd/src/base": "vec ids error names text progress diagram_steps version",
+    "libgvd/src/base": "vec ids error names placeholders text text_encoding progress diagram_steps version",
     "libgvd/src/options": "given_values option_list option_text",
     "libgvd/src/mesh": "mesh surface_point generator_curve closest_point distance_samples quality openmesh",
-    "libgvd/src/mesh/reading": "appearance gltf_files mesh_property read_soup",
+    "libgvd/src/mesh/reading": "appearance mesh_property read_soup referred_files",
     "libgvd/src/mesh/repair": "soup",
     "libgvd/src/geodesic": "front geodesic_tracing",
     "libgvd/src/geodesic/sampling": "sampling",

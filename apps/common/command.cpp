@@ -37,14 +37,6 @@ std::string default_page(const std::string& input) {
 
 }  // namespace
 
-void with_spelled_errors(const Options& options, const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    throw Error(error.code(), spell(*options.list, *options.given, error.what()), error.element());
-  }
-}
-
 int run_described(const CommandInfo& info, OptionList& list, Options& options, int argc, const char* const* argv,
                   const std::function<void(const Given&)>& complete, const std::function<void(Run&)>& body) {
   keep_freed_memory();
@@ -52,38 +44,40 @@ int run_described(const CommandInfo& info, OptionList& list, Options& options, i
   install_signal_handlers();
   int exit_code = kDone;
   Given given;
-  const Outcome outcome = run_guarded([&] {
-    describe(list, options.general);
-    const CommandWords words{info.name, info.description, help_footer(info.examples), std::string(version())};
-    const auto answer = [&] {
-      const WaitForInput wait("--config");  // the file may be a pipe
-      return parse_command_line(words, list, given, {argv + std::min(argc, 1), argv + argc});
-    }();
-    if (answer) {
-      return write_standard_output([&](std::ostream& out) { out << *answer; });
-    }
-    options.list = &list;
-    options.given = &given;
-    options.input.path = options.input.paths.front();
-    if (options.output.open && options.output.view.empty()) options.output.view = default_page(options.input.path);
-    complete(given);
-    check_inputs(options, info.formats);
-    if (const auto missing = list.find_missing(given)) refuse_option(list, given, *missing);
-    check_outputs(options, info.formats);
-    if (!options.output.folder.empty()) {
-      exit_code = run_several(info.name, plan_runs(options), body);
-      return;
-    }
-    limit_memory_of(options);
-    Console console(info.name, detect_console_style(), options.general.quiet, options.general.verbose);
-    Run run(info.name, options, console);
-    body(run);
-    console.clear_bar();
-    if (!run.written().empty()) console.note(fmt::format("wrote {}", fmt::join(run.written(), ", ")));
-    if (!options.output.open) return;
-    const std::string failed = open_page(options.output.view);
-    if (!failed.empty()) console.note(fmt::format("--open: {}; open {} in a browser", failed, options.output.view));
-  });
+  const Outcome outcome = run_guarded(
+      [&] {
+        describe(list, options.general);
+        options.list = &list;
+        options.given = &given;
+        const CommandWords words{info.name, info.description, help_footer(info.examples), std::string(version())};
+        const auto answer = [&] {
+          const WaitForInput wait("--config");  // the file may be a pipe
+          return parse_command_line(words, list, given, {argv + std::min(argc, 1), argv + argc});
+        }();
+        if (answer) {
+          return write_standard_output([&](std::ostream& out) { out << *answer; });
+        }
+        options.input.path = options.input.paths.front();
+        if (options.output.open && options.output.view.empty()) options.output.view = default_page(options.input.path);
+        complete(given);
+        check_inputs(options, info.formats);
+        if (const auto missing = list.find_missing(given)) refuse_option(list, given, *missing);
+        check_outputs(options, info.formats);
+        if (!options.output.folder.empty()) {
+          exit_code = run_several(info.name, plan_runs(options), body);
+          return;
+        }
+        limit_memory_of(options);
+        Console console(info.name, detect_console_style(), options.general.quiet, options.general.verbose);
+        Run run(info.name, options, console);
+        body(run);
+        console.clear_bar();
+        if (!run.written().empty()) console.note(fmt::format("wrote {}", fmt::join(run.written(), ", ")));
+        if (!options.output.open) return;
+        const std::string failed = open_page(options.output.view);
+        if (!failed.empty()) console.note(fmt::format("--open: {}; open {} in a browser", failed, options.output.view));
+      },
+      &options);
   if (outcome.exit_code == kReaderGone) return end_by_broken_pipe();
   if (!outcome.message.empty()) Console(info.name, {}, false, false).error(outcome.message);
   return outcome.exit_code != kDone ? outcome.exit_code : exit_code;

@@ -34,9 +34,6 @@ struct CommandSteps {
 int run_described(const CommandInfo& info, OptionList& list, Options& options, int argc, const char* const* argv,
                   const std::function<void(const Given&)>& complete, const std::function<void(Run&)>& body);
 
-/// Runs `work`; errors that it throws have the options as the user wrote them.
-void with_spelled_errors(const Options& options, const std::function<void()>& work);
-
 /// Reads the options and runs the command, with --output-dir once for each input: see `run_several`. Returns the exit
 /// code: 0 where all goes well, or else that of `run_guarded`, with its message in one line on standard error.
 ///
@@ -61,7 +58,7 @@ int run_command(const CommandInfo& info, const CommandSteps<OwnOptions>& steps, 
     options->input = run.options().input;
     options->output = run.options().output;
     run.follow(*options);
-    with_spelled_errors(*options, [&] { steps.run(run, *options); });
+    steps.run(run, *options);
   });
 }
 

@@ -43,9 +43,10 @@ void read(const Run& run, const std::string& option, const PointList& points) {
   GivenPoints& given = *points.value;
   if (given.file.empty()) return;
   if (points.named == PointList::Named::any && !is_there(given.file)) {
-    refuse(fmt::format("{0} {1}: there is no such file; name one that lists points, or write vertices, as in {0} "
-                       "3,17,99",
-                       option, printable(given.file)));
+    refuse(
+        fmt::format("{0} {1}: there is no such file; name one that lists points, or write vertices, as in {0} "
+                    "3,17,99",
+                    option, printable(given.file)));
   }
   given.list = std::make_shared<GeneratorList>(read_list(run, given.file));
 }
@@ -54,8 +55,7 @@ void read(const std::string& option, const Curves& curves) {
   const std::string& name = curves.value->name;
   if (name.empty() || name == "boundary" || parse_creases(name, curves.usual)) return;
   if (!is_there(name)) {
-    refuse(
-        fmt::format("{} {}: there is no such file; write boundary, creases or the name of a file", option, name));
+    refuse(fmt::format("{} {}: there is no such file; write boundary, creases or the name of a file", option, name));
   }
   const WaitForInput wait(name);
   curves.value->list = std::make_shared<CurveList>(name == "-" ? parse_curves(read_standard_input(), kStandardInput)
@@ -67,13 +67,15 @@ void read(Run& run, const CheckedMesh& input, const std::string& option, const V
   if (name.empty() || contains(source.words, name)) return;
   const WaitForInput wait(name);  // which may be a pipe
   if (source.of == ValueSource::Of::generators) {
-    source.value->values = std::make_shared<ElementValues>(ElementValues{name, {true, read_values(name)}});
+    const bool is_piped = name == "-";
+    source.value->values = std::make_shared<ElementValues>(
+        ElementValues{is_piped ? kStandardInput : name, {true, read_values(is_piped ? "/dev/stdin" : name)}});
     return;
   }
   const bool is_of_faces = source.of == ValueSource::Of::faces;
-  auto found = read_element_values(input, name, property_file(run),
-                                   is_of_faces ? SoupElement::polygon : SoupElement::vertex,
-                                   is_of_faces ? ValueColumns::last : ValueColumns::one);
+  auto found =
+      read_element_values(input, name, property_file(run), is_of_faces ? SoupElement::polygon : SoupElement::vertex,
+                          is_of_faces ? ValueColumns::last : ValueColumns::one);
   if (!found) refuse_name(run, option, name);
   if (is_of_faces) found->title = fmt::format("{} {}", option, name);
   source.value->values = std::make_shared<ElementValues>(*std::move(found));

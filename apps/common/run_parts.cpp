@@ -21,6 +21,7 @@
 #include "common/given_files.hpp"
 #include "common/options/option_json.hpp"
 #include "common/options/options.hpp"
+#include "common/options/spelling.hpp"
 #include "common/process.hpp"
 #include "common/referred_files.hpp"
 #include "common/run_observer.hpp"
@@ -57,7 +58,8 @@ PolygonSoup read(const InputOptions& input, PipedInput* piped) {
   std::string bytes = read_pipe(input.path);
   const auto format = input.format ? input.format : detect_format(bytes, input.path);
   if (!format) {
-    throw Error(ErrorCode::unreadable_input, input.path + ": the content does not tell the format; name the format");
+    throw Error(ErrorCode::unreadable_input,
+                input.path + ": the content does not tell the format; name the format with " + input_format_option());
   }
   PolygonSoup soup = parse_soup(bytes, *format, name_of(input));
   if (piped != nullptr) *piped = {std::move(bytes), *format};
@@ -69,16 +71,8 @@ void weld_input(PolygonSoup& soup, const InputOptions& input) {
   try {
     weld_soup(soup, *input.weld);
   } catch (const Error& error) {
-    throw Error(error.code(), fmt::format("{}: {}", name_of(input), error.what()), error.element());
+    throw error.at(name_of(input));
   }
-}
-
-/// A note of the library with the option that the library can't name.
-std::string with_weld_option(std::string message) {
-  constexpr std::string_view kOfLibrary = "welding would close";
-  const std::size_t at = message.find(kOfLibrary);
-  if (at != message.npos) message.replace(at, kOfLibrary.size(), "--weld would close");
-  return message;
 }
 
 /// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
@@ -256,7 +250,8 @@ void note_far_vertices(Run& run, const CheckedMesh& checked) {
 
 void note_on_input(Run& run, const std::string& message) {
   const Options& options = run.options();
-  run.console().note(options.output.folder.empty() ? name_of(options.input) + ": " + message : message);
+  const std::string text = spell(*options.list, *options.given, message);
+  run.console().note(options.output.folder.empty() ? name_of(options.input) + ": " + text : text);
 }
 
 CheckedMesh load_input(Run& run, PipedInput* piped) {
@@ -265,7 +260,7 @@ CheckedMesh load_input(Run& run, PipedInput* piped) {
   check_referred_files(run.options(), soup.appearance);
   if (input.weld) run.timed("weld", [&] { weld_input(soup, input); });
   CheckedMesh checked = run.timed("check", [&] { return build_mesh(soup, input.on_defect, name_of(input)); });
-  for (const std::string& message : checked.defects.messages) note_on_input(run, with_weld_option(message));
+  for (const std::string& message : checked.defects.messages) note_on_input(run, message);
   note_coarse_coordinates(run, checked.mesh);
   note_far_vertices(run, checked);
   check_formats(run.options().output, checked.mesh);

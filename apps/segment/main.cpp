@@ -54,7 +54,7 @@ void describe_targets(OptionList& list, OwnOptions& own) {
       {.help = "Write the label of each face, in the order of the faces in .ply (-1 for none)"});
   add("vertex_labels", own.vertex_labels, {"npy", "csv", "label.gii", "annot"},
       {.help = "Write the nearest generator of each vertex, in the order of the vertices in .ply (-1 for none)"});
-  add("vertex_distances", own.vertex_distances, {"npy", "csv", "shape.gii", "curv"},
+  add("vertex_distances", own.vertex_distances, {"npy", "csv", "shape.gii", "func.gii", "curv"},
       {.help = "Write the distance of each vertex from its generator, in the order of the vertices in .ply",
        .more = "; .csv has the generators, too"});
   add("stats", own.stats, {"csv"},

@@ -119,14 +119,4 @@ TEST_CASE("a name in a rule or a text that is no option is found") {
   CHECK(toy.list.find_unknown_names() == std::vector<std::string>{"nobody", "none", "nothing", "nowhere"});
 }
 
-TEST_CASE("placeholders are spelled, with their values") {
-  const auto spell = [](const std::string& text) {
-    return spell_options(text,
-                         [](const std::string& name, const std::string& value) { return name + '(' + value + ')'; });
-  };
-  CHECK(spell("add {option:method=gbgvd}, or leave {option:front} out") == "add method(gbgvd), or leave front() out");
-  CHECK(spell("{option:a}") == "a()");
-  CHECK(spell("no {other} {option:") == "no {other} {option:");
-}
-
 }  // namespace gvd::test_option_list

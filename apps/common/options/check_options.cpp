@@ -116,20 +116,14 @@ std::vector<std::string> list_read_files(const Options& options) {
 void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
   std::vector<std::string> piped;  // what is standard input
-  if (options.input.path == "-") piped.emplace_back("INPUT");
   for (const Option* const option : options.list->options()) {
-    const auto* const points = std::get_if<PointList>(&option->field);
-    const auto* const curves = std::get_if<Curves>(&option->field);
-    const bool is_piped =
-        (points != nullptr && points->value->file == "-") || (curves != nullptr && curves->value->name == "-");
-    if (is_piped) piped.push_back(typed_names(*option).back());
+    const bool reads = option->spec.positional ? options.input.path == "-" : contains(list_read(option->field), "-");
+    if (reads && option->name != "config") piped.push_back(typed_names(*option).back());
   }
   const bool into_folder = !options.output.folder.empty();
   check_commands(options.input.path);
   if (options.input.path == "-" && !options.input.format) {
-    refuse(
-        "standard input has no extension: name its format with --input-format obj, ply, off, stl, vtp, vtu, vtk, glb, "
-        "gltf, gii, mni or fs");
+    refuse("standard input has no extension: name its format with " + input_format_option());
   }
   if (piped.size() > 1) {
     refuse(fmt::format("{} and {} are both standard input, which holds one of them: name a file for the other",

@@ -69,7 +69,8 @@ class ViewCollector : public ObjectVisitor {
 
 }  // namespace
 
-gvd_object::gvd_object(std::shared_ptr<const gvd::Object> made) : object(std::move(made)), figures(figures_json(*object)) {
+gvd_object::gvd_object(std::shared_ptr<const gvd::Object> made)
+    : object(std::move(made)), figures(figures_json(*object)) {
   ViewCollector views(*this);
   object->visit(views);
   if (const auto* const surface = dynamic_cast<const MeshObject*>(object.get())) {
@@ -105,7 +106,7 @@ gvd_status fail(gvd_status status, const char* message) noexcept {
 gvd_status fail(const Error& error) noexcept {
   const gvd_status status = kStatuses[std::size_t(error.code())];
   try {
-    return fail(status, spell_for_json(error.what()).c_str());
+    return fail(status, spell_for_json(error.text()).c_str());
   } catch (...) {
     return fail(status, error.what());
   }

@@ -15,6 +15,7 @@
 
 #include "gvd/given_values.hpp"
 #include "gvd/names.hpp"
+#include "gvd/placeholders.hpp"
 
 // Options, each described once: its name, the field that has its value, its range, and its words for users. Whatever
 // takes, shows or writes options reads this list: command lines, files of options, help, completion, reports.
@@ -253,8 +254,7 @@ struct Problem {
 
 /// The options of an operation or a command, and which of them go together.
 ///
-/// Texts name options by placeholders, which each reader spells in its own way: "{option:max_snap}" is --max-snap on a
-/// command line, and "{option:method=exact}" is --method exact.
+/// Texts name options by placeholders (gvd/placeholders.hpp).
 class OptionList {
  public:
   OptionList() = default;
@@ -301,9 +301,5 @@ class OptionList {
   std::vector<OneOf> sets_;
   std::vector<ValueRule> rules_;
 };
-
-/// The text with each placeholder replaced by spell(name, value); the value is empty for "{option:name}".
-std::string spell_options(const std::string& text,
-                          const std::function<std::string(const std::string&, const std::string&)>& spell);
 
 }  // namespace gvd

@@ -21,6 +21,9 @@ inline const Choices<MeshFormat> kMeshFormatNames{
     {"vtp", MeshFormat::vtp},   {"vtu", MeshFormat::vtu}, {"vtk", MeshFormat::vtk}, {"glb", MeshFormat::glb},
     {"gltf", MeshFormat::gltf}, {"gii", MeshFormat::gii}, {"mni", MeshFormat::mni}, {"fs", MeshFormat::fs}};
 
+/// A placeholder for the option that names the format of a mesh, with all names, for texts: "name the format with ...".
+std::string input_format_option();
+
 /// The format that a file name's extension, or a bare name such as "ply", stands for, in upper or lower case; nothing
 /// for any other name. An extension .gz behind it is ignored.
 std::optional<MeshFormat> format_from_extension(std::string_view name);

@@ -52,7 +52,7 @@ Density make_density(const CheckedMesh& input, const ElementValues& given) {
     for (const std::int32_t p : input.input_polygon) of_faces.push_back(property.values[p]);
     return make_face_density(input.mesh, of_faces);
   } catch (const Error& error) {
-    throw Error(error.code(), given.title + ": " + error.what(), error.element());
+    throw error.at(given.title);
   }
 }
 

@@ -36,14 +36,15 @@ void note_misses(Observer& observer, const BalancedDiagram& balanced) {
   }
   if (!cells.empty()) {
     const auto named = cells.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, cells.size()));
-    observer.note(fmt::format(
-        "{} no share of its own: no weights divide what is beyond a vertex where the paths of both cells bend, or a "
-        "weight is at its bound: {}{}; other generators may help",
-        counted(std::ssize(cells), "cell has", "cells have"), fmt::join(cells.begin(), named, ", "),
-        named == cells.end() ? "" : ", ..."));
+    observer.note(
+        fmt::format("{}: no weights divide what is beyond a vertex where the paths of both cells bend, or a "
+                    "weight is at its bound: {}{}; other generators may help",
+                    counted(std::ssize(cells), "cell has no share of its own", "cells have no shares of their own"),
+                    fmt::join(cells.begin(), named, ", "), named == cells.end() ? "" : ", ..."));
   }
   if (!balanced.converged) {
-    observer.note(fmt::format("balancing ended after {} diagrams, before all cells had their shares", balanced.diagrams));
+    observer.note(
+        fmt::format("balancing ended after {} diagrams, before all cells had their shares", balanced.diagrams));
   }
 }
 
@@ -65,8 +66,9 @@ Diagram compute_in_steps(Observer& observer, DiagramOptions options, const Diagr
 }
 
 void tell_balance(Observer& observer, const BalancedDiagram& balanced) {
-  observer.note(fmt::format("cells differ from their shares by at most {:.2g}, with a coefficient of variation of {:.2g}",
-                            largest_error(balanced), balanced.variation));
+  observer.note(
+      fmt::format("cells differ from their shares by at most {:.2g}, with a coefficient of variation of {:.2g}",
+                  largest_error(balanced), balanced.variation));
   note_misses(observer, balanced);
 }
 

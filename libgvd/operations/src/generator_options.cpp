@@ -26,8 +26,9 @@ constexpr double kFarSnap = 0.01;
 void note_changes(Observer& observer, const GeneratorOptions& asked, const ResolvedGenerators& resolved,
                   double diagonal) {
   if (!asked.max_snap) note_far_entry(observer, resolved, diagonal);
-  if (resolved.longest_snap) {
-    observer.note(fmt::format("{}: moved to the surface, by at most {:.4g}", asked.points_name, *resolved.longest_snap));
+  if (resolved.longest_snap.value_or(0) > 0) {
+    observer.note(
+        fmt::format("{}: moved to the surface, by at most {:.4g}", asked.points_name, *resolved.longest_snap));
   }
   if (resolved.merged == 0) return;
   observer.note(fmt::format("{}: {}", asked.points_name,
@@ -42,7 +43,7 @@ std::vector<GeneratorCurve> resolve_curves(const CheckedMesh& input, const Gener
       .input_vertices = &input.mesh_vertex, .max_snap = asked.max_snap, .progress = progress_of(observer)};
   std::vector<GeneratorCurve> curves = gvd::resolve_curves(input.mesh, *asked.curves.list, options, snapped);
   if (!asked.max_snap) note_far_entry(observer, snapped, input.mesh.bbox_diagonal());
-  if (snapped.longest_snap) {
+  if (snapped.longest_snap.value_or(0) > 0) {
     observer.note(fmt::format("points of curves: moved to the surface, by at most {:.4g}", *snapped.longest_snap));
   }
   return curves;
@@ -146,8 +147,8 @@ void note_far_entry(Observer& observer, const ResolvedGenerators& resolved, doub
 
 std::vector<GeneratorCurve> choose_curves(const CheckedMesh& input, const GeneratorOptions& asked, Observer& observer) {
   const Step step(observer, "generators");
-  std::vector<GeneratorCurve> curves = asked.curves.list ? resolve_curves(input, asked, observer)
-                                                         : find_curves(input.mesh, asked.curves.name);
+  std::vector<GeneratorCurve> curves =
+      asked.curves.list ? resolve_curves(input, asked, observer) : find_curves(input.mesh, asked.curves.name);
   double length = 0;
   for (const GeneratorCurve& curve : curves) length += length_of(input.mesh, curve);
   observer.detail(fmt::format("{} of length {:.6g}", counted(std::ssize(curves), "curve", "curves"), length));

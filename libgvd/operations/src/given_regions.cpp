@@ -27,7 +27,7 @@ void name_errors(const GivenNumbers& given, const Work& work) {
     work();
   } catch (const Error& error) {
     if (error.code() != ErrorCode::precondition) throw;
-    throw Error(error.code(), fmt::format("{}: {}", given.values->title, error.what()), error.element());
+    throw error.at(given.values->title);
   }
 }
 
@@ -61,7 +61,8 @@ SoupProperty to_numbers(const CheckedMesh& input, const GivenNumbers& given, con
 constexpr std::ptrdiff_t kNamedRegions = 8;
 
 /// Notes the regions that vertices have and no face: each face took the number of other corners, or of a neighbour.
-void note_lost_regions(Observer& observer, const std::string& name, const SoupProperty& numbers, const FaceRegions& regions) {
+void note_lost_regions(Observer& observer, const std::string& name, const SoupProperty& numbers,
+                       const FaceRegions& regions) {
   if (!numbers.of_vertices) return;
   std::set<double> lost;
   for (const double number : numbers.values) {
@@ -70,9 +71,9 @@ void note_lost_regions(Observer& observer, const std::string& name, const SoupPr
   for (const std::int32_t region : regions) lost.erase(region);
   if (lost.empty()) return;
   const auto end = std::next(lost.begin(), std::min(std::ssize(lost), kNamedRegions));
-  observer.note(fmt::format("{}: no face is in {} {}{}: most corners of its faces have other numbers",
-                                 name, lost.size() == 1 ? "region" : "regions", fmt::join(lost.begin(), end, ", "),
-                                 end == lost.end() ? "" : ", ..."));
+  observer.note(fmt::format("{}: no face is in {} {}{}: most corners of its faces have other numbers", name,
+                            lost.size() == 1 ? "region" : "regions", fmt::join(lost.begin(), end, ", "),
+                            end == lost.end() ? "" : ", ..."));
 }
 
 }  // namespace
@@ -97,7 +98,10 @@ FoundRegions find_regions(const CheckedMesh& input, const GivenRegions& given, O
     const SoupProperty numbers = to_numbers(input, given.within, {is_whole, "region", "whole numbers of 32 bits"});
     name_errors(given.within, [&] { found.regions = make_face_regions(mesh, numbers); });
     if (std::ranges::all_of(found.regions, [](std::int32_t region) { return region < 0; })) {
-      throw Error(ErrorCode::precondition, fmt::format("{}: no face is left; all numbers are negative", name));
+      throw Error(ErrorCode::precondition,
+                  fmt::format("{}: no face is left, since all numbers are negative; give numbers from 0 for the faces "
+                              "of regions",
+                              name));
     }
     note_lost_regions(observer, name, numbers, found.regions);
     found.given = found.regions;

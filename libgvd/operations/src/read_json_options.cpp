@@ -107,8 +107,9 @@ std::string read_value(const Option& option, const Json& value, const Arrays& ar
                  return value.is_boolean() ? as_text() : gvd::quoted(value.dump()) + " is neither true nor false";
                },
                [&](const Switch&) -> std::string {
-                 return value.is_boolean() || value.is_string() ? as_text()
-                                                                : gvd::quoted(value.dump()) + " is neither true nor false";
+                 return value.is_boolean() || value.is_string()
+                            ? as_text()
+                            : gvd::quoted(value.dump()) + " is neither true nor false";
                },
                [&](const Counts&) { return read_option(option, to_texts(value)); },
                [&](const ChoiceList&) { return read_option(option, to_texts(value)); },
@@ -138,7 +139,7 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
     try {
       wrong = read_value(*option, value, {arrays, input});
     } catch (const Error& error) {
-      wrong = error.what();
+      wrong = error.text();
     }
     if (!wrong.empty()) refuse(fmt::format("{{option:{}}}: {}", name, wrong));
     given.add(name, {fmt::format("\"{}\"", name), "", 0});
@@ -149,11 +150,11 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
 }
 
 std::string spell_for_json(const std::string& text) {
-  return spell_options(text, [](const std::string& name, const std::string& value) {
-    if (value.empty()) return fmt::format("\"{}\"", name);
-    const bool is_bare = parse_number<double>(value) || value == "true" || value == "false";
-    return is_bare ? fmt::format("\"{}\": {}", name, value) : fmt::format("\"{}\": \"{}\"", name, value);
-  });
+  return spell_options(text, {.spell = [](std::string_view name, std::string_view value) {
+                         if (value.empty()) return fmt::format("\"{}\"", name);
+                         const bool is_bare = parse_number<double>(value) || value == "true" || value == "false";
+                         return fmt::format(is_bare ? "\"{}\": {}" : "\"{}\": \"{}\"", name, value);
+                       }});
 }
 
 }  // namespace gvd

@@ -110,8 +110,7 @@ Diagram make_cells_discs(const SegmentCall& call, Observer& observer, const Diag
   DiscOptions options;
   options.diagram = call.diagram;
   options.diagram.progress = progress_of(observer);
-  DiscCells made =
-      as_step(observer, "discs", [&] { return make_discs(outcome.surface(), diagram, options); });
+  DiscCells made = as_step(observer, "discs", [&] { return make_discs(outcome.surface(), diagram, options); });
   outcome.discs = {made.added, made.rounds, made.search_cut_short};
   if (made.added > 0) {
     outcome.snap_distance.resize(made.diagram.generators.size());
@@ -165,8 +164,8 @@ double tell_segmentation(Observer& observer, const SegmentOutcome& outcome) {
   const double bisectors = outcome.diagram->length;
   if (!(bisectors > 0)) return 0;
   const double ratio = outcome.border_length / bisectors;
-  observer.detail(fmt::format("borders of length {:.6g}, {:.3f} times that of the bisectors", outcome.border_length,
-                              ratio));
+  observer.detail(
+      fmt::format("borders of length {:.6g}, {:.3f} times that of the bisectors", outcome.border_length, ratio));
   return ratio;
 }
 
@@ -180,15 +179,15 @@ void note_long_borders(Observer& observer, double ratio) {
 }
 
 /// With levels, adds the labels of the last one.
-void add_labels(const SegmentCall& call, const IdVector<FaceId, GeneratorId>& labels, std::vector<FaceNumbers>& numbers) {
+void add_labels(const SegmentCall& call, const IdVector<FaceId, GeneratorId>& labels,
+                std::vector<FaceNumbers>& numbers) {
   if (!call.levels.empty()) numbers.push_back({level_name(call.levels.size()), to_regions(labels)});
 }
 
 void label_whole_faces(const SegmentCall& call, Observer& observer, SegmentOutcome& outcome) {
   const SegmentOptions options{call.segmentation.labels, progress_of(observer)};
   const Mesh& surface = outcome.surface();
-  outcome.whole =
-      as_step(observer, "segment", [&] { return segment_faces(surface, *outcome.diagram, options); });
+  outcome.whole = as_step(observer, "segment", [&] { return segment_faces(surface, *outcome.diagram, options); });
   const IdVector<FaceId, GeneratorId>& labels = outcome.whole->face_label;
   outcome.border_length = compute_border_length(surface, labels);
   outcome.whole_numbers = outcome.parted.numbers;
@@ -205,9 +204,9 @@ void tell_charts(Observer& observer, const Charts& charts, ChartMap map) {
   const auto percent = [&](double Chart::*area_of) { return fmt::format("{:.3g} %", 100 * charts.share(area_of)); };
   const auto has = [&](double Chart::*area_of) { return charts.share(area_of) > 0; };
   const bool is_flat = map == ChartMap::flat;
-  observer.note(fmt::format(
-      "{} {:.3g} % of the texture{}", counted(std::ssize(charts.charts), "chart covers", "charts cover"),
-      100 * charts.covered, is_flat && !has(&Chart::flipped_area) ? "; no face is flipped" : ""));
+  observer.note(fmt::format("{} {:.3g} % of the texture{}",
+                            counted(std::ssize(charts.charts), "chart covers", "charts cover"), 100 * charts.covered,
+                            is_flat && !has(&Chart::flipped_area) ? "; no face is flipped" : ""));
   if (has(&Chart::flipped_area)) {
     observer.note(fmt::format("{} of the area is flipped{}", percent(&Chart::flipped_area),
                               is_flat ? ": limbs too long for double precision; give more generators"
@@ -226,17 +225,10 @@ void tell_charts(Observer& observer, const Charts& charts, ChartMap map) {
 
 Charts chart(const SegmentCall& call, Observer& observer, const SegmentOutcome& outcome, const CutMesh& cut) {
   const ChartOptions options{*call.uv, observer.threads, progress_of(observer)};
-  try {
-    Charts charts = as_step(observer, "charts",
-                            [&] { return make_charts(outcome.surface(), *outcome.diagram, cut, options); });
-    tell_charts(observer, charts, *call.uv);
-    return charts;
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::no_valid_result || call.disc) throw;
-    throw Error(error.code(),
-                fmt::format("{}; {{option:disc}} adds generators until every region is a disc", error.what()),
-                error.element());
-  }
+  Charts charts =
+      as_step(observer, "charts", [&] { return make_charts(outcome.surface(), *outcome.diagram, cut, options); });
+  tell_charts(observer, charts, *call.uv);
+  return charts;
 }
 
 /// Cuts the input and not the diagram's surface: both sides of a border keep their vertices in common.
@@ -274,8 +266,7 @@ void describe_regions(OptionList& list, SegmentCall& call) {
 }
 
 void describe_charts(OptionList& list, SegmentCall& call) {
-  list.option("disc", Flag{&call.disc},
-              {.help = "Add generators, as few as are found, until every region is a disc"});
+  list.option("disc", Flag{&call.disc}, {.help = "Add generators, as few as are found, until every region is a disc"});
   list.option(
       "uv", choice(call.uv, kChartMapNames),
       {.help = "Give each region texture coordinates, in a .ply, .obj or .glb",

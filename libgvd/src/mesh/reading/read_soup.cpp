@@ -76,8 +76,9 @@ auto with_unpacked(std::string_view bytes, std::string_view name, const Parse& p
   const auto vertices = std::ssize(soup.positions);
   if (vertices == 0 && soup.notes.empty() && format == MeshFormat::obj) {  // skips what it does not know
     const std::string word = first_word(bytes);
-    refuse(name, fmt::format("as an OBJ, the file has neither a vertex nor a face, and it {}; name the format",
-                             word.empty() ? std::string("is blank") : "begins with " + gvd::quoted(word)));
+    refuse(name, fmt::format("as an OBJ, the file has neither a vertex nor a face, and it {}; name the format with {}",
+                             word.empty() ? std::string("is blank") : "begins with " + gvd::quoted(word),
+                             input_format_option()));
   }
   if (vertices == 0 && soup.notes.empty()) refuse(name, "the file has no vertex and no face; a surface is needed");
   refuse(name,
@@ -141,6 +142,15 @@ std::optional<MeshFormat> find_format(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::string input_format_option() {
+  std::string names;
+  for (std::size_t i = 0; i < kMeshFormatNames.size(); ++i) {
+    names += i == 0 ? "" : i + 1 < kMeshFormatNames.size() ? ", " : " or ";
+    names += kMeshFormatNames[i].first;
+  }
+  return "{option:input_format=" + names + '}';
+}
 
 std::optional<MeshFormat> format_from_extension(std::string_view name) {
   if (to_lower(name).ends_with(kGzipExtension)) name.remove_suffix(kGzipExtension.size());
@@ -221,9 +231,12 @@ PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshForma
     refuse_foreign(bytes, name);
     refuse(name,
            "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTU, VTK, glTF, GIFTI, MNI or "
-           "FreeSurfer file; name the format");
+           "FreeSurfer file; name the format with " +
+               input_format_option());
   }
-  return parse_unpacked(bytes, *format, name, path.parent_path());
+  std::error_code ignored;
+  const bool has_folder = std::filesystem::is_regular_file(path, ignored);  // which a pipe has not
+  return parse_unpacked(bytes, *format, name, has_folder ? std::optional(path.parent_path()) : std::nullopt);
 }
 
 std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property,
