@@ -9,6 +9,7 @@ namespace gvd::test_shared_options {
 using namespace app;
 using gvd::test::parse_options;
 using gvd::test::SharedLine;
+using gvd::test::SharedOptions;
 
 TEST_CASE("every name in the rules and texts of the shared options is an option's") {
   SharedLine line;
@@ -16,7 +17,7 @@ TEST_CASE("every name in the rules and texts of the shared options is an option'
 }
 
 TEST_CASE("the defaults are the contract's") {
-  const Options options = parse_options({"a.obj", "-n", "30"});
+  const SharedOptions options = parse_options({"a.obj", "-n", "30"});
   CHECK(options.input.path == "a.obj");
   CHECK(options.input.on_defect == DefectPolicy::repair);
   CHECK(options.generators.count == 30);
@@ -29,7 +30,7 @@ TEST_CASE("the defaults are the contract's") {
 }
 
 TEST_CASE("every option is stored in its field") {
-  const Options options = parse_options({"-",
+  const SharedOptions options = parse_options({"-",
                                          "--input-format",
                                          "off",
                                          "--on-defect",
@@ -100,7 +101,7 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
     arguments.insert(arguments.end(), {"--config", path});
     return parse_options(arguments);
   };
-  const Options options = with(
+  const SharedOptions options = with(
       "# a comment\nn = 12\nseed = 7\nmethod = \"gbgvd\"\nfront = \"planar\"\nverify = true\n"
       "output = [\"a.ply\", \"b.obj\"]\n",
       {"a.obj", "--seed", "9"});
@@ -115,10 +116,10 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
   CHECK(with("max-memory = 1e9\n", {"a.obj", "-n", "3"}).compute.max_memory == 1000000000);
   CHECK_THROWS_AS(with("nonsense = 3\n", {"a.obj", "-n", "3"}), Error);
   CHECK_THROWS_AS(with("seed = minus\n", {"a.obj", "-n", "3"}), Error);
-  const Options chosen = with("method = \"gbgvd\"\nfront = \"planar\"\n", {"a.obj", "-n", "3", "--method", "exact"});
+  const SharedOptions chosen = with("method = \"gbgvd\"\nfront = \"planar\"\n", {"a.obj", "-n", "3", "--method", "exact"});
   CHECK(chosen.diagram.method == Method::exact);
   CHECK_FALSE(chosen.diagram.front);
-  const Options listed = with("n = 12\nsampling = \"random\"\n", {"a.obj", "--radius", "2"});
+  const SharedOptions listed = with("n = 12\nsampling = \"random\"\n", {"a.obj", "--radius", "2"});
   CHECK_FALSE(listed.generators.count);
   CHECK(listed.generators.sampling == Sampling::farthest);
   const Options file = with("output = \"-\"\noutput-format = \"json\"\n", {"a.obj", "-n", "3", "-o", "a.obj"});
