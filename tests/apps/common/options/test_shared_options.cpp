@@ -31,40 +31,40 @@ TEST_CASE("the defaults are the contract's") {
 
 TEST_CASE("every option is stored in its field") {
   const SharedOptions options = parse_options({"-",
-                                         "--input-format",
-                                         "off",
-                                         "--on-defect",
-                                         "largest",
-                                         "-n",
-                                         "010",
-                                         "--sampling",
-                                         "poisson",
-                                         "--seed",
-                                         "18446744073709551615",
-                                         "--method",
-                                         "gbgvd",
-                                         "--front",
-                                         "planar",
-                                         "--threads",
-                                         "2",
-                                         "--verify",
-                                         "-o",
-                                         "a.ply",
-                                         "-o",
-                                         "B.OBJ",
-                                         "-o",
-                                         "-",
-                                         "--output-format",
-                                         "json",
-                                         "--report",
-                                         "r.json",
-                                         "--diagram",
-                                         "d.json",
-                                         "--view",
-                                         "v.html",
-                                         "--up",
-                                         "-x",
-                                         "-q"});
+                                               "--input-format",
+                                               "off",
+                                               "--on-defect",
+                                               "largest",
+                                               "-n",
+                                               "010",
+                                               "--sampling",
+                                               "poisson",
+                                               "--seed",
+                                               "18446744073709551615",
+                                               "--method",
+                                               "gbgvd",
+                                               "--front",
+                                               "planar",
+                                               "--threads",
+                                               "2",
+                                               "--verify",
+                                               "-o",
+                                               "a.ply",
+                                               "-o",
+                                               "B.OBJ",
+                                               "-o",
+                                               "-",
+                                               "--output-format",
+                                               "json",
+                                               "--report",
+                                               "r.json",
+                                               "--diagram",
+                                               "d.json",
+                                               "--view",
+                                               "v.html",
+                                               "--up",
+                                               "-x",
+                                               "-q"});
   CHECK(options.input.format == MeshFormat::off);
   CHECK(options.input.on_defect == DefectPolicy::largest);
   CHECK(options.generators.count == 10);
@@ -116,7 +116,8 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
   CHECK(with("max-memory = 1e9\n", {"a.obj", "-n", "3"}).compute.max_memory == 1000000000);
   CHECK_THROWS_AS(with("nonsense = 3\n", {"a.obj", "-n", "3"}), Error);
   CHECK_THROWS_AS(with("seed = minus\n", {"a.obj", "-n", "3"}), Error);
-  const SharedOptions chosen = with("method = \"gbgvd\"\nfront = \"planar\"\n", {"a.obj", "-n", "3", "--method", "exact"});
+  const SharedOptions chosen =
+      with("method = \"gbgvd\"\nfront = \"planar\"\n", {"a.obj", "-n", "3", "--method", "exact"});
   CHECK(chosen.diagram.method == Method::exact);
   CHECK_FALSE(chosen.diagram.front);
   const SharedOptions listed = with("n = 12\nsampling = \"random\"\n", {"a.obj", "--radius", "2"});
