@@ -53,7 +53,8 @@ struct GeneratorCost {
   double microseconds, kilobytes;
 };
 
-/// Notes before the work how long so many generators may take, where they exceed the faces of the mesh and that is long.
+/// Notes before the work how long so many generators may take, where they exceed the faces of the mesh and that is
+/// long.
 void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const GeneratorCost& cost);
 
 /// Adds the figures of an object to the results of the report.

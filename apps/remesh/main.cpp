@@ -1,6 +1,7 @@
 // gvd-remesh: builds the coarse mesh that is dual to a diagram.
 //
-// The library makes it (gvd/remesh_operation.hpp). Here are the files, and the properties of INPUT that are carried over.
+// The library makes it (gvd/remesh_operation.hpp). Here are the files, and the properties of INPUT that are carried
+// over.
 
 #include <memory>
 #include <ostream>

@@ -138,7 +138,8 @@ void note_whole_faces(Run& run, const OwnOptions& own) {
                                                 "vtp", "vtu", "glb", "surf.gii", "fs"};
   const OutputOptions& output = run.options().output;
   const InputOptions& input = run.options().input;
-  if (own.call.cut || run.options().given->has("labels") || output.view.empty() || input.path != input.paths.front()) return;
+  if (own.call.cut || run.options().given->has("labels") || output.view.empty() || input.path != input.paths.front())
+    return;
   for (const std::string& file : output.files) {
     if (!contains(kMeshes, format_of(output, file))) continue;
     return run.console().note(fmt::format("{} shows the exact borders, and {} has whole faces; --cut splits them",

@@ -89,15 +89,15 @@ void check_commands(const std::string& path) {
 /// What an option reads: names of files, or of properties and the like, which it may take in their place.
 std::vector<std::string> list_read(const Field& field) {
   using Names = std::vector<std::string>;
-  return std::visit(
-      Overload{[&](const File& file) {
-                 const bool is_read = file.use == File::Use::read;
-                 return is_read ? write_option(field).value_or(Names()) : Names();
-               },
-               [](const PointList& list) { return Names{list.value->file}; },
-               [](const Curves& curves) { return Names{curves.value->name}; },
-               [](const ValueSource& values) { return Names{values.value->name}; }, [](const auto&) { return Names(); }},
-      field);
+  return std::visit(Overload{[&](const File& file) {
+                               const bool is_read = file.use == File::Use::read;
+                               return is_read ? write_option(field).value_or(Names()) : Names();
+                             },
+                             [](const PointList& list) { return Names{list.value->file}; },
+                             [](const Curves& curves) { return Names{curves.value->name}; },
+                             [](const ValueSource& values) { return Names{values.value->name}; },
+                             [](const auto&) { return Names(); }},
+                    field);
 }
 
 /// The files that the options name beside INPUT and --config: empty names where they are not given.

@@ -63,7 +63,7 @@ struct GeneralOptions {
 /// The options that the commands share. A command adds its own in a struct that inherits these.
 struct Options {
   InputOptions input;
-  bool has_diagram = true;   ///< otherwise the options that build, sample and write a diagram are not there
+  bool has_diagram = true;  ///< otherwise the options that build, sample and write a diagram are not there
   ComputeOptions compute;
   OutputOptions output;
   GeneralOptions general;

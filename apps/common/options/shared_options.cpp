@@ -82,9 +82,9 @@ void describe_input(OptionList& list, InputOptions& input) {
 
 void describe_generators_format(OptionList& list, InputOptions& input) {
   list.group(kGeneratorGroup);
-  list.option("generators_format", choice(input.list_format, kGeneratorFormatNames),
-              {.help = "Format of the list of {option:generators}",
-               .more = ", otherwise detected from extension and content"});
+  list.option(
+      "generators_format", choice(input.list_format, kGeneratorFormatNames),
+      {.help = "Format of the list of {option:generators}", .more = ", otherwise detected from extension and content"});
   list.needs("generators_format", "generators");
 }
 

@@ -1,6 +1,7 @@
 // The C interface on top of the C++ library: handles that own C++ objects, and a guard that lets no exception out.
 //
-// Arguments of callers are checked where C++ types would rule the mistake out: null pointers, faces out of range, barycentric coordinates.
+// Arguments of callers are checked where C++ types would rule the mistake out: null pointers, faces out of range,
+// barycentric coordinates.
 
 #include <algorithm>
 #include <array>

@@ -24,12 +24,14 @@ using Json = nlohmann::ordered_json;
 constexpr std::array kTypeNames{"int8",   "uint8", "int16",  "uint16",  "int32",
                                 "uint32", "int64", "uint64", "float32", "float64"};
 
-constexpr std::array kFigureKinds{"none",    "flag",          "whole number", "number",       "text",
-                                  "numbers", "whole numbers", "texts",        "lists of whole numbers", "lists of numbers", "flags"};
+constexpr std::array kFigureKinds{
+    "none",          "flag",  "whole number",           "number",           "text", "numbers",
+    "whole numbers", "texts", "lists of whole numbers", "lists of numbers", "flags"};
 static_assert(kFigureKinds.size() == std::variant_size_v<Figure>);
 
 Json describe_meaning(const Meaning& meaning) {
-  return {{"name", meaning.name}, {"unit", meaning.unit.empty() ? Json() : Json(meaning.unit)}, {"meaning", meaning.text}};
+  return {
+      {"name", meaning.name}, {"unit", meaning.unit.empty() ? Json() : Json(meaning.unit)}, {"meaning", meaning.text}};
 }
 
 /// The parts of an object and of its parts, by their kinds.
@@ -44,9 +46,7 @@ class Describer : public ObjectVisitor {
     one["type"] = kTypeNames[std::size_t(view.type)];
     one["columns"] = view.dimensions == 1 ? 1 : view.shape[1];
   }
-  void points(const Meaning& meaning, const PointsView& points) override {
-    add_points(meaning, points);
-  }
+  void points(const Meaning& meaning, const PointsView& points) override { add_points(meaning, points); }
   void curves(const Meaning& meaning, const PointLists&) override {
     array({std::string(meaning.name) + "_offsets", "", "the place of each list's first point, and the number of all"},
           view(std::vector<std::int64_t>()));
@@ -73,7 +73,8 @@ class Describer : public ObjectVisitor {
     array({name + "_bary", "", text + ": barycentric coordinates"}, points.bary());
   }
 
-  Json kind_{{"figures", Json::array()}, {"tables", Json::array()}, {"arrays", Json::array()}, {"parts", Json::array()}};
+  Json kind_{
+      {"figures", Json::array()}, {"tables", Json::array()}, {"arrays", Json::array()}, {"parts", Json::array()}};
 };
 
 Json describe_object(const Object& object) {

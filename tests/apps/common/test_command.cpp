@@ -29,7 +29,7 @@ int run(
   std::vector<const char*> argv;
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   return run_command<SharedOptions>({"gvd-test", "A test.", "  gvd-test a.obj -n 3", {kFormats}}, steps,
-                              static_cast<int>(argv.size()), argv.data());
+                                    static_cast<int>(argv.size()), argv.data());
 }
 
 TEST_CASE("usage errors exit with 2") {

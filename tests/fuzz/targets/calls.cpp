@@ -39,8 +39,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     OptionList list;
     call->describe(list);
     Given given;
-    const bool is_read = fuzz::attempt({ErrorCode::invalid_option},
-                                       [&] { given = read_json_options(list, ball(), json, arrays); });
+    const bool is_read =
+        fuzz::attempt({ErrorCode::invalid_option}, [&] { given = read_json_options(list, ball(), json, arrays); });
     if (!is_read) continue;
     fuzz::attempt({}, [&] { options_json(list, given); });
   }

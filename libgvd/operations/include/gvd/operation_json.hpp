@@ -11,8 +11,8 @@
 // Options, figures and descriptions of operations as JSON, for doors that programs use.
 namespace gvd {
 
-/// Stores the options of a JSON object, and returns which ones it has. The numbers of `arrays` are options' values where
-/// the JSON has {"array": 0} for the first one. Numbers may be strings; null is as if the option were not there.
+/// Stores the options of a JSON object, and returns which ones it has. The numbers of `arrays` are options' values
+/// where the JSON has {"array": 0} for the first one. Numbers may be strings; null is as if the option were not there.
 ///
 /// Points are an array of vertices, of positions in three columns, or of faces and barycentric coordinates in four; or
 /// a list as in JSON files of generators. Curves are {"points": ..., "offsets": ...}, where an offset is the place of
@@ -21,8 +21,9 @@ namespace gvd {
 Given read_json_options(const OptionList& list, const CheckedMesh& input, std::string_view json,
                         std::span<const ArrayView> arrays);
 
-/// A text with each placeholder as JSON has the option: "count", or "count": 30.
-std::string spell_for_json(const std::string& text);
+/// A text with each placeholder as JSON has the option: "count", or "count": 30. `given`: the options of the call; null
+/// where there is none.
+std::string spell_for_json(const std::string& text, const Given* given = nullptr);
 
 /// The value of an option, and what kind of values it takes.
 std::string value_json(const Field& field);
