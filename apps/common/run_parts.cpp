@@ -336,6 +336,7 @@ void set_diagram(Run& run, const Diagram& diagram) {
 }
 
 void report_figures(Run& run, const Object& object) {
+  if (run.options().output.report.empty()) return;  // figures of a million regions take time
   run.report().results().update(nlohmann::ordered_json::parse(figures_json(object)));
 }
 

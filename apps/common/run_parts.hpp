@@ -59,7 +59,7 @@ struct GeneratorCost {
 /// long.
 void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const GeneratorCost& cost);
 
-/// Adds the figures of an object to the results of the report.
+/// Adds the figures of an object to the results of the report, if it is written.
 void report_figures(Run& run, const Object& object);
 
 /// Reports the figures of a diagram.

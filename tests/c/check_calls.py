@@ -215,7 +215,7 @@ def check_mistakes():
     assert bad({"generators": {"array": 0}}, Array(None, 9, 1, (-1, 1), (8, 0))) == '"generators": array 0 has a negative length'
     assert bad({"vertices": [99]}, status=PRECONDITION).startswith('"vertices"')
     assert bad({"vertices": [-1]}) == '"vertices": element 0 is -1; give whole numbers from 0 on'
-    assert bad({"vertices": [0, 0]}, status=PRECONDITION).endswith("set merge_coincident")
+    assert bad({"vertices": [0, 0]}, status=PRECONDITION).endswith('"merge_coincident"')
     assert bad({"count": 3, "density": [1, 2, 3]}) == '"density": 3 numbers; give one for each vertex (6) or face (8)'
     assert bad({"count": 3, "density": "heat"}).startswith('"density": \'heat\' is not one of curvature')
     assert bad({"count": 3, "density": [1, 1, 1, 1, 1, -2]}, status=PRECONDITION).startswith('"density": the density of vertex 5 is -2')

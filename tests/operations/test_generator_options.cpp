@@ -65,7 +65,7 @@ TEST_CASE("vertices are those of the input, and an error names the option") {
   REQUIRE(points.size() == 2);
   CHECK(vertex(kTorus.mesh, points[1]) == VertexId(17));
   options.vertices.vertices = {3, 3};
-  CHECK_THROWS_WITH(choose(options), Contains("{option:vertices}: vertex 3 is listed twice; remove one"));
+  CHECK_THROWS_WITH(choose(options), Contains("vertices: vertex 3 is listed twice; remove one"));
   options.merge_coincident = true;
   CHECK(choose(options).size() == 1);
 }
@@ -86,7 +86,7 @@ TEST_CASE("a mesh without the curves that a word stands for is refused") {
   GeneratorOptions options;
   Recorder told;
   options.curves.name = "boundary";
-  CHECK_THROWS_WITH(choose_curves(kTorus, options, told), Contains("{option:curves=boundary}: the mesh is closed"));
+  CHECK_THROWS_WITH(choose_curves(kTorus, options, told), Contains("curves=boundary: the mesh is closed"));
   options.curves.name = "creases:170";
   CHECK_THROWS_WITH(choose_curves(kTorus, options, told), Contains("no two faces meet at more than 170 degrees"));
 }

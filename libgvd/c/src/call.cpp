@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -73,7 +74,13 @@ gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const c
     OptionList list;
     call->describe(list);
     const Given names = read_json_options(list, *mesh, options == nullptr ? "{}" : options, views);
-    auto made = std::make_unique<gvd_object>(call->run(mesh, observer));
+    auto made = [&] {
+      try {
+        return std::make_unique<gvd_object>(call->run(mesh, observer));
+      } catch (const Error& error) {
+        throw Error(error.code(), spell_for_json(error.text(), &names), error.element());
+      }
+    }();
     Json figures = Json::parse(made->figures);
     figures["options"] = Json::parse(options_json(list, names));
     figures["notes"] = observer.notes();

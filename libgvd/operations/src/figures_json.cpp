@@ -17,7 +17,13 @@ class FigureReader : public ObjectVisitor {
  public:
   void figure(const Meaning& meaning, const Figure& value) override {
     Json& place = this->place(meaning);
-    std::visit(Overload{[&place](std::monostate) { place = nullptr; }, [&place](const auto& known) { place = known; }},
+    std::visit(Overload{[&place](std::monostate) { place = nullptr; },
+                        [&place](const std::string& text) { place = spell_for_json(text); },
+                        [&place](const std::vector<std::string>& texts) {
+                          place = Json::array();
+                          for (const std::string& text : texts) place.push_back(spell_for_json(text));
+                        },
+                        [&place](const auto& known) { place = known; }},
                value);
   }
   void table(const Meaning& meaning, const Table& table) override {

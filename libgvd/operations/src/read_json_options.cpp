@@ -149,13 +149,14 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
   return given;
 }
 
-std::string spell_for_json(const std::string& text) {
-  return spell_options(text, {.spell = [](std::string_view name, std::string_view value) {
-                         if (value.empty()) return fmt::format("\"{}\"", name);
-                         const bool is_bare = parse_number<double>(value) || value == "true" || value == "false";
-                         return is_bare ? fmt::format("\"{}\": {}", name, value)
-                                        : fmt::format("\"{}\": \"{}\"", name, value);
-                       }});
+std::string spell_for_json(const std::string& text, const Given* given) {
+  OptionSpelling spelling{.spell = [](std::string_view name, std::string_view value) {
+    if (value.empty()) return fmt::format("\"{}\"", name);
+    const bool is_bare = parse_number<double>(value) || value == "true" || value == "false";
+    return is_bare ? fmt::format("\"{}\": {}", name, value) : fmt::format("\"{}\": \"{}\"", name, value);
+  }};
+  if (given != nullptr) spelling.is_given = [given](std::string_view name) { return given->has(name); };
+  return spell_options(text, spelling);
 }
 
 }  // namespace gvd

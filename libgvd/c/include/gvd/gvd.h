@@ -87,15 +87,16 @@ typedef struct gvd_array {
 /* The number of this interface. It changes where a program has to be compiled again. */
 #define GVD_ABI 1
 
-/* Runs an operation on a mesh. `abi`: GVD_ABI. `options`: a JSON object, as {"count": 30, "density": {"array": 0}}, where
- * {"array": 0} is the first one of `arrays`; NULL: none. Numbers may be strings: JSON has no infinity. `arrays`: `count`
- * of them, which the call reads and does not keep; NULL where there is none. gvd_describe() has the operations and
- * their options. */
+/* Runs an operation on a mesh. `abi`: GVD_ABI. `options`: a JSON object, as {"count": 30, "density": {"array": 0}},
+ * where
+ * {"array": 0} is the first one of `arrays`; NULL: none. Numbers may be strings: JSON has no infinity. `arrays`:
+ * `count` of them, which the call reads and does not keep; NULL where there is none. gvd_describe() has the operations
+ * and their options. */
 GVD_API gvd_status gvd_call(int32_t abi, const char* operation, const gvd_object* on, const char* options,
                             const gvd_array* arrays, int32_t count, const gvd_run* run, gvd_object** result);
 /* An array of an object, by the name that gvd_describe() has. It lives as long as the object. What the object lacks is
- * an array of length 0. Points are two arrays, NAME_faces and NAME_bary; curves have NAME_offsets, too: the place of the
- * first point of each, and the number of all. */
+ * an array of length 0. Points are two arrays, NAME_faces and NAME_bary; curves have NAME_offsets, too: the place of
+ * the first point of each, and the number of all. */
 GVD_API gvd_status gvd_array_of(const gvd_object* object, const char* name, gvd_array* view);
 /* A part of an object, such as the diagram of a result; to be released by itself. */
 GVD_API gvd_status gvd_object_of(const gvd_object* object, const char* name, gvd_object** part);

@@ -21,8 +21,9 @@ namespace gvd {
 Given read_json_options(const OptionList& list, const CheckedMesh& input, std::string_view json,
                         std::span<const ArrayView> arrays);
 
-/// A text with each placeholder as JSON has the option: "count", or "count": 30.
-std::string spell_for_json(const std::string& text);
+/// A text with each placeholder as JSON has the option: "count", or "count": 30. `given`: the options of the call; null
+/// where there is none.
+std::string spell_for_json(const std::string& text, const Given* given = nullptr);
 
 /// The value of an option, and what kind of values it takes.
 std::string value_json(const Field& field);
