@@ -5,7 +5,7 @@
     scripts/check_described_options.py BIN --write     writes the schema's part on options anew
 
 In the guide's tables whose first column is headed "option", each option must exist, with the choices and the default that it has;
-and the guide must name each option of a command.
+and the guide must name each option of a command. A placeholder of the library's texts must name an option, too.
 """
 import json
 import pathlib
@@ -155,6 +155,17 @@ def check_default(page, number, cells, by_name, findings):
                         f"the command {sorted(map(str, defaults))}")
 
 
+def check_placeholders(described):
+    names = {option["name"] for options in described.values() for option in options}
+    for source in sorted((ROOT / "libgvd").rglob("*.[ch]pp")):
+        for inside in re.findall(r"\{(?:option|given):([a-z_|=]+)", source.read_text()):
+            if source.name == "placeholders.hpp":
+                continue  # its examples
+            for name in re.findall(r"(?:^|\|)([a-z_]+)", inside):
+                if name not in names:
+                    yield f"{source.relative_to(ROOT)}: {{option:{name}}} is no option of any command"
+
+
 def as_number(text):
     try:
         return float(text)
@@ -167,7 +178,7 @@ def main():
     text = schema_text(described)
     if "--write" in sys.argv[2:]:
         SCHEMA.write_text(text)
-    findings = check_guide(described)
+    findings = check_guide(described) + list(check_placeholders(described))
     if text != SCHEMA.read_text():
         findings.append(f"{SCHEMA.relative_to(ROOT)}: its options are not those of the commands; --write mends it")
     for finding in findings:

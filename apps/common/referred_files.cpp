@@ -1,14 +1,21 @@
-// Files that INPUT refers to are compared with the outputs once INPUT is read, before anything is written. They are
-// compared as places, since a file that is named need not be there yet, and as files, since links may lead to one.
+// Files that inputs refer to are compared with the outputs before anything is written: those of several inputs before
+// the first run, since an output of one run may be a file of a later one. They are compared as places, since a file
+// that is named need not be there yet, and as files, since links may lead to one.
 #include "common/referred_files.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <filesystem>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "common/outcome.hpp"
 #include "gvd/error.hpp"
-#include "gvd/gltf_files.hpp"
 #include "gvd/io/mesh_writer.hpp"
+#include "gvd/referred_files.hpp"
 
 namespace gvd::app {
 namespace {
@@ -21,43 +28,108 @@ fs::path folder(const fs::path& file) {
   return fs::weakly_canonical(fs::absolute(file, failed).parent_path(), failed);
 }
 
+/// Where a file is: a name in a folder without links.
+fs::path place_of(const fs::path& file) { return folder(file) / file.filename(); }
+
 bool is_same(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
-  return (a.filename() == b.filename() && folder(a) == folder(b)) || fs::equivalent(a, b, ignored);
+  return place_of(a) == place_of(b) || fs::equivalent(a, b, ignored);
 }
 
-/// The files that a run writes, but those of materials.
-std::vector<Target> list_files(const OutputOptions& output) {
-  std::vector<Target> targets = list_targets(output);
-  if (!output.summary.empty()) targets.push_back({"--summary", output.summary});
-  std::erase_if(targets, [](const Target& target) { return target.path == "-"; });
-  return targets;
+/// What tells a file from all others, whatever its names.
+std::optional<std::pair<dev_t, ino_t>> identity_of(const fs::path& file) {
+  struct stat found {};
+  if (::stat(file.c_str(), &found) != 0) return std::nullopt;
+  return std::pair(found.st_dev, found.st_ino);
 }
+
+/// A file that a run writes.
+struct Written {
+  Target target;
+  bool is_material = false;  ///< the materials of an .obj, which are written beside it
+};
+
+std::vector<Written> list_written(const OutputOptions& output) {
+  std::vector<Written> files;
+  for (const Target& target : list_targets(output)) {
+    if (target.path == "-") continue;
+    files.push_back({target});
+    const bool may_have_materials = target.option == "-o" || target.option == "--output-dir";
+    const auto materials = may_have_materials ? materials_file(target.path) : std::nullopt;
+    if (materials) files.push_back({{"the materials of " + target.option, materials->string()}, true});
+  }
+  if (!output.summary.empty()) files.push_back({{"--summary", output.summary}});
+  return files;
+}
+
+/// The files that meshes refer to, and the meshes. Cost: O(log n) for each file.
+class ReferredFiles {
+ public:
+  /// `file`: as a path from the folder of the mesh.
+  void add(const std::string& mesh, const fs::path& file) {
+    const fs::path path = fs::path(mesh).parent_path() / file;
+    meshes_at_[place_of(path)].push_back(mesh);
+    if (const auto identity = identity_of(path)) meshes_of_[*identity].push_back(mesh);
+  }
+
+  /// Throws Error{invalid_option} where a mesh other than `excepted` refers to the target.
+  void check(const Target& target, const std::string& excepted = "") const {
+    refuse_any(target, meshes_at_, place_of(target.path), excepted);
+    if (const auto identity = identity_of(target.path)) refuse_any(target, meshes_of_, *identity, excepted);
+  }
+
+ private:
+  template <class Key>
+  using Meshes = std::map<Key, std::vector<std::string>>;
+
+  template <class Key>
+  static void refuse_any(const Target& target, const Meshes<Key>& meshes, const Key& key, const std::string& excepted) {
+    const auto found = meshes.find(key);
+    if (found == meshes.end()) return;
+    for (const std::string& mesh : found->second) {
+      if (mesh == excepted) continue;
+      throw Error(ErrorCode::invalid_option,
+                  fmt::format("{} {}: {} refers to this file; name another one", target.option, target.path, mesh));
+    }
+  }
+
+  Meshes<fs::path> meshes_at_;                 // by places
+  Meshes<std::pair<dev_t, ino_t>> meshes_of_;  // by identities, of files that are there
+};
 
 }  // namespace
 
 void check_referred_files(const Options& options, const Appearance& input) {
   const std::string& mesh = options.input.path;
   if (is_read_once(mesh)) return;  // and has no folder
-  const auto check = [&](const Target& target, const fs::path& name) {
-    if (!is_same(target.path, fs::path(mesh).parent_path() / name)) return;
-    throw Error(ErrorCode::invalid_option,
-                fmt::format("{} {}: {} refers to this file; name another one", target.option, target.path, mesh));
-  };
-  std::vector<Target> targets = list_files(options.output);
-  for (const Target& target : targets) {
-    for (const std::string& file : input.material_files) check(target, file);
-  }
-  for (const std::string& file : options.output.files) {
-    const auto materials = materials_file(file);
-    if (materials) targets.push_back({"the materials of -o", materials->string()});
+  std::vector<Written> written = list_written(options.output);
+  ReferredFiles materials, others;
+  for (const fs::path& file : list_material_files(mesh, input.material_files)) materials.add(mesh, file);
+  for (const Written& file : written) {
+    if (!file.is_material) materials.check(file.target);
   }
   // Buffers and images that are not there can't be lost.
   std::error_code ignored;
-  std::erase_if(targets, [&](const Target& target) { return !fs::is_regular_file(target.path, ignored); });
-  if (targets.empty()) return;
-  for (const fs::path& file : list_gltf_files(mesh)) {
-    for (const Target& target : targets) check(target, file);
+  std::erase_if(written, [&](const Written& file) { return !fs::is_regular_file(file.target.path, ignored); });
+  if (written.empty() || !input.material_files.empty()) return;
+  for (const fs::path& file : list_referred_files(mesh, options.input.format)) others.add(mesh, file);
+  for (const Written& file : written) others.check(file.target);
+}
+
+void check_referred_files(const std::vector<Options>& runs) {
+  ReferredFiles referred;
+  for (const Options& run : runs) {
+    const std::string& mesh = run.input.path;
+    if (is_read_once(mesh)) continue;
+    // What can't be read is an error of its own run, which says so.
+    run_guarded([&] {
+      for (const fs::path& file : list_referred_files(mesh, run.input.format)) referred.add(mesh, file);
+    });
+  }
+  for (const Options& run : runs) {
+    for (const Written& file : list_written(run.output)) {
+      referred.check(file.target, file.is_material ? run.input.path : "");
+    }
   }
 }
 
@@ -68,8 +140,7 @@ void check_material_files(Run& run, const Appearance& appearance, bool drops_mat
   for (const std::string& path : output.files) {
     const auto made = materials_file(path);
     if (!made) continue;
-    // Relative to the input. Several names on one line count as one with blanks, as most programs write a single one.
-    for (const fs::path name : appearance.material_files) {
+    for (const fs::path& name : list_material_files(input, appearance.material_files)) {
       if (!is_same(*made, fs::path(input).replace_filename(name))) continue;
       throw Error(ErrorCode::invalid_option,
                   fmt::format("-o {}: its materials would replace {}, which {} names; choose "

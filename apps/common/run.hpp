@@ -111,9 +111,11 @@ struct RunFigures {
 class Run {
  public:
   Run(const std::string& command, Options options, Console& console)
-      : options_(std::move(options)), console_(console), report_(command, options_.generators.seed) {}
+      : options_(std::move(options)), console_(console), report_(command, seed_of(options_)) {}
 
-  const Options& options() const { return options_; }
+  const Options& options() const { return live_ != nullptr ? *live_ : options_; }
+  /// From now on the options are these, which the body of the run may complete. They must outlive the run.
+  void follow(const Options& live) { live_ = &live; }
   Console& console() { return console_; }
   /// The document of `--report`.
   RunReport& report() { return report_; }
@@ -139,6 +141,7 @@ class Run {
 
  private:
   Options options_;
+  const Options* live_ = nullptr;
   Console& console_;
   RunReport report_;
   RunFigures figures_;

@@ -18,14 +18,18 @@
 #include <tuple>
 #include <utility>
 
+#include "common/given_files.hpp"
 #include "common/options/option_json.hpp"
 #include "common/options/options.hpp"
+#include "common/options/spelling.hpp"
 #include "common/process.hpp"
 #include "common/referred_files.hpp"
+#include "common/run_observer.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/operation_json.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #ifdef GVD_HAS_VERIFY
@@ -54,7 +58,8 @@ PolygonSoup read(const InputOptions& input, PipedInput* piped) {
   std::string bytes = read_pipe(input.path);
   const auto format = input.format ? input.format : detect_format(bytes, input.path);
   if (!format) {
-    throw Error(ErrorCode::unreadable_input, input.path + ": the content does not tell the format; name the format");
+    throw Error(ErrorCode::unreadable_input,
+                input.path + ": the content does not tell the format; name the format with " + input_format_option());
   }
   PolygonSoup soup = parse_soup(bytes, *format, name_of(input));
   if (piped != nullptr) *piped = {std::move(bytes), *format};
@@ -66,16 +71,8 @@ void weld_input(PolygonSoup& soup, const InputOptions& input) {
   try {
     weld_soup(soup, *input.weld);
   } catch (const Error& error) {
-    throw Error(error.code(), fmt::format("{}: {}", name_of(input), error.what()), error.element());
+    throw error.at(name_of(input));
   }
-}
-
-/// A note of the library with the option that the library can't name.
-std::string with_weld_option(std::string message) {
-  constexpr std::string_view kOfLibrary = "welding would close";
-  const std::size_t at = message.find(kOfLibrary);
-  if (at != message.npos) message.replace(at, kOfLibrary.size(), "--weld would close");
-  return message;
 }
 
 /// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
@@ -87,61 +84,10 @@ void check_formats(const OutputOptions& output, const Mesh& mesh) {
   }
 }
 
-void note_changes(Run& run, const GeneratorOptions& list, const ResolvedGenerators& resolved, double diagonal) {
-  Console& console = run.console();
-  const std::string& points = list.names.points;
-  if (!run.options().generators.max_snap) note_far_entry(run, resolved, diagonal);
-  if (resolved.longest_snap) {
-    console.note(fmt::format("{}: moved to the surface, by at most {:.4g}", points, *resolved.longest_snap));
-  }
-  if (resolved.merged == 0) return;
-  console.note(fmt::format("{}: {}", points,
-                           counted(resolved.merged, "is merged with an earlier one", "are merged with earlier ones")));
-}
-
-/// Refuses a name that is no file: with --from and --to, it may have been meant for something else.
-void check_list(const GeneratorOptions& list) {
-  std::error_code ignored;
-  if (list.names.points == "generators" || std::filesystem::exists(list.file, ignored)) return;
-  throw Error(ErrorCode::unreadable_input,
-              fmt::format("{0} {1}: there is no such file; name one that lists points, or write vertices, as in {0} "
-                          "3,17,99",
-                          list.names.file, printable(list.file)));
-}
-
-GeneratorList read_list(const GeneratorOptions& options) {
-  if (options.file == "-") {
-    const std::string content = read_standard_input();
-    return parse_generators(content, options.format.value_or(detect_generator_format(content)), kStandardInput);
-  }
-  if (!options.vertices) {
-    check_list(options);
-    const WaitForInput wait(options.file);
-    return read_generators(options.file, options.format);
-  }
-  GeneratorList list{options.names.vertices, {}};
-  for (const std::int64_t vertex : *options.vertices) {
-    list.entries.push_back({GeneratorEntry::Kind::vertex, vertex, {}, 0});
-  }
-  return list;
-}
-
-ResolvedGenerators resolve(const CheckedMesh& input, const GeneratorOptions& asked, ResolveOptions options) {
-  options.input_vertices = &input.mesh_vertex;
-  return resolve_generators(input.mesh, read_list(asked), options);
-}
-
-ResolvedGenerators sample(Run& run, const Mesh& mesh, const Sampler& sampler) {
-  ResolvedGenerators sampled;
-  sampled.points = sampler(mesh, make_sampling_options(run));
-  sampled.snap_distance.resize(sampled.points.size());
-  return sampled;
-}
-
 #ifdef GVD_HAS_VERIFY
 void verify(Run& run, const Mesh& mesh, const Diagram& diagram) {
   VerifyOptions options;
-  options.threads = run.options().compute.diagram.threads;
+  options.threads = run.options().compute.threads;
   options.progress = run.progress();
   const ErrorMeasure error = run.timed("verify", [&] { return verify_diagram(mesh, diagram, options); });
   run.report().set_error_measure(error);
@@ -308,19 +254,10 @@ void note_far_vertices(Run& run, const CheckedMesh& checked) {
 
 }  // namespace
 
-/// A snap beyond this fraction of the bounding box's diagonal is told: the list may be of another model, or in other
-/// units. Digitised and rounded points are much nearer to their surface.
-constexpr double kFarSnap = 0.01;
-
-void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagonal) {
-  if (!(resolved.longest_snap.value_or(0) > kFarSnap * diagonal)) return;
-  run.console().note(fmt::format("{} is {:.4g} from the surface, and the model's diagonal is {:.4g}: check its units",
-                                 resolved.farthest, *resolved.longest_snap, diagonal));
-}
-
 void note_on_input(Run& run, const std::string& message) {
   const Options& options = run.options();
-  run.console().note(options.output.folder.empty() ? name_of(options.input) + ": " + message : message);
+  const std::string text = spell(*options.list, *options.given, message);
+  run.console().note(options.output.folder.empty() ? name_of(options.input) + ": " + text : text);
 }
 
 CheckedMesh load_input(Run& run, PipedInput* piped) {
@@ -329,7 +266,7 @@ CheckedMesh load_input(Run& run, PipedInput* piped) {
   check_referred_files(run.options(), soup.appearance);
   if (input.weld) run.timed("weld", [&] { weld_input(soup, input); });
   CheckedMesh checked = run.timed("check", [&] { return build_mesh(soup, input.on_defect, name_of(input)); });
-  for (const std::string& message : checked.defects.messages) note_on_input(run, with_weld_option(message));
+  for (const std::string& message : checked.defects.messages) note_on_input(run, message);
   note_coarse_coordinates(run, checked.mesh);
   note_far_vertices(run, checked);
   check_formats(run.options().output, checked.mesh);
@@ -339,6 +276,7 @@ CheckedMesh load_input(Run& run, PipedInput* piped) {
                                    counted(summary.faces, "face", "faces"),
                                    counted(summary.components, "component", "components"),
                                    counted(summary.boundary_loops, "boundary loop", "boundary loops")));
+  read_given_files(run, checked);
   return checked;
 }
 
@@ -356,8 +294,7 @@ constexpr double kLongRun = 10;  // seconds
 
 }  // namespace
 
-void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost) {
-  const std::int64_t count = run.options().generators.wanted().value_or(0);
+void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const GeneratorCost& cost) {
   const double seconds = cost.microseconds * 1e-6 * double(count);
   if (count <= mesh.face_count() || seconds < kLongRun) return;
   run.console().note(fmt::format(
@@ -365,18 +302,6 @@ void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost)
       "{:.2g} kB a generator as measured on two cores",
       count, mesh.face_count(), format_duration(seconds), cost.kilobytes * 1e-6 * double(count),
       cost.microseconds * 1e-3, cost.kilobytes));
-}
-
-SamplingOptions make_sampling_options(Run& run) {
-  const GeneratorOptions& asked = run.options().generators;
-  SamplingOptions options;
-  options.seed = asked.seed;
-  options.front = run.options().compute.diagram.chosen_front();
-  options.progress = run.progress();
-  if (asked.wanted()) options.count = *asked.wanted();
-  if (asked.radius) options.radius = *asked.radius;
-  options.kind = asked.radius ? Sampling::covering_radius : asked.sampling;
-  return options;
 }
 
 std::string property_file(Run& run) {
@@ -397,88 +322,21 @@ void refuse_name(Run& run, const std::string& option, const std::string& name) {
   throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: {}", option, name, why));
 }
 
-namespace {
-
-ResolvedGenerators choose_generators(Run& run, const CheckedMesh& input, const Sampler& sampler) {
-  const GeneratorOptions& asked = run.options().generators;
-  ResolvedGenerators found = run.timed("generators", [&] {
-    const ResolveOptions resolving{
-        .max_snap = asked.max_snap, .merge_coincident = asked.merge_coincident, .progress = run.progress()};
-    ResolvedGenerators chosen =
-        asked.are_listed() ? resolve(input, asked, resolving) : sample(run, input.mesh, sampler);
-    note_changes(run, asked, chosen, input.mesh.bbox_diagonal());
-    return chosen;
-  });
-  for (std::size_t i = 0; i < found.points.size(); ++i) {
+void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& points,
+                       const std::vector<std::optional<double>>& snap_distance) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     run.report().generators().push_back(
-        {found.points[i], position(input.mesh, found.points[i]), found.snap_distance[i]});
+        {points[i], position(mesh, points[i]), i < snap_distance.size() ? snap_distance[i] : std::nullopt});
   }
-  run.console().detail(counted(std::ssize(found.points), "generator", "generators"));
-  return found;
 }
 
-}  // namespace
-
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, const Sampler& sampler) {
-  return choose_generators(run, input, sampler).points;
-}
-
-ListedPoints load_sources(Run& run, const CheckedMesh& input) {
-  ResolvedGenerators found = choose_generators(run, input, sample_generators);
-  return {std::move(found.points), std::move(found.vertex)};
-}
-
-ListedPoints load_targets(Run& run, const CheckedMesh& input) {
-  const GeneratorOptions& asked = run.options().targets;
-  if (!asked.are_listed()) return {};
-  return run.timed("targets", [&] {
-    ResolvedGenerators found =
-        resolve(input, asked,
-                {.max_snap = run.options().generators.max_snap, .keep_coincident = true, .progress = run.progress()});
-    note_changes(run, asked, found, input.mesh.bbox_diagonal());
-    return ListedPoints{std::move(found.points), std::move(found.vertex)};
-  });
-}
-
-Diagram compute_timed(Run& run, DiagramOptions options, const std::function<Diagram(const DiagramOptions&)>& compute) {
-  StepTimes times(run);
-  std::string current;
-  options.progress = [&, show = run.progress()](std::string_view step, double fraction) {
-    if (step != current) {
-      current = step;
-      times.start("diagram: " + current);
-    }
-    return show(step, fraction);
-  };
-  return compute(options);
-}
-
-Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                      const std::vector<double>& weights) {
-  DiagramOptions options = run.options().compute.diagram;
-  options.weights = weights;
-  const auto compute = [&](const DiagramOptions& timed) { return compute_diagram(mesh, generators, timed); };
-  Diagram diagram = run.timed("diagram", [&] { return compute_timed(run, options, compute); });
-  report_diagram(run, diagram);
-  return diagram;
-}
-
-void report_diagram(Run& run, const Diagram& diagram) {
-  const DiagramReport& report = diagram.report;
+void set_diagram(Run& run, const Diagram& diagram) {
   run.report().set_diagram(diagram);
   run.figures().regions = std::ssize(diagram.cells);
-  run.console().note(fmt::format("{}, {}, {} of length {:.6g}", counted(std::ssize(diagram.cells), "cell", "cells"),
-                                 counted(std::ssize(diagram.branch_points), "branch point", "branch points"),
-                                 counted(std::ssize(diagram.bisectors), "bisector", "bisectors"), diagram.length));
-  if (report.straightened_faces > 0) {
-    run.console().note(fmt::format(
-        "bisectors are straightened in {}; there they are nearer to one generator than to the other by up to {:.3g}",
-        counted(report.straightened_faces, "face", "faces"), report.straightened_error));
-  }
-  if (report.unresolved_ends > 0) {
-    run.console().note(fmt::format("the diagram is incomplete: {} no branch point",
-                                   counted(report.unresolved_ends, "end of a bisector has", "ends of bisectors have")));
-  }
+}
+
+void report_figures(Run& run, const Object& object) {
+  run.report().results().update(nlohmann::ordered_json::parse(figures_json(object)));
 }
 
 void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::string, OutputWriter>& own_formats) {

@@ -22,6 +22,7 @@
 
 #include "common/outcome.hpp"
 #include "common/process.hpp"
+#include "common/referred_files.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/text.hpp"
 
@@ -64,10 +65,12 @@ RunResult run_one(const std::string& command, const Options& options, const std:
   Console console(fmt::format("{}: {}", command, input), detect_console_style(), options.general.quiet,
                   options.general.verbose);
   Run run(command, options, console);
-  const Outcome outcome = run_guarded([&] {
-    limit_memory_of(options.compute);
-    body(run);
-  });
+  const Outcome outcome = run_guarded(
+      [&] {
+        limit_memory_of(options);
+        body(run);
+      },
+      &options);
   console.clear_bar();
   print_error(command, input, outcome.message);
   const std::string result =
@@ -166,6 +169,7 @@ class SummaryFile {
 }  // namespace
 
 int run_several(const std::string& command, const std::vector<Options>& runs, const std::function<void(Run&)>& body) {
+  check_referred_files(runs);
   std::vector<RunResult> results;
   int exit_code = kDone;
   SummaryFile file(runs.front().output.summary);

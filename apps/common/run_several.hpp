@@ -13,6 +13,7 @@ namespace gvd::app {
 /// Runs `body` once for each of `runs`, and notes a table of the results. A run that fails says why in a line, and the
 /// next one begins; only an interruption ends all. Returns the exit code of the first run that failed, or 0. Writes
 /// a row of --summary after each run, so that whatever ends the process leaves the rows of all runs before.
+/// Throws what `check_referred_files` throws, before the first run.
 int run_several(const std::string& command, const std::vector<Options>& runs, const std::function<void(Run&)>& body);
 
 /// Names and values of figures, as texts.

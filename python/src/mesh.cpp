@@ -149,7 +149,14 @@ void bind_mesh(py::module_& module) {
            [](const py::object& self) { return view(self.cast<const CheckedMesh&>().input_polygon, self); })
       .def("texture_coordinates",
            [](const py::object& self) { return view(self.cast<const CheckedMesh&>().appearance.texture, self); })
-      .def("notes", [](const CheckedMesh& checked) { return checked.defects.messages; })
+      .def("notes",
+           [](const CheckedMesh& checked) {
+             std::vector<std::string> notes;
+             for (const std::string& message : checked.defects.messages) {
+               notes.push_back(spell_options(message, {spell_argument}));
+             }
+             return notes;
+           })
       .def("summary", &summarize)
       .def("resolve", &resolve)
       .def("sample", &sample)

@@ -67,6 +67,47 @@ TEST_CASE("commands: what an option reads may be a pipe, and gives the result of
   CHECK_THAT(wrong.err, Contains(at.pipe + ":1: 'ply' is no number"));
 }
 
+TEST_CASE("gvd-segment: --weights and --shares read standard input, which can't be the mesh, too") {
+  const Pipes at;
+  write_text(at.numbers, "0 0.25\n");
+  const std::string run = at.mesh + " -q --vertices 0,2 -o ";
+  for (const std::string option : {"--weights ", "--balance area --shares "}) {
+    CAPTURE(option);
+    if (option != "--weights ") write_text(at.numbers, "1 3\n");
+    const CommandResult named = run_command("gvd-segment", option + at.numbers + " " + run + at.scratch / "named.ply");
+    const CommandResult piped =
+        run_command("gvd-segment", option + "- " + run + at.scratch / "piped.ply < " + at.numbers);
+    CAPTURE(named.err, piped.err);
+    REQUIRE(named.exit_code == 0);
+    REQUIRE(piped.exit_code == 0);
+    CHECK(read_text(at.scratch / "named.ply") == read_text(at.scratch / "piped.ply"));
+  }
+  write_text(at.numbers, "1 2 3\n");
+  require_error("gvd-segment", run + "a.ply --weights - < " + at.numbers, 3,
+                "standard input: 3 numbers for 2 generators; --weights takes one for each");
+  require_error("gvd-segment", "- --input-format ply -n 2 --weights - < " + at.mesh, 2,
+                "INPUT and --weights are both standard input, which holds one of them: name a file for the other");
+  require_error("gvd-segment", at.mesh + " --generators - --balance area --shares - < " + at.numbers, 2,
+                "--generators and --shares are both standard input");
+}
+
+TEST_CASE("commands: a .gltf from a pipe lacks its buffers, and the message says to name the file") {
+  const Pipes at;
+  const std::string mesh = at.scratch / "mesh.gltf";
+  write_text(mesh, R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+                   R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],)"
+                   R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"a.bin"}]})");
+  write_text(at.scratch / "a.bin", std::string(36, '\0'));
+  const std::string advice =
+      "buffer 0, 'a.bin', is not in the file; name the mesh by its path, with the buffer beside it, or export one "
+      ".glb\n";
+  const CommandResult result = at.run("gvd-segment", at.pipe + " -n 1", mesh);
+  CHECK(result.exit_code == 3);
+  CHECK(result.err == "gvd-segment: error: " + at.pipe + ": " + advice);
+  CHECK(run_command("gvd-segment", "- --input-format gltf -n 1 < " + mesh).err ==
+        "gvd-segment: error: standard input: " + advice);
+}
+
 TEST_CASE("commands: of a piped INPUT properties are not read by name, and the message says so") {
   const Pipes at;
   const CommandResult result = at.run("gvd-segment", at.pipe + " -n 2 --within part", at.mesh);

@@ -124,6 +124,59 @@ TEST_CASE("several inputs: what would be lost or is not clear is refused before 
   CHECK(!fs::exists(inputs.out));
 }
 
+TEST_CASE("several inputs: no run replaces a file that another input refers to, and nothing is written then") {
+  const Inputs inputs;
+  for (const char* folder : {"out", "out/later"}) fs::create_directory(inputs.scratch / folder);
+  // (0, 0, 0), (1, 0, 0), (0, 1, 0) as floats, in a file that is also a summary's name.
+  std::string numbers(36, '\0');
+  for (const std::size_t at : {12, 28}) numbers.replace(at + 2, 2, "\x80\x3f");
+  write_text(inputs.out + "/numbers.csv", numbers);
+  const std::string scene = inputs.out + "/scene.gltf", painted = inputs.out + "/later/painted.obj";
+  write_text(scene, R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+                    R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],)"
+                    R"("bufferViews":[{"buffer":0,"byteLength":36}],)"
+                    R"("buffers":[{"byteLength":36,"uri":"numbers.csv"}]})");
+  const std::string triangle = "usemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const std::string& name : built_commands()) {
+    CAPTURE(name);
+    require_error(name, inputs.good + " " + scene + inputs.to_out + " --summary " + inputs.out + "/numbers.csv", 2,
+                  "--summary " + inputs.out + "/numbers.csv: " + scene + " refers to this file; name another one");
+    CHECK(read_text(inputs.out + "/numbers.csv") == numbers);
+    CHECK(!fs::exists(inputs.out + "/good.ply"));
+  }
+  // The materials of a later OBJ, as a whole line, as one of several names, and behind a link.
+  write_text(inputs.out + "/mine.mtl", "newmtl red\n");
+  fs::create_symlink(inputs.out + "/later", inputs.scratch / "link");
+  for (const std::string& names : std::vector<std::string>{"../good.mtl", "other.mtl ../good.mtl"}) {
+    write_text(painted, "mtllib " + names + "\n" + triangle);
+    for (const std::string& spelling : std::vector{painted, inputs.scratch / "link/painted.obj"}) {
+      CAPTURE(names, spelling);
+      require_error("gvd-segment", inputs.good + " " + spelling + inputs.to_out + " --output-format obj", 2,
+                    "the materials of --output-dir " + inputs.out + "/good.mtl: " + spelling +
+                        " refers to this file; name another one");
+    }
+  }
+  CHECK(!fs::exists(inputs.out + "/good.obj"));
+  // Its own materials are not written over by an OBJ that keeps them.
+  write_text(painted, "mtllib ../painted.mtl\n" + triangle);
+  const CommandResult own = run_command(
+      "gvd-segment", inputs.good + " " + painted + " -n 1 -q --output-format obj --output-dir " + inputs.out);
+  CHECK_THAT(own.err, Catch::Matchers::Equals(""));
+  CHECK(own.exit_code == 0);
+}
+
+TEST_CASE("several inputs: one that is not there, or is cut off, does not stop the others") {
+  const Inputs inputs;
+  const std::string cut = inputs.scratch / "cut.gltf";
+  write_text(cut, R"({"asset":{"version":"2.0"},"buffers":[{"uri":")");
+  const CommandResult result =
+      run_command("gvd-segment", inputs.scratch / "none.obj" + " " + cut + " " + inputs.good + inputs.to_out + " -q");
+  CHECK(result.exit_code == 3);
+  CHECK_THAT(result.err, Contains("none.obj: there is no such file") && Contains("cut.gltf: the scene's description"));
+  CHECK(line_count(result.err) == 2);
+  CHECK(fs::exists(inputs.out + "/good.ply"));
+}
+
 TEST_CASE("several inputs: --view without a name writes a page for each, as that of the same run alone") {
   for (const std::string& name : built_commands()) {
     const Inputs inputs;

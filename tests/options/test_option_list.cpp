@@ -58,8 +58,8 @@ TEST_CASE("every field goes back to its default") {
   toy.options.step = 1;
   toy.options.colour = test::Colour::red;
   toy.options.front = test::Colour::red;
-  toy.options.list = "a";
-  toy.options.vertices = {1};
+  toy.options.from.file = "a";
+  toy.options.vertices.vertices = {1};
   toy.options.angle = 3;
   toy.options.auto_angle = true;
   toy.options.unnamed_page = true;
@@ -68,8 +68,8 @@ TEST_CASE("every field goes back to its default") {
   CHECK(toy.options.step == 0.5);
   CHECK(toy.options.colour == test::Colour::green);
   CHECK(!toy.options.front);
-  CHECK(toy.options.list.empty());
-  CHECK(!toy.options.vertices);
+  CHECK(toy.options.from.file.empty());
+  CHECK(!toy.options.vertices.is_given());
   CHECK(!toy.options.angle);
   CHECK(!toy.options.auto_angle);
   CHECK(!toy.options.unnamed_page);
@@ -117,16 +117,6 @@ TEST_CASE("a name in a rule or a text that is no option is found") {
   bool flag = false;
   toy.list.option("last", Flag{&flag}, {.help = "As {option:nowhere=3}"});
   CHECK(toy.list.find_unknown_names() == std::vector<std::string>{"nobody", "none", "nothing", "nowhere"});
-}
-
-TEST_CASE("placeholders are spelled, with their values") {
-  const auto spell = [](const std::string& text) {
-    return spell_options(text,
-                         [](const std::string& name, const std::string& value) { return name + '(' + value + ')'; });
-  };
-  CHECK(spell("add {option:method=gbgvd}, or leave {option:front} out") == "add method(gbgvd), or leave front() out");
-  CHECK(spell("{option:a}") == "a()");
-  CHECK(spell("no {other} {option:") == "no {other} {option:");
 }
 
 }  // namespace gvd::test_option_list

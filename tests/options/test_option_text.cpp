@@ -59,9 +59,9 @@ TEST_CASE("each kind stores its value") {
   take("levels", {"10, 100", "1000"});
   CHECK(o.levels == std::vector<std::int32_t>{10, 100, 1000});
   take("density", {"area"});
-  CHECK(o.density == "area");
+  CHECK(o.density.name == "area");
   take("curves", {"creases:30"});
-  CHECK(o.curves == "creases:30");
+  CHECK(o.curves.name == "creases:30");
 }
 
 TEST_CASE("a name that may stand alone has a value of its own") {
@@ -83,10 +83,10 @@ TEST_CASE("a name that may stand alone has a value of its own") {
 TEST_CASE("points are vertices or a file") {
   Toy toy;
   CHECK(read(toy, "from", {"3, 17", "99"}).empty());
-  CHECK(toy.options.from == std::vector<std::int64_t>{3, 17, 99});
+  CHECK(toy.options.from.vertices == std::vector<std::int64_t>{3, 17, 99});
   CHECK(read(toy, "from", {"seeds.txt"}).empty());
-  CHECK(toy.options.list == "seeds.txt");
-  CHECK(!toy.options.from);
+  CHECK(toy.options.from.file == "seeds.txt");
+  CHECK(!toy.options.from.vertices);
   CHECK(refusal("from", {"-1"}) == "'-1' is not a vertex index; write indices from 0, as in 3,17,99");
   CHECK(refusal("from", {"1", "a.txt"}) == "'a.txt': give vertices or one file");
   CHECK(refusal("from", {""}) == "the list is empty; write vertices, as in 3,17,99, or name a file");

@@ -26,9 +26,11 @@ struct ToyOptions {
   bool auto_angle = false;
   Colour colour = Colour::green;
   std::optional<Colour> front;
-  std::string table, page, folder, list, curves, density;
+  std::string table, page, folder;
+  GivenCurves curves;
+  GivenNumbers density;
   bool unnamed_page = false;
-  std::optional<std::vector<std::int64_t>> vertices, from;
+  GivenPoints vertices, from;
   std::vector<std::int32_t> levels;
   std::optional<std::int64_t> memory;
   std::optional<ErrorBound> error;
@@ -62,8 +64,8 @@ inline void describe(OptionList& list, ToyOptions& toy) {
   list.option("relocate", Switch{&toy.relocate}, {.help = "Relocate"});
   list.option("colour", choice(toy.colour, kColours), {.help = "A colour"});
   list.option("front", choice(toy.front, kColours), {.help = "A front"});
-  list.option("vertices", PointList{&toy.vertices}, {.help = "Vertices"});
-  list.option("from", PointList{&toy.from, &toy.list}, {.help = "Points"});
+  list.option("vertices", PointList{&toy.vertices, PointList::Named::vertices}, {.help = "Vertices"});
+  list.option("from", PointList{&toy.from}, {.help = "Points"});
   list.option("curves", Curves{&toy.curves, 40}, {.help = "Curves"});
   list.option("levels", Counts{&toy.levels}, {.help = "Levels"});
   list.option("density", ValueSource{&toy.density, {"area"}}, {.help = "Numbers"});

@@ -17,6 +17,7 @@
 #include "gvd/remesh_scenes.hpp"
 #include "gvd/sampling.hpp"
 #include "remesh/dual_defects.hpp"
+#include "remesh/remesh_refusal.hpp"
 #include "repair/repair_steps.hpp"
 #include "support/cancelled.hpp"
 #include "support/catch.hpp"
@@ -50,18 +51,6 @@ RemeshResult require_remesh(const Mesh& mesh, const std::vector<SurfacePoint>& g
   require_same_topology(mesh, result.mesh);
   require_generators_kept(generators, result);
   return result;
-}
-
-/// `given`: generators, or their diagram.
-template <class Given = std::vector<SurfacePoint>>
-Error refusal(const Mesh& mesh, const Given& given, const RemeshOptions& options = {}) {
-  try {
-    remesh(mesh, given, options);
-  } catch (const Error& error) {
-    return error;
-  }
-  FAIL("no error");
-  return {ErrorCode::precondition, ""};
 }
 
 TEST_CASE("remesh: a certified mesh on every family, from one generator to a hundred") {
@@ -191,7 +180,8 @@ TEST_CASE("remesh: where a spike is too narrow, the reason names its tip and its
     const Mesh spike = test::make_pyramid(angle, 5);
     const SurfacePoint near_tip = make_surface_point(FaceId(0), {0.9, 0.03, 0.07});
     return std::string(
-        refusal(spike, {vertex_point(spike, VertexId(0)), near_tip, vertex_point(spike, VertexId(6))}, {}).what());
+        test::remesh_refusal(spike, {vertex_point(spike, VertexId(0)), near_tip, vertex_point(spike, VertexId(6))}, {})
+            .what());
   };
   CHECK_THAT(reason(1e-3), Catch::Matchers::Contains("the total angle of vertex 0 at (0, 0, 1) is 0.001 degrees"));
   CHECK_THAT(reason(1e-3), Catch::Matchers::Contains("no generator may be nearer to it than 0.172; choose others"));
@@ -234,7 +224,7 @@ TEST_CASE("remesh: refuses where no generator may be added, and names property a
   const Mesh sphere = test::make_sphere(2);
   RemeshOptions options;
   options.refine = false;
-  const Error error = refusal(sphere, test::random_generators(sphere, 2, 0), options);
+  const Error error = test::remesh_refusal(sphere, test::random_generators(sphere, 2, 0), options);
   CHECK(error.code() == ErrorCode::no_valid_result);
   CHECK_THAT(error.what(), Catch::Matchers::Contains("(4) cells 0 and 1 share a closed bisector, near ("));
   const auto thirty = test::random_generators(sphere, 30, 0);
@@ -247,12 +237,12 @@ TEST_CASE("remesh: refuses where more generators are needed than may be added") 
   const Mesh torus = test::make_torus(24, 12);
   RemeshOptions options;
   options.max_added = 2;
-  const Error error = refusal(torus, {vertex_point(torus, VertexId(0))}, options);
+  const Error error = test::remesh_refusal(torus, {vertex_point(torus, VertexId(0))}, options);
   CHECK(error.code() == ErrorCode::no_valid_result);
   CHECK_THAT(error.what(), Catch::Matchers::Contains("the dual of 3 generators is no valid mesh: (2)"));
   CHECK_THAT(error.what(), Catch::Matchers::Contains("2 generators were added"));
   options.max_added = -1;
-  CHECK(refusal(torus, {vertex_point(torus, VertexId(0))}, options).code() == ErrorCode::invalid_option);
+  CHECK(test::remesh_refusal(torus, {vertex_point(torus, VertexId(0))}, options).code() == ErrorCode::invalid_option);
 }
 
 TEST_CASE("remesh: exactly as many vertices as asked for, with the first generators in their places") {
@@ -291,7 +281,7 @@ TEST_CASE("remesh: what can't have so few vertices is refused with a number that
   const Mesh torus = test::make_torus(24, 12);
   RemeshOptions options;
   options.vertex_count = 4;
-  const Error error = refusal(torus, test::random_generators(torus, 4, 1), options);
+  const Error error = test::remesh_refusal(torus, test::random_generators(torus, 4, 1), options);
   CHECK(error.code() == ErrorCode::no_valid_result);
   CHECK_THAT(error.what(), Catch::Matchers::Contains("no valid mesh of 4 vertices was found: "));
 }
@@ -352,18 +342,18 @@ TEST_CASE("remesh: a known diagram gives the same mesh, and is not computed agai
 TEST_CASE("remesh: a known diagram of another mesh is refused, and wrong options are") {
   const Mesh mesh = test::make_torus(24, 12), other = test::make_sphere(2);
   const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, 9, 2));
-  CHECK(refusal(other, diagram).code() == ErrorCode::precondition);
-  CHECK(refusal(mesh, Diagram()).code() == ErrorCode::precondition);
+  CHECK(test::remesh_refusal(other, diagram).code() == ErrorCode::precondition);
+  CHECK(test::remesh_refusal(mesh, Diagram()).code() == ErrorCode::precondition);
   RemeshOptions wrong;
   wrong.max_added = -1;
-  CHECK(refusal(mesh, diagram, wrong).code() == ErrorCode::invalid_option);
+  CHECK(test::remesh_refusal(mesh, diagram, wrong).code() == ErrorCode::invalid_option);
 }
 
 TEST_CASE("remesh: progress can cancel") {
   const Mesh mesh = test::make_sphere(2);
   RemeshOptions options;
   options.diagram.progress = [](std::string_view, double) { return false; };
-  CHECK(refusal(mesh, test::random_generators(mesh, 5, 0), options).code() == ErrorCode::interrupted);
+  CHECK(test::remesh_refusal(mesh, test::random_generators(mesh, 5, 0), options).code() == ErrorCode::interrupted);
 }
 
 TEST_CASE("remesh: progress tells of the placement and the distance, too") {

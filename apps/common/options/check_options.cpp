@@ -15,6 +15,7 @@
 #include <utility>
 #include <variant>
 
+#include "common/options/spelling.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/write_file.hpp"
@@ -43,12 +44,15 @@ std::string describe_stray(const std::string& word, bool follows, const Options&
   if (fs::is_directory(word, ignored)) return fmt::format("is a directory; did you mean --output-dir {}?", word);
   if (word == "%") return "is not a file; a percentage has no blank before %";
   if (parse_number<std::int64_t>(word)) {
-    if (options.generators.vertices) {
-      return fmt::format("is not a file; {} takes commas without blanks, as in 3,17,99",
-                         options.generators.names.vertices);
+    for (const char* const name : {"vertices", "from"}) {
+      const Option* const option = options.list->find(name);
+      if (option == nullptr || !options.given->has(name)) continue;
+      return fmt::format("is not a file; {} takes commas without blanks, as in 3,17,99", usual_name(*option));
     }
-    if (options.has_diagram && !options.generators.count)
-      return fmt::format("is not a file; did you mean -n {}?", word);
+    const Option* const count = options.list->find("count");
+    if (count != nullptr && !options.given->has("count")) {
+      return fmt::format("is not a file; did you mean {} {}?", usual_name(*count), word);
+    }
   }
   return follows && contains(formats.extensions, file_extension(word))
              ? fmt::format("is not a file; did you mean -o {}?", word)
@@ -86,15 +90,15 @@ void check_commands(const std::string& path) {
 /// What an option reads: names of files, or of properties and the like, which it may take in their place.
 std::vector<std::string> list_read(const Field& field) {
   using Names = std::vector<std::string>;
-  return std::visit(
-      Overload{[&](const File& file) {
-                 const bool is_read = file.use == File::Use::read;
-                 return is_read ? write_option(field).value_or(Names()) : Names();
-               },
-               [](const PointList& list) { return list.file != nullptr ? Names{*list.file} : Names(); },
-               [](const Curves& curves) { return Names{*curves.value}; },
-               [](const ValueSource& values) { return Names{*values.value}; }, [](const auto&) { return Names(); }},
-      field);
+  return std::visit(Overload{[&](const File& file) {
+                               const bool is_read = file.use == File::Use::read;
+                               return is_read ? write_option(field).value_or(Names()) : Names();
+                             },
+                             [](const PointList& list) { return Names{list.value->file}; },
+                             [](const Curves& curves) { return Names{curves.value->name}; },
+                             [](const ValueSource& values) { return Names{values.value->name}; },
+                             [](const auto&) { return Names(); }},
+                    field);
 }
 
 /// The files that the options name beside INPUT and --config: empty names where they are not given.
@@ -113,15 +117,14 @@ std::vector<std::string> list_read_files(const Options& options) {
 void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
   std::vector<std::string> piped;  // what is standard input
-  if (options.input.path == "-") piped.emplace_back("INPUT");
-  for (const GeneratorOptions* list : {&options.generators, &options.targets}) {
-    if (list->file == "-") piped.push_back(list->names.file);
+  for (const Option* const option : options.list->options()) {
+    const bool reads = option->spec.positional ? options.input.path == "-" : contains(list_read(option->field), "-");
+    if (reads && option->name != "config") piped.push_back(typed_names(*option).back());
   }
-  if (options.generators.curves == "-") piped.emplace_back("--curves");
   const bool into_folder = !options.output.folder.empty();
   check_commands(options.input.path);
   if (options.input.path == "-" && !options.input.format) {
-    refuse(fmt::format("standard input has no extension: name its format with --input-format {}", list_inputs()));
+    refuse("standard input has no extension: name its format with " + input_format_option());
   }
   if (piped.size() > 1) {
     refuse(fmt::format("{} and {} are both standard input, which holds one of them: name a file for the other",

@@ -24,8 +24,6 @@
 namespace gvd::app {
 namespace {
 
-const Choices<Shell> kShells{{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}};
-
 /// The option that a user calls by this name; null where there is none.
 const Option* find_typed(const OptionList& list, const std::string& name) {
   for (const Option* const option : list.options()) {

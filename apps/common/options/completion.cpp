@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/options/spelling.hpp"
+#include "gvd/generator_list.hpp"
 #include "gvd/option_text.hpp"
 
 namespace gvd::app {
@@ -54,7 +55,10 @@ void add_values(CompletedOption& option, const Field& field) {
                                        : file.extensions.empty() ? "any"
                                                                  : fmt::format("{}", fmt::join(file.extensions, "|"));
                       },
-                      [&](const PointList& list) { option.files = list.file == nullptr ? "" : "any"; },
+                      [&](const PointList& list) {
+                        const bool names_files = list.named != PointList::Named::vertices;
+                        option.files = names_files ? fmt::format("{}", fmt::join(generator_extensions(), "|")) : "";
+                      },
                       [&](const Curves&) {
                         words(std::array{"boundary", "creases"});
                         option.files = "any";

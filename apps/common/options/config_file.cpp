@@ -14,6 +14,7 @@
 #include "gvd/error.hpp"
 #include "gvd/option_text.hpp"
 #include "gvd/text.hpp"
+#include "gvd/text_encoding.hpp"
 
 // Two faults of toml++ 3.3 that files can reach are mended before it is included.
 // 1. It asserts before it tests: `[` and a zero byte would abort a build with assertions, and break an assumption of
@@ -136,7 +137,7 @@ TakenTypes taken_types(const Field& field) {
                [](const ChoiceList&) -> TakenTypes {
                  return {"s", "a string, or an array of strings"};
                },
-               [&](const PointList&) { return kVertices; },
+               [&](const PointList& list) { return list.named == PointList::Named::file ? kText : kVertices; },
                [](const Counts&) -> TakenTypes {
                  return {"is", "an array of whole numbers, such as [10, 100], or a string, such as \"10,100\""};
                },
@@ -202,13 +203,6 @@ bool is_excluded(const OptionList& list, const std::string& name, const std::vec
   });
 }
 
-/// Whether a text is UTF-16: by its byte order mark, or since a zero belongs to each of its first two characters.
-bool is_utf16(std::string_view content) {
-  if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff")) return true;
-  return content.size() > 3 &&
-         ((content[0] == '\0' && content[2] == '\0') || (content[1] == '\0' && content[3] == '\0'));
-}
-
 }  // namespace
 
 bool turns_off(const GivenTexts& given) {
@@ -221,7 +215,8 @@ std::vector<GivenTexts> read_config_file(const OptionList& list, std::istream& i
   if (input.bad()) refuse_file(file, "could not be read to its end");
   const std::string_view program = find_compression(content);
   if (!program.empty()) refuse_file(file, fmt::format("the file is compressed by {}; unpack it first", program));
-  if (is_utf16(content)) refuse_file(file, "the file is text in UTF-16; save it as UTF-8");
+  if (has_utf16_mark(content) || is_unmarked_utf16(content, 2))
+    refuse_file(file, "the file is text in UTF-16; save it as UTF-8");
   const toml::table table = parse_toml(content, file);
   std::vector<GivenTexts> given;
   for (const Entry& entry : list_entries(table, file)) {

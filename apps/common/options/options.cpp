@@ -11,6 +11,13 @@
 
 namespace gvd::app {
 
+std::uint64_t seed_of(const Options& options) {
+  const Option* const option = options.list == nullptr ? nullptr : options.list->find("seed");
+  const auto* const number = option == nullptr ? nullptr : std::get_if<Number>(&option->field);
+  const auto* const seed = number == nullptr ? nullptr : std::get_if<std::uint64_t*>(&number->value);
+  return seed == nullptr ? 0 : **seed;
+}
+
 std::string format_of(const OutputOptions& output, const std::string& file) {
   const std::string asked = output.formats.empty() ? "" : output.formats.front();
   if (file == "-") return asked;

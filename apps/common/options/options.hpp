@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "gvd/diagram.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/option_list.hpp"
@@ -25,41 +24,12 @@ struct InputOptions {
   std::string path;                  ///< of this run
   std::optional<MeshFormat> format;  ///< nothing: told from content and extension
   DefectPolicy on_defect = DefectPolicy::repair;
+  std::optional<GeneratorFormat> list_format;  ///< of a file of points; nothing: told from extension and content
   std::optional<double> weld;  ///< tolerance in mesh units, 0 for exact copies; nothing: as the format asks
 };
 
-/// What the command line calls a list of points, for messages.
-struct ListNames {
-  std::string file = "--generators", vertices = "--vertices";  ///< the options that name it
-  std::string points = "generators";
-};
-
-/// Where the generators come from: exactly one of count, file, vertices, curves, radius, target_edge, error and
-/// implied_count is set.
-struct GeneratorOptions {
-  ListNames names;
-  std::optional<std::int32_t> count;       ///< >= 1
-  Sampling sampling = Sampling::farthest;  ///< of `count` ones
-  std::uint64_t seed = 0;
-  std::string file;                                   ///< a list of generators, or "-" for standard input
-  std::optional<GeneratorFormat> format;              ///< of the list; nothing: told from extension and content
-  std::optional<std::vector<std::int64_t>> vertices;  ///< 0-based indices of the input file's vertices
-  std::string curves;                                 ///< a file of curves, boundary or creases[:ANGLE]; empty: points
-  std::optional<double> radius;                       ///< covering radius in mesh units, > 0
-  std::optional<double> target_edge;                  ///< of a mesh of the generators, mesh units, > 0
-  std::optional<ErrorBound> error;                    ///< as many as a mesh of them needs
-  std::optional<double> max_snap;                     ///< largest snap distance allowed, mesh units, >= 0
-  bool merge_coincident = false;
-  std::optional<std::int32_t> implied_count;  ///< of --per-region and --levels, in place of `count`
-
-  /// How many are to be sampled; nothing where no option says so.
-  std::optional<std::int32_t> wanted() const { return count ? count : implied_count; }
-  /// Whether the generators are those of a list: where the user wants them.
-  bool are_listed() const { return vertices || !file.empty(); }
-};
-
 struct ComputeOptions {
-  DiagramOptions diagram;  ///< its threads are those of the whole run
+  int threads = 0;  ///< 0: one a core
   bool verify = false;
   std::optional<std::int64_t> max_memory;  ///< bytes that the process may hold, > 0
 };
@@ -85,6 +55,8 @@ struct OutputOptions {
 
 enum class Shell { bash, zsh, fish };
 
+inline const Choices<Shell> kShells{{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}};
+
 /// The options that every command has.
 struct GeneralOptions {
   bool short_help = false, help = false, version = false, description = false;  ///< questions
@@ -96,9 +68,7 @@ struct GeneralOptions {
 /// The options that the commands share. A command adds its own in a struct that inherits these.
 struct Options {
   InputOptions input;
-  GeneratorOptions generators;
-  GeneratorOptions targets;  ///< a list of points that distances are asked for
-  bool has_diagram = true;   ///< otherwise the options that build, sample and write a diagram are not there
+  bool has_diagram = true;  ///< otherwise the options that build, sample and write a diagram are not there
   ComputeOptions compute;
   OutputOptions output;
   GeneralOptions general;
@@ -106,8 +76,8 @@ struct Options {
   const Given* given = nullptr;      ///< what the user set of them
 };
 
-/// The names that --input-format takes, for messages.
-inline std::string list_inputs() { return join_words(names_in(input_format_names()), "or"); }
+/// The seed of the random choices; 0 where the command has none.
+std::uint64_t seed_of(const Options& options);
 
 /// FreeSurfer names its surfaces lh.white or rh.pial: for --output-format, this format takes any name.
 inline constexpr const char* kFreeSurfer = "fs";

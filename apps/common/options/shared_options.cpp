@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "gvd/constrained_start.hpp"
 #include "gvd/diagram_options.hpp"
+#include "gvd/generator_options.hpp"
 
 namespace gvd::app {
 namespace {
@@ -36,13 +36,6 @@ std::string list_mesh_formats() {
     named.push_back(has_own ? "." + format.extensions.back() : fmt::format("{}'s", format.title));
   }
   return fmt::format("{}", fmt::join(named, ", "));
-}
-
-/// What lists of generators end in.
-std::vector<std::string> extensions_of_lists() {
-  std::vector<std::string> extensions;
-  for (const auto& [name, format] : kGeneratorFormatNames) extensions.emplace_back(generator_extension(format));
-  return extensions;
 }
 
 /// The options that choose what is written.
@@ -98,62 +91,21 @@ void describe_input(OptionList& list, InputOptions& input) {
                .unit = "mesh units"});
 }
 
-void describe_generators(OptionList& list, GeneratorOptions& generators, const std::vector<std::string>& others) {
-  list.group("Generators (one of {option:count}, {option:generators}, {option:vertices}, {option:radius})");
-  list.option("count", Number{&generators.count, {.least = 1}},
-              {.help = "Number of generators to sample", .short_name = "n", .shown = Shown::main});
-  list.option("sampling", choice(generators.sampling, kSamplingNames),
-              {.help = "How {option:count} places generators"});
-  list.option("seed", Number{&generators.seed}, {.help = "Seed of the random choices"});
-  list.option("radius", Number{&generators.radius, above(0)},
-              {.help = "Sample generators until no point of the surface is farther than this from the nearest one",
-               .unit = "mesh units"});
-  list.option("generators", File{&generators.file, Use::read, extensions_of_lists()},
-              {.help = fmt::format("File that lists the generators ({})", list_extensions(extensions_of_lists(), "or")),
-               .more = ", or - for standard input",
-               .shown = Shown::main});
-  list.option("generators_format", choice(generators.format, kGeneratorFormatNames),
-              {.help = "Format of that list", .more = ", otherwise detected from extension and content"});
-  list.option("vertices", PointList{&generators.vertices},
-              {.help = "Use these vertices of the input file, counted from 0, as in 3,17,99"});
-  list.option("max_snap", Number{&generators.max_snap, {.least = 0}},
-              {.help = "Refuse a point of {option:generators} that is farther than this from the surface",
-               .unit = "mesh units"});
-  list.option("merge_coincident", Flag{&generators.merge_coincident},
-              {.help = "Merge generators that are in the same place instead of refusing them"});
-  OneOf sources{{"count", "generators", "vertices", "radius"}, "no generators"};
-  sources.options.insert(sources.options.end(), others.begin(), others.end());
-  list.one_of(std::move(sources));
-  list.excludes("sampling", {"radius", "generators", "vertices"});
-  list.excludes("seed", {"generators", "vertices"});
-  list.needs("generators_format", "generators");
-  list.excludes("max_snap", {"count", "radius", "vertices"});
-  list.excludes("merge_coincident", {"count", "radius"});
-}
-
-void describe_list(OptionList& list, const std::string& name, GeneratorOptions& points, Spec spec) {
-  points.names = {"--" + name, "--" + name, "--" + name};
-  list.option(name, PointList{&points.vertices, &points.file}, std::move(spec));
-}
-
-void describe_curves(OptionList& list, GeneratorOptions& generators) {
+void describe_generators_format(OptionList& list, InputOptions& input) {
+  list.group(kGeneratorGroup);
   list.option(
-      "curves", Curves{&generators.curves, kUsualCreaseAngle},
-      {.help = "Use curves as generators",
-       .more = ": polylines of a file (.obj, .ply, .json or text), the boundary loops, or connected edges whose "
-               "faces differ by more than ANGLE degrees",
-       .usual = fmt::format("{}", kUsualCreaseAngle)});
+      "generators_format", choice(input.list_format, kGeneratorFormatNames),
+      {.help = "Format of the list of {option:generators}", .more = ", otherwise detected from extension and content"});
+  list.needs("generators_format", "generators");
 }
 
 void describe_resources(OptionList& list, ComputeOptions& compute) {
-  describe_threads(list, compute.diagram.threads);
+  describe_threads(list, compute.threads);
   list.option("max_memory", ByteSize{&compute.max_memory},
               {.help = "End the run if it needs more memory than this, as in 500M or 2G"});
 }
 
-void describe_diagram(OptionList& list, ComputeOptions& compute) {
-  describe(list, compute.diagram);
-  describe_resources(list, compute);
+void describe_verify(OptionList& list, ComputeOptions& compute) {
   list.option("verify", Flag{&compute.verify},
               {.help = "After the run, measure the error of the diagram against exact distances"});
 }

@@ -11,17 +11,11 @@ namespace gvd::app {
 
 void describe_input(OptionList& list, InputOptions& input);
 
-/// The options that say where generators come from. `others`: those of the command that do so, too.
-void describe_generators(OptionList& list, GeneratorOptions& generators, const std::vector<std::string>& others = {});
+/// The format of a list of generators in a file, behind the options that say where generators come from.
+void describe_generators_format(OptionList& list, InputOptions& input);
 
-/// A list of points: vertices, or a file.
-void describe_list(OptionList& list, const std::string& name, GeneratorOptions& points, Spec spec);
-
-/// --curves, in place of points.
-void describe_curves(OptionList& list, GeneratorOptions& generators);
-
-/// How a diagram is built, and with which means.
-void describe_diagram(OptionList& list, ComputeOptions& compute);
+/// The check of a diagram after the run.
+void describe_verify(OptionList& list, ComputeOptions& compute);
 
 /// Threads and memory.
 void describe_resources(OptionList& list, ComputeOptions& compute);

@@ -3,8 +3,11 @@
 #include "common/options/spelling.hpp"
 
 #include <algorithm>
+#include <string_view>
+#include <variant>
 
 #include "gvd/error.hpp"
+#include "gvd/option_text.hpp"
 
 namespace gvd::app {
 
@@ -37,15 +40,18 @@ std::vector<std::string> file_keys(const Option& option) {
 }
 
 std::string spell(const OptionList& list, const Given& given, const std::string& text, bool in_file) {
-  return spell_options(text, [&](const std::string& name, const std::string& value) {
+  const auto spell_one = [&](std::string_view name, std::string_view value) {
     const Option* const option = list.find(name);
-    if (option == nullptr) return name;
+    if (option == nullptr) return std::string(name);
     const Given::Source* const source = given.find(name);
     const bool as_key = source != nullptr ? !source->place.empty() : in_file;
     std::string spelled = source != nullptr ? source->spelling : as_key ? dashed_name(*option) : usual_name(*option);
-    if (!value.empty()) spelled += as_key ? " = \"" + value + '"' : ' ' + value;
-    return spelled;
-  });
+    const bool is_flag = std::holds_alternative<Flag>(option->field);
+    if (value.empty() || (is_flag && !as_key)) return spelled;
+    if (is_flag) return spelled + " = true";
+    return spelled + (as_key ? " = \"" + std::string(value) + '"' : ' ' + std::string(value));
+  };
+  return spell_options(text, {spell_one, [&](std::string_view name) { return given.has(name); }});
 }
 
 std::string spell(const OptionList& list, const std::string& text) { return spell(list, Given(), text); }

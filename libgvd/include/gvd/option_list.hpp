@@ -13,7 +13,9 @@
 #include <variant>
 #include <vector>
 
+#include "gvd/given_values.hpp"
 #include "gvd/names.hpp"
+#include "gvd/placeholders.hpp"
 
 // Options, each described once: its name, the field that has its value, its range, and its words for users. Whatever
 // takes, shows or writes options reads this list: command lines, files of options, help, completion, reports.
@@ -82,16 +84,17 @@ struct File {
   bool* unnamed = nullptr;
 };
 
-/// Vertices of the input, counted from 0, or a file that lists points. Without `file`, vertices only.
+/// Points of the surface: vertices of the input, counted from 0, or a file that lists points, or only one of these.
 struct PointList {
-  std::optional<std::vector<std::int64_t>>* vertices;
-  std::string* file = nullptr;
+  enum class Named { any, vertices, file };
+  GivenPoints* value;
+  Named named = Named::any;
 };
 
 /// Curves on the surface: "boundary", "creases", "creases:ANGLE" with an angle in degrees, or a file of polylines.
 /// "creases" alone are those of `usual` degrees.
 struct Curves {
-  std::string* value;
+  GivenCurves* value;
   double usual;
 };
 
@@ -100,10 +103,16 @@ struct Counts {
   std::vector<std::int32_t>* value;
 };
 
-/// A number for each vertex or face: one of some words, a file, or a property of the input.
+/// Numbers: one of some words that stand for them, a file, or a property of the input where they are of its elements.
 struct ValueSource {
-  std::string* value;
+  enum class Of {
+    elements,   ///< vertices or faces; of a property that both have, the vertices
+    faces,      ///< the same, but the faces; of a table with several labels, the last
+    generators  ///< in a file only
+  };
+  GivenNumbers* value;
   std::vector<std::string> words = {};
+  Of of = Of::elements;
 };
 
 /// Bytes, as in 500M or 2G.
@@ -245,8 +254,7 @@ struct Problem {
 
 /// The options of an operation or a command, and which of them go together.
 ///
-/// Texts name options by placeholders, which each reader spells in its own way: "{option:max_snap}" is --max-snap on a
-/// command line, and "{option:method=exact}" is --method exact.
+/// Texts name options by placeholders (gvd/placeholders.hpp).
 class OptionList {
  public:
   OptionList() = default;
@@ -293,9 +301,5 @@ class OptionList {
   std::vector<OneOf> sets_;
   std::vector<ValueRule> rules_;
 };
-
-/// The text with each placeholder replaced by spell(name, value); the value is empty for "{option:name}".
-std::string spell_options(const std::string& text,
-                          const std::function<std::string(const std::string&, const std::string&)>& spell);
 
 }  // namespace gvd

@@ -11,6 +11,9 @@
 
 namespace gvd {
 
+/// A placeholder for the option that names the format of a mesh, with all names, for texts: "name the format with ...".
+std::string input_format_option();
+
 /// The format that a file name's extension, or a bare name such as "ply", stands for, in upper or lower case; nothing
 /// for any other name. An extension .gz behind it is ignored.
 std::optional<MeshFormat> format_from_extension(std::string_view name);

@@ -54,7 +54,8 @@ struct DefectReport {
   std::int64_t coincident_vertices = 0;  ///< boundary vertices at the position of another: legal, kept apart
   std::int64_t closable_edges = 0;       ///< boundary edges that welding vertices at equal positions would join
   std::int64_t split_edges = 0;          ///< non-manifold edges that could be cut only with a new midpoint
-  std::vector<std::string> messages;     ///< for the user, one line each: the reader's notes and all of the above
+  /// For the user, one line each: the reader's notes and all of the above, with placeholders (gvd/placeholders.hpp).
+  std::vector<std::string> messages;
 
   /// Number of defects of one kind.
   std::int64_t count(DefectKind kind) const;
@@ -92,7 +93,8 @@ struct CheckedMesh {
 CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy = DefectPolicy::repair, std::string_view name = {});
 
 /// Asks `build_mesh` to make one vertex of copies: those at the same position and, where `tolerance` (mesh units) is
-/// above 0, those near each other, which this call moves to one position. Vertices keep their numbers.
+/// above 0, those near each other, which this call moves to one position. Vertices keep their numbers. Those in no
+/// polygon neither join others nor move.
 ///
 /// The rule: in the order of their numbers, a vertex stays unless one that stays already is at most `tolerance` away;
 /// then every other vertex moves to the nearest one that stays, of equally near ones to that with the smallest number.

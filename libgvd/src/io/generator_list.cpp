@@ -289,8 +289,10 @@ class Resolver {
       refuse(error.what());
     }
     if (options_.max_snap && !(closest.distance <= *options_.max_snap)) {
-      refuse(fmt::format("this position is {} from the surface, more than the {} allowed; move it, or raise max_snap",
-                         closest.distance, *options_.max_snap));
+      refuse(
+          fmt::format("this position is {} from the surface, more than the {} allowed; move it, or raise "
+                      "{{option:max_snap}}",
+                      closest.distance, *options_.max_snap));
     }
     result_.snap_distance.back() = closest.distance;
     if (closest.distance > result_.longest_snap.value_or(-1)) {
@@ -313,7 +315,8 @@ class Resolver {
         kept.snap_distance.push_back(result_.snap_distance[i]);
         kept.vertex.push_back(result_.vertex[i]);
       } else if (!options_.merge_coincident) {
-        refuse(i, describe_coincident(std::size_t(i), std::size_t(twin)) + "; remove one, or set merge_coincident");
+        refuse(i, describe_coincident(std::size_t(i), std::size_t(twin)) +
+                      "; remove one, or add {option:merge_coincident}");
       }
     }
     kept.merged = std::int32_t(first.size() - kept.points.size());
@@ -406,6 +409,12 @@ std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<Su
     first.push_back(grid.insert(canonical(mesh, point), std::int32_t(first.size())));
   }
   return first;
+}
+
+std::vector<std::string> generator_extensions() {
+  std::vector<std::string> extensions;
+  for (const auto& [name, format] : kGeneratorFormatNames) extensions.emplace_back(generator_extension(format));
+  return extensions;
 }
 
 ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options) {

@@ -43,8 +43,10 @@ auto with_unpacked(std::string_view bytes, std::string_view name, const Parse& p
   const auto vertices = std::ssize(soup.positions);
   if (vertices == 0 && soup.notes.empty() && format == MeshFormat::obj) {  // skips what it does not know
     const std::string word = first_word(bytes);
-    refuse_file(name, fmt::format("as an OBJ, the file has neither a vertex nor a face, and it {}; name the format",
-                                  word.empty() ? std::string("is blank") : "begins with " + gvd::quoted(word)));
+    refuse_file(name,
+                fmt::format("as an OBJ, the file has neither a vertex nor a face, and it {}; name the format with {}",
+                            word.empty() ? std::string("is blank") : "begins with " + gvd::quoted(word),
+                            input_format_option()));
   }
   if (vertices == 0 && soup.notes.empty()) refuse_file(name, "the file has no vertex and no face; a surface is needed");
   refuse_file(name,
@@ -84,6 +86,10 @@ std::vector<std::string_view> list_titles() {
 
 }  // namespace
 
+std::string input_format_option() {
+  return "{option:input_format=" + join_words(names_in(input_format_names()), "or") + '}';
+}
+
 std::optional<MeshFormat> format_from_extension(std::string_view name) {
   if (to_lower(name).ends_with(kGzipExtension)) name.remove_suffix(kGzipExtension.size());
   const std::size_t dot = name.rfind('.');
@@ -115,10 +121,12 @@ PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshForma
   if (!format) format = detect_format(bytes, name);
   if (!format) {
     refuse_foreign_file(bytes, name);
-    refuse_file(name, fmt::format("neither the name nor the content is that of a {} file; name the format",
-                                  join_words(list_titles(), "or")));
+    refuse_file(name, fmt::format("neither the name nor the content is that of a {} file; name the format with {}",
+                                  join_words(list_titles(), "or"), input_format_option()));
   }
-  return parse_unpacked(bytes, *format, name, path.parent_path());
+  std::error_code ignored;
+  const bool has_folder = std::filesystem::is_regular_file(path, ignored);  // which a pipe has not
+  return parse_unpacked(bytes, *format, name, has_folder ? std::optional(path.parent_path()) : std::nullopt);
 }
 
 std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property,

@@ -15,8 +15,6 @@
 namespace gvd {
 namespace {
 
-constexpr std::string_view kPlaceholder = "{option:";
-
 template <class T>
 std::function<void()> restore(T* field) {
   return [field, initial = *field] { *field = initial; };
@@ -42,10 +40,7 @@ std::function<void()> make_reset(const Field& field) {
                                std::function<void()> reset = std::visit(any_pointer, file.value);
                                return file.unnamed == nullptr ? reset : both(std::move(reset), restore(file.unnamed));
                              },
-                             [&](const PointList& list) {
-                               std::function<void()> reset = restore(list.vertices);
-                               return list.file == nullptr ? reset : both(std::move(reset), restore(list.file));
-                             },
+                             [](const PointList& list) { return restore(list.value); },
                              [](const Curves& curves) { return restore(curves.value); },
                              [](const Counts& counts) { return restore(counts.value); },
                              [](const ValueSource& values) { return restore(values.value); },
@@ -74,12 +69,12 @@ std::string default_of(const Field& field) {
                     field);
 }
 
-/// "{option:a}, {option:b} or {option:c}"
+/// Their placeholders, as in "A, B or C".
 std::string list_placeholders(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
     text += i == 0 ? "" : i + 1 < names.size() ? ", " : " or ";
-    text += fmt::format("{}{}}}", kPlaceholder, names[i]);
+    text += "{option:" + names[i] + '}';
   }
   return text;
 }
@@ -195,10 +190,9 @@ std::optional<Problem> OptionList::find_missing(const Given& given) const {
 std::vector<std::string> OptionList::find_unknown_names() const {
   std::set<std::string> named;
   const auto read = [&](const std::string& text) {
-    spell_options(text, [&](const std::string& name, const std::string&) {
-      named.insert(name);
-      return name;
-    });
+    spell_options(text, {.spell = [&](std::string_view name, std::string_view) {
+                    return *named.insert(std::string(name)).first;
+                  }});
   };
   for (const auto* const pairs : {&excluded_, &needed_}) {
     for (const auto& [a, b] : *pairs) named.insert({a, b});
@@ -217,23 +211,6 @@ std::vector<std::string> OptionList::find_unknown_names() const {
     if (find(name) == nullptr) unknown.push_back(name);
   }
   return unknown;
-}
-
-std::string spell_options(const std::string& text,
-                          const std::function<std::string(const std::string&, const std::string&)>& spell) {
-  std::string spelled;
-  std::size_t done = 0;
-  for (std::size_t at = 0; (at = text.find(kPlaceholder, done)) != text.npos;) {
-    const std::size_t end = text.find('}', at);
-    if (end == text.npos) break;
-    const std::size_t begin = at + kPlaceholder.size();
-    const std::string inside = text.substr(begin, end - begin);
-    const std::size_t equals = inside.find('=');
-    spelled += text.substr(done, at - done);
-    spelled += spell(inside.substr(0, equals), equals == inside.npos ? "" : inside.substr(equals + 1));
-    done = end + 1;
-  }
-  return spelled + text.substr(done);
 }
 
 }  // namespace gvd

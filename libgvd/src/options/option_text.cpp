@@ -204,24 +204,26 @@ std::string append_vertices(const std::string& text, std::vector<std::int64_t>& 
 }
 
 std::string read_points(const PointList& list, const Texts& texts) {
-  list.vertices->reset();
-  if (list.file != nullptr) list.file->clear();
+  const bool takes_vertices = list.named != PointList::Named::file, takes_file = list.named != PointList::Named::vertices;
+  GivenPoints& found = *list.value = {};
   for (const std::string& text : texts) {
+    if (takes_file && text.empty()) {
+      return takes_vertices ? "the list is empty; write vertices, as in 3,17,99, or name a file"
+                            : "the name is empty; name a file";
+    }
     // A number below 0 is rather a slip than a file's name.
     const bool is_file =
-        list.file != nullptr && !parse_number<double>(text) && text.find_first_not_of("0123456789, ") != text.npos;
-    if (list.file != nullptr && text.empty()) {
-      return "the list is empty; write vertices, as in 3,17,99, or name a file";
-    }
-    if (list.file != nullptr && (!list.file->empty() || (is_file && *list.vertices))) {
+        !takes_vertices ||
+        (takes_file && !parse_number<double>(text) && text.find_first_not_of("0123456789, ") != text.npos);
+    if (takes_file && (!found.file.empty() || (is_file && found.vertices))) {
       return fmt::format("{}: give vertices or one file", shown(text));
     }
     if (is_file) {
-      *list.file = text;
+      found.file = text;
       continue;
     }
-    if (!*list.vertices) list.vertices->emplace();
-    if (std::string wrong = append_vertices(text, **list.vertices); !wrong.empty()) return wrong;
+    if (!found.vertices) found.vertices.emplace();
+    if (std::string wrong = append_vertices(text, *found.vertices); !wrong.empty()) return wrong;
   }
   return "";
 }
@@ -231,7 +233,7 @@ std::string read_curves(const Curves& curves, const std::string& text) {
   if (text.starts_with("creases:") && !parse_creases(text, curves.usual)) {
     return fmt::format("{}: write an angle above 0 and below 180 degrees, as in creases:30", shown(text));
   }
-  *curves.value = text;
+  *curves.value = {text, nullptr};
   return "";
 }
 
@@ -254,7 +256,7 @@ std::string read_counts(const Counts& counts, const Texts& texts) {
 
 std::string read_values(const ValueSource& values, const std::string& text) {
   if (text.empty()) return "the name is empty; name a file";
-  *values.value = text;
+  *values.value = {text, nullptr};
   return "";
 }
 
@@ -338,8 +340,8 @@ const auto write_number = [](const Number& number) {
 };
 
 const auto write_points = [](const PointList& list) {
-  if (list.file != nullptr && !list.file->empty()) return write_text(*list.file);
-  return *list.vertices ? write_text(fmt::format("{}", fmt::join(**list.vertices, ","))) : Written();
+  const auto& [vertices, file, values] = *list.value;
+  return vertices ? write_text(fmt::format("{}", fmt::join(*vertices, ","))) : write_text(file);
 };
 
 const auto write_bound = [](const SizeOrPercent& size) {
@@ -404,10 +406,13 @@ std::string value_name(const Field& field) {
                  return is_free || file.extensions.empty() ? std::string("FILE")
                                                            : fmt::format("FILE.{}", fmt::join(file.extensions, "|"));
                },
-               [](const PointList&) { return std::string("LIST"); },
+               [](const PointList& list) {
+                 return std::string(list.named == PointList::Named::file ? "FILE" : "LIST");
+               },
                [](const Curves&) { return std::string("FILE|boundary|creases[:ANGLE]"); },
                [](const Counts&) { return std::string("LIST"); },
                [](const ValueSource& values) {
+                 if (values.of == ValueSource::Of::generators) return std::string("FILE");
                  return values.words.empty() ? std::string("PROPERTY|FILE")
                                              : fmt::format("{}|FILE|PROPERTY", fmt::join(values.words, "|"));
                },
@@ -451,9 +456,9 @@ std::optional<Texts> write_option(const Field& field) {
                               [](const Texts* names) { return names->empty() ? Written() : Written(*names); }},
                      file.value);
                },
-               write_points, [](const Curves& curves) { return write_text(*curves.value); },
+               write_points, [](const Curves& curves) { return write_text(curves.value->name); },
                [](const Counts& counts) { return write_text(fmt::format("{}", fmt::join(*counts.value, ","))); },
-               [](const ValueSource& values) { return write_text(*values.value); },
+               [](const ValueSource& values) { return write_text(values.value->name); },
                [](const ByteSize& size) { return write_any(*size.value); }, write_bound, write_angle},
       field);
 }
@@ -472,8 +477,9 @@ bool stands_alone(const Field& field) {
 
 bool is_repeatable(const Field& field) {
   if (const auto* const file = std::get_if<File>(&field)) return std::holds_alternative<Texts*>(file->value);
+  if (const auto* const list = std::get_if<PointList>(&field)) return list->named != PointList::Named::file;
   return std::holds_alternative<Flag>(field) || std::holds_alternative<ChoiceList>(field) ||
-         std::holds_alternative<PointList>(field) || std::holds_alternative<Counts>(field);
+         std::holds_alternative<Counts>(field);
 }
 
 std::optional<bool> parse_flag(const std::string& text) {

@@ -142,6 +142,11 @@ TEST_CASE("gvd-segment: materials of regions do not replace those that the input
     const CommandResult result = run_command(command, scratch / "bare.obj" + " -n 2 -o '" + scratch / "paint box.obj'");
     CHECK(result.exit_code == 2);
     CHECK_THAT(result.err, Contains("its materials would replace paint box.mtl"));
+    // The words of a line are files where the whole line is none.
+    CHECK(run_command(command, scratch / "bare.obj" + " -n 2 -q -o " + scratch / "box.obj").exit_code == 0);
+    write_text(scratch / "two.obj", "mtllib red.mtl blue.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\nf 2 4 3\n");
+    CHECK_THAT(run_command(command, scratch / "two.obj" + " -n 2 -o " + scratch / "blue.obj").err,
+               Contains("its materials would replace blue.mtl"));
   }
   const std::string painted = scratch / "in.obj" + " -n 3 -o '" + scratch / "paint box.obj'";
   CHECK(run_command("gvd-segment", painted + " --region-materials").exit_code == 2);

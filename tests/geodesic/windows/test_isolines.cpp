@@ -1,6 +1,8 @@
 // Curves of equal distance: on the level at each point, closed unless they end on the boundary, and none missed.
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -140,6 +142,26 @@ TEST_CASE("isolines through vertices, and of many generators that meet, keep the
     const auto lines = field.isolines(levels);
     REQUIRE(lines.size() >= levels.size());
     for (const Isoline& line : lines) CHECK(check_line(mesh, field, line) < 1e-11);
+  }
+}
+
+TEST_CASE("isolines have no two points in a row in one place, where distances of half a side meet on edges") {
+  const Mesh mesh = test::make_grid(4, 4);
+  for (const int other : {0, 4, 12, 24}) {
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      if (v == other) continue;
+      CAPTURE(other, v);
+      const ExactField field(mesh, {vertex_point(mesh, VertexId(other)), vertex_point(mesh, VertexId(v))});
+      for (const Isoline& line : field.isolines(make_levels(0.5, largest_distance(mesh, field)))) {
+        check_line(mesh, field, line);
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = line.closed ? 0 : 1; i < line.points.size(); ++i) {
+          const SurfacePoint& before = line.points[(i + line.points.size() - 1) % line.points.size()];
+          least = std::min(least, (position(mesh, line.points[i]) - position(mesh, before)).norm());
+        }
+        CHECK(least > 1e-12 * line.level);
+      }
+    }
   }
 }
 

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <random>
 
-#include "gvd/gltf_files.hpp"
 #include "gvd/read_soup.hpp"
 #include "mesh/reading/gltf_buffers.hpp"
 #include "mesh/reading/soup_files.hpp"
@@ -46,26 +45,6 @@ struct Models {
     return message;
   }
 };
-
-TEST_CASE("gltf buffers: the files beside the mesh that it refers to are listed, images too, and no other addresses") {
-  const Models at;
-  at.read("sub%20folder/n%231%2520.bin");
-  CHECK(list_gltf_files(at.models / "mesh.gltf") == std::vector<fs::path>{"sub folder/n#1%20.bin"});
-  Models::write(at.models / "painted.gltf",
-                replaced(gltf_of(glb_description(2), "numbers.bin"), "\"buffers\"",
-                         R"("images":[{"uri":"paint%20er.png"},{"uri":"data:image/png;base64,AA=="},{"bufferView":0},)"
-                         R"({"uri":"../up.png"},{"uri":"https://a.org/b.png"},{"uri":7}],"buffers")"));
-  CHECK(list_gltf_files(at.models / "painted.gltf") == std::vector<fs::path>{"numbers.bin", "paint er.png"});
-  Models::write(at.models / "packed.glb", glb_of(gltf_of(glb_description(2), "numbers.bin"), ""));
-  CHECK(list_gltf_files(at.models / "packed.glb") == std::vector<fs::path>{"numbers.bin"});
-  for (const std::string& bytes : {kGltf, kObj, kGltf.substr(1)}) {
-    Models::write(at.models / "mesh.gltf", bytes);
-    CHECK(list_gltf_files(at.models / "mesh.gltf").empty());
-  }
-  Models::write(at.models / "mesh.gltf", kGltf.substr(0, 40));
-  CHECK_THAT(refusal([&] { list_gltf_files(at.models / "mesh.gltf"); }, ErrorCode::unreadable_input),
-             Catch::Matchers::Contains("mesh.gltf: the scene's description is damaged"));
-}
 
 TEST_CASE("gltf buffers: a file beside the mesh or below it is read, and percent-encoded names are decoded once") {
   const Models at;

@@ -119,6 +119,12 @@ TEST_CASE("gifti: what is wrong with a surface is refused in one line") {
                     MeshFormat::gii, "should have 9000000 numbers (Dim0 '3000000', Dim1 '3'), and its data hold 12 ");
     require_refused(with_points("STRING", numbers(kFloats), encoding), MeshFormat::gii, "the type 'NIFTI_TYPE_STRING'");
   }
+  const std::string packed = with_points("FLOAT32", numbers(kFloats), "GZipBase64Binary");
+  const std::string once = deflate(numbers(kFloats));
+  require_refused(replaced(packed, base64(once), base64(once + "\1")), MeshFormat::gii,
+                  "file: the packed data of an array 'NIFTI_INTENT_POINTSET' end after its numbers, and 1 byte follows "
+                  "behind them; export the file again");
+  require_refused(replaced(packed, base64(once), base64(once + once)), MeshFormat::gii, "bytes follow behind them");
   std::string noise = with_points("FLOAT32", numbers(kFloats), "GZipBase64Binary");
   require_refused(replaced(noise, base64(deflate(numbers(kFloats))), "AAAAAAAAAAAAAAAA"), MeshFormat::gii,
                   "the packed data of an array 'NIFTI_INTENT_POINTSET' are damaged");

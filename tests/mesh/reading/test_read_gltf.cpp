@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include "gvd/soup.hpp"
+#include "gvd/text.hpp"
 #include "mesh/reading/soup_files.hpp"
 #include "support/catch.hpp"
 
@@ -119,10 +122,27 @@ TEST_CASE("glb: what is not read is refused in one clear line") {
   refused(R"("primitives")", R"("primitive")", "the scene's description is damaged");
   refused(R"([{"mesh":0}])", R"([{"mesh":0,"children":[0]}])", "node 0 has two parents");
   refused(R"([{"mesh":0}])", R"([{"mesh":0,"matrix":[1,2]}])", "the scene's description is damaged");
+  const auto refused_node = [&](const std::string& member, const std::string& part) {
+    refused(R"([{"mesh":0}])", R"([{"mesh":0,)" + member + "}]", part);
+  };
+  refused_node(R"("rotation":[0,0,0,1,0])",
+               "node 0 has a rotation of 5 numbers, and it needs 4; export the file again");
+  refused_node(R"("rotation":[])", "node 0 has a rotation of 0 numbers, and it needs 4; export");
+  refused_node(R"("translation":[1,2,3,4])", "node 0 has a translation of 4 numbers, and it needs 3; export");
+  refused_node(R"("scale":2)", "node 0 has a scale of 1 number, and it needs 3; export");
+  refused_node(R"("scale":["a","b","c"])", "the scene's description is damaged");
   refused(R"({"asset")", R"("asset")", "the scene's description is damaged");
   const std::string whole = glb_of(glb_description(1), glb_numbers());
   require_refused(replaced(whole, std::string("glTF\2", 5), std::string("glTF\1", 5)), MeshFormat::glb,
                   "version 1 of glTF");
+  for (const std::uint32_t length : {0U, 1U, 11U, 12U}) {
+    std::string shortened = whole;
+    shortened.replace(8, 4, bytes_of(length));
+    require_refused(shortened, MeshFormat::glb,
+                    fmt::format("file: the header says that the file has {}, which is no more than the header itself; "
+                                "export the file again",
+                                counted(length, "byte", "bytes")));
+  }
   require_refused(whole.substr(0, whole.size() - 1), MeshFormat::glb,
                   "a chunk should have 132 bytes, and the file has 131");
   std::string infinite = glb_numbers();

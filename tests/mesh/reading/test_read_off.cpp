@@ -35,6 +35,22 @@ TEST_CASE("OFF: colours of vertices and faces are skipped") {
   CHECK(soup.corners == std::vector<std::int32_t>{0, 1, 2});
 }
 
+TEST_CASE("OFF: a keyword of colours may have the counts on its line, and not all numbers") {
+  const std::string vertices = "0 0 0 255 0 0 255\n1 0 0 255 0 0 255\n0 1 0 255 0 0 255\n0 0 1 255 0 0 255\n";
+  const std::string faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  for (const std::string header : {"COFF 4 4 6\n", "COFF4 4 6\n", "COFF 4 4\n", "COFF # colours\n4 4 6\n"}) {
+    INFO(header);
+    const PolygonSoup soup = parse(header + vertices + faces);
+    CHECK(soup.positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    CHECK(soup.polygon_count() == 4);
+  }
+  std::string line = "COFF 4 4 6 " + vertices + faces;
+  std::ranges::replace(line, '\n', ' ');
+  require_refused(line, MeshFormat::off,
+                  "file:1: colours, normals or texture coordinates can't be told from coordinates on one line; give "
+                  "each vertex and face a line of its own");
+}
+
 TEST_CASE("OFF: a vertex or a face may continue on the next lines") {
   const PolygonSoup soup =
       parse("OFF\n4 2 0\n0 0\n0\n1 0 0 255 0 0 255\n1\n# between\n\n1 # y\n0\n0 1 0\n4 0 1\n 2 3 # last\n3\n0\n1\n2");

@@ -61,7 +61,7 @@ TEST_CASE("vtp: appended data, raw and in Base64, may hold anything") {
   require_refused(with_appended("raw", point_bytes(97) + "x"), MeshFormat::vtp,
                   "an array of Points has 97 bytes for numbers of 8 bytes; write the file again");
   require_refused(with_appended("raw", point_bytes(), "99999"), MeshFormat::vtp,
-                  "an array of Points begins 99999 bytes into");
+                  "an array of Points has the offset '99999', and ");
   require_refused(with_appended("base64", "YAAAAA==!"), MeshFormat::vtp, "ends before its last byte, or is no Base64");
 }
 
@@ -97,6 +97,7 @@ TEST_CASE("vtu: cells of a surface are read, lines are left out, and other cells
   refused("NumberOfCells=\"4\"", "", "a piece has Cells and lacks NumberOfCells; write the file again");
   refused("NumberOfPoints=\"4\"", "", "a piece has Points and lacks NumberOfPoints; write the file again");
   refused("5 5 7 5<", "5 5 7<", "there are 4 cells and 3 types of cells");
+  refused("NumberOfCells=\"4\"", "NumberOfCells=\"four\"", "a piece has NumberOfCells 'four', and should have");
   refused("NumberOfCells=\"4\"", "NumberOfCells=\"99999999999\"", "has 4 offsets");
   refused("5 5 7 5<", "3 3 3 3<", "4 vertices and no face; a surface is needed (4 lines and vertices are left out)");
   refused("1 3 2<", "1 3 4<", "cell 3 refers to point 4, and there are 4");
@@ -152,6 +153,15 @@ TEST_CASE("vtp: what is wrong is refused in one line") {
   refused("</PolyData>", "", "the XML is damaged");
   refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"", "a piece of 5 points has 12 coordinates");
   refused("NumberOfPolys=\"4\"", "NumberOfPolys=\"99999999999\"", "has 4 offsets");
+  for (const std::string wrong : {"abc", "-4", "4.5", ""}) {
+    refused("NumberOfPolys=\"4\"", "NumberOfPolys=\"" + wrong + "\"",
+            "a piece has NumberOfPolys '" + wrong +
+                "', and should have a whole number from 0 there; export the file again");
+  }
+  require_tetrahedron(parse_soup(replaced(kVtp, "NumberOfPolys=\"4\"", "NumberOfPolys=\" 4 \""), MeshFormat::vtp, "a"));
+  refused("format=\"ascii\"", "format=\"appended\" offset=\"begin\"",
+          "an array of Points has the offset 'begin', and 0 bytes of data are appended; export the file again");
+  refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"1\"", "a piece of 1 point has 12 coordinates");
   refused("NumberOfPolys=\"4\"", "", "a piece has Polys and lacks NumberOfPolys; write the file again");
   refused("3 6 9 12", "3 6 9 13", "the corners of cell 3 end at 13");
   refused("3 6 9 12", "3 6 5 12", "the corners of cell 2 end at 5");
@@ -221,9 +231,11 @@ TEST_CASE("vtk: what is wrong is refused with its line") {
   refused("4 double", "99 double", "297 numbers are promised");
   refused("4 double", "99999999999999999999 double", "stands where a count should");
   refused("4 double", "4 string", "file:5: 'string' is no type of numbers that is read");
-  refused("4 16", "5 16", "there are 4 cells and not 5");
-  refused("3 0 1 2", "9 0 1 2", "file:12: cell 3 has 2 corners");
-  refused("3 0 1 2", "99 0 1 2", "cell 0 has 99 corners");
+  refused("4 16", "5 16", "the list has 4 cells, and should have 5; export the file again");
+  refused("3 0 1 2", "9 0 1 2", "file:12: cell 3 should have 2 corners, and the list has 0 numbers behind it; export");
+  refused("3 0 1 2", "99 0 1 2", "cell 0 should have 99 corners, and the list has 15 numbers behind it; export");
+  refused("3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2", "14 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 1",
+          "cell 1 should have 1 corner, and");
   refused("1 0 1", "1 x 1", "file:7: 'x' stands where a number should");
   refused("POLYGONS", "POLYGON", "'polygon' is no section of a surface");
 }

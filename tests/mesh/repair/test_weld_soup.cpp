@@ -36,6 +36,15 @@ PolygonSoup make_parted_square(double gap) {
   return soup;
 }
 
+// Points as vertices of one polygon: vertices that no polygon has are not welded.
+PolygonSoup make_polygon(const std::vector<Vec3>& points) {
+  PolygonSoup soup;
+  soup.positions = points;
+  for (const Vec3& p : points) soup.corners.push_back(static_cast<std::int32_t>(&p - points.data()));
+  soup.close_polygon();
+  return soup;
+}
+
 CheckedMesh weld(PolygonSoup soup, double tolerance = 0, DefectPolicy policy = DefectPolicy::repair) {
   weld_soup(soup, tolerance);
   return build_mesh(soup, policy);
@@ -74,13 +83,32 @@ TEST_CASE("without welding, a note counts the open edges that it would close") {
   CHECK(checked.defects.closable_edges == 2);
   CHECK(checked.defects.messages ==
         std::vector<std::string>{"2 boundary vertices are at the position of another one: not joined, the surface is "
-                                 "open there; welding would close 2 open edges"});
+                                 "open there; {option:weld} would close 2 open edges"});
 }
 
 TEST_CASE("a tolerance joins pairs up to it, and no others") {
   CHECK(weld(make_parted_square(0.25), 0.25).mesh.vertex_count() == 4);
   CHECK(weld(make_parted_square(0.25), 0.2499).mesh.vertex_count() == 6);
   CHECK(weld(make_parted_square(0.25)).mesh.vertex_count() == 6);
+}
+
+TEST_CASE("only vertices of faces join: none moves to an unused one, and copies that no face has are not counted") {
+  PolygonSoup soup = make_parted_square(0.25);
+  // Unused vertices before the others: near vertex 0, and at the place of vertex 2.
+  soup.positions.insert(soup.positions.begin(), {{0, 0, -0.125}, {1, 1, 0}});
+  for (std::int32_t& v : soup.corners) v += 2;
+  for (const double tolerance : {0.0, 0.2, 0.25}) {
+    CAPTURE(tolerance);
+    const CheckedMesh checked = weld(soup, tolerance);
+    const std::int64_t joined = tolerance == 0.25 ? 2 : 0;
+    CHECK(checked.mesh.vertex_count() == 6 - joined);
+    CHECK(checked.defects.count(DefectKind::unwelded_vertices) == joined);
+    CHECK(checked.defects.count(DefectKind::unused_vertices) == 2);
+    CHECK(!checked.mesh_vertex[0].valid());
+    CHECK(!checked.mesh_vertex[1].valid());
+    CHECK(checked.mesh.position(checked.mesh_vertex[2]) == Vec3(0, 0, 0));
+    CHECK(checked.mesh.position(checked.mesh_vertex[4]) == Vec3(1, 1, 0));
+  }
 }
 
 TEST_CASE(
@@ -120,8 +148,7 @@ std::vector<Vec3> weld_by_brute_force(const std::vector<Vec3>& positions, double
 
 // Welds, compares with brute force, and checks what the header promises.
 void check_rule(const std::vector<Vec3>& before, double tolerance) {
-  PolygonSoup soup;
-  soup.positions = before;
+  PolygonSoup soup = make_polygon(before);
   weld_soup(soup, tolerance);
   REQUIRE(soup.positions == weld_by_brute_force(before, tolerance));
   for (std::size_t v = 0; v < before.size(); ++v) {
@@ -206,9 +233,9 @@ TEST_CASE("copies nearer than the tolerance, and farther from all others, become
 
 TEST_CASE("many copies in few places, and a tolerance of most of the mesh, take no time that grows with the pairs") {
   // 200,000 vertices in two places would be 10^10 pairs: all pairs within one place, or all between the two.
-  PolygonSoup soup;
-  for (int v = 0; v < 200000; ++v) soup.positions.emplace_back(v % 2, 1e-9 * (v % 1000), 0);
-  std::vector<Vec3> before = soup.positions;
+  std::vector<Vec3> before;
+  for (int v = 0; v < 200000; ++v) before.emplace_back(v % 2, 1e-9 * (v % 1000), 0);
+  PolygonSoup soup = make_polygon(before);
   weld_soup(soup, 0.99);
   for (int v = 0; v < 200000; ++v) REQUIRE(soup.positions[v] == before[v % 2]);
   soup.positions = before;
@@ -231,6 +258,14 @@ TEST_CASE("welding that joins nothing says so, and how near vertices on open edg
         Messages{"welding within 0.1 joins nothing: no two vertices are so near, and no edge is open"});
 }
 
+/// The number in the note that welding within the tolerance joins nothing.
+double told_gap(const PolygonSoup& soup, double tolerance) {
+  const std::string note = weld(soup, tolerance).defects.messages.back();
+  const std::string before = "that no edge joins are ";
+  REQUIRE_THAT(note, Contains(before) && EndsWith(" apart"));
+  return std::stod(note.substr(note.find(before) + before.size()));
+}
+
 TEST_CASE("the nearest vertices on open edges are those of all pairs that no edge joins") {
   std::mt19937 random(7);
   for (int round = 0; round < 20; ++round) {
@@ -247,7 +282,21 @@ TEST_CASE("the nearest vertices on open edges are those of all pairs that no edg
         if (v / 3 != w / 3) least = std::min(least, (soup.positions[v] - soup.positions[w]).norm());
       }
     }
-    CHECK_THAT(weld(soup, 0.5 * least).defects.messages.back(), Contains(fmt::format("are {:.6g} apart", least)));
+    const double told = told_gap(soup, 0.5 * least);
+    CHECK(told >= least);
+    CHECK(told <= least + 1e-5 * least);  // a step of the sixth digit
+  }
+}
+
+TEST_CASE("the number that a note tells of the nearest vertices joins them") {
+  // Distances between decimals and just above them, whose sixth digit would be rounded down.
+  for (const double gap : {0.25, 0.1234564, 0.1234566, 1e-3 + 1e-12, 9.9999996e-3, 1.0 / 3, 2.0 / 3, 7.0e-9}) {
+    CAPTURE(gap);
+    const PolygonSoup soup = make_parted_square(gap);
+    const double told = told_gap(soup, 0.5 * gap);
+    CHECK(told >= gap);
+    CHECK(told <= gap + 1e-5 * gap);
+    CHECK(weld(soup, told).defects.count(DefectKind::unwelded_vertices) == 2);
   }
 }
 
@@ -285,8 +334,8 @@ TEST_CASE("a tolerance that is no number from 0 on, or joins all vertices, is re
     CHECK_THROWS_WITH(weld_soup(soup, all),
                       fmt::format("welding within {:g} joins all vertices: choose a smaller tolerance", all));
   }
-  PolygonSoup middle;  // all are near the first vertex, and not near each other
-  middle.positions = {{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}};
+  // All are near the first vertex, and not near each other.
+  PolygonSoup middle = make_polygon({{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}});
   CHECK_THROWS_WITH(weld_soup(middle, 1), "welding within 1 joins all vertices: choose a smaller tolerance");
 }
 

@@ -4,25 +4,14 @@
 
 #include "base/least.hpp"
 #include "gvd/check.hpp"
-#include "gvd/error.hpp"
 #include "gvd/remesh.hpp"
+#include "remesh/remesh_refusal.hpp"
 #include "repair/repair_steps.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
 namespace gvd::test_repair_limits {
-
-/// The error of a remesh that finds no mesh.
-Error refusal(const Mesh& mesh, const std::vector<SurfacePoint>& given, const RemeshOptions& options) {
-  try {
-    remesh(mesh, given, options);
-  } catch (const Error& error) {
-    return error;
-  }
-  FAIL("no error");
-  return {ErrorCode::precondition, ""};
-}
 
 TEST_CASE("remesh: a refusal estimates how many generators are needed") {
   const Mesh loose = test::make_loose_triangles(40);
@@ -34,7 +23,7 @@ TEST_CASE("remesh: a refusal estimates how many generators are needed") {
   CHECK(needed >= 119);  // three for each
   CHECK(needed <= 125);
   CHECK_THAT(
-      refusal(loose, first, few).what(),
+      test::remesh_refusal(loose, first, few).what(),
       Catch::Matchers::Contains("20 generators were added") &&
           Catch::Matchers::Contains("about 119 are likely to be needed: give more or other ones, or raise max_added"));
 }
@@ -61,10 +50,10 @@ TEST_CASE("remesh: the default limit is raised where that is likely to do, a giv
   CHECK(result.added > usual);
   CHECK(result.max_added == 3 * usual);
   options.max_added = usual;
-  CHECK_THAT(refusal(needle, given, options).what(), Catch::Matchers::Contains("raise max_added"));
+  CHECK_THAT(test::remesh_refusal(needle, given, options).what(), Catch::Matchers::Contains("raise max_added"));
 }
 
-TEST_CASE("remesh: while added generators make more defects, no higher limit is advised; later it is, and helps") {
+TEST_CASE("remesh: with a limit below the default, a higher one is advised, and helps") {
   using Catch::Matchers::Contains;
   const Mesh needle = test::stretched(test::make_sphere(2), {100, 1, 1});
   std::vector<SurfacePoint> given;
@@ -72,11 +61,12 @@ TEST_CASE("remesh: while added generators make more defects, no higher limit is 
   RemeshOptions options;
   options.placement.method = Placement::generator;
   options.max_added = 10;
-  CHECK_THAT(refusal(needle, given, options).what(),
-             Contains("10 generators were added in") && Contains("; so far, added generators make it worse, so look") &&
-                 !Contains("give more") && !Contains("raise max_added"));
+  CHECK_THAT(
+      test::remesh_refusal(needle, given, options).what(),
+      Contains("10 generators were added in 5 rounds, and 5 defects became 17; by default, 150 may be added: give "
+               "more or other ones, or raise max_added"));
   options.max_added = 100;
-  CHECK_THAT(refusal(needle, given, options).what(),
+  CHECK_THAT(test::remesh_refusal(needle, given, options).what(),
              Contains("are likely to be needed: give more or other ones, or raise max_added") && !Contains("worse"));
   options.max_added = 200;
   CHECK(remesh(needle, given, options).added < 200);
@@ -94,30 +84,39 @@ TEST_CASE("remesh: the estimate of needed generators follows the defects") {
   CHECK(estimate_added(sphere, 10, {{0, 30}, {9, 21}}) == 89);
 }
 
-TEST_CASE("remesh: at a limit, more generators are advised only where they help") {
+TEST_CASE("remesh: at a limit, more generators are advised unless many of them made it worse") {
   using Catch::Matchers::EndsWith;
   MeshSummary sphere;
   sphere.components = 1;
+  sphere.euler_characteristic = 2;
   const auto advice = [&](const RepairHistory& history, bool is_max_added, std::size_t generators = 50) {
-    return advise_at_limit(sphere, generators, history, is_max_added);
+    const std::int64_t usual = default_max_added(sphere, generators - std::size_t(history.back().first));
+    return advise_at_limit(sphere, generators, history, is_max_added, usual);
   };
   const std::string shrink = ", and 100 defects became 60; about 50 are likely to be needed: give more or other ones";
-  CHECK(advice({{0, 100}, {10, 80}, {20, 60}}, true) == shrink + ", or raise max_added");
+  CHECK(advice({{0, 100}, {10, 80}, {20, 60}}, true) == shrink + ", or raise {option:max_added}");
   CHECK(advice({{0, 100}, {10, 80}, {20, 60}}, false) == shrink);  // the limit of rounds
   CHECK(advice({{0, 10}, {20, 100}, {40, 60}}, true) ==
         ", and 10 defects became 100, then 60; about 70 are likely to be needed: give more or other ones, or raise "
-        "max_added");
+        "{option:max_added}");
+  // As many as the default allows: ten for each given generator and component, and 100 more.
   const std::string grow =
-      ", and 100 defects became 130; so far, added generators make it worse, so look at the surface there: it may be "
-      "thin, "
-      "folded or far too coarse";
-  CHECK(advice({{0, 100}, {20, 130}}, true) == grow);
-  CHECK(advice({{0, 100}, {20, 130}}, false) == grow);
-  CHECK(advice({{0, 100}, {20, 100}}, true) == ", and 100 defects became 100: give more or other ones");
-  CHECK(advice({{0, 5}}, true) == ": give more or other ones, or raise max_added");  // none may be added
+      ", and 100 defects became 150; so far, added generators make it worse, so look at the surface there: it may be "
+      "thin, folded or far too coarse";
+  CHECK(advice({{0, 100}, {210, 150}}, true, 220) == grow);
+  CHECK(advice({{0, 100}, {20, 150}}, false) == grow);  // the limit of rounds
+  CHECK(advice({{0, 100}, {209, 150}}, true, 219) ==
+        ", and 100 defects became 150; by default, 210 may be added: give more or other ones, or raise {option:max_added}");
+  // As many, but not more defects than chance may make.
+  CHECK(advice({{0, 100}, {210, 128}}, true, 220) ==
+        ", and 100 defects became 128: give more or other ones, or raise {option:max_added}");
+  CHECK(advice({{0, 100}, {20, 100}}, false) == ", and 100 defects became 100: give more or other ones");
+  CHECK(advice({{0, 5}}, true) ==  // none may be added
+        "; by default, 610 may be added: give more or other ones, or raise {option:max_added}");
   // Defects that grow while the topology needs more generators: two for three vertices are too few.
-  CHECK_THAT(advice({{0, 1}, {1, 3}}, true, 2),
-             EndsWith("became 3; about 3 are likely to be needed: give more or other ones, or raise max_added"));
+  CHECK_THAT(
+      advice({{0, 1}, {1, 3}}, true, 2),
+      EndsWith("became 3; about 3 are likely to be needed: give more or other ones, or raise {option:max_added}"));
 }
 
 }  // namespace gvd::test_repair_limits

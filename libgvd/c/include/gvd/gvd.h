@@ -46,12 +46,68 @@ typedef struct gvd_run {
   /* Called by the calling thread with the name of a step and the fraction of it that is done; 0 cancels. May be NULL.
    */
   int (*progress)(void* data, const char* step, double fraction);
-  void* data; /* for `progress` */
+  void* data; /* for `progress` and `note` */
+  /* Cancels the call once it is not 0: any thread may set it. May be NULL. */
+  const int32_t* cancel;
+  /* Called by the calling thread with what users should not miss, a line each. May be NULL. */
+  void (*note)(void* data, const char* text);
 } gvd_run;
+
+/* ---- Objects, and operations on them ---- */
+
+/* A mesh, a diagram, or the result of an operation. It keeps alive what it was made of, and never changes. */
+typedef struct gvd_object gvd_object;
+
+/* Objects may be released in any order. NULL is released, too. */
+GVD_API void gvd_release(gvd_object* object);
+
+enum {
+  GVD_INT8 = 0,
+  GVD_UINT8 = 1,
+  GVD_INT16 = 2,
+  GVD_UINT16 = 3,
+  GVD_INT32 = 4,
+  GVD_UINT32 = 5,
+  GVD_INT64 = 6,
+  GVD_UINT64 = 7,
+  GVD_FLOAT32 = 8,
+  GVD_FLOAT64 = 9
+};
+typedef int32_t gvd_type; /* one of the constants above */
+
+/* Numbers in somebody's memory, in one or two dimensions. */
+typedef struct gvd_array {
+  const void* data;
+  gvd_type type;
+  int32_t dimensions; /* 1 or 2 */
+  int64_t shape[2];
+  int64_t strides[2]; /* bytes from one element to the next; may be negative */
+} gvd_array;
+
+/* The number of this interface. It changes where a program has to be compiled again. */
+#define GVD_ABI 1
+
+/* Runs an operation on a mesh. `abi`: GVD_ABI. `options`: a JSON object, as {"count": 30, "density": {"array": 0}}, where
+ * {"array": 0} is the first one of `arrays`; NULL: none. Numbers may be strings: JSON has no infinity. `arrays`: `count`
+ * of them, which the call reads and does not keep; NULL where there is none. gvd_describe() has the operations and
+ * their options. */
+GVD_API gvd_status gvd_call(int32_t abi, const char* operation, const gvd_object* on, const char* options,
+                            const gvd_array* arrays, int32_t count, const gvd_run* run, gvd_object** result);
+/* An array of an object, by the name that gvd_describe() has. It lives as long as the object. What the object lacks is
+ * an array of length 0. Points are two arrays, NAME_faces and NAME_bary; curves have NAME_offsets, too: the place of the
+ * first point of each, and the number of all. */
+GVD_API gvd_status gvd_array_of(const gvd_object* object, const char* name, gvd_array* view);
+/* A part of an object, such as the diagram of a result; to be released by itself. */
+GVD_API gvd_status gvd_object_of(const gvd_object* object, const char* name, gvd_object** part);
+/* The figures of an object as JSON, and of a result its options and notes. Lives as long as the object. */
+GVD_API const char* gvd_figures(const gvd_object* object);
+/* The operations with their options and results, the kinds of objects and the formats, as JSON. */
+GVD_API const char* gvd_describe(void);
 
 /* ---- Meshes ---- */
 
-typedef struct gvd_mesh gvd_mesh;
+/* A mesh is an object of its own kind. */
+typedef gvd_object gvd_mesh;
 
 /* Reads a mesh file. Defects are repaired if `repair` is not 0, where no part of the surface is lost by that; otherwise
  * they are refused with GVD_PRECONDITION. */

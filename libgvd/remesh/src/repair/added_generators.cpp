@@ -67,24 +67,41 @@ std::optional<std::int64_t> estimate_added(const MeshSummary& mesh, std::size_t 
   return need > added ? std::optional(need) : std::nullopt;
 }
 
+namespace {
+
+/// Numbers of defects differ by chance: which ones a round meets depends on where its generators happen to be. A count
+/// of independent events varies by its square root, the difference of two counts by the square root of their sum. Two
+/// such standard deviations are exceeded by chance in one case of twenty.
+constexpr double kChance = 2;
+
+bool has_grown(std::size_t first, std::size_t last) {
+  return double(last) - double(first) > kChance * std::sqrt(double(first) + double(last));
+}
+
+}  // namespace
+
 std::string advise_at_limit(const MeshSummary& mesh, std::size_t generators, const RepairHistory& history,
-                            bool is_max_added) {
+                            bool is_max_added, std::int64_t usual) {
   const std::size_t first = history.front().second, most = find_peak(history)->second, last = history.back().second;
-  const bool added_any = history.back().first > 0;
+  const std::int64_t added = history.back().first;
   std::string advice;
-  if (added_any) {
+  if (added > 0) {
     advice = fmt::format(", and {} became {}{}", counted(std::int64_t(first), "defect", "defects"),
                          most > first && most > last ? fmt::format("{}, then ", most) : "", last);
   }
+  // The first generators that are added often make defects, so that few of them tell nothing about more of them.
+  const bool are_few = is_max_added && added < usual;
   const auto need = estimate_added(mesh, generators, history);
-  if (!need && last > first) {
+  if (need) {
+    advice += fmt::format("; about {} are likely to be needed", *need);
+  } else if (are_few) {
+    advice += fmt::format("; by default, {} may be added", usual);
+  } else if (has_grown(first, last)) {
     return advice +
            "; so far, added generators make it worse, so look at the surface there: it may be thin, folded "
            "or far too coarse";
   }
-  if (need) advice += fmt::format("; about {} are likely to be needed", *need);
-  advice += ": give more or other ones";
-  return is_max_added && (need || !added_any) ? advice + ", or raise max_added" : advice;
+  return advice + ": give more or other ones" + (is_max_added ? ", or raise {option:max_added}" : "");
 }
 
 std::vector<SurfacePoint> propose_farthest(const Mesh& mesh, const Diagram& diagram, std::size_t count) {

@@ -103,10 +103,11 @@ std::optional<std::int64_t> estimate_added(const MeshSummary& mesh, std::size_t 
                                            const RepairHistory& history);
 
 /// What became of the defects until a repair ended at a limit, and what helps: behind "N generators were added in M
-/// rounds". More generators, or a higher `max_added` where that was the limit, only where an estimate tells how many;
-/// while defects get more, added ones make it worse.
+/// rounds". That is more generators, or a higher `max_added` where that was the limit. But where as many were added as
+/// the default allows, no estimate tells how many are needed, and the defects have grown by more than chance, added
+/// ones make it worse. `generators` and `history` as in `estimate_added`; `usual`: the default of `max_added`.
 std::string advise_at_limit(const MeshSummary& mesh, std::size_t generators, const RepairHistory& history,
-                            bool is_max_added);
+                            bool is_max_added, std::int64_t usual);
 
 /// The farthest vertices of the largest cells from their generators, at most `count`, one in each cell, for generators
 /// that no defect asks for. Cost: O(n log n).

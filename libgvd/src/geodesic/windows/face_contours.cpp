@@ -8,12 +8,12 @@
 // Most sources can't come near to an arc, which the tangent plane of their distance in the arc's middle tells; the
 // others are its rivals. On fine meshes few arcs have any besides the next one's source.
 // The sides' crossings are given. Where rounding keeps a curve from ending at one of them, the face is cut in two, and
-// both cells share the crossings on the cut. In a cell as small as the tolerance, any way to join them will do.
+// both triangles share the crossings on the cut. In a triangle as small as the tolerance, any way to join them will do.
 // A curve that closes inside a face surrounds a hole in the union. There is none where at most two regions matter,
-// where all contain a common corner, or where the distance rises in one direction; other cells are cut in two.
+// where all contain a common corner, or where the distance rises in one direction; other triangles are cut in two.
 // Source: the union of discs is that of alpha shapes (Edelsbrunner, The union of balls and its dual shape, 1995).
-// Invariant: the states of a cell's corners and the crossings of its sides agree, so that crossings alternate. A
-// segment's crossings are found once, and both cells beside it have them.
+// Invariant: the states of a triangle's corners and the crossings of its sides agree, so that crossings alternate. A
+// segment's crossings are found once, and both triangles beside it have them.
 #include "geodesic/windows/face_contours.hpp"
 
 #include <algorithm>
@@ -92,7 +92,7 @@ void FaceContours::trace(double level, const std::array<bool, 3>& is_near, std::
   pieces_.clear();
   inner_.clear();
   side_crossings_ = std::int32_t(crossings.size());
-  Cell face{.corner = layout_->corner, .is_near = is_near, .crossings = {crossings.begin(), crossings.end()}};
+  Triangle face{.corner = layout_->corner, .is_near = is_near, .crossings = {crossings.begin(), crossings.end()}};
   visit(face, {0, stack_.size()});
   join_pieces(crossings, found);
 }
@@ -118,7 +118,7 @@ std::int32_t FaceContours::nearest(const Range& candidates, const Vec2& p, doubl
 }
 
 /// Returns the length of the longest one.
-double FaceContours::Cell::set_sides() {
+double FaceContours::Triangle::set_sides() {
   double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     side[i] = after(i) - corner[i];
@@ -129,12 +129,13 @@ double FaceContours::Cell::set_sides() {
   return longest;
 }
 
-void FaceContours::visit(Cell& cell, const Range& candidates) {
-  const bool is_simple = has_no_hole(cell, candidates);
-  if (cell.set_sides() <= chord_) {
-    pair(cell);
-  } else if (!cell.crossings.empty() ? !(is_simple && follow_all(cell, candidates)) : cell.is_near[0] && !is_simple) {
-    split(cell, candidates);
+void FaceContours::visit(Triangle& triangle, const Range& candidates) {
+  const bool is_simple = has_no_hole(triangle, candidates);
+  if (triangle.set_sides() <= chord_) {
+    pair(triangle);
+  } else if (!triangle.crossings.empty() ? !(is_simple && follow_all(triangle, candidates))
+                                         : triangle.is_near[0] && !is_simple) {
+    split(triangle, candidates);
   }
 }
 
@@ -170,24 +171,24 @@ FaceContours::Range FaceContours::keep_relevant(const std::array<Vec2, 3>& corne
   return {begin, stack_.size()};
 }
 
-/// Whether the regions' union surely has no hole inside the cell. Two convex regions never enclose one. Regions with a
-/// common point are seen from there without a gap. And inside a hole the distance has a maximum.
-bool FaceContours::has_no_hole(const Cell& cell, const Range& candidates) const {
+/// Whether the regions' union surely has no hole inside the triangle. Two convex regions never enclose one. Regions
+/// with a common point are seen from there without a gap. And inside a hole the distance has a maximum.
+bool FaceContours::has_no_hole(const Triangle& triangle, const Range& candidates) const {
   const std::span<const Candidate> all(stack_.data() + candidates.begin, candidates.end - candidates.begin);
   if (all.size() <= 2) return true;
   for (std::size_t i = 0; i < 3; ++i) {
     if (std::ranges::all_of(all, [&](const Candidate& c) { return c.at_corner[i] <= level_; })) return true;
   }
   return std::ranges::any_of(all, [&](const Candidate& c) { return c.most() <= level_; }) ||
-         rises_one_way(cell, candidates);
+         rises_one_way(triangle, candidates);
 }
 
-/// The directions of the paths to points of the cell. Behind a vertex where paths bend, those round an opening's end
-/// count: at the corners that they are the shortest to.
-std::vector<Directions> FaceContours::list_directions(const Cell& cell, const Range& candidates) const {
+/// The directions of the paths to points of the triangle. Behind a vertex where paths bend, those round an opening's
+/// end count: at the corners that they are the shortest to.
+std::vector<Directions> FaceContours::list_directions(const Triangle& triangle, const Range& candidates) const {
   std::vector<Directions> found;
   for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
-    if (const auto own = directions_of(sources_[stack_[i].source], cell.corner)) found.push_back(*own);
+    if (const auto own = directions_of(sources_[stack_[i].source], triangle.corner)) found.push_back(*own);
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const auto best = std::min_element(
@@ -195,14 +196,15 @@ std::vector<Directions> FaceContours::list_directions(const Cell& cell, const Ra
         [&](const Candidate& a, const Candidate& b) { return a.at_corner[k] < b.at_corner[k]; });
     const FaceSource& s = sources_[best->source];
     if (s.is_corner) continue;
-    if (const Vec2 last = direction_of(s, cell.corner[k]); !last.isZero(0)) found.push_back({last, last});
+    if (const Vec2 last = direction_of(s, triangle.corner[k]); !last.isZero(0)) found.push_back({last, last});
   }
   return found;
 }
 
-/// Whether all paths to points of the cell have a component in one direction: then the distance has no maximum inside.
-bool FaceContours::rises_one_way(const Cell& cell, const Range& candidates) const {
-  const std::vector<Directions> found = list_directions(cell, candidates);
+/// Whether all paths to points of the triangle have a component in one direction: then the distance has no maximum
+/// inside.
+bool FaceContours::rises_one_way(const Triangle& triangle, const Range& candidates) const {
+  const std::vector<Directions> found = list_directions(triangle, candidates);
   if (found.empty()) return true;
   Directions all = found.front();
   for (const Directions& own : found) {
@@ -214,13 +216,13 @@ bool FaceContours::rises_one_way(const Cell& cell, const Range& candidates) cons
          });
 }
 
-bool FaceContours::follow_all(const Cell& cell, const Range& candidates) {
+bool FaceContours::follow_all(const Triangle& triangle, const Range& candidates) {
   const std::size_t before = pieces_.size();
-  is_taken_.assign(cell.crossings.size(), false);
-  for (const SideCrossing& start : cell.crossings) {
+  is_taken_.assign(triangle.crossings.size(), false);
+  for (const SideCrossing& start : triangle.crossings) {
     if (!start.leaves) continue;
     FaceContour piece{start.id, FaceContour::kClosed, {}};
-    if (!follow(cell, candidates, start, piece)) {
+    if (!follow(triangle, candidates, start, piece)) {
       pieces_.resize(before);
       return false;
     }
@@ -229,8 +231,9 @@ bool FaceContours::follow_all(const Cell& cell, const Range& candidates) {
   return true;
 }
 
-/// Follows the boundary of the union from a crossing through the cell. False where rounding prevents it.
-bool FaceContours::follow(const Cell& cell, const Range& candidates, const SideCrossing& start, FaceContour& piece) {
+/// Follows the boundary of the union from a crossing through the triangle. False where rounding prevents it.
+bool FaceContours::follow(const Triangle& triangle, const Range& candidates, const SideCrossing& start,
+                          FaceContour& piece) {
   double distance = kInfinity;
   Place place{nearest(candidates, start.at, distance), 0, start.at, 0};
   if (!(std::abs(distance - level_) <= join_)) return false;
@@ -241,8 +244,8 @@ bool FaceContours::follow(const Cell& cell, const Range& candidates, const SideC
   for (std::size_t step = 0; step < most; ++step) {
     if (carrier_of(sources_[place.source], place.part, level_).kind == Carrier::Kind::none) return false;
     const Place before = place;
-    const Stop stop = advance(cell, candidates, place);
-    if (stop == Stop::leaves_cell) return end_at_crossing(cell, place, piece);
+    const Stop stop = advance(triangle, candidates, place);
+    if (stop == Stop::leaves_triangle) return end_at_crossing(triangle, place, piece);
     bool is_corner = false;
     if (stop == Stop::enters_region) {
       const FaceSource &last = sources_[before.source], &next = sources_[place.source];
@@ -272,11 +275,11 @@ void FaceContours::list_rivals(const Range& candidates, std::int32_t of, const S
   }
 }
 
-/// Collects where a way up to `end` meets boundaries of rivals in the cell, ascending, and its end.
-void FaceContours::list_stops(const Cell& cell, const ContourWay& way, double end) {
+/// Collects where a way up to `end` meets boundaries of rivals in the triangle, ascending, and its end.
+void FaceContours::list_stops(const Triangle& triangle, const ContourWay& way, double end) {
   stops_.clear();
   const auto stop_at = [&](const Vec2& p) {
-    if (cell.outside(p) > join_) return;
+    if (triangle.outside(p) > join_) return;
     const double t = way.position(p);
     if (t > 0 && t < end) stops_.push_back(t);
   };
@@ -289,15 +292,15 @@ void FaceContours::list_stops(const Cell& cell, const ContourWay& way, double en
   stops_.push_back(end);
 }
 
-/// Goes on to where the part of the region's boundary ends, or leaves the cell, or enters another source's region: that
-/// one is the place's source then. Adds the points before.
-FaceContours::Stop FaceContours::advance(const Cell& cell, const Range& candidates, Place& place) {
+/// Goes on to where the part of the region's boundary ends, or leaves the triangle, or enters another source's region:
+/// that one is the place's source then. Adds the points before.
+FaceContours::Stop FaceContours::advance(const Triangle& triangle, const Range& candidates, Place& place) {
   const ContourWay way(sources_[place.source], place.part, level_, place.at);
-  const Exit exit = find_exit(cell, way);
+  const Exit exit = find_exit(triangle, way);
   list_rivals(candidates, place.source, StretchOfWay(way, exit.at));
-  list_stops(cell, way, exit.at);
+  list_stops(triangle, way, exit.at);
   double at = 0;
-  Stop stop = exit.leaves_cell ? Stop::leaves_cell : Stop::part_ends;
+  Stop stop = exit.leaves_triangle ? Stop::leaves_triangle : Stop::part_ends;
   for (const double next : stops_) {
     if (rivals_.empty()) break;
     const Vec2 middle = way.at(0.5 * (at + next));
@@ -319,12 +322,12 @@ FaceContours::Stop FaceContours::advance(const Cell& cell, const Range& candidat
   return stop;
 }
 
-/// How far a way stays in the cell, and whether it leaves it there. It may touch a side before.
-FaceContours::Exit FaceContours::find_exit(const Cell& cell, const ContourWay& way) {
+/// How far a way stays in the triangle, and whether it leaves it there. It may touch a side before.
+FaceContours::Exit FaceContours::find_exit(const Triangle& triangle, const ContourWay& way) {
   stops_.clear();
   for (std::size_t i = 0; i < 3; ++i) {
-    intersect(way.carrier(), Carrier::line(cell.corner[i], cell.side[i]), [&](const Vec2& p) {
-      if (cell.outside(p) > join_) return;  // on the line of a side, beyond it
+    intersect(way.carrier(), Carrier::line(triangle.corner[i], triangle.side[i]), [&](const Vec2& p) {
+      if (triangle.outside(p) > join_) return;  // on the line of a side, beyond it
       const double t = way.position(p);
       if (t > 0 && t < way.end()) stops_.push_back(t);
     });
@@ -333,7 +336,7 @@ FaceContours::Exit FaceContours::find_exit(const Cell& cell, const ContourWay& w
   stops_.push_back(way.end());
   double at = 0;
   for (const double next : stops_) {
-    if (cell.outside(way.at(0.5 * (at + next))) > rounding_) return {at, true};
+    if (triangle.outside(way.at(0.5 * (at + next))) > rounding_) return {at, true};
     at = next;
   }
   return {at, false};
@@ -363,11 +366,11 @@ bool FaceContours::pass_end(Place& place) const {
 }
 
 /// The crossing at `exit` where no curve ends yet, within the tolerance of joints.
-std::optional<std::size_t> FaceContours::crossing_at(const Cell& cell, const Vec2& exit) const {
+std::optional<std::size_t> FaceContours::crossing_at(const Triangle& triangle, const Vec2& exit) const {
   std::optional<std::size_t> best;
   double least = join_;
-  for (std::size_t i = 0; i < cell.crossings.size(); ++i) {
-    const double off = is_open(cell, i) ? (cell.crossings[i].at - exit).norm() : kInfinity;
+  for (std::size_t i = 0; i < triangle.crossings.size(); ++i) {
+    const double off = is_open(triangle, i) ? (triangle.crossings[i].at - exit).norm() : kInfinity;
     if (!(off <= least)) continue;
     least = off;
     best = i;
@@ -376,11 +379,12 @@ std::optional<std::size_t> FaceContours::crossing_at(const Cell& cell, const Vec
 }
 
 /// The first crossing beside the points where no curve ends yet. The points behind it are removed.
-std::optional<std::size_t> FaceContours::cut_at_passed_crossing(const Cell& cell, std::vector<Vec2>& points) const {
+std::optional<std::size_t> FaceContours::cut_at_passed_crossing(const Triangle& triangle,
+                                                                std::vector<Vec2>& points) const {
   for (std::size_t k = 1; k < points.size(); ++k) {
     const PlaneSegment chord{points[k - 1], points[k]};
-    for (std::size_t i = 0; i < cell.crossings.size(); ++i) {
-      if (!is_open(cell, i) || distance_to_segment(chord, cell.crossings[i].at) > join_) continue;
+    for (std::size_t i = 0; i < triangle.crossings.size(); ++i) {
+      if (!is_open(triangle, i) || distance_to_segment(chord, triangle.crossings[i].at) > join_) continue;
       points.resize(k + 1);
       return i;
     }
@@ -388,80 +392,83 @@ std::optional<std::size_t> FaceContours::cut_at_passed_crossing(const Cell& cell
   return std::nullopt;
 }
 
-/// Ends a curve that leaves the cell at the crossing there. Where the curve runs along a side, which is on the level,
-/// rounding decides where the crossings are: then it is one that the curve has passed.
-bool FaceContours::end_at_crossing(const Cell& cell, const Place& exit, FaceContour& piece) {
+/// Ends a curve that leaves the triangle at the crossing there. Where the curve runs along a side, which is on the
+/// level, rounding decides where the crossings are: then it is one that the curve has passed.
+bool FaceContours::end_at_crossing(const Triangle& triangle, const Place& exit, FaceContour& piece) {
   std::vector<Vec2>& points = chain_.points();
-  std::optional<std::size_t> end = crossing_at(cell, exit.at);
+  std::optional<std::size_t> end = crossing_at(triangle, exit.at);
   if (end) {
-    chain_.add(cell.crossings[*end].at, exit.off, true);
+    chain_.add(triangle.crossings[*end].at, exit.off, true);
   } else {
     points.push_back(exit.at);
-    end = cut_at_passed_crossing(cell, points);
+    end = cut_at_passed_crossing(triangle, points);
   }
   if (!end) return false;
   is_taken_[*end] = true;
-  piece.to = cell.crossings[*end].id;
+  piece.to = triangle.crossings[*end].id;
   // The ends are crossings: what is between them is the piece's own.
   if (points.size() > 2) piece.points.assign(points.begin() + 1, points.end() - 1);
-  while (!piece.points.empty() && (piece.points.back() - cell.crossings[*end].at).norm() <= rounding_) {
+  while (!piece.points.empty() && (piece.points.back() - triangle.crossings[*end].at).norm() <= rounding_) {
     piece.points.pop_back();
   }
   return true;
 }
 
-/// Joins the crossings of a cell by straight pieces. Curves do not cross each other.
-void FaceContours::pair(const Cell& cell) {
-  const std::size_t n = cell.crossings.size();
+/// Joins the crossings of a triangle by straight pieces. Curves do not cross each other.
+void FaceContours::pair(const Triangle& triangle) {
+  const std::size_t n = triangle.crossings.size();
   for (std::size_t i = 0; i < n; ++i) {
-    if (cell.crossings[i].leaves) pieces_.push_back({cell.crossings[i].id, cell.crossings[(i + n - 1) % n].id, {}});
+    if (triangle.crossings[i].leaves)
+      pieces_.push_back({triangle.crossings[i].id, triangle.crossings[(i + n - 1) % n].id, {}});
   }
 }
 
-/// Cuts a cell in two, from the middle of its longest side.
-void FaceContours::split(const Cell& cell, const Range& candidates) {
+/// Cuts a triangle in two, from the middle of its longest side.
+void FaceContours::split(const Triangle& triangle, const Range& candidates) {
   std::size_t first = 0;
-  const auto length = [&](std::size_t i) { return (cell.after(i) - cell.corner[i]).squaredNorm(); };
+  const auto length = [&](std::size_t i) { return (triangle.after(i) - triangle.corner[i]).squaredNorm(); };
   for (std::size_t i = 1; i < 3; ++i) {
     if (length(i) > length(first)) first = i;
   }
   const std::size_t second = (first + 1) % 3, third = (first + 2) % 3;
-  const Vec2 &a = cell.corner[first], &b = cell.corner[second], &c = cell.corner[third];
+  const Vec2 &a = triangle.corner[first], &b = triangle.corner[second], &c = triangle.corner[third];
   const Vec2 middle = 0.5 * (a + b), along = b - a;
   std::array<std::vector<SideCrossing>, 3> of_side;
-  for (const SideCrossing& crossing : cell.crossings) of_side[crossing.side].push_back(crossing);
+  for (const SideCrossing& crossing : triangle.crossings) of_side[crossing.side].push_back(crossing);
   std::vector<SideCrossing>& halved = of_side[first];
   const auto beyond = std::find_if(halved.begin(), halved.end(), [&](const SideCrossing& crossing) {
     return (crossing.at - middle).dot(along) >= 0;
   });
-  const bool near_middle = cell.is_near[first] != ((beyond - halved.begin()) % 2 == 1);
-  std::vector<SideCrossing> cut = cross_segment({middle, c}, near_middle, cell.is_near[third], candidates);
+  const bool near_middle = triangle.is_near[first] != ((beyond - halved.begin()) % 2 == 1);
+  std::vector<SideCrossing> cut = cross_segment({middle, c}, near_middle, triangle.is_near[third], candidates);
 
-  const auto take = [](Cell& to, auto begin, auto end, std::int32_t side) {
+  const auto take = [](Triangle& to, auto begin, auto end, std::int32_t side) {
     for (; begin != end; ++begin) {
       to.crossings.push_back(*begin);
       to.crossings.back().side = side;
     }
   };
-  Cell left{
-      .corner = {a, middle, c}, .is_near = {cell.is_near[first], near_middle, cell.is_near[third]}, .crossings = {}};
+  Triangle left{.corner = {a, middle, c},
+                .is_near = {triangle.is_near[first], near_middle, triangle.is_near[third]},
+                .crossings = {}};
   take(left, halved.begin(), beyond, 0);
   take(left, cut.begin(), cut.end(), 1);
   take(left, of_side[third].begin(), of_side[third].end(), 2);
-  Cell right{
-      .corner = {middle, b, c}, .is_near = {near_middle, cell.is_near[second], cell.is_near[third]}, .crossings = {}};
+  Triangle right{.corner = {middle, b, c},
+                 .is_near = {near_middle, triangle.is_near[second], triangle.is_near[third]},
+                 .crossings = {}};
   take(right, beyond, halved.end(), 0);
   take(right, of_side[second].begin(), of_side[second].end(), 1);
   for (SideCrossing& crossing : cut) crossing.leaves = !crossing.leaves;
   take(right, cut.rbegin(), cut.rend(), 2);
-  for (Cell* part : {&left, &right}) {
+  for (Triangle* part : {&left, &right}) {
     const Range kept = keep_relevant(part->corner, candidates, level_);
     visit(*part, kept);
     stack_.resize(kept.begin);
   }
 }
 
-/// The crossings of a segment between two cells, from its begin on. They agree with the states of its ends.
+/// The crossings of a segment between two triangles, from its begin on. They agree with the states of its ends.
 std::vector<SideCrossing> FaceContours::cross_segment(const PlaneSegment& segment, bool near_at_begin, bool near_at_end,
                                                       const Range& candidates) {
   const double length = (segment.to - segment.from).norm();
@@ -497,7 +504,7 @@ std::vector<SideCrossing> FaceContours::cross_segment(const PlaneSegment& segmen
   return found;
 }
 
-/// Joins the pieces of all cells to curves: those that begin at a crossing of a side, then the closed ones.
+/// Joins the pieces of all triangles to curves: those that begin at a crossing of a side, then the closed ones.
 void FaceContours::join_pieces(std::span<const SideCrossing> crossings, std::vector<FaceContour>& found) {
   if (inner_.empty()) {
     std::ranges::move(pieces_, std::back_inserter(found));

@@ -55,7 +55,7 @@ class FaceContours {
 
  private:
   /// A triangle inside the face, with the crossings of its sides, counter-clockwise from corner 0.
-  struct Cell {
+  struct Triangle {
     std::array<Vec2, 3> corner;
     std::array<bool, 3> is_near;
     std::vector<SideCrossing> crossings;
@@ -68,11 +68,11 @@ class FaceContours {
     }
     double set_sides();
   };
-  /// A source that may be the nearest somewhere in a cell.
+  /// A source that may be the nearest somewhere in a triangle.
   struct Candidate {
     std::int32_t source;              // index
-    std::array<double, 3> at_corner;  // its distances at the cell's corners
-    double lowest;                    // no distance in the cell is less
+    std::array<double, 3> at_corner;  // its distances at the triangle's corners
+    double lowest;                    // no distance in the triangle is less
 
     /// Distances of one source are convex.
     double most() const { return std::max({at_corner[0], at_corner[1], at_corner[2]}); }
@@ -88,34 +88,34 @@ class FaceContours {
     Vec2 at;
     double off;  // the largest distance of the last chord from the curve
   };
-  /// Where a way leaves a cell, or ends in it.
+  /// Where a way leaves a triangle, or ends in it.
   struct Exit {
     double at;
-    bool leaves_cell;
+    bool leaves_triangle;
   };
-  enum class Stop { leaves_cell, enters_region, part_ends };
+  enum class Stop { leaves_triangle, enters_region, part_ends };
 
-  void visit(Cell& cell, const Range& candidates);
+  void visit(Triangle& triangle, const Range& candidates);
   Range keep_relevant(const std::array<Vec2, 3>& corner, const Range& candidates, double level);
-  bool has_no_hole(const Cell& cell, const Range& candidates) const;
-  std::vector<Directions> list_directions(const Cell& cell, const Range& candidates) const;
-  bool rises_one_way(const Cell& cell, const Range& candidates) const;
-  bool follow_all(const Cell& cell, const Range& candidates);
-  bool follow(const Cell& cell, const Range& candidates, const SideCrossing& start, FaceContour& piece);
+  bool has_no_hole(const Triangle& triangle, const Range& candidates) const;
+  std::vector<Directions> list_directions(const Triangle& triangle, const Range& candidates) const;
+  bool rises_one_way(const Triangle& triangle, const Range& candidates) const;
+  bool follow_all(const Triangle& triangle, const Range& candidates);
+  bool follow(const Triangle& triangle, const Range& candidates, const SideCrossing& start, FaceContour& piece);
   void list_rivals(const Range& candidates, std::int32_t of, const StretchOfWay& stretch);
-  void list_stops(const Cell& cell, const ContourWay& way, double end);
-  Stop advance(const Cell& cell, const Range& candidates, Place& place);
-  Exit find_exit(const Cell& cell, const ContourWay& way);
+  void list_stops(const Triangle& triangle, const ContourWay& way, double end);
+  Stop advance(const Triangle& triangle, const Range& candidates, Place& place);
+  Exit find_exit(const Triangle& triangle, const ContourWay& way);
   bool pass_end(Place& place) const;
-  /// Whether a curve that comes through the cell may end at this crossing.
-  bool is_open(const Cell& cell, std::size_t crossing) const {
-    return !cell.crossings[crossing].leaves && !is_taken_[crossing];
+  /// Whether a curve that comes through the triangle may end at this crossing.
+  bool is_open(const Triangle& triangle, std::size_t crossing) const {
+    return !triangle.crossings[crossing].leaves && !is_taken_[crossing];
   }
-  std::optional<std::size_t> crossing_at(const Cell& cell, const Vec2& exit) const;
-  std::optional<std::size_t> cut_at_passed_crossing(const Cell& cell, std::vector<Vec2>& points) const;
-  bool end_at_crossing(const Cell& cell, const Place& exit, FaceContour& piece);
-  void pair(const Cell& cell);
-  void split(const Cell& cell, const Range& candidates);
+  std::optional<std::size_t> crossing_at(const Triangle& triangle, const Vec2& exit) const;
+  std::optional<std::size_t> cut_at_passed_crossing(const Triangle& triangle, std::vector<Vec2>& points) const;
+  bool end_at_crossing(const Triangle& triangle, const Place& exit, FaceContour& piece);
+  void pair(const Triangle& triangle);
+  void split(const Triangle& triangle, const Range& candidates);
   std::vector<SideCrossing> cross_segment(const PlaneSegment& segment, bool near_at_begin, bool near_at_end,
                                           const Range& candidates);
   void join_pieces(std::span<const SideCrossing> crossings, std::vector<FaceContour>& found);
@@ -132,11 +132,11 @@ class FaceContours {
 
   // The state of one level:
   double level_ = 0, rounding_ = 0, chord_ = 0, join_ = 0;
-  std::vector<Candidate> stack_;     // candidates of the cell and of those that contain it
-  std::vector<FaceContour> pieces_;  // in cells, between crossings of their sides
-  std::vector<Vec2> inner_;          // positions of the crossings between cells, whose ids follow those of the sides
+  std::vector<Candidate> stack_;     // candidates of the triangle and of those that contain it
+  std::vector<FaceContour> pieces_;  // in triangles, between crossings of their sides
+  std::vector<Vec2> inner_;  // positions of the crossings between triangles, whose ids follow those of the sides
   std::int32_t side_crossings_ = 0;  // their number
-  std::vector<bool> is_taken_;       // [crossing of the cell]
+  std::vector<bool> is_taken_;       // [crossing of the triangle]
   ChordChain chain_;
   std::vector<std::int32_t> rivals_;  // sources that may be as near as the level somewhere on the way
   std::vector<double> stops_;         // on the way round a region, or along a segment

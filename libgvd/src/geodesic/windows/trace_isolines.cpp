@@ -38,6 +38,10 @@ constexpr std::size_t kChunk = 1024;
 /// 1e-13.
 constexpr double kSeam = 1e-12;
 
+/// The rounding of a point's position, relative to its largest coordinate: a coordinate is a sum of three products,
+/// each of which rounds by 2^-53 of the largest one, in each of two points that are compared.
+constexpr double kCoordinateRounding = 0x1p-50;
+
 /// Where a curve crosses an edge.
 struct Crossing {
   EdgeId edge;
@@ -154,9 +158,9 @@ void check_crossings(const LevelSets& sets) {
     crossings += double(std::abs(levels_below[to] - levels_below[from]));
   }
   if (crossings <= kMostCrossings) return;
-  throw Error(ErrorCode::invalid_option,
-              fmt::format("the curves would cross edges {:.2g} times, more than {:.2g}; give fewer levels", crossings,
-                          kMostCrossings));
+  throw Error(ErrorCode::invalid_option, fmt::format("the curves would cross edges {:.2g} times, more than {:.2g}; "
+                                                     "give fewer levels, by a larger {{option:isolines}}",
+                                                     crossings, kMostCrossings));
 }
 
 void find_crossings(LevelSets& sets, const ParallelChunks& parallel) {
@@ -306,7 +310,7 @@ class ArcJoiner {
     for (const auto& [arc, points] : arcs_) {
       if (arc.from != FaceContour::kClosed) continue;
       Isoline line{sets_.levels[arc.level], true, {}};
-      for (const SurfacePoint& p : points) append(line.points, p);
+      line.points.assign(points.begin(), points.end());
       add(std::move(line), lines);
     }
     std::ranges::stable_sort(lines, {}, &Isoline::level);
@@ -325,25 +329,54 @@ class ArcJoiner {
     for (;;) {
       const HalfedgeId h = sets_.mesh.halfedge(sets_.crossings[at].edge);
       const SurfacePoint point = edge_point(h, std::min(1.0, sets_.crossings[at].t / sets_.mesh.length(h)));
-      append(line.points, make_surface_point(point.face, point.bary));
+      line.points.push_back(make_surface_point(point.face, point.bary));
       const std::int32_t next = std::exchange(leaving_[at], -1);
       if (next < 0) return line;
-      for (const SurfacePoint& p : arcs_[next].points) append(line.points, p);
+      line.points.insert(line.points.end(), arcs_[next].points.begin(), arcs_[next].points.end());
       at = arcs_[next].arc.to;
     }
   }
 
-  /// Leaves out what is no more than a point.
+  /// Leaves out points that repeat the one before, and what is no more than a point.
   void add(Isoline&& line, std::vector<Isoline>& lines) const {
-    if (line.closed && line.points.size() > 1 && is_same(line.points.front(), line.points.back()))
-      line.points.pop_back();
-    if (line.points.size() > (line.closed ? 2 : 1)) lines.push_back(std::move(line));
+    drop_repeated(line);
+    const bool is_point = line.points.size() < (line.closed ? 3 : 2) ||
+                          (line.points.size() == 2 && is_same(line.points.front(), line.points.back(), line.level));
+    if (!is_point) lines.push_back(std::move(line));
   }
-  bool is_same(const SurfacePoint& a, const SurfacePoint& b) const {
-    return position(sets_.mesh, a) == position(sets_.mesh, b);
+
+  /// Leaves out one of two neighbours in the same place, of which the other one shares faces with those before and
+  /// behind. The ends of an open curve stay: they are on the boundary.
+  void drop_repeated(Isoline& line) const {
+    std::vector<SurfacePoint> kept;
+    kept.reserve(line.points.size());
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      const SurfacePoint& p = line.points[i];
+      if (!kept.empty() && is_same(kept.back(), p, line.level)) {
+        const bool is_last = i + 1 == line.points.size();
+        if (is_last ? line.closed && are_neighbours(kept.back(), kept.front())
+                    : are_neighbours(kept.back(), line.points[i + 1])) {
+          continue;
+        }
+        if (kept.size() > 1 && are_neighbours(kept[kept.size() - 2], p)) kept.pop_back();
+      }
+      kept.push_back(p);
+    }
+    if (line.closed && kept.size() > 1 && is_same(kept.back(), kept.front(), line.level) &&
+        are_neighbours(kept[kept.size() - 2], kept.front())) {
+      kept.pop_back();
+    }
+    line.points = std::move(kept);
   }
-  void append(std::vector<SurfacePoint>& points, const SurfacePoint& point) const {
-    if (points.empty() || !is_same(points.back(), point)) points.push_back(point);
+
+  bool are_neighbours(const SurfacePoint& a, const SurfacePoint& b) const {
+    return find_common_view(sets_.mesh, a, b).has_value();
+  }
+
+  /// Whether two points are in one place, but for the rounding of the distances on the edges and of their coordinates.
+  bool is_same(const SurfacePoint& a, const SurfacePoint& b, double level) const {
+    const Vec3 p = position(sets_.mesh, a), q = position(sets_.mesh, b);
+    return (q - p).norm() <= kSeam * level + kCoordinateRounding * p.cwiseAbs().maxCoeff();
   }
 
   const LevelSets& sets_;

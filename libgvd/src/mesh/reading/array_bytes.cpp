@@ -22,16 +22,19 @@ constexpr std::uint64_t kMostDeflated = 1032;
 
 }  // namespace
 
-bool append_inflated(std::string& content, std::string_view packed, std::uint64_t size, ExpansionLimit& limit) {
+bool append_inflated(std::string& content, std::string_view packed, std::uint64_t size, ExpansionLimit& limit,
+                     std::uint64_t* unused) {
   if (size > kMostDeflated * packed.size()) return false;
   limit.spend(size + packed.size());
   const std::size_t begin = content.size();
   if (size > content.max_size() - begin) throw std::bad_alloc();
   content.resize(begin + size);
   uLongf made = size;
-  const int status = uncompress(reinterpret_cast<Bytef*>(content.data() + begin), &made,
-                                reinterpret_cast<const Bytef*>(packed.data()), packed.size());
+  uLong taken = packed.size();
+  const int status = uncompress2(reinterpret_cast<Bytef*>(content.data() + begin), &made,
+                                 reinterpret_cast<const Bytef*>(packed.data()), &taken);
   if (status == Z_MEM_ERROR) throw std::bad_alloc();
+  if (unused != nullptr) *unused = packed.size() - taken;
   return status == Z_OK && made == size;
 }
 
@@ -57,6 +60,12 @@ std::optional<std::uint64_t> inflated_size(std::string_view packed, std::uint64_
   if (status == Z_MEM_ERROR) throw std::bad_alloc();
   if (status != Z_OK && status != Z_STREAM_END) return std::nullopt;
   return std::min(made, most);
+}
+
+std::optional<std::uint64_t> parse_count(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return parse_number<std::uint64_t>(text);
 }
 
 std::vector<double> parse_array_text(std::string_view text, std::string_view what, std::string_view name) {

@@ -32,11 +32,15 @@ class ArrayBytes {
 };
 
 /// Appends what zlib makes of `packed`. False where that is not `size` bytes, or the data are damaged. Throws what
-/// `limit` throws, before it takes memory.
-bool append_inflated(std::string& content, std::string_view packed, std::uint64_t size, ExpansionLimit& limit);
+/// `limit` throws, before it takes memory. `unused`, if not null, gets the number of bytes behind the end of the data.
+bool append_inflated(std::string& content, std::string_view packed, std::uint64_t size, ExpansionLimit& limit,
+                     std::uint64_t* unused = nullptr);
 
 /// The number of bytes that zlib makes of `packed`, or `most` where there are more; nothing where the data are damaged.
 std::optional<std::uint64_t> inflated_size(std::string_view packed, std::uint64_t most);
+
+/// The whole number from 0 that an attribute of XML spells, which may have blanks round it; nothing for any other text.
+std::optional<std::uint64_t> parse_count(std::string_view text);
 
 /// The numbers of a text, with blanks between them. Throws Error{unreadable_input} for anything else; `what` is the
 /// array in the message, `name` the file. Cost: O(length).

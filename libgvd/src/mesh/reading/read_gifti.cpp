@@ -76,7 +76,7 @@ class GiftiParser {
     if (intent_of(found[0]) == "NIFTI_INTENT_NODE_INDEX") refuse("the GIFTI file has indices of vertices, no values");
     const Shape shape = read_shape(found[0]);
     if (shape.rows != shape.numbers) {
-      refuse(fmt::format("the GIFTI file has {} numbers for {}; give one for each", shape.numbers,
+      refuse(fmt::format("the GIFTI file has {} for {}; give one for each", number_count(shape.numbers),
                          counted(std::int64_t(shape.rows), "vertex", "vertices")));
     }
     return read_array(found[0], shape);
@@ -110,11 +110,9 @@ class GiftiParser {
 
   /// A dimension; 0 where it is missing, which no array fits.
   std::uint64_t read_size(pugi::xml_node array, const std::string& dimension) const {
-    std::string_view text = array.attribute(dimension.c_str()).value();
-    while (text.starts_with(' ')) text.remove_prefix(1);
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    const auto size = parse_number<std::uint64_t>(text);
-    if (size || text.empty()) return size.value_or(0);
+    const std::string_view text = array.attribute(dimension.c_str()).value();
+    const auto size = parse_count(text);
+    if (size || text.find_first_not_of(' ') == text.npos) return size.value_or(0);
     refuse(fmt::format("an array {} has {} {}, and should have a whole number from 0 there; {}",
                        quoted(intent_of(array)), dimension, quoted(text), kExportAgain));
   }
@@ -122,8 +120,8 @@ class GiftiParser {
   std::vector<double> read_rows_of_three(pugi::xml_node array) {
     const Shape shape = read_shape(array);
     if (shape.numbers != 3 * shape.rows) {
-      refuse(fmt::format("an array {} has {} numbers in {}; three in a row are needed", intent_of(array), shape.numbers,
-                         counted(std::int64_t(shape.rows), "row", "rows")));
+      refuse(fmt::format("an array {} has {} in {}; three in a row are needed", intent_of(array),
+                         number_count(shape.numbers), counted(std::int64_t(shape.rows), "row", "rows")));
     }
     std::vector<double> numbers = read_array(array, shape);
     if (!is_one_of(array, "ArrayIndexingOrder", "ColumnMajorOrder", "GIFTI_IND_ORD_COL_MAJOR")) return numbers;
@@ -163,7 +161,13 @@ class GiftiParser {
 
   std::string unpack(pugi::xml_node array, std::string_view packed, std::uint64_t count, const StoredNumber& type) {
     std::string bytes;
-    if (append_inflated(bytes, packed, count * type.size, limit_)) return bytes;
+    std::uint64_t unused = 0;
+    if (append_inflated(bytes, packed, count * type.size, limit_, &unused)) {
+      if (unused == 0) return bytes;
+      refuse(fmt::format("the packed data of an array {} end after its numbers, and {} behind them; {}",
+                         quoted(intent_of(array)), counted(std::int64_t(unused), "byte follows", "bytes follow"),
+                         kExportAgain));
+    }
     const std::uint64_t most = most_numbers_ * type.size;
     const auto found = inflated_size(packed, most);
     if (!found || *found == most || *found == count * type.size) {

@@ -13,7 +13,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -21,7 +20,6 @@
 #include <utility>
 
 #include "gvd/error.hpp"
-#include "gvd/gltf_files.hpp"
 #include "gvd/text.hpp"
 #include "mesh/reading/gltf_buffers.hpp"
 #include "mesh/reading/readers.hpp"
@@ -37,8 +35,6 @@ using Transform = Eigen::Matrix4d;
 constexpr std::string_view kMark = "glTF";
 constexpr std::uint32_t kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
-/// So many bytes tell what a file is, unless all are blank.
-constexpr std::size_t kHeadBytes = 4096;
 constexpr std::size_t kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6;  // primitive.mode
 
 /// How far the last row of a matrix may be from 0 0 0 1, absolute: products of matrices of 32-bit floats are that
@@ -123,8 +119,8 @@ class GltfFile {
     const std::size_t stride = given == 0 ? element : given;
     if (count == 0) return read;
     if (stride < element) {
-      refuse(fmt::format("accessor {} has elements of {} bytes, and its view steps by {} ('byteStride'); {}", a,
-                         element, stride, kExportAgain));
+      refuse(fmt::format("accessor {} has elements of {}, and its view steps by {} ('byteStride'); {}", a,
+                         byte_count(element), stride, kExportAgain));
     }
     const std::size_t first = number(item("bufferViews", v), "byteOffset", 0) + begin;
     if (first % stored.size != 0 || stride % stored.size != 0) {
@@ -134,8 +130,8 @@ class GltfFile {
                       a, stored.size, first, stride, stored.size, kExportAgain));
     }
     if (begin > view.size() || element > view.size() - begin || count - 1 > (view.size() - begin - element) / stride) {
-      refuse(fmt::format("accessor {} has {}, and its view has {} bytes", a, counted(count, "element", "elements"),
-                         view.size()));
+      refuse(fmt::format("accessor {} has {}, and its view has {}", a, counted(count, "element", "elements"),
+                         byte_count(view.size())));
     }
     limit_.spend(std::uint64_t(count) * read.size * sizeof(double));
     read.numbers.reserve(count * read.size);
@@ -182,13 +178,17 @@ class GltfFile {
   std::string_view read_chunks() {
     if (word(4) != kVersion) refuse(fmt::format("the file has version {} of glTF, and only 2 is read", word(4)));
     const std::size_t whole = word(8);
+    if (whole <= kHeaderBytes) {
+      refuse(fmt::format("the header says that the file has {}, which is no more than the header itself; {}",
+                         byte_count(whole), kExportAgain));
+    }
     bytes_ = bytes_.substr(0, whole);  // what follows the file's own length is no part of it
     std::string_view json;
     for (std::size_t at = kHeaderBytes; at < bytes_.size();) {
       const std::size_t length = word(at), begin = at + kChunkHeaderBytes;
       const std::uint32_t kind = word(at + 4);
       if (length > bytes_.size() - begin) {
-        refuse(fmt::format("byte {}: a chunk should have {} bytes, and the file has {} more", at, length,
+        refuse(fmt::format("byte {}: a chunk should have {}, and the file has {} more", at, byte_count(length),
                            bytes_.size() - begin));
       }
       if (kind == kJsonChunk && json.empty()) json = bytes_.substr(begin, length);
@@ -221,7 +221,8 @@ class GltfFile {
     const std::string_view stored = read_buffer(buffer, b);
     const std::size_t length = number(buffer, "byteLength", stored.size());
     if (length > stored.size()) {
-      refuse(fmt::format("buffer {} should have {} bytes, and has {}; {}", b, length, stored.size(), kExportAgain));
+      refuse(
+          fmt::format("buffer {} should have {}, and has {}; {}", b, byte_count(length), stored.size(), kExportAgain));
     }
     return buffers_[b] = stored.substr(0, length);  // a chunk is padded
   }
@@ -254,6 +255,11 @@ class GltfFile {
     return kTypes[component_type - kByte];
   }
 
+  /// Counts of a file may be beyond 63 bits.
+  static std::string byte_count(std::size_t count) {
+    return fmt::format("{} {}", count, count == 1 ? "byte" : "bytes");
+  }
+
   /// The number that stands for 1 in normalized integers.
   static double largest(const StoredNumber& stored) {
     return std::exp2(8.0 * double(stored.size) - (stored.kind == StoredNumber::Kind::signed_integer ? 1 : 0)) - 1;
@@ -265,7 +271,8 @@ class GltfFile {
     const std::string_view buffer = find_buffer(b);
     const std::size_t begin = number(view, "byteOffset", 0), length = number(view, "byteLength");
     if (begin > buffer.size() || length > buffer.size() - begin) {
-      refuse(fmt::format("view {} has {} bytes from {} on, and buffer {} has {}", v, length, begin, b, buffer.size()));
+      refuse(fmt::format("view {} has {} from {} on, and buffer {} has {}", v, byte_count(length), begin, b,
+                         buffer.size()));
     }
     return buffer.substr(begin, length);
   }
@@ -358,21 +365,34 @@ class GltfParser {
       const Transform made(matrix->get<std::array<double, 16>>().data());
       if (matrix->size() > 16 || !((made.row(3) - Transform::Identity().row(3)).cwiseAbs().maxCoeff() <= kAffine)) {
         file_.refuse(
-            fmt::format("node {} has a matrix of {} numbers that is no affine transform: it needs 16, and the "
+            fmt::format("node {} has a matrix of {} that is no affine transform: it needs 16, and the "
                         "last row 0 0 0 1; {}",
-                        n, matrix->size(), kExportAgain));
+                        n, counted(std::int64_t(matrix->size()), "number", "numbers"), kExportAgain));
       }
       return made;
     }
-    const auto t = node.value("translation", std::array{0.0, 0.0, 0.0}),
-               s = node.value("scale", std::array{1.0, 1.0, 1.0});
-    const auto r = node.value("rotation", std::array{0.0, 0.0, 0.0, 1.0});
+    const auto t = numbers_of(node, n, "translation", std::array{0.0, 0.0, 0.0});
+    const auto s = numbers_of(node, n, "scale", std::array{1.0, 1.0, 1.0});
+    const auto r = numbers_of(node, n, "rotation", std::array{0.0, 0.0, 0.0, 1.0});
     if (!(Eigen::Vector4d(r.data()).norm() > 0)) {
       file_.refuse(fmt::format("node {} has a rotation of length 0; {}", n, kExportAgain));
     }
     Eigen::Affine3d transform = Eigen::Affine3d::Identity();
     transform.translate(Vec3(t[0], t[1], t[2])).rotate(Eigen::Quaterniond(r[3], r[0], r[1], r[2]).normalized());
     return transform.scale(Vec3(s[0], s[1], s[2])).matrix();
+  }
+
+  /// A member of node n that is a list of numbers, all of which have a meaning.
+  template <std::size_t kCount>
+  std::array<double, kCount> numbers_of(const Json& node, std::size_t n, const char* key,
+                                        const std::array<double, kCount>& otherwise) const {
+    const auto found = node.find(key);
+    if (found == node.end()) return otherwise;
+    if (found->size() != kCount) {
+      file_.refuse(fmt::format("node {} has a {} of {}, and it needs {}; {}", n, key,
+                               counted(std::int64_t(found->size()), "number", "numbers"), kCount, kExportAgain));
+    }
+    return found->get<std::array<double, kCount>>();
   }
 
   void add_mesh(std::size_t m, const Transform& transform) {
@@ -472,7 +492,10 @@ class GltfParser {
 
   void add_positions(std::size_t accessor, const Transform& transform) {
     const Accessor read = file_.read_accessor(accessor);
-    if (read.size != 3) file_.refuse(fmt::format("positions have {} coordinates", read.size));
+    if (read.size != 3) {
+      file_.refuse(fmt::format("positions have {}, and three are needed; {}",
+                               counted(std::int64_t(read.size), "coordinate", "coordinates"), kExportAgain));
+    }
     check_counts(soup_.positions.size() + read.numbers.size() / 3, 0, file_.name());
     for (std::size_t i = 0; i < read.numbers.size(); i += 3) {
       const Eigen::Vector4d p =
@@ -528,17 +551,8 @@ PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
   return name_errors(name, [&] { return GltfParser(bytes, name, folder).parse(); });
 }
 
-std::vector<std::filesystem::path> list_gltf_files(const std::filesystem::path& mesh) {
-  // Its first bytes tell of a file that is not packed whether it is one, so that no other large mesh is read again.
-  std::string head(kHeadBytes, '\0');
-  std::ifstream file(mesh, std::ios::binary);
-  file.read(head.data(), std::streamsize(head.size()));
-  head.resize(std::size_t(file.gcount()));
-  const bool is_packed = !find_compression(head).empty(), is_blank = head.find_first_not_of(" \t\r\n") == head.npos;
-  if (!is_packed && !is_blank && !is_utf16(head) && !head.starts_with(kMark) && !is_json(head)) return {};
-  const std::string name = mesh.string(), bytes = read_file_bytes(mesh);
-  if (!bytes.starts_with(kMark) && !is_json(bytes)) return {};
-  return name_errors(name, [&] { return GltfFile(bytes, name, mesh.parent_path()).other_files(); });
+std::vector<std::filesystem::path> list_gltf_files(std::string_view bytes, std::string_view name) {
+  return name_errors(name, [&] { return GltfFile(bytes, name, std::nullopt).other_files(); });
 }
 
 }  // namespace gvd

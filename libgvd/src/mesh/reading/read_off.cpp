@@ -52,6 +52,11 @@ class OffParser {
   }
 
   PolygonSoup parse_line() {
+    if (has_more_than_coordinates_) {
+      text_.refuse(
+          "colours, normals or texture coordinates can't be told from coordinates on one line; give each vertex "
+          "and face a line of its own");
+    }
     text_.integer("the number of edges");
     for (std::int64_t v = 0; v < vertices_; ++v) soup_.positions.push_back(text_.position(v));
     for (std::int64_t f = 0; f < faces_; ++f) read_face(f);
@@ -70,6 +75,7 @@ class OffParser {
     if (is_off_keyword(word)) {
       const std::string_view keyword = without_count(word);
       check_keyword(keyword);
+      has_more_than_coordinates_ = keyword != "OFF";
       if (keyword.starts_with("ST")) soup_.appearance.unread.emplace_back(kUnreadTexture);
       const std::string_view rest = line.substr(std::size_t(keyword.data() + keyword.size() - line.data()));
       text_.replace_line(rest);
@@ -139,6 +145,7 @@ class OffParser {
   PolygonSoup soup_;
   std::int64_t vertices_ = 0;
   std::int64_t faces_ = 0;
+  bool has_more_than_coordinates_ = false;  // by the keyword, for each vertex
 };
 
 }  // namespace

@@ -59,9 +59,10 @@ void check_binary_length(std::string_view bytes, std::string_view name) {
     throw Error(
         ErrorCode::unreadable_input,
         fmt::format("{}: the header of the STL says that there are 0 triangles, and {}; write the file again", name,
-                    left == 0 ? "none follows"
-                              : fmt::format("{} bytes follow, room for {}", left,
-                                            counted(std::int64_t(left / kStlTriangle), "triangle", "triangles"))));
+                    left == 0
+                        ? "none follows"
+                        : fmt::format("{}, room for {}", counted(std::int64_t(left), "byte follows", "bytes follow"),
+                                      counted(std::int64_t(left / kStlTriangle), "triangle", "triangles"))));
   }
   if (bytes.size() < wanted) {
     throw Error(ErrorCode::unreadable_input,

@@ -96,14 +96,19 @@ class VtkParser {
     for (std::size_t i = 0; i < mixed.size();) {
       const double length = mixed[i++];
       if (!(length >= 0 && length <= double(mixed.size() - i))) {
-        refuse(fmt::format("cell {} has {} corners", cells.ends.size(), length));
+        refuse(fmt::format("cell {} should have {} {}, and the list has {} behind it; {}", cells.ends.size(), length,
+                           length == 1 ? "corner" : "corners",
+                           counted(std::int64_t(mixed.size() - i), "number", "numbers"), kExportAgain));
       }
       cells.corners.insert(cells.corners.end(), mixed.begin() + std::ptrdiff_t(i),
                            mixed.begin() + std::ptrdiff_t(i + std::size_t(length)));
       cells.ends.push_back(double(cells.corners.size()));
       i += std::size_t(length);
     }
-    if (cells.ends.size() != lists) refuse(fmt::format("there are {} cells and not {}", cells.ends.size(), lists));
+    if (cells.ends.size() != lists) {
+      refuse(fmt::format("the list has {}, and should have {}; {}", counted(std::ssize(cells.ends), "cell", "cells"),
+                         lists, kExportAgain));
+    }
     return cells;
   }
 
@@ -191,7 +196,8 @@ class VtkParser {
   }
 
   [[noreturn]] void refuse_count(std::uint64_t wanted) const {
-    refuse(fmt::format("{} numbers are promised, and the file has {} more bytes", wanted, bytes_.size() - at_));
+    refuse(fmt::format("{} promised, and the file has {}", counted(std::int64_t(wanted), "number is", "numbers are"),
+                       counted(std::int64_t(bytes_.size() - at_), "more byte", "more bytes")));
   }
 
   /// Names the line, or in binary files the byte.

@@ -152,7 +152,14 @@ class VtkXmlParser {
     is_base64_appended_ = std::string_view(root.child("AppendedData").attribute("encoding").value()) == "base64";
   }
 
-  static std::uint64_t count_in(pugi::xml_node piece, const char* name) { return piece.attribute(name).as_ullong(); }
+  /// A number of elements of a piece; 0 where it is missing.
+  std::uint64_t count_in(pugi::xml_node piece, const char* name) const {
+    const pugi::xml_attribute given = piece.attribute(name);
+    if (!given) return 0;
+    if (const auto count = parse_count(given.value())) return *count;
+    soup_.refuse(fmt::format("a piece has {} {}, and should have a whole number from 0 there; {}", name,
+                             quoted(given.value()), kExportAgain));
+  }
 
   /// Refuses a piece that has arrays of a kind and does not say how many: they would be taken for none.
   void require_count(pugi::xml_node piece, const char* number, const char* kind) const {
@@ -170,7 +177,8 @@ class VtkXmlParser {
     if (points == 0) return false;
     const std::vector<double> coordinates = read_array(piece.child("Points").child("DataArray"), "Points");
     if (coordinates.size() % 3 != 0 || coordinates.size() / 3 != points) {
-      soup_.refuse(fmt::format("a piece of {} points has {} coordinates", points, coordinates.size()));
+      soup_.refuse(fmt::format("a piece of {} has {}", counted(std::int64_t(points), "point", "points"),
+                               counted(std::ssize(coordinates), "coordinate", "coordinates")));
     }
     soup_.add_points(coordinates);
     if (piece.child("PointData").attribute("TCoords")) soup_.leave_out_texture();
@@ -204,7 +212,8 @@ class VtkXmlParser {
   VtkCells read_cells(pugi::xml_node piece, const char* kind, std::uint64_t count) {
     VtkCells cells{read_named(piece, kind, "offsets"), read_named(piece, kind, "connectivity")};
     if (cells.ends.size() != count) {
-      soup_.refuse(fmt::format("a piece with {} of the cells {} has {} offsets", count, kind, cells.ends.size()));
+      soup_.refuse(fmt::format("a piece with {} of the cells {} has {}", count, kind,
+                               counted(std::ssize(cells.ends), "offset", "offsets")));
     }
     return cells;
   }
@@ -219,12 +228,13 @@ class VtkXmlParser {
     }
     type->big_endian = big_endian_;
     if (format == "binary") return to_numbers(*type, read_bytes({array.child_value(), true}, what), what);
-    const std::uint64_t offset = array.attribute("offset").as_ullong();
-    if (offset >= appended_.size()) {
-      soup_.refuse(fmt::format("an array of {} begins {} bytes into the appended data, which have {}", what, offset,
-                               appended_.size()));
+    const std::string_view offset = array.attribute("offset").value();
+    const std::uint64_t begin = parse_count(offset).value_or(appended_.size());
+    if (begin >= appended_.size()) {
+      soup_.refuse(fmt::format("an array of {} has the offset {}, and {} of data are appended; {}", what,
+                               quoted(offset), counted(std::ssize(appended_), "byte", "bytes"), kExportAgain));
     }
-    return to_numbers(*type, read_bytes({appended_.substr(offset), is_base64_appended_}, what), what);
+    return to_numbers(*type, read_bytes({appended_.substr(begin), is_base64_appended_}, what), what);
   }
 
   std::vector<double> to_numbers(const StoredNumber& type, const std::string& bytes, std::string_view what) {

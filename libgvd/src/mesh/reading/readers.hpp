@@ -144,6 +144,10 @@ PolygonSoup parse_vtk(std::string_view bytes, std::string_view name);
 PolygonSoup parse_gltf(std::string_view bytes, std::string_view name,
                        const std::optional<std::filesystem::path>& folder = {});
 
+/// The files beside a glTF that it refers to, buffers and images, as paths from its folder. Addresses that are not
+/// read, such as those of the web, are left out.
+std::vector<std::filesystem::path> list_gltf_files(std::string_view bytes, std::string_view name);
+
 /// Whether a text begins with the brace of a JSON object.
 bool is_json(std::string_view bytes);
 

@@ -8,6 +8,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
+#include "gvd/text_encoding.hpp"
 #include "mesh/reading/readers.hpp"
 #include "mesh/reading/stored_numbers.hpp"
 
@@ -56,17 +57,8 @@ bool is_binary_mni(std::string_view bytes) {
   return bytes.starts_with('p') && bytes.size() > kHeader && bytes.substr(1, kHeader).find('\0') != bytes.npos;
 }
 
-/// Whether a text is UTF-16 that lacks its byte order mark: every second one of its first bytes is a zero.
-bool lacks_byte_order_mark(std::string_view bytes) {
-  if (bytes.size() < 8) return false;
-  const auto is_pair = [&](std::size_t at, std::size_t zero) {
-    return bytes[at + zero] == '\0' && std::uint8_t(bytes[at + 1 - zero]) - 1U < 0x7F;
-  };
-  const auto is_text = [&](std::size_t zero) {
-    return is_pair(0, zero) && is_pair(2, zero) && is_pair(4, zero) && is_pair(6, zero);
-  };
-  return is_text(0) || is_text(1);
-}
+/// So many characters of ASCII tell UTF-16 from binary files, where some zeros are common.
+constexpr std::size_t kTellingCharacters = 4;
 
 /// Appends a character of Unicode in UTF-8.
 void append_utf8(std::string& text, std::uint32_t c) {
@@ -102,10 +94,7 @@ void ExpansionLimit::spend(std::uint64_t bytes) {
 
 bool is_gzip(std::string_view bytes) { return find_compression(bytes) == "gzip" && !is_binary_stl(bytes); }
 
-bool is_utf16(std::string_view bytes) {
-  if (bytes.starts_with(std::string_view("\xff\xfe\0\0", 4))) return false;  // UTF-32
-  return (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) && !is_binary_stl(bytes);
-}
+bool is_utf16(std::string_view bytes) { return has_utf16_mark(bytes) && !is_binary_stl(bytes); }
 
 std::string to_utf8(std::string_view utf16) {
   constexpr std::uint32_t kUnknown = 0xFFFD, kHigh = 0xD800, kLow = 0xDC00, kAbove = 0xE000;
@@ -133,7 +122,7 @@ std::string to_utf8(std::string_view utf16) {
 
 std::string describe_content(std::string_view bytes) {
   if (is_binary_stl(bytes)) return "";  // it begins with anything
-  if (lacks_byte_order_mark(bytes)) return "text in UTF-16 without a byte order mark; save it as UTF-8";
+  if (is_unmarked_utf16(bytes, kTellingCharacters)) return "text in UTF-16 without a byte order mark; save it as UTF-8";
   if (is_binary_mni(bytes)) return "a binary object of MNI; write it as text, or as PLY";
   if (bytes.starts_with(std::string_view("\xff\xfe\0\0", 4)) ||
       bytes.starts_with(std::string_view("\0\0\xfe\xff", 4))) {

@@ -117,7 +117,8 @@ void VtkSoup::leave_out_cell(Corners corners) {
 
 void VtkSoup::add_cells(const VtkCells& cells, const std::vector<double>& types) {
   if (types.size() != cells.ends.size()) {
-    refuse(fmt::format("there are {} cells and {} types of cells", cells.ends.size(), types.size()));
+    refuse(fmt::format("there are {} and {} of cells", counted(std::ssize(cells.ends), "cell", "cells"),
+                       counted(std::ssize(types), "type", "types")));
   }
   type_ = types.data();
   for_each_cell(cells, &VtkSoup::add_typed);

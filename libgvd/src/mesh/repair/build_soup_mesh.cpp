@@ -248,8 +248,7 @@ std::vector<char> find_used_vertices(const WorkFaces& work) {
 
 /// Logs the vertices in no polygon of the soup. Vertices that lost their faces by a repair do not count.
 void log_unused_vertices(const PolygonSoup& soup, DefectLog& log) {
-  std::vector<char> used(soup.positions.size(), 0);
-  for (const std::int32_t v : soup.corners) used[v] = 1;
+  const std::vector<char> used = find_used_vertices(soup);
   const std::int64_t count = std::count(used.begin(), used.end(), 0);
   const std::int64_t first = std::find(used.begin(), used.end(), 0) - used.begin();
   log.add(DefectKind::unused_vertices, count, first,
@@ -422,7 +421,8 @@ void DefectLog::add_asked(DefectKind kind, std::int64_t count, std::int64_t firs
 void DefectLog::add(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& what,
                     const std::string& action) {
   if (count == 0) return;
-  if (policy_ == DefectPolicy::error) refuse_soup(what + ": repair the mesh, or allow its repair", first);
+  if (policy_ == DefectPolicy::error)
+    refuse_soup(what + ": repair the mesh, or allow its repair with {option:on_defect=repair}", first);
   add_asked(kind, count, first, what + ": " + action);
 }
 
@@ -463,7 +463,7 @@ CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy, std::string
     return build_repaired(soup, policy);
   } catch (const Error& error) {
     if (name.empty()) throw;
-    throw Error(error.code(), fmt::format("{}: {}", name, error.what()), error.element());
+    throw error.at(name);
   }
 }
 

@@ -18,13 +18,19 @@
 namespace gvd {
 namespace {
 
-/// The first vertex at the position of each vertex. Positions are compared as numbers: -0 equals 0.
-std::vector<std::int32_t> weld_all(const std::vector<Vec3>& positions) {
+/// The first used vertex at the position of each used vertex; others are not joined. Positions are compared as numbers:
+/// -0 equals 0.
+std::vector<std::int32_t> weld_all(const PolygonSoup& soup) {
+  const std::vector<char> used = find_used_vertices(soup);
+  std::vector<std::int32_t> weld(soup.positions.size());
   std::vector<PlacedVertex> sorted;
-  sorted.reserve(positions.size());
-  for (const Vec3& p : positions) sorted.emplace_back(std::array{p.x(), p.y(), p.z()}, sorted.size());
+  sorted.reserve(weld.size());
+  for (std::int32_t v = 0; v < std::ssize(weld); ++v) {
+    const Vec3& p = soup.positions[v];
+    weld[v] = v;
+    if (used[v]) sorted.emplace_back(std::array{p.x(), p.y(), p.z()}, v);
+  }
   std::sort(sorted.begin(), sorted.end());
-  std::vector<std::int32_t> weld(positions.size());
   std::size_t leader = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     if (sorted[i].first != sorted[leader].first) leader = i;
@@ -190,9 +196,17 @@ std::vector<char> find_duplicates(const WorkPolygons& polygons, std::size_t vert
 
 }  // namespace
 
+std::vector<char> find_used_vertices(const PolygonSoup& soup) {
+  std::vector<char> used(soup.positions.size(), 0);
+  for (const std::int32_t v : soup.corners) {
+    if (v >= 0 && v < std::ssize(used)) used[v] = 1;
+  }
+  return used;
+}
+
 std::vector<std::int32_t> weld_vertices(const PolygonSoup& soup, DefectLog& log) {
   if (soup.unwelded) {
-    std::vector<std::int32_t> weld = weld_all(soup.positions);
+    std::vector<std::int32_t> weld = weld_all(soup);
     std::int64_t count = 0, first = -1;
     for (std::int64_t v = 0; v < std::ssize(weld); ++v) {
       if (weld[v] != v && count++ == 0) first = v;

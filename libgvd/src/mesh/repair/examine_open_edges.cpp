@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "gvd/text.hpp"
+#include "mesh/reading/readers.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
 namespace gvd {
@@ -67,9 +68,15 @@ std::int64_t count_closable_edges(const CheckedMesh& checked, const std::vector<
 /// Comparisons of the sweep for each vertex, on average. Boundaries of models take about two.
 constexpr std::size_t kMostComparisons = 64;
 
-/// The least distance of two `placed` vertices that no edge joins, mesh units. Nothing where there are no two, or where
-/// finding out takes too long. Cost: O(n log n).
-std::optional<double> find_least_gap(const CheckedMesh& checked, const std::vector<PlacedVertex>& placed) {
+/// The distance of two vertices, mesh units.
+struct Gap {
+  double length = kInfinity;
+  double squared = kInfinity;  // with the rounding of `weld_soup`, which compares squares
+};
+
+/// The least distance of two `placed` vertices that no edge joins. Nothing where there are no two, or where finding out
+/// takes too long. Cost: O(n log n).
+std::optional<Gap> find_least_gap(const CheckedMesh& checked, const std::vector<PlacedVertex>& placed) {
   const Mesh& mesh = checked.mesh;
   std::vector<Ends> joined;
   for (const EdgeId e : mesh.edges()) {
@@ -83,18 +90,31 @@ std::optional<double> find_least_gap(const CheckedMesh& checked, const std::vect
   std::vector<std::pair<double, std::size_t>> along;
   for (std::size_t i = 0; i < placed.size(); ++i) along.emplace_back(direction.dot(at(i)), i);
   std::sort(along.begin(), along.end());
-  double least = kInfinity;
+  Gap least;
   std::size_t comparisons = 0;
   for (std::size_t i = 0; i < along.size(); ++i) {
-    for (std::size_t j = i + 1; j < along.size() && along[j].first - along[i].first < least; ++j) {
+    for (std::size_t j = i + 1; j < along.size() && along[j].first - along[i].first < least.length; ++j) {
       if (++comparisons > kMostComparisons * placed.size()) return std::nullopt;
       const std::size_t a = along[i].second, b = along[j].second;
-      const double distance = (at(a) - at(b)).stableNorm();
+      const Vec3 between = at(a) - at(b);
+      const Gap gap{between.stableNorm(), between.squaredNorm()};
       const Ends ends = std::minmax({placed[a].second, placed[b].second});
-      if (distance < least && !std::binary_search(joined.begin(), joined.end(), ends)) least = distance;
+      if (gap.length < least.length && !std::binary_search(joined.begin(), joined.end(), ends)) least = gap;
     }
   }
-  return least < kInfinity ? std::optional(least) : std::nullopt;
+  return least.length < kInfinity ? std::optional(least) : std::nullopt;
+}
+
+/// A tolerance that joins the two vertices, which users copy from the message: the length rounded up to six digits.
+std::string format_joining(const Gap& gap) {
+  const std::string digits = fmt::format("{:.5e}", gap.length);
+  const std::int64_t exponent = parse_integer(digits.substr(digits.find('e') + 1)).value_or(0);
+  const double half_step = 0.5 * parse_double(fmt::format("1e{}", exponent - 5)).value_or(0);
+  for (double raised = gap.length;; raised += half_step) {
+    std::string text = fmt::format("{:.6g}", raised);
+    const double tolerance = parse_double(text).value_or(kInfinity);
+    if (tolerance * tolerance >= gap.squared) return text;
+  }
 }
 
 /// Says that welding within this tolerance joins nothing, and from which tolerance on it would join something.
@@ -103,8 +123,9 @@ std::string describe_vain_weld(const CheckedMesh& checked, const std::vector<Pla
       tolerance == 0 ? "welding joins nothing: no two vertices are at the same coordinates"
                      : fmt::format("welding within {:g} joins nothing: no two vertices are so near", tolerance);
   if (placed.empty()) return what + ", and no edge is open";
-  const std::optional<double> gap = find_least_gap(checked, placed);
-  return gap ? fmt::format("{}; on open edges, the nearest two that no edge joins are {:.6g} apart", what, *gap) : what;
+  const std::optional<Gap> gap = find_least_gap(checked, placed);
+  if (!gap) return what;
+  return fmt::format("{}; on open edges, the nearest two that no edge joins are {} apart", what, format_joining(*gap));
 }
 
 }  // namespace
@@ -118,12 +139,12 @@ void examine_open_edges(CheckedMesh& checked, std::optional<double> weld_toleran
   }
   if (report.coincident_vertices == 0) return;
   report.closable_edges = count_closable_edges(checked, placed);
-  report.messages.push_back(fmt::format(
-      "{} at the position of another one: not joined, the surface is open there{}",
-      counted(report.coincident_vertices, "boundary vertex is", "boundary vertices are"),
-      report.closable_edges == 0
-          ? ""
-          : fmt::format("; welding would close {}", counted(report.closable_edges, "open edge", "open edges"))));
+  report.messages.push_back(
+      fmt::format("{} at the position of another one: not joined, the surface is open there{}",
+                  counted(report.coincident_vertices, "boundary vertex is", "boundary vertices are"),
+                  report.closable_edges == 0 ? ""
+                                             : fmt::format("; {{option:weld}} would close {}",
+                                                           counted(report.closable_edges, "open edge", "open edges"))));
 }
 
 }  // namespace gvd

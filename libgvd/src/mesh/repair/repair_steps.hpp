@@ -43,6 +43,10 @@ class DefectLog {
 /// A position and its vertex, to sort vertices by their positions, then by their numbers.
 using PlacedVertex = std::pair<std::array<double, 3>, std::int32_t>;
 
+/// Per vertex whether it is a corner of a polygon. Corners that are no vertices, which `build_mesh` refuses, are
+/// skipped. Cost: O(n).
+std::vector<char> find_used_vertices(const PolygonSoup& soup);
+
 /// The polygons of a soup while they are cleaned. Corners are vertices of the soup.
 struct WorkPolygons {
   std::vector<std::int32_t> corners;         ///< of all polygons, one after the other
@@ -87,8 +91,8 @@ using EdgeTable = std::vector<std::vector<std::int32_t>>;
 // The steps of `build_mesh` in their order. Each one logs the defects that it repairs, and the log throws under
 // DefectPolicy::error. All of them are deterministic. `positions` are those of the soup.
 
-/// Welds vertices at one position: all of them in an STL or after `weld_soup`, elsewhere those that a polygon edge
-/// joins.
+/// Welds vertices at one position: all that polygons have in an STL or after `weld_soup`, elsewhere those that a
+/// polygon edge joins.
 /// Returns per input vertex the vertex that replaces it: itself, or an earlier one at the same position.
 /// Cost: O(n log n) for an STL, else O(n).
 std::vector<std::int32_t> weld_vertices(const PolygonSoup& soup, DefectLog& log);

@@ -1,4 +1,5 @@
-// Vertices within a tolerance of each other move to one place, where the repair makes one vertex of them.
+// Vertices within a tolerance of each other move to one place, where the repair makes one vertex of them. Those in no
+// polygon take no part: nothing of the surface may move to one that is dropped afterwards.
 //
 // In the order of their numbers, each vertex stays unless one that stays already is within the tolerance. Then every
 // other vertex moves to the nearest one that stays. Joining all chains of near pairs instead would move vertices by any
@@ -121,18 +122,18 @@ class StayingVertices {
 }
 
 /// Moves vertices as the head of this file says. Notes those that had a choice: their mesh is finer than the tolerance.
-void move_to_staying(PolygonSoup& soup, double tolerance) {
+void move_to_staying(PolygonSoup& soup, const std::vector<char>& used, double tolerance) {
   StayingVertices staying(soup.positions, tolerance);
   std::vector<char> stays(soup.positions.size(), 0);
   for (std::int32_t v = 0; v < std::ssize(soup.positions); ++v) {
-    if (staying.covers(v)) continue;
+    if (!used[v] || staying.covers(v)) continue;
     staying.add(v);
     stays[v] = 1;
   }
   if (staying.count() == 1) refuse_joining_all(tolerance);
   std::int64_t between = 0;
   for (std::int32_t v = 0; v < std::ssize(soup.positions); ++v) {
-    if (stays[v]) continue;
+    if (!used[v] || stays[v]) continue;
     const NearestStaying nearest = staying.find_nearest(v);
     between += nearest.count > 1;
     soup.positions[v] = Vec3(soup.positions[nearest.vertex]);
@@ -157,14 +158,16 @@ void weld_soup(PolygonSoup& soup, double tolerance) {
   }
   soup.unwelded = true;
   soup.weld_tolerance = tolerance;
-  if (tolerance == 0 || soup.positions.empty()) return;
+  const std::vector<char> used = find_used_vertices(soup);
+  if (tolerance == 0 || std::ranges::find(used, 1) == used.end()) return;
   Eigen::AlignedBox3d box;
-  for (const Vec3& p : soup.positions) {
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    const Vec3& p = soup.positions[v];
     if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kLargestCoordinate) return;  // build_mesh refuses it
-    box.extend(p);
+    if (used[v]) box.extend(p);
   }
   if (tolerance >= box.sizes().norm()) refuse_joining_all(tolerance);
-  move_to_staying(soup, tolerance);
+  move_to_staying(soup, used, tolerance);
 }
 
 }  // namespace gvd

@@ -3,13 +3,17 @@
 #include "common/options/command_line.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/options/spelling.hpp"
+#include "gvd/diagram_options.hpp"
 
 namespace gvd::test {
 
 SharedLine::SharedLine() {
   app::describe_input(list, options.input);
-  app::describe_generators(list, options.generators);
-  app::describe_diagram(list, options.compute);
+  describe(list, options.generators);
+  app::describe_generators_format(list, options.input);
+  describe(list, options.diagram);
+  app::describe_resources(list, options.compute);
+  app::describe_verify(list, options.compute);
   app::describe_output(list, options.output, kFormats, "ply");
   app::describe_no_curves(list, options.output);
   app::describe_diagram_output(list, options.output);
@@ -22,7 +26,7 @@ std::optional<std::string> SharedLine::parse(const std::vector<std::string>& arg
   return answer;
 }
 
-app::Options parse_options(const std::vector<std::string>& arguments) {
+SharedOptions parse_options(const std::vector<std::string>& arguments) {
   SharedLine line;
   line.parse(arguments);
   return line.options;
@@ -36,6 +40,7 @@ void check_line(const std::vector<std::string>& arguments, const app::OutputForm
 void check_line(SharedLine& line, const std::vector<std::string>& arguments, const app::OutputFormats& formats) {
   line.parse(arguments);
   line.options.list = &line.list;
+  line.options.given = &line.given;
   app::check_inputs(line.options, formats);
   if (const auto missing = line.list.find_missing(line.given)) app::refuse_option(line.list, line.given, *missing);
   app::check_outputs(line.options, formats);

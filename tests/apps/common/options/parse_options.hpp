@@ -6,6 +6,7 @@
 
 #include "common/options/check_options.hpp"
 #include "common/options/options.hpp"
+#include "gvd/generator_options.hpp"
 #include "gvd/option_list.hpp"
 
 namespace gvd::test {
@@ -15,6 +16,12 @@ inline const std::vector<std::string> kFormats{"ply", "obj", "json"};
 
 inline const app::OutputFormats kOutputFormats{kFormats};
 
+/// Those of a command with diagrams.
+struct SharedOptions : app::Options {
+  GeneratorOptions generators;
+  DiagramOptions diagram;
+};
+
 /// The shared options of a command with diagrams, and those that every command has.
 struct SharedLine {
   SharedLine();
@@ -22,13 +29,13 @@ struct SharedLine {
   /// Throws Error{invalid_option}.
   std::optional<std::string> parse(const std::vector<std::string>& arguments);
 
-  app::Options options;
+  SharedOptions options;
   OptionList list;
   Given given;
 };
 
 /// The shared options of a command line. Throws Error{invalid_option}.
-app::Options parse_options(const std::vector<std::string>& arguments);
+SharedOptions parse_options(const std::vector<std::string>& arguments);
 
 /// Parses a command line, and checks its options as a command does. Throws what check_inputs and check_outputs throw.
 void check_line(const std::vector<std::string>& arguments, const app::OutputFormats& formats = kOutputFormats);

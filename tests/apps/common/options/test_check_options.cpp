@@ -59,7 +59,7 @@ TEST_CASE("a stray word is told as such, with what it may have been meant for") 
 }
 
 TEST_CASE("standard input needs a format") {
-  CHECK_THAT(refusal({"-", "-n", "3"}), Contains("--input-format"));
+  CHECK_THAT(refusal({"-", "-n", "3"}), Contains("name its format with input_format=obj, ply"));
   CHECK_NOTHROW(check_line({"-", "-n", "3", "--input-format", "off"}));
 }
 
@@ -148,12 +148,14 @@ TEST_CASE("an output's place is compared with every file that the command's own 
   test::write_text(numbers, "1\n");
   const auto refused = [&](const std::string& option, const std::string& value) {
     test::SharedLine line;
-    std::string file, source, curves, points;
-    std::optional<std::vector<std::int64_t>> vertices;
+    std::string file;
+    GivenNumbers source;
+    GivenCurves curves;
+    GivenPoints points;
     line.list.option("fixed", File{&file}, {.help = "A file"});
     line.list.option("within", ValueSource{&source}, {.help = "A file or a property"});
     line.list.option("curves", Curves{&curves, 30}, {.help = "A file or a kind of curves"});
-    line.list.option("to", PointList{&vertices, &points}, {.help = "A file or vertices"});
+    line.list.option("to", PointList{&points}, {.help = "A file or vertices"});
     return test::refusal(
         [&] {
           check_line(line, {mesh, "-n", "3", "--report", numbers, option, value});

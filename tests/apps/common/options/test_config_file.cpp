@@ -128,7 +128,7 @@ TEST_CASE("a value of the line overrides what does nothing beside it") {
   const auto computed = [&](const std::string& toml, Texts arguments) {
     test::write_text(path, toml);
     arguments.insert(arguments.end(), {"a.obj", "-n", "3", "--config", path});
-    return parse_options(arguments).compute.diagram;
+    return parse_options(arguments).diagram;
   };
   const std::string fast = "method = \"gbgvd\"\nfront = \"planar\"\n";
   CHECK(computed(fast, {"--method", "exact"}).front == std::nullopt);

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 Json reported(const std::vector<std::string>& arguments) {
   SharedLine line;
   line.parse(arguments);
-  resolve(line.options.compute.diagram);
+  resolve(line.options.diagram);
   return report_options(line.list, line.given);
 }
 

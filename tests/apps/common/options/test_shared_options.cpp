@@ -22,9 +22,9 @@ TEST_CASE("the defaults are the contract's") {
   CHECK(options.generators.count == 30);
   CHECK(options.generators.sampling == Sampling::farthest);
   CHECK(options.generators.seed == 0);
-  CHECK(options.compute.diagram.method == Method::exact);
-  CHECK_FALSE(options.compute.diagram.front);
-  CHECK(options.compute.diagram.chord_tolerance == 1e-4);
+  CHECK(options.diagram.method == Method::exact);
+  CHECK_FALSE(options.diagram.front);
+  CHECK(options.diagram.chord_tolerance == 1e-4);
   CHECK(format_of(options.output, "-") == "ply");
 }
 
@@ -69,10 +69,10 @@ TEST_CASE("every option is stored in its field") {
   CHECK(options.generators.count == 10);
   CHECK(options.generators.sampling == Sampling::poisson);
   CHECK(options.generators.seed == 18446744073709551615u);
-  CHECK(options.compute.diagram.method == Method::gbgvd);
-  CHECK(options.compute.diagram.front == Front::planar);
-  CHECK(options.compute.diagram.chosen_front() == Front::planar);
-  CHECK(options.compute.diagram.threads == 2);
+  CHECK(options.diagram.method == Method::gbgvd);
+  CHECK(options.diagram.front == Front::planar);
+  CHECK(options.diagram.chosen_front() == Front::planar);
+  CHECK(options.compute.threads == 2);
   CHECK(options.compute.verify);
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "B.OBJ", "-"});
   CHECK(format_of(options.output, "-") == "json");
@@ -83,8 +83,8 @@ TEST_CASE("every option is stored in its field") {
   CHECK_FALSE(parse_options({"a.obj", "-n", "3", "--view", "v.html"}).output.up);
   CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--up", "z"}), Error);
   CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--view", "v.html", "--up", "w"}), Error);
-  CHECK(parse_options({"--vertices", "3, 17,99", "a.obj"}).generators.vertices == std::vector<std::int64_t>{3, 17, 99});
-  CHECK(parse_options({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).compute.diagram.chord_tolerance == 2.5e-7);
+  CHECK(parse_options({"--vertices", "3, 17,99", "a.obj"}).generators.vertices.vertices == std::vector<std::int64_t>{3, 17, 99});
+  CHECK(parse_options({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).diagram.chord_tolerance == 2.5e-7);
   CHECK(parse_options({"a.obj", "--radius", "2.5e-1"}).generators.radius == 0.25);
   CHECK(parse_options({"a.obj", "--generators", "g.txt", "--max-snap", "0"}).generators.max_snap == 0.0);
   CHECK(parse_options({"a.obj", "--vertices", "3", "--merge-coincident"}).generators.merge_coincident);
@@ -105,18 +105,18 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
       {"a.obj", "--seed", "9"});
   CHECK(options.generators.count == 12);
   CHECK(options.generators.seed == 9);
-  CHECK(options.compute.diagram.front == Front::planar);
+  CHECK(options.diagram.front == Front::planar);
   CHECK(options.compute.verify);
   CHECK(options.output.files == std::vector<std::string>{"a.ply", "b.obj"});
-  CHECK(with("vertices = \"1,2\"\n", {"a.obj"}).generators.vertices == std::vector<std::int64_t>{1, 2});
-  CHECK(with("vertices = [1, 2]\n", {"a.obj"}).generators.vertices == std::vector<std::int64_t>{1, 2});
+  CHECK(with("vertices = \"1,2\"\n", {"a.obj"}).generators.vertices.vertices == std::vector<std::int64_t>{1, 2});
+  CHECK(with("vertices = [1, 2]\n", {"a.obj"}).generators.vertices.vertices == std::vector<std::int64_t>{1, 2});
   CHECK(with("max-memory = 1000000000\n", {"a.obj", "-n", "3"}).compute.max_memory == 1000000000);
   CHECK(with("max-memory = 1e9\n", {"a.obj", "-n", "3"}).compute.max_memory == 1000000000);
   CHECK_THROWS_AS(with("nonsense = 3\n", {"a.obj", "-n", "3"}), Error);
   CHECK_THROWS_AS(with("seed = minus\n", {"a.obj", "-n", "3"}), Error);
   const Options chosen = with("method = \"gbgvd\"\nfront = \"planar\"\n", {"a.obj", "-n", "3", "--method", "exact"});
-  CHECK(chosen.compute.diagram.method == Method::exact);
-  CHECK_FALSE(chosen.compute.diagram.front);
+  CHECK(chosen.diagram.method == Method::exact);
+  CHECK_FALSE(chosen.diagram.front);
   const Options listed = with("n = 12\nsampling = \"random\"\n", {"a.obj", "--radius", "2"});
   CHECK_FALSE(listed.generators.count);
   CHECK(listed.generators.sampling == Sampling::farthest);
@@ -127,12 +127,12 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
 TEST_CASE("a list of vertices has one index between each two commas") {
   using Indices = std::vector<std::int64_t>;
   const auto read = [](const std::string& list) {
-    return parse_options({"a.obj", "--vertices", list}).generators.vertices;
+    return parse_options({"a.obj", "--vertices", list}).generators.vertices.vertices;
   };
   CHECK(read("3") == Indices{3});
   CHECK(read("3, 17 ,\t99") == Indices{3, 17, 99});
   CHECK(read("9223372036854775807") == Indices{9223372036854775807});
-  CHECK(parse_options({"a.obj", "--vertices", "3,17", "--vertices", "99"}).generators.vertices == Indices{3, 17, 99});
+  CHECK(parse_options({"a.obj", "--vertices", "3,17", "--vertices", "99"}).generators.vertices.vertices == Indices{3, 17, 99});
   for (const char* wrong : {"", ",", "1,", "1,,2", "-1", "1.0", "0x1", "9223372036854775808"}) {
     CAPTURE(wrong);
     CHECK_THROWS_AS(read(wrong), Error);

@@ -1,0 +1,123 @@
+// Every operation by its table: described in full, run with options as JSON, cancelled.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "gvd/error.hpp"
+#include "gvd/io/format.hpp"
+#include "gvd/operation.hpp"
+#include "gvd/operation_json.hpp"
+#include "operations/recorder.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+namespace gvd::test_operations {
+
+using Catch::Matchers::Contains;
+using gvd::test::Recorder;
+using Json = nlohmann::ordered_json;
+
+const MeshPtr kBall = std::make_shared<const CheckedMesh>(as_input(test::make_sphere(2)));
+
+std::string usual_options(std::string_view operation) {
+  return operation == "distances" ? R"({"from": [0]})" : R"({"count": 8})";
+}
+
+std::shared_ptr<const Object> call(const Operation& operation, const std::string& options, Recorder& told) {
+  const auto made = operation.call();
+  OptionList list;
+  made->describe(list);
+  read_json_options(list, *kBall, options, {});
+  return made->run(kBall, told);
+}
+
+/// The names of all parts of an object, and whether each figure has a value.
+struct Names : ObjectVisitor {
+  void figure(const Meaning& meaning, const Figure&) override { add(meaning); }
+  void array(const Meaning& meaning, const ArrayView&) override { add(meaning); }
+  void points(const Meaning& meaning, const PointsView&) override { add(meaning); }
+  void curves(const Meaning& meaning, const PointLists&) override { add(meaning); }
+  void rows(const Meaning& meaning, const std::vector<std::vector<double>>&) override { add(meaning); }
+  void table(const Meaning& meaning, const Table&) override { add(meaning); }
+  void part(const Meaning& meaning, std::string_view, const PartMaker&) override { add(meaning); }
+  void add(const Meaning& meaning) {
+    CHECK(!meaning.text.empty());
+    names.emplace_back(meaning.name);
+  }
+  std::vector<std::string> names;
+};
+
+std::vector<std::string> names_of(const Object& object) {
+  Names names;
+  object.visit(names);
+  return names.names;
+}
+
+TEST_CASE("operations: no rule and no text names an option that is not there") {
+  for (const Operation& operation : operations()) {
+    const auto made = operation.call();
+    OptionList list;
+    made->describe(list);
+    CAPTURE(operation.name);
+    CHECK(list.find_unknown_names().empty());
+  }
+}
+
+TEST_CASE("operations: each result has the parts that an empty one describes") {
+  for (const Operation& operation : operations()) {
+    CAPTURE(operation.name);
+    Recorder told;
+    const auto made = call(operation, usual_options(operation.name), told);
+    CHECK(made->kind() == operation.name);
+    CHECK(names_of(*made) == names_of(*operation.no_result()));
+    CHECK(told.depth == 0);
+    CHECK(!told.steps.empty());
+    CHECK(Json::parse(figures_json(*made)).is_object());
+  }
+}
+
+TEST_CASE("operations: a progress that says stop cancels each one, and its steps end") {
+  for (const Operation& operation : operations()) {
+    CAPTURE(operation.name);
+    Recorder told;
+    told.cancels = true;
+    try {
+      call(operation, usual_options(operation.name), told);
+      FAIL("it ran to its end");
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::interrupted);
+    }
+    CHECK(told.depth == 0);
+  }
+}
+
+TEST_CASE("figures are nested at the dots of their names, and a level without any is null") {
+  Recorder told;
+  const Json plain = Json::parse(figures_json(*call(*find_operation("lloyd"), R"({"count": 8})", told)));
+  CHECK(plain["balance"].is_null());
+  CHECK(plain["coarse"].is_null());
+  CHECK(plain["energies"].size() == plain["iterations"].get<std::size_t>() + 1);
+  const Json equal =
+      Json::parse(figures_json(*call(*find_operation("lloyd"), R"({"count": 8, "balance": "area"})", told)));
+  CHECK(equal["balance"]["masses"].size() == 8);
+}
+
+TEST_CASE("texts are spelled as JSON has options") {
+  CHECK(spell_for_json("{option:count} or {option:features=none}") == R"("count" or "features": "none")");
+  CHECK(spell_for_json("{option:count=30}; {option:refine=false}") == R"("count": 30; "refine": false)");
+}
+
+TEST_CASE("the description has every operation, object and format") {
+  const Json described = Json::parse(describe_operations());
+  CHECK(described["operations"].size() == operations().size());
+  CHECK(described["objects"].contains("mesh"));
+  CHECK(described["formats"].size() == formats().size());
+  for (const Json& operation : described["operations"]) {
+    for (const Json& option : operation["options"]) {
+      CAPTURE(option.dump());
+      CHECK_THAT(option["help"].get<std::string>(), !Contains("{option"));
+    }
+  }
+}
+
+}  // namespace gvd::test_operations
