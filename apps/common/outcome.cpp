@@ -52,8 +52,7 @@ MemoryAdvice g_memory;
 Outcome out_of_memory() {
   // The points of the bisectors are most of an exact diagram. A few long needles take as much memory as many faces.
   std::string advice = "take a mesh of fewer or rounder triangles";
-  if (g_memory.has_chords)
-    advice = "take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles";
+  if (g_memory.has_chords) advice = "take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles";
   std::string message = g_memory.limit
                             ? fmt::format("out of memory: the run needs more than --max-memory {}; raise it, or {}",
                                           format_bytes(*g_memory.limit), advice)

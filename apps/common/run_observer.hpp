@@ -38,7 +38,7 @@ class RunObserver : public Observer {
   std::string spelled(const std::string& text) const;
 
   Run& run_;
-  std::vector<Timed> steps_;         // in the order of their first starts
+  std::vector<Timed> steps_;          // in the order of their first starts
   std::vector<std::size_t> entered_;  // of `steps_`
 };
 

@@ -25,7 +25,8 @@ const Operation& find(const char* name) {
   std::vector<std::string> names;
   for (const Operation& operation : operations()) names.emplace_back(operation.name);
   const auto meant = suggest_name(name, names);
-  refuse(fmt::format("there is no operation {}{}", gvd::quoted(name), meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+  refuse(fmt::format("there is no operation {}{}", gvd::quoted(name),
+                     meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
 }
 
 std::vector<ArrayView> to_views(const gvd_array* arrays, std::int32_t count) {
@@ -48,7 +49,8 @@ template <class Map>
   std::vector<std::string> names;
   for (const auto& [one, value] : known) names.push_back(one);
   const auto meant = suggest_name(name, names);
-  refuse(fmt::format("there is no {} {}{}", kind, gvd::quoted(name), meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+  refuse(fmt::format("there is no {} {}{}", kind, gvd::quoted(name),
+                     meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
 }
 
 }  // namespace
@@ -57,9 +59,10 @@ gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const c
                     int32_t count, const gvd_run* run, gvd_object** result) {
   return guarded([&] {
     if (abi != GVD_ABI) {
-      refuse(fmt::format("this program was compiled for interface {}, and the library has {}: compile it with the "
-                         "library's gvd.h",
-                         abi, GVD_ABI));
+      refuse(
+          fmt::format("this program was compiled for interface {}, and the library has {}: compile it with the "
+                      "library's gvd.h",
+                      abi, GVD_ABI));
     }
     const Operation& operation = find(name);
     const MeshPtr& mesh = given(on, "the object").checked();

@@ -74,7 +74,7 @@ gvd_object::gvd_object(std::shared_ptr<const gvd::Object> made)
   ViewCollector views(*this);
   object->visit(views);
   if (const auto* const surface = dynamic_cast<const MeshObject*>(object.get())) {
-    for (const std::string& line : surface->mesh()->defects.messages) repairs += line + '\n';
+    for (const std::string& line : surface->mesh()->defects.messages) repairs += spell_for_json(line) + '\n';
   }
 }
 

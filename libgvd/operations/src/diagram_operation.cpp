@@ -59,8 +59,7 @@ std::shared_ptr<const DiagramOutcome> run(const MeshPtr& input, DiagramCall& cal
     made = compute_weighted(*input, input->mesh, found.points, call.weights, call.diagram, observer, balanced);
   }
   resolve(call.diagram);
-  return std::make_shared<DiagramOutcome>(input, std::make_shared<const Diagram>(std::move(made)),
-                                          std::move(balanced));
+  return std::make_shared<DiagramOutcome>(input, std::make_shared<const Diagram>(std::move(made)), std::move(balanced));
 }
 
 }  // namespace gvd

@@ -24,7 +24,7 @@ Table list_targets(const Mesh& mesh, const DistanceTable& table) {
     for (const std::vector<double>& row : table.rows) distances.back().push_back(row[i]);
     if (!table.nearest.empty()) sources.push_back(table.nearest[i].value());
   }
-  return {{"vertex", vertices}, {"face", faces},           {"bary", bary},
+  return {{"vertex", vertices},    {"face", faces},          {"bary", bary},
           {"position", positions}, {"distances", distances}, {"source", sources}};
 }
 
@@ -102,10 +102,11 @@ void DistancesOutcome::visit(ObjectVisitor& visitor) const {
   visitor.table({"paths", "", "shortest paths"}, list_paths(table));
   visitor.table({"isolines", "", "curves of each level"}, list_isolines(mesh, table.isolines));
 
-  visitor.rows({"rows", "mesh units",
-                "distances: a row for the nearest source, or for each one; of the targets, or else of the vertices of the "
-                "input, by its numbers"},
-               table.rows);
+  visitor.rows(
+      {"rows", "mesh units",
+       "distances: a row for the nearest source, or for each one; of the targets, or else of the vertices of the "
+       "input, by its numbers"},
+      table.rows);
   visitor.array({"nearest", "", "the nearest source of each of these; empty with each"}, view(table.nearest));
   visitor.array({"vertex_distances", "mesh units", "of the mesh's vertices from the nearest source; empty with each"},
                 view(distance));

@@ -114,7 +114,8 @@ std::vector<double> to_numbers(const Json& value, const Arrays& arrays) {
     for (std::int64_t row = 0; row < view.shape[0]; ++row) numbers.push_back(number_at(view, row, 0));
     return numbers;
   }
-  if (!value.is_array()) refuse(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
+  if (!value.is_array())
+    refuse(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
   for (const Json& one : value) numbers.push_back(to_number(one));
   return numbers;
 }
@@ -150,7 +151,8 @@ CurveList read_curves(const Json& value, const Arrays& arrays, const std::string
                        gvd::quoted(value.dump())));
   }
   for (const auto& [key, part] : value.items()) {
-    if (key != "points" && key != "offsets" && key != "closed") refuse(fmt::format("curves have no {}", gvd::quoted(key)));
+    if (key != "points" && key != "offsets" && key != "closed")
+      refuse(fmt::format("curves have no {}", gvd::quoted(key)));
   }
   CurveList list;
   list.points = read_points(value.at("points"), arrays, name);

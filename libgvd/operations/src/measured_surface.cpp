@@ -1,5 +1,6 @@
-// The surface that distances are measured on. On the separated mesh, distances respect regions by themselves. A border belongs to the
-// regions on both of its sides: a point there is seen once from each connected part, and the least distance counts.
+// The surface that distances are measured on. On the separated mesh, distances respect regions by themselves. A border
+// belongs to the regions on both of its sides: a point there is seen once from each connected part, and the least
+// distance counts.
 
 #include "gvd/measured_surface.hpp"
 

@@ -40,10 +40,9 @@ const std::vector<Operation>& operations() {
   static const std::vector<Operation> kOperations{
       make_operation<DistancesCall, DistancesOutcome>(
           "distances", "Measures exact distances from points or curves, with shortest paths and isolines"),
-      make_operation<SampleCall, SampleOutcome>(
-          "sample", "Spreads points over the surface, or moves those of a list to it"),
-      make_operation<DiagramCall, DiagramOutcome>(
-          "diagram", "Computes the Voronoi diagram of points or curves"),
+      make_operation<SampleCall, SampleOutcome>("sample",
+                                                "Spreads points over the surface, or moves those of a list to it"),
+      make_operation<DiagramCall, DiagramOutcome>("diagram", "Computes the Voronoi diagram of points or curves"),
       make_operation<SegmentCall, SegmentOutcome>(
           "segment", "Labels every face with the region of the geodesically nearest generator, or cuts the faces"),
       make_operation<LloydCall, LloydOutcome>(

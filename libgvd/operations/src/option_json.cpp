@@ -102,7 +102,9 @@ Json describe_kind(const Field& field) {
 
 }  // namespace
 
-std::string value_json(const Field& field) { return value_of(field).dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string value_json(const Field& field) {
+  return value_of(field).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 std::string kind_json(const Field& field) { return describe_kind(field).dump(); }
 

@@ -15,8 +15,8 @@ namespace {
 
 std::vector<SurfacePoint> resolve_fixed(const CheckedMesh& input, const GivenPoints& given, Observer& observer) {
   if (!given.is_given()) return {};
-  ResolvedGenerators fixed = resolve_generators(input.mesh, list_points(given, "{option:fixed}"),
-                                                {.input_vertices = &input.mesh_vertex});
+  ResolvedGenerators fixed =
+      resolve_generators(input.mesh, list_points(given, "{option:fixed}"), {.input_vertices = &input.mesh_vertex});
   note_far_entry(observer, fixed, input.mesh.bbox_diagonal());
   return std::move(fixed.points);
 }
@@ -30,9 +30,8 @@ void note_unfollowed_curves(Observer& observer, const ConstrainedStart& start) {
                     start.unfollowed_loops, counted(start.loops, "loop is", "loops are"), start.enough_for_loops));
   }
   if (start.leaves_creases) {
-    const std::string enough = start.enough_for_creases > 0
-                                   ? fmt::format("{{option:count={}}} or ", start.enough_for_creases)
-                                   : std::string();
+    const std::string enough =
+        start.enough_for_creases > 0 ? fmt::format("{{option:count={}}} or ", start.enough_for_creases) : std::string();
     observer.note(
         fmt::format("creases: not followed, because this would take too many of the generators; "
                     "{}{{option:features={}}} follows them",
@@ -43,9 +42,8 @@ void note_unfollowed_curves(Observer& observer, const ConstrainedStart& start) {
 /// Notes why a copy that was asked for is not used.
 void note_unused_copy(Observer& observer, const Mesh& mesh, std::int64_t faces, std::size_t generators) {
   const bool is_small = faces < kCopyFacesPerGenerator * std::int64_t(generators);
-  const std::string reason = is_small
-                                 ? fmt::format("it has less than {} faces for a generator", kCopyFacesPerGenerator)
-                                 : fmt::format("the mesh has {} faces", mesh.face_count());
+  const std::string reason = is_small ? fmt::format("it has less than {} faces for a generator", kCopyFacesPerGenerator)
+                                      : fmt::format("the mesh has {} faces", mesh.face_count());
   observer.note(fmt::format("{{option:coarse={}}}: not used, because {}", faces, reason));
 }
 

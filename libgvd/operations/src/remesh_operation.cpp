@@ -82,8 +82,8 @@ std::int32_t search_count(const Mesh& mesh, const ErrorBound& bound, const Surfa
                         ? fmt::format("{} generators: distance {:.6g} mesh units", trial.count, trial.error)
                         : fmt::format("{} generators: no mesh", trial.count));
   };
-  outcome.search = as_step(observer, "trials",
-                           [&] { return find_remesh_count(mesh, options, outcome.search_distance, show); });
+  outcome.search =
+      as_step(observer, "trials", [&] { return find_remesh_count(mesh, options, outcome.search_distance, show); });
   observer.status("");
   return *outcome.search->count;
 }
@@ -159,8 +159,8 @@ std::shared_ptr<const RemeshOutcome> run(const MeshPtr& input, RemeshCall& call,
   call.remesh.remesh.max_added = result.max_added;
   outcome->made = std::move(made);
   if (call.map || call.carry) {
-    outcome->map = as_step(
-        observer, "map", [&] { return map_to_remesh(mesh, result, observer.threads, progress_of(observer)); });
+    outcome->map =
+        as_step(observer, "map", [&] { return map_to_remesh(mesh, result, observer.threads, progress_of(observer)); });
   }
   if (call.carry) {
     const Step step(observer, "carry");

@@ -3,8 +3,6 @@
 // The figures tell everything; notes have those that users should not miss: what was added and why, creases that edges
 // do not follow, intersections, and the distance from the input in percent of the diagonal.
 
-#include "gvd/remesh_operation.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include <utility>
 
 #include "gvd/quality.hpp"
+#include "gvd/remesh_operation.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 
@@ -195,7 +194,8 @@ void describe_distance(const RemeshResult& result, std::vector<std::string>& lin
   if (const Nearness nearness = nearness_of(result); nearness.is_far()) {
     std::string advice = "give more generators";
     if (result.crease_length > 0) advice += ", or compare {option:features=none}";
-    if (result.crease_length > 0 && result.certificate.input.boundary_loops > 0) advice += " and {option:loose_boundary}";
+    if (result.crease_length > 0 && result.certificate.input.boundary_loops > 0)
+      advice += " and {option:loose_boundary}";
     lines.push_back(
         fmt::format("part of the input has too few vertices: its distance is {:.3g} times that between "
                     "vertices, where at most {} is usual; {}",

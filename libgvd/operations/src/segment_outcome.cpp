@@ -19,8 +19,8 @@ void visit_parted(ObjectVisitor& visitor, const PartedMesh& parted) {
     visitor.figure(meaning, parted.is_parted() ? Figure(value) : Figure());
   };
   figure({"within.regions", "", "that the cells keep to"}, std::ranges::count_if(numbers, is_region));
-  figure({"within.left_out_faces", "", "in no region"}, std::ssize(parted.regions.raw()) -
-                                                            std::ranges::count_if(parted.regions, is_region));
+  figure({"within.left_out_faces", "", "in no region"},
+         std::ssize(parted.regions.raw()) - std::ranges::count_if(parted.regions, is_region));
   const RegionSamples& samples = parted.samples;
   const auto sampled = [&](std::int64_t value) { return samples.regions > 0 ? Figure(value) : Figure(); };
   visitor.figure({"within.parts", "", "connected parts of regions, where generators are sampled"},
@@ -126,8 +126,8 @@ LabelledMesh SegmentOutcome::labelled() const {
     mesh.appearance = &input->appearance;
     return mesh;
   }
-  LabelledMesh mesh{cut->mesh,              &cut->label,   &cut->parent, &cut_vertices.label,
-                    &cut_vertices.distance, diagram.get(), &surface()};
+  LabelledMesh mesh{cut->mesh,     &cut->label, &cut->parent, &cut_vertices.label, &cut_vertices.distance,
+                    diagram.get(), &surface()};
   mesh.face_numbers = &cut->numbers;
   mesh.appearance = &appearance;
   return mesh;
@@ -185,12 +185,13 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
                 view(charts ? appearance.texture : kNone));
   visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram",
                [this] { return std::make_shared<DiagramObject>(input, on_input); });
-  visitor.part({"cut_mesh", "", "the pieces of the faces, with cut"}, "mesh", [this]() -> std::shared_ptr<const Object> {
-    if (!cut) return nullptr;
-    auto pieces = std::make_shared<CheckedMesh>(as_input(cut->mesh));
-    pieces->appearance = appearance;
-    return std::make_shared<MeshObject>(std::move(pieces));
-  });
+  visitor.part({"cut_mesh", "", "the pieces of the faces, with cut"}, "mesh",
+               [this]() -> std::shared_ptr<const Object> {
+                 if (!cut) return nullptr;
+                 auto pieces = std::make_shared<CheckedMesh>(as_input(cut->mesh));
+                 pieces->appearance = appearance;
+                 return std::make_shared<MeshObject>(std::move(pieces));
+               });
 }
 
 }  // namespace gvd

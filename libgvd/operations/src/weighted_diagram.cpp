@@ -65,8 +65,9 @@ void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& dia
   list.needs("shares", "balance");
   for (const char* name : {"balance", "weights"}) {
     list.rule({name, {"method"}, [&diagram, name](const Given&) {
-                 return diagram.method == Method::exact ? ""
-                                                        : fmt::format("{{option:{}}} needs {{option:method=exact}}", name);
+                 return diagram.method == Method::exact
+                            ? ""
+                            : fmt::format("{{option:{}}} needs {{option:method=exact}}", name);
                }});
   }
 }
@@ -96,9 +97,8 @@ Diagram compute_weighted(const CheckedMesh& input, const Mesh& surface, const st
 Diagram compute_of_curves(const CheckedMesh& input, const GeneratorOptions& generators, const DiagramOptions& options,
                           Observer& observer) {
   const std::vector<GeneratorCurve> curves = choose_curves(input, generators, observer);
-  Diagram made = compute_in_steps(observer, options, [&](const DiagramOptions& stepped) {
-    return compute_diagram(input.mesh, curves, stepped);
-  });
+  Diagram made = compute_in_steps(
+      observer, options, [&](const DiagramOptions& stepped) { return compute_diagram(input.mesh, curves, stepped); });
   tell_diagram(observer, made);
   return made;
 }

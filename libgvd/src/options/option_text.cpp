@@ -204,7 +204,8 @@ std::string append_vertices(const std::string& text, std::vector<std::int64_t>& 
 }
 
 std::string read_points(const PointList& list, const Texts& texts) {
-  const bool takes_vertices = list.named != PointList::Named::file, takes_file = list.named != PointList::Named::vertices;
+  const bool takes_vertices = list.named != PointList::Named::file,
+             takes_file = list.named != PointList::Named::vertices;
   GivenPoints& found = *list.value = {};
   for (const std::string& text : texts) {
     if (takes_file && text.empty()) {
@@ -212,9 +213,8 @@ std::string read_points(const PointList& list, const Texts& texts) {
                             : "the name is empty; name a file";
     }
     // A number below 0 is rather a slip than a file's name.
-    const bool is_file =
-        !takes_vertices ||
-        (takes_file && !parse_number<double>(text) && text.find_first_not_of("0123456789, ") != text.npos);
+    const bool is_file = !takes_vertices || (takes_file && !parse_number<double>(text) &&
+                                             text.find_first_not_of("0123456789, ") != text.npos);
     if (takes_file && (!found.file.empty() || (is_file && found.vertices))) {
       return fmt::format("{}: give vertices or one file", shown(text));
     }
@@ -392,33 +392,31 @@ std::string value_name(const Field& field) {
     return text;
   };
   return std::visit(
-      Overload{[](const Flag&) { return std::string(); }, [](const Switch&) { return std::string("on|off"); },
-               [&](const Number& number) {
-                 const std::string name = with_words(is_real(number) ? "NUMBER" : "N", names_in(number.words));
-                 return number.implied ? "[" + name + "]" : name;
-               },
-               [](const Choice& choice) { return fmt::format("{}", fmt::join(choice.names, "|")); },
-               [](const ChoiceList& list) { return fmt::format("{}", fmt::join(list.names, "|")); },
-               [](const File& file) {
-                 if (file.use == File::Use::folder) return std::string("DIR");
-                 const bool is_free =
-                     is_repeatable(file) || (file.use == File::Use::read && file.extensions.size() > 1);
-                 return is_free || file.extensions.empty() ? std::string("FILE")
-                                                           : fmt::format("FILE.{}", fmt::join(file.extensions, "|"));
-               },
-               [](const PointList& list) {
-                 return std::string(list.named == PointList::Named::file ? "FILE" : "LIST");
-               },
-               [](const Curves&) { return std::string("FILE|boundary|creases[:ANGLE]"); },
-               [](const Counts&) { return std::string("LIST"); },
-               [](const ValueSource& values) {
-                 if (values.of == ValueSource::Of::generators) return std::string("FILE");
-                 return values.words.empty() ? std::string("PROPERTY|FILE")
-                                             : fmt::format("{}|FILE|PROPERTY", fmt::join(values.words, "|"));
-               },
-               [](const ByteSize&) { return std::string("SIZE"); },
-               [](const SizeOrPercent&) { return std::string("NUMBER[%]"); },
-               [](const CreaseAngle&) { return std::string("auto|none|ANGLE"); }},
+      Overload{
+          [](const Flag&) { return std::string(); }, [](const Switch&) { return std::string("on|off"); },
+          [&](const Number& number) {
+            const std::string name = with_words(is_real(number) ? "NUMBER" : "N", names_in(number.words));
+            return number.implied ? "[" + name + "]" : name;
+          },
+          [](const Choice& choice) { return fmt::format("{}", fmt::join(choice.names, "|")); },
+          [](const ChoiceList& list) { return fmt::format("{}", fmt::join(list.names, "|")); },
+          [](const File& file) {
+            if (file.use == File::Use::folder) return std::string("DIR");
+            const bool is_free = is_repeatable(file) || (file.use == File::Use::read && file.extensions.size() > 1);
+            return is_free || file.extensions.empty() ? std::string("FILE")
+                                                      : fmt::format("FILE.{}", fmt::join(file.extensions, "|"));
+          },
+          [](const PointList& list) { return std::string(list.named == PointList::Named::file ? "FILE" : "LIST"); },
+          [](const Curves&) { return std::string("FILE|boundary|creases[:ANGLE]"); },
+          [](const Counts&) { return std::string("LIST"); },
+          [](const ValueSource& values) {
+            if (values.of == ValueSource::Of::generators) return std::string("FILE");
+            return values.words.empty() ? std::string("PROPERTY|FILE")
+                                        : fmt::format("{}|FILE|PROPERTY", fmt::join(values.words, "|"));
+          },
+          [](const ByteSize&) { return std::string("SIZE"); },
+          [](const SizeOrPercent&) { return std::string("NUMBER[%]"); },
+          [](const CreaseAngle&) { return std::string("auto|none|ANGLE"); }},
       field);
 }
 

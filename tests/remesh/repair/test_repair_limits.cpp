@@ -106,7 +106,8 @@ TEST_CASE("remesh: at a limit, more generators are advised unless many of them m
   CHECK(advice({{0, 100}, {210, 150}}, true, 220) == grow);
   CHECK(advice({{0, 100}, {20, 150}}, false) == grow);  // the limit of rounds
   CHECK(advice({{0, 100}, {209, 150}}, true, 219) ==
-        ", and 100 defects became 150; by default, 210 may be added: give more or other ones, or raise {option:max_added}");
+        ", and 100 defects became 150; by default, 210 may be added: give more or other ones, or raise "
+        "{option:max_added}");
   // As many, but not more defects than chance may make.
   CHECK(advice({{0, 100}, {210, 128}}, true, 220) ==
         ", and 100 defects became 128: give more or other ones, or raise {option:max_added}");

@@ -22,9 +22,9 @@ namespace gvd {
 struct DistancesCall {
   DistancesCall();
 
-  GeneratorOptions sources, targets;  ///< listed ones; the sources may be curves
-  bool each = false;                  ///< measure from each source alone
-  bool paths = false;                 ///< from each target
+  GeneratorOptions sources, targets;             ///< listed ones; the sources may be curves
+  bool each = false;                             ///< measure from each source alone
+  bool paths = false;                            ///< from each target
   std::optional<double> max_distance, isolines;  ///< mesh units; of isolines the step between levels
   GivenRegions regions;
   /// The most bytes that the table of `each` may take: more are refused before the work.
@@ -45,12 +45,12 @@ class DistancesOutcome : public Object {
   std::vector<std::optional<double>> snap_distance;  ///< of the sources, from where they were given
   std::vector<GeneratorCurve> curves;                ///< the sources, where they are curves
   DistanceTable table;
-  PlacedPoints sources, targets;             ///< on the surface
-  bool has_limit = false;                    ///< whether there is a largest distance
-  std::unique_ptr<const ExactField> field;   ///< of the nearest source; null with `each`
-  IdVector<VertexId, double> distance;       ///< of the mesh's vertices from the nearest source; empty with `each`
-  IdVector<VertexId, GeneratorId> label;     ///< that source
-  std::int64_t unreached = 0;                ///< distances that are infinite
+  PlacedPoints sources, targets;            ///< on the surface
+  bool has_limit = false;                   ///< whether there is a largest distance
+  std::unique_ptr<const ExactField> field;  ///< of the nearest source; null with `each`
+  IdVector<VertexId, double> distance;      ///< of the mesh's vertices from the nearest source; empty with `each`
+  IdVector<VertexId, GeneratorId> label;    ///< that source
+  std::int64_t unreached = 0;               ///< distances that are infinite
 };
 
 /// Notes name at most so many distances to targets.

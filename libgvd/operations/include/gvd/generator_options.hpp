@@ -23,9 +23,9 @@ struct GeneratorOptions {
   std::optional<std::int32_t> count;       ///< >= 1
   Sampling sampling = Sampling::farthest;  ///< of `count` ones
   std::uint64_t seed = 0;
-  GivenPoints points, vertices;     ///< listed ones; at most one of the two
-  GivenCurves curves;               ///< in place of points
-  std::optional<double> radius;     ///< covering radius in mesh units, > 0
+  GivenPoints points, vertices;       ///< listed ones; at most one of the two
+  GivenCurves curves;                 ///< in place of points
+  std::optional<double> radius;       ///< covering radius in mesh units, > 0
   std::optional<double> target_edge;  ///< of a mesh of the generators, mesh units, > 0
   std::optional<ErrorBound> error;    ///< as many as a mesh of them needs
   std::optional<double> max_snap;     ///< largest snap distance allowed, mesh units, >= 0
@@ -61,7 +61,8 @@ ResolvedGenerators resolve_listed(const CheckedMesh& input, const GeneratorOptio
 ResolvedGenerators choose_generators(const CheckedMesh& input, const GeneratorOptions& asked,
                                      const DiagramOptions& diagram, Observer& observer);
 
-/// The curves that are the generators: boundary loops, creases, or those of a list. Throws what resolve_curves throws, and
+/// The curves that are the generators: boundary loops, creases, or those of a list. Throws what resolve_curves throws,
+/// and
 /// Error{precondition} if the mesh has no boundary or no crease.
 std::vector<GeneratorCurve> choose_curves(const CheckedMesh& input, const GeneratorOptions& asked, Observer& observer);
 

@@ -81,7 +81,9 @@ struct PointsView {
   PointsView(const std::vector<S>& values, SurfacePoint S::*member)
       : first(values.empty() ? nullptr : &(values.front().*member)), count(std::ssize(values)), stride(sizeof(S)) {}
 
-  ArrayView faces() const { return {first == nullptr ? nullptr : &first->face, ArrayType::int32, 1, {count, 1}, {stride, 0}}; }
+  ArrayView faces() const {
+    return {first == nullptr ? nullptr : &first->face, ArrayType::int32, 1, {count, 1}, {stride, 0}};
+  }
   ArrayView bary() const {
     const void* const numbers = first == nullptr ? nullptr : first->bary.data();
     return {numbers, ArrayType::float64, 2, {count, 3}, {stride, sizeof(double)}};
@@ -136,8 +138,8 @@ class ObjectVisitor {
 
 /// A mesh, a diagram or the result of an operation. It is complete once it is made, and keeps alive what it refers to.
 ///
-/// Every object of a kind visits the same names; what one lacks is an empty array, an empty figure or a null part. So an
-/// object that was made of nothing describes its kind.
+/// Every object of a kind visits the same names; what one lacks is an empty array, an empty figure or a null part. So
+/// an object that was made of nothing describes its kind.
 class Object {
  public:
   virtual ~Object() = default;

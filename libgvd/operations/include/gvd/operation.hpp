@@ -25,7 +25,7 @@ class Call {
 struct Operation {
   std::string_view name;
   std::string_view summary;
-  std::unique_ptr<Call> (*call)();              ///< with the default options
+  std::unique_ptr<Call> (*call)();               ///< with the default options
   std::shared_ptr<const Object> (*no_result)();  ///< that describes the results
 };
 

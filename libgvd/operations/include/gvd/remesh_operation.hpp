@@ -45,9 +45,9 @@ class RemeshOutcome : public Object {
 
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const SurfaceRemesh> made = std::make_shared<SurfaceRemesh>();
-  std::optional<Fewest> search;      ///< for the fewest generators
-  double search_distance = 0;        ///< that was asked for, mesh units
-  std::optional<RemeshMap> map;      ///< where it was asked for
+  std::optional<Fewest> search;          ///< for the fewest generators
+  double search_distance = 0;            ///< that was asked for, mesh units
+  std::optional<RemeshMap> map;          ///< where it was asked for
   std::vector<MeshProperty> properties;  ///< carried over
   Appearance appearance;                 ///< carried over
 };

@@ -62,7 +62,7 @@ TEST_CASE("a value may begin with a dash, unless it is the name of an option") {
   Line line;
   CHECK(!line.parse({"in", "-o", "-", "--density", "-x", "-n", "3"}));
   CHECK(line.options.outputs == Texts{"-"});
-  CHECK(line.options.density == "-x");
+  CHECK(line.options.density.name == "-x");
   CHECK(refusal({"in", "--density", "-o", "eq.ply"}) ==
         std::string("--density: its value is missing; write --density area|FILE|PROPERTY") + kHint);
   CHECK(refusal({"in", "--density", "--output=eq.ply"}) ==

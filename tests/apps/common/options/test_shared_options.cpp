@@ -9,6 +9,7 @@ namespace gvd::test_shared_options {
 using namespace app;
 using gvd::test::parse_options;
 using gvd::test::SharedLine;
+using gvd::test::SharedOptions;
 
 TEST_CASE("every name in the rules and texts of the shared options is an option's") {
   SharedLine line;
@@ -16,7 +17,7 @@ TEST_CASE("every name in the rules and texts of the shared options is an option'
 }
 
 TEST_CASE("the defaults are the contract's") {
-  const Options options = parse_options({"a.obj", "-n", "30"});
+  const SharedOptions options = parse_options({"a.obj", "-n", "30"});
   CHECK(options.input.path == "a.obj");
   CHECK(options.input.on_defect == DefectPolicy::repair);
   CHECK(options.generators.count == 30);
@@ -29,41 +30,41 @@ TEST_CASE("the defaults are the contract's") {
 }
 
 TEST_CASE("every option is stored in its field") {
-  const Options options = parse_options({"-",
-                                         "--input-format",
-                                         "off",
-                                         "--on-defect",
-                                         "largest",
-                                         "-n",
-                                         "010",
-                                         "--sampling",
-                                         "poisson",
-                                         "--seed",
-                                         "18446744073709551615",
-                                         "--method",
-                                         "gbgvd",
-                                         "--front",
-                                         "planar",
-                                         "--threads",
-                                         "2",
-                                         "--verify",
-                                         "-o",
-                                         "a.ply",
-                                         "-o",
-                                         "B.OBJ",
-                                         "-o",
-                                         "-",
-                                         "--output-format",
-                                         "json",
-                                         "--report",
-                                         "r.json",
-                                         "--diagram",
-                                         "d.json",
-                                         "--view",
-                                         "v.html",
-                                         "--up",
-                                         "-x",
-                                         "-q"});
+  const SharedOptions options = parse_options({"-",
+                                               "--input-format",
+                                               "off",
+                                               "--on-defect",
+                                               "largest",
+                                               "-n",
+                                               "010",
+                                               "--sampling",
+                                               "poisson",
+                                               "--seed",
+                                               "18446744073709551615",
+                                               "--method",
+                                               "gbgvd",
+                                               "--front",
+                                               "planar",
+                                               "--threads",
+                                               "2",
+                                               "--verify",
+                                               "-o",
+                                               "a.ply",
+                                               "-o",
+                                               "B.OBJ",
+                                               "-o",
+                                               "-",
+                                               "--output-format",
+                                               "json",
+                                               "--report",
+                                               "r.json",
+                                               "--diagram",
+                                               "d.json",
+                                               "--view",
+                                               "v.html",
+                                               "--up",
+                                               "-x",
+                                               "-q"});
   CHECK(options.input.format == MeshFormat::off);
   CHECK(options.input.on_defect == DefectPolicy::largest);
   CHECK(options.generators.count == 10);
@@ -83,7 +84,8 @@ TEST_CASE("every option is stored in its field") {
   CHECK_FALSE(parse_options({"a.obj", "-n", "3", "--view", "v.html"}).output.up);
   CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--up", "z"}), Error);
   CHECK_THROWS_AS(parse_options({"a.obj", "-n", "3", "--view", "v.html", "--up", "w"}), Error);
-  CHECK(parse_options({"--vertices", "3, 17,99", "a.obj"}).generators.vertices.vertices == std::vector<std::int64_t>{3, 17, 99});
+  CHECK(parse_options({"--vertices", "3, 17,99", "a.obj"}).generators.vertices.vertices ==
+        std::vector<std::int64_t>{3, 17, 99});
   CHECK(parse_options({"a.obj", "-n", "3", "--chord-tolerance", "2.5e-7"}).diagram.chord_tolerance == 2.5e-7);
   CHECK(parse_options({"a.obj", "--radius", "2.5e-1"}).generators.radius == 0.25);
   CHECK(parse_options({"a.obj", "--generators", "g.txt", "--max-snap", "0"}).generators.max_snap == 0.0);
@@ -99,7 +101,7 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
     arguments.insert(arguments.end(), {"--config", path});
     return parse_options(arguments);
   };
-  const Options options = with(
+  const SharedOptions options = with(
       "# a comment\nn = 12\nseed = 7\nmethod = \"gbgvd\"\nfront = \"planar\"\nverify = true\n"
       "output = [\"a.ply\", \"b.obj\"]\n",
       {"a.obj", "--seed", "9"});
@@ -114,10 +116,11 @@ TEST_CASE("a configuration file gives options, and the command line goes before 
   CHECK(with("max-memory = 1e9\n", {"a.obj", "-n", "3"}).compute.max_memory == 1000000000);
   CHECK_THROWS_AS(with("nonsense = 3\n", {"a.obj", "-n", "3"}), Error);
   CHECK_THROWS_AS(with("seed = minus\n", {"a.obj", "-n", "3"}), Error);
-  const Options chosen = with("method = \"gbgvd\"\nfront = \"planar\"\n", {"a.obj", "-n", "3", "--method", "exact"});
+  const SharedOptions chosen =
+      with("method = \"gbgvd\"\nfront = \"planar\"\n", {"a.obj", "-n", "3", "--method", "exact"});
   CHECK(chosen.diagram.method == Method::exact);
   CHECK_FALSE(chosen.diagram.front);
-  const Options listed = with("n = 12\nsampling = \"random\"\n", {"a.obj", "--radius", "2"});
+  const SharedOptions listed = with("n = 12\nsampling = \"random\"\n", {"a.obj", "--radius", "2"});
   CHECK_FALSE(listed.generators.count);
   CHECK(listed.generators.sampling == Sampling::farthest);
   const Options file = with("output = \"-\"\noutput-format = \"json\"\n", {"a.obj", "-n", "3", "-o", "a.obj"});
@@ -132,7 +135,8 @@ TEST_CASE("a list of vertices has one index between each two commas") {
   CHECK(read("3") == Indices{3});
   CHECK(read("3, 17 ,\t99") == Indices{3, 17, 99});
   CHECK(read("9223372036854775807") == Indices{9223372036854775807});
-  CHECK(parse_options({"a.obj", "--vertices", "3,17", "--vertices", "99"}).generators.vertices.vertices == Indices{3, 17, 99});
+  CHECK(parse_options({"a.obj", "--vertices", "3,17", "--vertices", "99"}).generators.vertices.vertices ==
+        Indices{3, 17, 99});
   for (const char* wrong : {"", ",", "1,", "1,,2", "-1", "1.0", "0x1", "9223372036854775808"}) {
     CAPTURE(wrong);
     CHECK_THROWS_AS(read(wrong), Error);
