@@ -3,6 +3,8 @@
 // The library makes it (gvd/remesh_operation.hpp). Here are the files, and the properties of INPUT that are carried
 // over.
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <ostream>
 #include <string>

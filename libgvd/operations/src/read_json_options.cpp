@@ -153,7 +153,8 @@ std::string spell_for_json(const std::string& text) {
   return spell_options(text, {.spell = [](std::string_view name, std::string_view value) {
                          if (value.empty()) return fmt::format("\"{}\"", name);
                          const bool is_bare = parse_number<double>(value) || value == "true" || value == "false";
-                         return fmt::format(is_bare ? "\"{}\": {}" : "\"{}\": \"{}\"", name, value);
+                         return is_bare ? fmt::format("\"{}\": {}", name, value)
+                                        : fmt::format("\"{}\": \"{}\"", name, value);
                        }});
 }
 
