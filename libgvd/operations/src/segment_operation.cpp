@@ -18,6 +18,7 @@
 #include "gvd/diagram_parts.hpp"
 #include "gvd/disc_cells.hpp"
 #include "gvd/error.hpp"
+#include "gvd/io/format.hpp"
 #include "gvd/segment_options.hpp"
 #include "gvd/text.hpp"
 #include "weighted_diagram.hpp"
@@ -269,7 +270,8 @@ void describe_charts(OptionList& list, SegmentCall& call) {
   list.option("disc", Flag{&call.disc}, {.help = "Add generators, as few as are found, until every region is a disc"});
   list.option(
       "uv", choice(call.uv, kChartMapNames),
-      {.help = "Give each region texture coordinates, in a .ply, .obj or .glb",
+      {.help =
+           "Give each region texture coordinates, in a " + list_extensions(output_extensions(Content::texture), "or"),
        .more = ": distance and direction from its generator, or a map that flips no face and needs discs (implies "
                "{option:cut})"});
   list.excludes("disc", {"balance", "weights"});
