@@ -283,6 +283,26 @@ def check_parts():
     release(diagram)
 
 
+def check_distances():
+    """Rows, paths, isolines and logarithms of one operation."""
+    ball = make_ball()
+    made = result("distances", ball, {"from": [0], "to": [1], "paths": True, "isolines": 0.5, "logarithm": True})
+    assert len(numbers(made, "rows")) == 1 and math.isclose(numbers(made, "rows")[0][0], math.sqrt(6))
+    offsets = numbers(made, "path_offsets")
+    assert offsets[0] == 0 and offsets[1] == len(numbers(made, "path_faces")) > 1
+    assert len(numbers(made, "isoline_levels")) == len(numbers(made, "isoline_offsets")) - 1 > 0
+    for distance, (x, y) in zip(numbers(made, "vertex_distances"), numbers(made, "logarithms")):
+        assert math.isclose(distance, math.hypot(x, y), abs_tol=1e-12)
+    release(made)
+    made = result("distances", ball, {"from": [0, 1], "each": True})
+    rows = numbers(made, "rows")
+    assert len(rows) == 2 and rows[0][1] == rows[1][0] and rows[0][0] == 0
+    assert refused("distances", ball, {"from": [0, 1], "logarithm": True}).startswith('"logarithm" is that at one source')
+    assert refused("distances", ball, {"from": [0], "paths": True}).startswith('"paths" does nothing here: add "to"')
+    assert "neither true nor false" in refused("distances", ball, {"curves": {"points": [0, 2], "closed": 1}})
+    release(made, ball)
+
+
 def check_runs():
     """Notes as they happen; a function and a flag that cancel."""
     mesh, notes, steps = read("figure.obj"), [], set()
@@ -331,6 +351,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_mistakes()
     check_values()
     check_parts()
+    check_distances()
     check_runs()
     check_described_options()
     check_described_results()

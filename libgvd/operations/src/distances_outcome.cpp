@@ -111,6 +111,10 @@ void DistancesOutcome::visit(ObjectVisitor& visitor) const {
   visitor.array({"vertex_distances", "mesh units", "of the mesh's vertices from the nearest source; empty with each"},
                 view(distance));
   visitor.array({"vertex_labels", "", "that source; -1: none"}, view(label));
+  visitor.array({"logarithms", "mesh units",
+                 "of each vertex, in the tangent plane at the source: direction and length of the shortest path; not a "
+                 "number where none leads"},
+                view(logarithms));
   const auto& paths = table.paths;
   visitor.curves({"path", "", "the points of each path, from its target on"},
                  {std::ssize(paths), [&paths](std::int64_t i) {
