@@ -327,6 +327,35 @@ def check_runs():
     release(mesh)
 
 
+def check_files(folder):
+    """Files of results are those of the commands."""
+    for operation, options, words, extensions in (
+            ("segment", {"count": 12, "cut": True}, "-n 12 --cut", "ply json vtp"),
+            ("segment", {"levels": [3, 9]}, "--levels 3,9", "ply json"),
+            ("lloyd", {"count": 9, "balance": "area"}, "-n 9 --balance area", "txt csv json ply"),
+            ("remesh", {"count": 90}, "-n 90", "ply json"),
+            ("distances", {"from": [3], "isolines": 0.3}, "--from 3 --isolines 0.3", "npy json vtp ply")):
+        mesh = read("figure.obj")
+        made = result(operation, mesh, options)
+        command = "gvd-distance" if operation == "distances" else f"gvd-{operation}"
+        for extension in extensions.split():
+            mine, theirs = folder / f"mine.{extension}", folder / f"theirs.{extension}"
+            assert gvd.gvd_write(made, str(mine).encode(), None) == OK, gvd.gvd_last_error()
+            subprocess.run([str(BIN / command), str(DATA / "figure.obj"), *words.split(), "-o", str(theirs)], check=True,
+                           stderr=subprocess.DEVNULL)
+            assert mine.read_bytes() == theirs.read_bytes(), (operation, extension)
+        release(made, mesh)
+    ball = make_ball()
+    sampled = result("sample", ball, {"count": 2})
+    assert gvd.gvd_write(sampled, str(folder / "a.ply").encode(), None) == INVALID
+    assert b"a sample has no file" in gvd.gvd_last_error(), gvd.gvd_last_error()
+    assert gvd.gvd_write(ball, str(folder / "a.doc").encode(), None) == INVALID
+    assert b"the extension must be one of .ply" in gvd.gvd_last_error(), gvd.gvd_last_error()
+    assert gvd.gvd_write(None, b"a.ply", None) == INVALID and gvd.gvd_last_error() == b"object is NULL"
+    assert gvd.gvd_mesh_vertex_count(sampled) == 0 and gvd.gvd_diagram_bisector_count(None) == 0
+    release(sampled, ball)
+
+
 def check_same_as_commands(folder):
     """The points of gvd-lloyd, for options of many kinds."""
     for name, options, words in (
@@ -355,5 +384,6 @@ with tempfile.TemporaryDirectory() as scratch:
     check_runs()
     check_described_options()
     check_described_results()
+    check_files(pathlib.Path(scratch))
     check_same_as_commands(pathlib.Path(scratch))
 print("all checks passed")

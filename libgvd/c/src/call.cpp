@@ -127,4 +127,13 @@ const char* gvd_describe(void) {
   return text == nullptr ? "null" : text->c_str();
 }
 
+gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* run) {
+  return guarded([&] {
+    const Object& written = *given(object, "object").object;
+    const std::string name = &given(path, "path");
+    RunObserver observer(run);
+    write_object(name, written, progress_of(observer));
+  });
+}
+
 void gvd_release(gvd_object* object) { delete object; }

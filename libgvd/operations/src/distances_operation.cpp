@@ -385,6 +385,7 @@ std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall&
   made->targets = made->measured->place(table.targets);
   check_sources(*made);
   call.each ? measure_each(call, observer, *made) : measure_nearest(call, observer, *made);
+  made->polylines = make_curves(input->mesh, table);
   for (const std::vector<double>& row : table.rows) {
     made->unreached += std::ranges::count_if(row, [](double d) { return !std::isfinite(d); });
   }

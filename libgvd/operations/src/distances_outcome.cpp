@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <span>
 #include <utility>
 
@@ -127,6 +128,29 @@ void DistancesOutcome::visit(ObjectVisitor& visitor) const {
                   }});
   visitor.array({"isoline_levels", "mesh units", "the distance of each isoline"}, view(isolines, &Isoline::level));
   visitor.array({"isoline_closed", "", "1 for a loop"}, view(isolines, &Isoline::closed));
+}
+
+std::optional<LabelledMesh> DistancesOutcome::labelled() const {
+  LabelledMesh mesh{input->mesh};
+  mesh.appearance = &input->appearance;
+  if (!polylines.empty()) mesh.curves = &polylines;
+  if (field == nullptr) return mesh;
+  mesh.vertex_label = &label;
+  mesh.vertex_distance = &distance;
+  return mesh;
+}
+
+OwnWriters DistancesOutcome::own_writers() const {
+  const Mesh& mesh = input->mesh;
+  return {{"npy", [this](std::ostream& out) { write_distances_npy(out, table); }},
+          {"txt", [this](std::ostream& out) { write_distances_text(out, table); }},
+          {"csv",
+           [this](std::ostream& out) {
+             table.paths.empty() ? write_distances_csv(out, table) : write_paths_csv(out, table);
+           }},
+          {"json", [this, &mesh](std::ostream& out) { write_distances_json(out, mesh, table); }},
+          {"shape.gii", [this](std::ostream& out) { write_distances_gifti(out, table); }},
+          {"curv", [this, &mesh](std::ostream& out) { write_distances_freesurfer(out, table, mesh.face_count()); }}};
 }
 
 }  // namespace gvd

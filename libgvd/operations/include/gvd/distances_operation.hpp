@@ -42,6 +42,8 @@ class DistancesOutcome : public Object {
  public:
   std::string_view kind() const override { return "distances"; }
   void visit(ObjectVisitor& visitor) const override;
+  std::optional<LabelledMesh> labelled() const override;
+  OwnWriters own_writers() const override;
   const Mesh& surface() const { return measured->mesh(); }
 
   MeshPtr input = std::make_shared<CheckedMesh>();
@@ -49,6 +51,7 @@ class DistancesOutcome : public Object {
   std::vector<std::optional<double>> snap_distance;  ///< of the sources, from where they were given
   std::vector<GeneratorCurve> curves;                ///< the sources, where they are curves
   DistanceTable table;
+  std::vector<MeshCurve> polylines;               ///< paths and isolines, for files
   PlacedPoints sources, targets;                  ///< on the surface
   bool has_limit = false;                         ///< whether there is a largest distance
   std::unique_ptr<const ExactField> field;        ///< of the nearest source; null with `each`

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -66,14 +65,13 @@ class SegmentOutcome : public Object {
   /// The mesh of `diagram`, which has the input's faces, with the vertices on borders of regions doubled.
   const Mesh& surface() const { return parted.is_parted() ? parted.separated.mesh : input->mesh; }
   /// What files hold: the input, or its pieces, with labels and distances.
-  LabelledMesh labelled() const;
+  std::optional<LabelledMesh> labelled() const override;
+  OwnWriters own_writers() const override;
   const IdVector<FaceId, GeneratorId>& face_labels() const;
   /// The numbers of the labelled mesh's faces beside their labels.
   const std::vector<FaceNumbers>& numbers() const { return cut ? cut->numbers : whole_numbers; }
   /// The edges between two regions, or beside faces that are left out.
   std::vector<std::vector<Vec3>> borders() const;
-  /// Writes the diagram with the labels, as a file of the extension .json.
-  void write_json(std::ostream& out) const;
 
   MeshPtr input = std::make_shared<CheckedMesh>();
   PartedMesh parted;
