@@ -379,7 +379,7 @@ gvd_status gvd_segment_write(const gvd_diagram* diagram, const char* path, const
     const std::string name = &given(path, "path");
     SegmentOutcome outcome;
     outcome.input = of.mesh();
-    outcome.diagram = outcome.on_input = std::make_shared<const Diagram>(of.diagram());
+    outcome.diagram = outcome.on_input = of.shared();
     outcome.whole = segment_faces(of.mesh()->mesh, of.diagram(), {.progress = progress_of(run)});
     write_object(name, outcome, progress_of(run));
   });

@@ -39,6 +39,7 @@ class DiagramObject : public Object {
       : mesh_(std::move(mesh)), diagram_(std::move(diagram)) {}
   const MeshPtr& mesh() const { return mesh_; }
   const Diagram& diagram() const { return *diagram_; }
+  const std::shared_ptr<const Diagram>& shared() const { return diagram_; }
   std::string_view kind() const override { return "diagram"; }
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override;
