@@ -20,7 +20,7 @@ SCHEMA = ROOT / "docs/schema/gvd-report-2.schema.json"
 
 def describe(bin_folder, command):
     done = subprocess.run([f"{bin_folder}/gvd-{command}", "--print-options"], stdout=subprocess.PIPE, check=True)
-    return json.loads(done.stdout)
+    return json.loads(done.stdout)["options"]
 
 
 # ---- the schema

@@ -41,6 +41,7 @@ FLOORS = [
     ["apps/common/options"],
     ["apps/common"],
     ["apps/segment", "apps/lloyd", "apps/remesh", "apps/distance"],
+    ["apps/gvd"],
 ]
 FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
 
@@ -49,14 +50,14 @@ PUBLIC = {
     "libgvd/src/base": "vec ids error names placeholders text text_encoding progress diagram_steps version",
     "libgvd/src/options": "given_values option_list option_text",
     "libgvd/src/mesh": "mesh surface_point generator_curve closest_point distance_samples quality openmesh",
-    "libgvd/src/mesh/reading": "appearance mesh_property read_soup referred_files",
+    "libgvd/src/mesh/reading": "appearance mesh_property polygon_soup",
     "libgvd/src/mesh/repair": "soup",
     "libgvd/src/geodesic": "front geodesic_tracing",
     "libgvd/src/geodesic/sampling": "sampling",
     "libgvd/src/geodesic/windows": "exact_field",
     "libgvd/src/diagram": "bisector_length diagram diagram_options check diagram_editor error_measure trace_diagram",
-    "libgvd/src/io": "curve_list generator_list read_values",
-    "libgvd/src/io/writers": "io/diagram_json io/distance_writer io/label_color io/mesh_writer io/point_writer io/write_file",
+    "libgvd/src/io": "curve_list generator_list read_soup read_values referred_files io/format io/mesh_writer",
+    "libgvd/src/io/writers": "io/diagram_json io/distance_writer io/label_color io/labelled_mesh io/point_writer io/write_file",
     "libgvd/src/io/view": "io/view gvd",
     "libgvd/segment": "charts face_regions region_statistics segment segment_options",
     "libgvd/lloyd": "balance cell_moments coarse_copy constrained_start density features lloyd lloyd_options relaxation_start",

@@ -11,6 +11,7 @@
 
 #include "common/open_page.hpp"
 #include "common/options/command_line.hpp"
+#include "common/options/completion.hpp"
 #include "common/options/spelling.hpp"
 #include "common/process.hpp"
 #include "common/run_several.hpp"
@@ -19,13 +20,6 @@
 
 namespace gvd::app {
 namespace {
-
-std::string help_footer(const std::string& examples) {
-  return "\nExamples:\n" + examples +
-         "\nExit codes: 0 done, 2 usage, 3 unreadable input, 4 input breaks a precondition,\n"
-         "5 no valid result or out of memory, 6 output could not be written,\n"
-         "130 interrupted; with several inputs, the code of the first one that failed.\n";
-}
 
 /// The page that --open writes where --view names none.
 std::string default_page(const std::string& input) {
@@ -36,6 +30,13 @@ std::string default_page(const std::string& input) {
 }
 
 }  // namespace
+
+std::string help_footer(const std::string& examples) {
+  return "\nExamples:\n" + examples +
+         "\nExit codes: 0 done, 2 usage, 3 unreadable input, 4 input breaks a precondition,\n"
+         "5 no valid result or out of memory, 6 output could not be written,\n"
+         "130 interrupted; with several inputs, the code of the first one that failed.\n";
+}
 
 int run_described(const CommandInfo& info, OptionList& list, Options& options, int argc, const char* const* argv,
                   const std::function<void(const Given&)>& complete, const std::function<void(Run&)>& body) {
@@ -81,6 +82,11 @@ int run_described(const CommandInfo& info, OptionList& list, Options& options, i
   if (outcome.exit_code == kReaderGone) return end_by_broken_pipe();
   if (!outcome.message.empty()) Console(info.name, {}, false, false).error(outcome.message);
   return outcome.exit_code != kDone ? outcome.exit_code : exit_code;
+}
+
+std::string describe_completion(const CommandInfo& info, OptionList& list, Options& options, const std::string& shell) {
+  describe(list, options.general);
+  return make_completion(info.name, list, shell);
 }
 
 }  // namespace gvd::app

@@ -124,14 +124,15 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh, cons
   const LabelledMesh chosen = choose_content(run.options().output, mesh);
   const OutputWriter write = [&](std::ostream& out) { write_mesh(out, chosen, *known); };
   if (standard) return write_standard_output(write);
-  if (*known != OutputFormat::obj) {
+  const auto materials = materials_file(path);
+  if (!materials) {
     write_file(path, write, run.progress());
     return run.add_written(path);
   }
   write_mesh(path, chosen, run.progress());
   run.add_written(path);
   const bool has_own_materials = chosen.face_label != nullptr && !chosen.names_materials();
-  if (has_own_materials) run.add_written(std::filesystem::path(path).replace_extension(".mtl").string());
+  if (has_own_materials) run.add_written(materials->string());
   if (chosen.names_materials()) note_material_files(run, path, *chosen.appearance);
 }
 
@@ -142,45 +143,50 @@ void write_timed(Run& run, const std::string& step, const std::string& path, con
   run.add_written(path);
 }
 
-/// The formats of this run's files that hold meshes, each once.
-std::vector<std::string> mesh_formats(const OutputOptions& output) {
-  std::vector<std::string> found;
+/// The formats of this run's files that hold a surface, each once.
+std::vector<const Format*> surface_formats(const OutputOptions& output) {
+  std::vector<const Format*> found;
   for (const std::string& file : output.files) {
-    const std::string format = format_of(output, file);
-    const bool is_mesh = parse_output_format(format).has_value() &&
-                         !contains({"json", "label.gii", "shape.gii", "annot", "curv"}, format);
-    if (is_mesh && !contains(found, format)) found.push_back(format);
+    const Format* const format = find_output(format_of(output, file));
+    const bool has_surface = format != nullptr && has_any(format->carries, Content::surface);
+    if (has_surface && std::ranges::find(found, format) == found.end()) found.push_back(format);
   }
   return found;
 }
 
 /// Notes in one line which parts of the input's appearance the files of this run will not hold.
 void note_left_out(Run& run, const Appearance& appearance) {
-  const std::vector<std::string> formats = mesh_formats(run.options().output);
+  const std::vector<const Format*> formats = surface_formats(run.options().output);
   std::vector<std::string> lost;
-  const auto add = [&](const char* what, const std::vector<std::string>& holding) {
-    std::vector<std::string> without = formats;
-    std::erase_if(without, [&](const std::string& format) { return contains(holding, format); });
-    if (!without.empty()) lost.push_back(fmt::format("{} in .{}", what, fmt::join(without, ", .")));
+  const auto add = [&](Content content) {
+    std::vector<std::string> without;
+    for (const Format* const format : formats) {
+      if (!has_any(format->carries, content)) without.push_back(format->extensions.front());
+    }
+    if (without.empty()) return;
+    lost.push_back(fmt::format("{} in {}", name_in(kContentNames, content), list_extensions(without, "and")));
   };
-  if (!appearance.texture.empty()) add("texture coordinates", {"ply", "obj", "glb"});
-  if (!appearance.material.empty()) add("materials", {"obj"});
+  if (!appearance.texture.empty()) add(Content::texture);
+  if (!appearance.material.empty()) add(Content::materials);
   if (!formats.empty()) lost.insert(lost.end(), appearance.unread.begin(), appearance.unread.end());
   if (!lost.empty()) note_on_input(run, fmt::format("left out: {}", fmt::join(lost, "; ")));
 }
 
 /// Notes for each format with 32-bit floats that they damage the surface.
 void note_position_loss(Run& run, const Mesh& mesh) {
-  for (const std::string& format : mesh_formats(run.options().output)) {
-    const PositionLoss loss = measure_position_loss(mesh, *parse_output_format(format));
+  for (const Format* const format : surface_formats(run.options().output)) {
+    const PositionLoss loss = measure_position_loss(mesh, format->id);
     if (!loss.is_notable) continue;
     std::string collapsed;
     if (loss.collapsed_faces > 0) {
       collapsed = fmt::format(", and {}", counted(loss.collapsed_faces, "face collapses", "faces collapse"));
     }
-    run.console().note(fmt::format(
-        ".{} has 32-bit floats, which move vertices by up to {:.2g}{}; .ply, .obj, .off and .vtp keep doubles{}",
-        format, loss.farthest_move, collapsed, format == "glb" ? "" : ", .glb the place"));
+    const bool keeps_place = has_any(format->carries, Content::place);
+    const std::string of_place = list_extensions(output_extensions(Content::place), "and") + " the place";
+    run.console().note(fmt::format(".{} has 32-bit floats, which move vertices by up to {:.2g}{}; {} keep doubles{}",
+                                   format->extensions.front(), loss.farthest_move, collapsed,
+                                   list_extensions(output_extensions(Content::doubles), "and"),
+                                   keeps_place ? "" : ", " + of_place));
   }
 }
 

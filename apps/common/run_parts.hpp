@@ -14,6 +14,8 @@
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/object.hpp"
+#include "gvd/read_soup.hpp"
+#include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 

@@ -34,7 +34,11 @@ constexpr const char* kExamples =
     "  gvd-distance bunny.obj --from seeds.csv --isolines 0.05 -o curves.obj\n"
     "  gvd-distance scan.stl --from seeds.txt --each --max-distance 40 -o rows.npy\n";
 
-const std::vector<std::string> kFormats{"npy", "csv", "ply", "vtp", "vtu", "obj", "json", "shape.gii", "curv", "txt"};
+/// What holds curves without a surface and, of the formats with one, those that draw lines beside it.
+constexpr Content kPaths = Content::curves | Content::paths, kIsolines = Content::curves | Content::isolines;
+
+const std::vector<std::string> kFormats =
+    output_extensions(Content::distances | Content::rows | Content::targets | kPaths | kIsolines);
 
 struct OwnOptions : Options {
   DistancesCall call;
@@ -47,7 +51,7 @@ void describe_own(OptionList& list, OwnOptions& own) {
   describe(list, own.call);
   list.group("Computing");
   describe_resources(list, own.compute);
-  describe_output(list, own.output, kFormats);
+  describe_output(list, own.output, kFormats, "npy");
 }
 
 /// Where no file is named, standard output has a text that a script reads as it is, or else the simplest format that
@@ -58,76 +62,77 @@ void complete(OwnOptions& own, const Given& given) {
   own.output.files = {"-"};
 }
 
-bool writes(const Options& options, const std::vector<std::string>& formats) {
-  const std::vector<std::string> written = written_formats(options.output);
-  return std::any_of(written.begin(), written.end(), [&](const std::string& f) { return contains(formats, f); });
-}
-
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
 
-/// The file of -o that has this format, for messages.
-std::string named(const OutputOptions& output, const std::string& format) {
-  for (const std::string& file : output.files) {
-    if (file != "-" && format_of(output, file) == format) return "-o " + file;
+/// The first of the written formats that carries any of `any`, but nothing of `none`. Null: there is none.
+const Format* find_written(const OutputOptions& output, Content any, Content none = Content::nothing) {
+  for (const std::string& format : written_formats(output)) {
+    const Format* const row = find_output(format);
+    if (row != nullptr && has_any(row->carries, any) && !has_any(row->carries, none)) return row;
   }
-  return "--output-format " + format;
+  return nullptr;
+}
+
+/// "-o p.obj: .obj", the file that has this format, for messages.
+std::string named(const OutputOptions& output, const Format& format) {
+  const std::string& name = format.extensions.front();
+  for (const std::string& file : output.files) {
+    if (file != "-" && format_of(output, file) == name) return fmt::format("-o {}: .{}", file, name);
+  }
+  return fmt::format("--output-format {0}: .{0}", name);
+}
+
+/// The formats to write instead.
+std::string list_formats(Content any, Content none = Content::nothing) {
+  return list_extensions(output_extensions(any, none), "or");
 }
 
 /// Refuses a mesh or a text that would hold nothing of what was asked for.
 void check_content(const Options& options, const DistancesCall& own) {
   const OutputOptions& output = options.output;
   const bool has_targets = own.targets.are_listed(), has_curves = own.paths || own.isolines;
-  if (!has_curves && writes(options, {"obj"})) {
-    refuse(has_targets
-               ? fmt::format("{}: .obj holds no distances; add --paths for the shortest paths, or write .csv, .npy or "
-                             ".json",
-                             named(output, "obj"))
-               : fmt::format("{}: .obj holds no distances; write .ply, .vtp, .csv, .npy or .json, or add --isolines",
-                             named(output, "obj")));
+  constexpr Content kDistances = Content::distances | Content::rows;
+  if (const Format* const lines = find_written(output, Content::curves, kDistances); lines != nullptr && !has_curves) {
+    refuse(has_targets ? fmt::format("{} holds no distances; add --paths for the shortest paths, or write {}",
+                                     named(output, *lines), list_formats(Content::targets))
+                       : fmt::format("{} holds no distances; write {}, or add --isolines", named(output, *lines),
+                                     list_formats(kDistances)));
   }
-  const bool holds_targets =
-      !output.report.empty() || !output.view.empty() || writes(options, {"npy", "csv", "json", "txt"});
-  for (const char* format : {"ply", "vtp", "vtu"}) {
-    if (!has_targets || has_curves || holds_targets || !writes(options, {format})) continue;
+  const bool has_report = !output.report.empty() || !output.view.empty();
+  const Format* const mesh = find_written(output, Content::distances, Content::targets);
+  if (has_targets && !has_curves && !has_report && mesh != nullptr && !writes(output, Content::targets)) {
     refuse(
-        fmt::format("{}: .{} has the distances of all vertices, for which --to does nothing; {}write .csv, .npy or "
-                    ".json, or leave --to out",
-                    named(output, format), format, format == std::string("ply") ? "" : "add --paths, "));
+        fmt::format("{} has the distances of all vertices, for which --to does nothing; {}write {}, or leave --to out",
+                    named(output, *mesh), has_any(mesh->carries, Content::curves) ? "add --paths, " : "",
+                    list_formats(Content::targets)));
   }
-  if (own.paths && !writes(options, {"csv", "json", "obj", "vtp", "vtu"}) && output.report.empty() &&
-      output.view.empty()) {
-    refuse(
-        "--paths: only .csv, .json, .obj, .vtp, .vtu, --view and --report hold paths; write one of them or leave "
-        "--paths out");
+  if (own.paths && !has_report && !writes(output, kPaths)) {
+    refuse(fmt::format("--paths: {} paths; write one of them or leave --paths out",
+                       only_formats(kPaths, {"--view", "--report"})));
   }
 }
 
 /// Refuses options that contradict each other or have no effect.
 void check(const Options& options, const DistancesCall& own) {
-  const bool has_targets = own.targets.are_listed(), has_view = !options.output.view.empty();
-  if (own.paths && !has_targets)
-    refuse("--paths does nothing here: add --to, where the paths begin, or leave --paths out");
-  if (own.each && own.isolines) refuse("--each and --isolines exclude each other: isolines are of the nearest source");
+  const OutputOptions& output = options.output;
+  const bool has_targets = own.targets.are_listed(), has_view = !output.view.empty();
   if (own.each && has_view) refuse("--each and --view exclude each other: the page shows the nearest source");
-  if (own.each && !own.paths && writes(options, {"ply", "vtp", "vtu", "obj"})) {
-    refuse(
-        "--each: .ply, .vtp, .vtu and .obj hold one distance for each vertex; write .npy, .csv or .json, or add --to "
-        "and "
-        "--paths");
+  const Format* const values = find_written(output, Content::distances, Content::surface);
+  if (has_targets && values != nullptr) {
+    refuse(fmt::format("--to: {} hold a distance for each vertex; write {}, or leave --to out",
+                       list_extensions(output_extensions(Content::distances, Content::surface), "and"),
+                       list_formats(Content::targets)));
   }
-  if (has_targets && writes(options, {"shape.gii", "curv"})) {
-    refuse("--to: .shape.gii and .curv hold a distance for each vertex; write .npy, .csv or .json, or leave --to out");
+  const Format* const single = find_written(output, Content::distances, Content::rows);
+  if (own.each && single != nullptr && !(own.paths && has_any(single->carries, Content::surface))) {
+    refuse(fmt::format("--each: {} hold one distance for each vertex; write {}{}",
+                       list_extensions(output_extensions(Content::distances, Content::rows), "and"),
+                       list_formats(Content::rows),
+                       has_any(single->carries, Content::surface) ? ", or add --to and --paths" : ""));
   }
-  if (own.each && writes(options, {"curv"})) {
-    refuse("--each: .curv holds one distance for each vertex; write .shape.gii, .npy, .csv or .json");
-  }
-  const bool holds_curves =
-      has_view || !options.output.report.empty() || writes(options, {"obj", "vtp", "vtu", "json"});
-  if (own.isolines && !holds_curves) {
-    refuse(
-        "--isolines: only .obj, .vtp, .vtu, .json, --view and --report hold curves; write one of them or leave "
-        "--isolines "
-        "out");
+  if (own.isolines && !has_view && output.report.empty() && !writes(output, kIsolines)) {
+    refuse(fmt::format("--isolines: {} curves; write one of them or leave --isolines out",
+                       only_formats(kIsolines, {"--view", "--report"})));
   }
   check_content(options, own);
 }
@@ -191,14 +196,14 @@ void measure(Run& run, OwnOptions& own) {
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd::app;
-  return run_command<OwnOptions>(
+Command distance_command() {
+  return make_command<OwnOptions>(
       {"gvd-distance",
        "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
        kExamples,
        {kFormats, false}},
-      {describe_own, measure, complete}, argc, argv);
+      {describe_own, measure, complete});
 }
+
+}  // namespace gvd::app

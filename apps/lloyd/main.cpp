@@ -33,9 +33,8 @@ namespace {
 /// 100,000 generators on 5,876 faces took 76 s of processor time and 0.96 GB.
 constexpr GeneratorCost kGeneratorCost{760, 9.6};
 
-const std::vector<std::string> kFormats{"txt",       "csv",       "json", "ply",   "obj", "off",
-                                        "coff",      "stl",       "vtp",  "vtu",   "glb", "surf.gii",
-                                        "label.gii", "shape.gii", "fs",   "annot", "curv"};
+const std::vector<std::string> kFormats =
+    output_extensions(Content::generators | Content::surface | Content::vertex_labels | Content::distances);
 
 struct OwnOptions : Options {
   LloydCall call;
@@ -65,11 +64,12 @@ void describe_own(OptionList& list, OwnOptions& own) {
                .more = "; the result then varies from run to run",
                .unit = "seconds",
                .usual = "no limit"});
-  describe_output(list, own.output, kFormats);
+  describe_output(list, own.output, kFormats, "txt");
   describe_no_curves(list, own.output);
   describe_diagram_output(list, own.output);
+  const std::vector<std::string_view> names = names_in(kPointFormatNames);
   describe_target(
-      list, own.output, "points", own.points, {"ply", "xyz", "npy"},
+      list, own.output, "points", own.points, {names.begin(), names.end()},
       {.help = "Write the generators with normals, barycentric coordinates, areas and energies", .shown = Shown::main});
   describe_target(list, own.output, "trace", own.trace, {"csv"},
                   {.help = "Write energy, moves, methods and seconds of each iteration as CSV"});
@@ -224,13 +224,13 @@ void lloyd(Run& run, OwnOptions& own) {
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd::app;
-  return run_command<OwnOptions>({"gvd-lloyd",
-                                  "Moves generators to the geodesic centroids of their cells until they stop moving.",
-                                  kExamples,
-                                  {kFormats}},
-                                 {describe_own, lloyd}, argc, argv);
+Command lloyd_command() {
+  return make_command<OwnOptions>({"gvd-lloyd",
+                                   "Moves generators to the geodesic centroids of their cells until they stop moving.",
+                                   kExamples,
+                                   {kFormats}},
+                                  {describe_own, lloyd});
 }
+
+}  // namespace gvd::app

@@ -3,6 +3,8 @@
 // The library makes it (gvd/remesh_operation.hpp). Here are the files, and the properties of INPUT that are carried
 // over.
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <ostream>
 #include <string>
@@ -34,7 +36,10 @@ constexpr const char* kExamples =
 /// 30,000 generators on 5,876 faces took 14 s of processor time and 0.44 GB.
 constexpr GeneratorCost kGeneratorCost{460, 14.7};
 
-const std::vector<std::string> kFormats{"ply", "obj", "off", "stl", "vtp", "vtu", "glb", "json", "surf.gii", "fs"};
+const std::vector<std::string> kFormats = output_extensions(Content::surface | Content::diagram);
+
+/// What --carry takes from the input.
+constexpr Content kCarried = Content::properties | Content::texture | Content::materials;
 
 struct OwnOptions : Options {
   RemeshCall call;
@@ -47,15 +52,19 @@ void describe_own(OptionList& list, OwnOptions& own) {
   describe_generators_format(list, own.input);
   list.group("Remesh");
   list.option("carry", Flag{&own.call.carry},
-              {.help = "Carry over the colours and other properties of a PLY input to PLY output",
-               .more = ", texture coordinates to PLY, OBJ and GLB output, and materials to OBJ output"});
-  list.rule(format_rule(own.output, "carry", {"ply", "obj", "glb"},
-                        "{option:carry}: only PLY, OBJ and GLB files hold what is carried over; write one, such as "
-                        "{option:output=FILE.ply}"));
+              {.help = "Carry over the colours and other properties of a PLY input to " +
+                       list_extensions(output_extensions(Content::properties), "and"),
+               .more = fmt::format(", texture coordinates to {}, and materials to {}",
+                                   list_extensions(output_extensions(Content::texture), "and"),
+                                   list_extensions(output_extensions(Content::materials), "and"))});
+  list.rule(format_rule(own.output, "carry", output_extensions(kCarried),
+                        fmt::format("{{option:carry}}: {} what is carried over; write one, such as "
+                                    "{{option:output=FILE.ply}}",
+                                    only_formats(kCarried))));
   list.group("Computing");
   describe_resources(list, own.compute);
   describe_verify(list, own.compute);
-  describe_output(list, own.output, kFormats);
+  describe_output(list, own.output, kFormats, "ply");
   describe_diagram_output(list, own.output);
   describe_target(list, own.output, "map", own.map, {"json"},
                   {.help = "Write the point of {option:input} for each output vertex, and the point of the output for "
@@ -73,8 +82,9 @@ std::vector<MeshProperty> read_properties(const InputOptions& input, const Piped
 void note_carried(Run& run, const RemeshOutcome& made) {
   if (made.properties.empty() && made.appearance.empty()) {
     note_on_input(run, "no properties, texture coordinates or materials to carry over");
-  } else if (!made.properties.empty() && !contains(written_formats(run.options().output), "ply")) {
-    run.console().note("--carry: OBJ and GLB hold texture coordinates, and no properties; these need -o FILE.ply");
+  } else if (!made.properties.empty() && !writes(run.options().output, Content::properties)) {
+    run.console().note(
+        fmt::format("--carry: {} properties; write one, such as -o FILE.ply", only_formats(Content::properties)));
   }
 }
 
@@ -92,7 +102,8 @@ void run_remesh(Run& run, OwnOptions& own) {
   const auto input = std::make_shared<CheckedMesh>(load_input(run, carries ? &piped : nullptr));
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   if (!carries && !input->appearance.empty() && !run.options().output.files.empty()) {
-    note_on_input(run, "texture coordinates and materials are left out; --carry keeps them in .obj, .ply and .glb");
+    note_on_input(run, fmt::format("texture coordinates and materials are left out; --carry keeps them in {}",
+                                   list_extensions(output_extensions(Content::texture | Content::materials), "and")));
   }
   if (carries) own.call.properties = read_properties(run.options().input, piped);
   const auto made = [&] {
@@ -112,14 +123,14 @@ void run_remesh(Run& run, OwnOptions& own) {
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd::app;
-  return run_command<OwnOptions>(
+Command remesh_command() {
+  return make_command<OwnOptions>(
       {"gvd-remesh",
        "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
        kExamples,
        {kFormats, false}},  // the coarse mesh has no labels
-      {describe_own, run_remesh, complete}, argc, argv);
+      {describe_own, run_remesh, complete});
 }
+
+}  // namespace gvd::app

@@ -38,8 +38,20 @@ constexpr const char* kExamples =
 /// A million generators on 5,876 faces took 27 s of processor time and 3.6 GB.
 constexpr GeneratorCost kGeneratorCost{27, 3.6};
 
-const std::vector<std::string> kFormats{"ply",  "obj",      "off",       "coff",      "stl", "vtp",   "vtu", "glb",
-                                        "json", "surf.gii", "label.gii", "shape.gii", "fs",  "annot", "curv"};
+const std::vector<std::string> kFormats =
+    output_extensions(Content::surface | Content::vertex_labels | Content::distances | Content::diagram);
+
+/// Arrays and tables, and the formats that hold nothing but these numbers of vertices.
+std::vector<std::string> array_formats(Content numbers) {
+  std::vector<std::string> found{"npy", "csv"};
+  for (const Format& format : formats()) {
+    const bool is_alone = has_any(format.carries, numbers) && !has_any(format.carries, Content::surface);
+    if (format.write != nullptr && is_alone) {
+      found.insert(found.end(), format.extensions.begin(), format.extensions.end());
+    }
+  }
+  return found;
+}
 
 struct OwnOptions : Options {
   SegmentCall call;
@@ -52,9 +64,9 @@ void describe_targets(OptionList& list, OwnOptions& own) {
   };
   add("face_labels", own.face_labels, {"npy", "csv"},
       {.help = "Write the label of each face, in the order of the faces in .ply (-1 for none)"});
-  add("vertex_labels", own.vertex_labels, {"npy", "csv", "label.gii", "annot"},
+  add("vertex_labels", own.vertex_labels, array_formats(Content::vertex_labels),
       {.help = "Write the nearest generator of each vertex, in the order of the vertices in .ply (-1 for none)"});
-  add("vertex_distances", own.vertex_distances, {"npy", "csv", "shape.gii", "func.gii", "curv"},
+  add("vertex_distances", own.vertex_distances, array_formats(Content::distances),
       {.help = "Write the distance of each vertex from its generator, in the order of the vertices in .ply",
        .more = "; .csv has the generators, too"});
   add("stats", own.stats, {"csv"},
@@ -70,7 +82,7 @@ void describe_own(OptionList& list, OwnOptions& own) {
   list.group("Computing");
   describe_resources(list, own.compute);
   describe_verify(list, own.compute);
-  describe_output(list, own.output, kFormats);
+  describe_output(list, own.output, kFormats, "ply");
   describe_no_curves(list, own.output);
   describe_diagram_output(list, own.output);
   describe_targets(list, own);
@@ -79,10 +91,10 @@ void describe_own(OptionList& list, OwnOptions& own) {
               {.help = "Give each region a material of its own in .obj also where {option:input} has materials",
                .more = ", in place of these"});
   list.excludes("curves", {"verify"});
-  list.rule(
-      format_rule(own.output, "region_materials", {"obj"},
-                  "{option:region_materials}: only .obj names materials; write one, as in {option:output=FILE.obj}, "
-                  "or leave it out"));
+  list.rule(format_rule(own.output, "region_materials", output_extensions(Content::materials),
+                        fmt::format("{{option:region_materials}}: {} materials; write one, as in "
+                                    "{{option:output=FILE.obj}}, or leave it out",
+                                    only_formats(Content::materials))));
 }
 
 void complete(OwnOptions& own, const Given&) { own.call.complete(); }
@@ -95,8 +107,8 @@ void write_arrays(Run& run, const LabelledMesh& output) {
     write_own_file(run, option, [&](std::ostream& out) {
       const std::string extension = file_extension(*run.options().output.own.at(option));
       if (extension == "csv") return write_csv(out);
-      if (!contains({"label.gii", "annot", "shape.gii", "curv"}, extension)) return write_npy(out);
-      write_mesh(out, output, *parse_output_format(extension));
+      const auto format = parse_output_format(extension);
+      format ? write_mesh(out, output, *format) : write_npy(out);
     });
   };
   const auto write_labels = [&](const char* option, const std::vector<GeneratorId>& labels, const char* element) {
@@ -134,14 +146,13 @@ void write_files(Run& run, const SegmentOutcome& made) {
 
 /// Notes, once for all inputs, that the page and a mesh of whole faces show different borders.
 void note_whole_faces(Run& run, const OwnOptions& own) {
-  static const std::vector<std::string> kMeshes{"ply", "obj", "off", "coff",     "stl",
-                                                "vtp", "vtu", "glb", "surf.gii", "fs"};
   const OutputOptions& output = run.options().output;
   const InputOptions& input = run.options().input;
   if (own.call.cut || run.options().given->has("labels") || output.view.empty() || input.path != input.paths.front())
     return;
   for (const std::string& file : output.files) {
-    if (!contains(kMeshes, format_of(output, file))) continue;
+    const Format* const format = find_output(format_of(output, file));
+    if (format == nullptr || !has_any(format->carries, Content::surface)) continue;
     return run.console().note(fmt::format("{} shows the exact borders, and {} has whole faces; --cut splits them",
                                           output.view, file == "-" ? "standard output" : file));
   }
@@ -173,14 +184,14 @@ void segment(Run& run, OwnOptions& own) {
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd::app;
-  return run_command<OwnOptions>(
+Command segment_command() {
+  return make_command<OwnOptions>(
       {"gvd-segment",
        "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
        kExamples,
        {kFormats}},
-      {describe_own, segment, complete}, argc, argv);
+      {describe_own, segment, complete});
 }
+
+}  // namespace gvd::app

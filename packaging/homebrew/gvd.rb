@@ -35,6 +35,7 @@ class Gvd < Formula
   test do
     (testpath/"a.off").write "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
     system bin/"gvd-segment", "a.off", "-n", "2", "-o", "b.ply"
-    assert_predicate testpath/"b.ply", :exist?
+    system bin/"gvd", "segment", "a.off", "-n", "2", "-o", "c.ply"
+    assert_equal (testpath/"b.ply").read, (testpath/"c.ply").read
   end
 end

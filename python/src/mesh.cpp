@@ -35,7 +35,7 @@ SharedMesh mesh_from_file(const std::filesystem::path& path, const std::optional
                           const std::string& on_defect, const std::optional<double>& weld) {
   const DefectPolicy policy = choose("on_defect", on_defect, kDefectPolicyNames);
   std::optional<MeshFormat> known;
-  if (format) known = choose("input_format", *format, kMeshFormatNames);
+  if (format) known = choose("input_format", *format, input_format_names());
   return run_unlocked(py::none(), [&](const Progress&) {
     PolygonSoup soup = read_soup(path, known);
     if (weld) weld_soup(soup, *weld);

@@ -132,7 +132,7 @@ TEST_CASE("commands: the schema of reports has every format of a mesh and of a l
   const auto are = [](const std::vector<std::string>& names, const std::vector<std::string_view>& wanted) {
     return std::equal(names.begin(), names.end(), wanted.begin(), wanted.end());
   };
-  CHECK(are(names_of("input_format"), names_in(kMeshFormatNames)));
+  CHECK(are(names_of("input_format"), names_in(input_format_names())));
   CHECK(are(names_of("generators_format"), names_in(kGeneratorFormatNames)));
 }
 

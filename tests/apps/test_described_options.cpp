@@ -21,7 +21,9 @@ using Json = nlohmann::ordered_json;
 constexpr int kUsage = 2, kNoInput = 3;
 constexpr const char* kInput = "/nonexistent/mesh.obj";
 
-Json describe(const std::string& command) { return Json::parse(run_command(command, "--print-options").out); }
+Json describe(const std::string& command) {
+  return Json::parse(run_command(command, "--print-options").out)["options"];
+}
 
 /// Options that do nothing unless others are there, with these.
 const std::map<std::string, std::string> kCompanions{{"front", "method=gbgvd"},

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gvd/error.hpp"
+#include "gvd/io/format.hpp"
 #include "gvd/operation.hpp"
 #include "gvd/operation_json.hpp"
 #include "operations/recorder.hpp"
@@ -110,7 +111,7 @@ TEST_CASE("the description has every operation, object and format") {
   const Json described = Json::parse(describe_operations());
   CHECK(described["operations"].size() == operations().size());
   CHECK(described["objects"].contains("mesh"));
-  CHECK(described["formats"]["read"].size() > 5);
+  CHECK(described["formats"].size() == formats().size());
   for (const Json& operation : described["operations"]) {
     for (const Json& option : operation["options"]) {
       CAPTURE(option.dump());

@@ -17,6 +17,7 @@
 
 #include "common/options/spelling.hpp"
 #include "gvd/error.hpp"
+#include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/option_text.hpp"
 #include "gvd/text.hpp"
@@ -191,9 +192,9 @@ void check_standard_output(const OutputOptions& output) {
     refuse_target("-o", "-", "standard output is closed; redirect it to a file or a pipe");
   }
   const std::string format = format_of(output, "-");
-  const bool is_binary =
-      (format == "ply" && !output.ascii_ply) || contains({"stl", "glb", "npy", "fs", "annot", "curv"}, format);
-  if (is_binary && ::isatty(STDOUT_FILENO) == 1) {
+  const Format* const row = find_output(format);
+  const bool is_text = row == nullptr || !row->is_binary || (row->id == MeshFormat::ply && output.ascii_ply);
+  if (!is_text && ::isatty(STDOUT_FILENO) == 1) {
     refuse(
         fmt::format("-o -: .{0} is binary, and standard output is a terminal; redirect it, as in > a.{0}, or choose "
                     "text with --output-format",
@@ -240,8 +241,8 @@ class Targets {
 
   void claim_with_materials(const std::string& option, const std::string& path, const OutputFormats& formats) {
     claim(option, path);
-    if (!formats.materials || file_extension(path) != "obj") return;
-    claim("the materials of " + option, fs::path(path).replace_extension(".mtl").string());
+    const auto materials = formats.materials ? materials_file(path) : std::nullopt;
+    if (materials) claim("the materials of " + option, materials->string());
   }
 
  private:
@@ -252,7 +253,7 @@ class Targets {
 void check_extension(const OutputOptions& output, const std::string& file, const std::vector<std::string>& extensions) {
   if (file.empty()) refuse("-o: the file name is empty; name a file");
   if (file == "-" || contains(extensions, format_of(output, file))) return;
-  refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(extensions, ", .")));
+  refuse(fmt::format("-o {}: the extension must be one of {}", file, list_extensions(extensions, "or")));
 }
 
 /// Refuses inputs of one name before the work: the second result would replace the first.

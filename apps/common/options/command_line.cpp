@@ -24,8 +24,6 @@
 namespace gvd::app {
 namespace {
 
-const Choices<Shell> kShells{{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}};
-
 /// The option that a user calls by this name; null where there is none.
 const Option* find_typed(const OptionList& list, const std::string& name) {
   for (const Option* const option : list.options()) {
@@ -168,7 +166,7 @@ std::optional<std::string> answer(const CommandWords& command, const OptionList&
     if (name == "h") return make_short_help(command, list);
     if (name == "help") return make_help(command, list);
     if (name == "version") return fmt::format("{} {}\n", command.name, command.version);
-    if (name == "print_options") return print_options(list);
+    if (name == "print_options") return print_description(list);
     if (name != "print_completion") continue;
     Given given;
     store(list, given, question, hint);
@@ -221,7 +219,7 @@ void describe(OptionList& list, GeneralOptions& options) {
   list.option("print_completion", choice(options.completion, kShells),
               {.help = "Print the script that completes this command in a shell", .shown = Shown::hidden});
   list.option("print_options", Flag{&options.description},
-              {.help = "Print what --help says as JSON", .shown = Shown::hidden});
+              {.help = "Print what --help says as JSON, and the formats of files", .shown = Shown::hidden});
   list.option("config", File{&options.config, File::Use::read, {"toml"}},
               {.help = "Read options from this TOML file", .more = "; the command line overrides it"});
   list.option("quiet", Flag{&options.quiet}, {.help = "Print errors only", .short_name = "q"});

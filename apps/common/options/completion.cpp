@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/options/spelling.hpp"
+#include "gvd/generator_list.hpp"
 #include "gvd/option_text.hpp"
 
 namespace gvd::app {
@@ -55,7 +56,8 @@ void add_values(CompletedOption& option, const Field& field) {
                                                                  : fmt::format("{}", fmt::join(file.extensions, "|"));
                       },
                       [&](const PointList& list) {
-                        option.files = list.named == PointList::Named::vertices ? "" : "txt|csv|json|ply|xyz";
+                        const bool names_files = list.named != PointList::Named::vertices;
+                        option.files = names_files ? fmt::format("{}", fmt::join(generator_extensions(), "|")) : "";
                       },
                       [&](const Curves&) {
                         words(std::array{"boundary", "creases"});

@@ -1,4 +1,4 @@
-// Options as JSON: their values for reports, and their description for whatever else shows options.
+// Options as JSON: their values for reports, and their description for whatever else shows options; and the formats.
 
 #include "common/options/option_json.hpp"
 
@@ -50,12 +50,12 @@ Json describe_options(const OptionList& list) {
   return all;
 }
 
-std::string print_options(const OptionList& list) {
+std::string print_description(const OptionList& list) {
   const std::vector<std::string> unknown = list.find_unknown_names();
   if (!unknown.empty()) {
     throw std::logic_error(fmt::format("no option is called {}, as rules or texts do", fmt::join(unknown, " or ")));
   }
-  return describe_options(list).dump(1) + "\n";
+  return Json{{"options", describe_options(list)}, {"formats", Json::parse(formats_json())}}.dump(1) + "\n";
 }
 
 }  // namespace gvd::app

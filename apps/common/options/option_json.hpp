@@ -16,7 +16,8 @@ nlohmann::ordered_json report_options(const OptionList& list, const Given& given
 /// `help`, `main`, `repeatable`, `excludes` and `needs`.
 nlohmann::ordered_json describe_options(const OptionList& list);
 
-/// The same as text, for --print-options. Throws std::logic_error where a rule or a text names what is no option.
-std::string print_options(const OptionList& list);
+/// As text with the table of formats, for --print-options: an object with `options` and `formats`. Throws
+/// std::logic_error where a rule or a text names what is no option.
+std::string print_description(const OptionList& list);
 
 }  // namespace gvd::app

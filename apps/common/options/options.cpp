@@ -22,8 +22,7 @@ std::string format_of(const OutputOptions& output, const std::string& file) {
   const std::string asked = output.formats.empty() ? "" : output.formats.front();
   if (file == "-") return asked;
   const std::string extension = file_extension(file);
-  const bool is_known = parse_output_format(extension) || contains({"npy", "csv", "txt"}, extension);
-  return asked == kFreeSurfer && !is_known ? asked : extension;
+  return asked == kFreeSurfer && find_output(extension) == nullptr ? asked : extension;
 }
 
 std::vector<std::string> written_formats(const OutputOptions& output) {
@@ -31,6 +30,14 @@ std::vector<std::string> written_formats(const OutputOptions& output) {
   if (!output.folder.empty()) written = output.formats;
   for (const std::string& file : output.files) written.push_back(format_of(output, file));
   return written;
+}
+
+bool writes(const OutputOptions& output, Content any) {
+  const std::vector<std::string> written = written_formats(output);
+  return std::ranges::any_of(written, [&](const std::string& format) {
+    const Format* const row = find_output(format);
+    return row != nullptr && has_any(row->carries, any);
+  });
 }
 
 std::vector<Target> list_targets(const OutputOptions& output) {

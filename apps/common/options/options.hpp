@@ -10,7 +10,10 @@
 #include "gvd/generator_list.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/option_list.hpp"
+#include "gvd/read_soup.hpp"
+#include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
+#include "gvd/text.hpp"
 
 // The options of the commands as plain values, with their defaults.
 namespace gvd::app {
@@ -52,6 +55,8 @@ struct OutputOptions {
 
 enum class Shell { bash, zsh, fish };
 
+inline const Choices<Shell> kShells{{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}};
+
 /// The options that every command has.
 struct GeneralOptions {
   bool short_help = false, help = false, version = false, description = false;  ///< questions
@@ -83,6 +88,9 @@ std::string format_of(const OutputOptions& output, const std::string& file);
 
 /// The formats that a run writes to files of `-o`, to standard output, or into the folder.
 std::vector<std::string> written_formats(const OutputOptions& output);
+
+/// Whether one of them carries any of `any`.
+bool writes(const OutputOptions& output, Content any);
 
 /// A file that a run writes, or "-" for standard output.
 struct Target {

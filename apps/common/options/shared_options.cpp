@@ -17,12 +17,25 @@ using Use = File::Use;
 
 /// What INPUT may end in, for completion: any other name is read by its content, too.
 std::vector<std::string> mesh_extensions() {
-  std::vector<std::string> extensions;
-  for (const std::string_view name : names_in(kMeshFormatNames)) {
-    if (name != "mni" && name != "fs") extensions.emplace_back(name);
+  std::vector<std::string> extensions{"gz"};
+  for (const Format& format : formats()) {
+    if (format.read == nullptr) continue;
+    for (const auto* const more : {&format.extensions, &format.input_extensions}) {
+      extensions.insert(extensions.end(), more->begin(), more->end());
+    }
   }
-  extensions.insert(extensions.end(), {"gz", "white", "pial", "inflated", "sphere", "orig"});  // FreeSurfer's surfaces
   return extensions;
+}
+
+/// ".obj, .ply, MNI's": formats whose files are called anything have the names of their programs.
+std::string list_mesh_formats() {
+  std::vector<std::string> named;
+  for (const Format& format : formats()) {
+    if (format.read == nullptr) continue;
+    const bool has_own = !format.extensions.empty() && format.input_extensions.empty();
+    named.push_back(has_own ? "." + format.extensions.back() : fmt::format("{}'s", format.title));
+  }
+  return fmt::format("{}", fmt::join(named, ", "));
 }
 
 /// The options that choose what is written.
@@ -60,16 +73,14 @@ std::string why_no_format(const OutputOptions& output) {
 
 void describe_input(OptionList& list, InputOptions& input) {
   list.group("Input");
+  list.option("input", File{&input.paths, Use::read, mesh_extensions()},
+              {.help = fmt::format("The mesh ({}, also .gz)", list_mesh_formats()),
+               .more = ", or - for standard input; several need {option:output_dir}",
+               .shown = Shown::main,
+               .positional = true,
+               .required = true});
   list.option(
-      "input", File{&input.paths, Use::read, mesh_extensions()},
-      {.help = "The mesh (.obj, .ply, .off, .stl, .vtp, .vtu, .vtk, .glb, .gltf, .gii, MNI's, FreeSurfer's, also "
-               ".gz)",
-       .more = ", or - for standard input; several need {option:output_dir}",
-       .shown = Shown::main,
-       .positional = true,
-       .required = true});
-  list.option(
-      "input_format", choice(input.format, kMeshFormatNames),
+      "input_format", choice(input.format, input_format_names()),
       {.help = "Format of the input", .more = "; required with -, otherwise detected from content and extension"});
   list.option("on_defect", choice(input.on_defect, kDefectPolicyNames),
               {.help = "How to treat defects of the mesh",
@@ -114,7 +125,7 @@ ValueRule format_rule(const OutputOptions& output, const std::string& option, co
           }};
 }
 
-void describe_output(OptionList& list, OutputOptions& output, const Formats& formats) {
+void describe_output(OptionList& list, OutputOptions& output, const Formats& formats, const std::string& usual) {
   list.group("Output");
   list.option("output", File{&output.files, Use::write, formats},
               {.help = "File to write, with an extension of {option:output_format}",
@@ -124,11 +135,12 @@ void describe_output(OptionList& list, OutputOptions& output, const Formats& for
   list.option("output_dir", File{&output.folder, Use::folder},
               {.help = "Process each {option:input} in turn, and write files named after it to this folder",
                .shown = Shown::main});
-  output.formats = {formats.front()};
-  list.option("output_format", ChoiceList{&output.formats, formats},
-              {.help = "Format of {option:output=-} or {option:output_dir}",
-               .more = "; {option:output_dir} takes several, separated by commas. With fs, {option:output} takes any "
-                       "name, such as lh.white"});
+  output.formats = {usual};
+  list.option(
+      "output_format", ChoiceList{&output.formats, formats},
+      {.help = "Format of {option:output=-} or {option:output_dir}",
+       .more = std::string("; {option:output_dir} takes several, separated by commas") +
+               (contains(formats, kFreeSurfer) ? ". With fs, {option:output} takes any name, such as lh.white" : "")});
   list.option("ascii_ply", Flag{&output.ascii_ply},
               {.help = "Write .ply as text instead of binary",
                .more = "; meshio reads the labels of faces from text, and from .vtu"});
@@ -153,11 +165,12 @@ void describe_diagram_output(OptionList& list, OutputOptions& output) {
 
 void describe_no_curves(OptionList& list, OutputOptions& output) {
   list.group("Output");
-  list.option("no_curves", Flag{&output.no_curves}, {.help = "Leave the bisectors out of .obj, .vtp, .vtu and .glb"});
-  list.rule(
-      format_rule(output, "no_curves", {"obj", "vtp", "vtu", "glb"},
-                  "{option:no_curves}: only .obj, .vtp, .vtu and .glb hold curves; write one of them with {output} "
-                  "or leave {option:no_curves} out"));
+  list.option("no_curves", Flag{&output.no_curves},
+              {.help = "Leave the bisectors out of " + list_extensions(output_extensions(Content::curves), "and")});
+  list.rule(format_rule(output, "no_curves", output_extensions(Content::curves),
+                        fmt::format("{{option:no_curves}}: {} curves; write one of them with {{output}} or leave "
+                                    "{{option:no_curves}} out",
+                                    only_formats(Content::curves))));
 }
 
 void describe_target(OptionList& list, OutputOptions& output, const std::string& name, std::string& file,

@@ -20,9 +20,10 @@ void describe_verify(OptionList& list, ComputeOptions& compute);
 /// Threads and memory.
 void describe_resources(OptionList& list, ComputeOptions& compute);
 
-/// The files of every command. `formats`: the extensions that `-o` takes, without their dots; the first one is that of
+/// The files of every command. `formats`: the extensions that `-o` takes, without their dots; `usual`: the one of
 /// standard output.
-void describe_output(OptionList& list, OutputOptions& output, const std::vector<std::string>& formats);
+void describe_output(OptionList& list, OutputOptions& output, const std::vector<std::string>& formats,
+                     const std::string& usual);
 
 /// The files of a diagram.
 void describe_diagram_output(OptionList& list, OutputOptions& output);

@@ -9,7 +9,7 @@
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/names.hpp"
-#include "gvd/read_soup.hpp"
+#include "gvd/polygon_soup.hpp"
 
 namespace gvd {
 

@@ -8,12 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "gvd/io/mesh_writer.hpp"
+#include "gvd/io/format.hpp"
 #include "gvd/mesh_objects.hpp"
 #include "gvd/operation.hpp"
 #include "gvd/operation_json.hpp"
 #include "gvd/option_text.hpp"
-#include "gvd/read_soup.hpp"
 #include "gvd/version.hpp"
 
 namespace gvd {
@@ -102,7 +101,27 @@ Json describe_options(const OptionList& list) {
   return all;
 }
 
+Json describe_formats() {
+  Json all = Json::array();
+  for (const Format& format : formats()) {
+    Json& one =
+        all.emplace_back(Json{{"name", format.name}, {"title", format.title.empty() ? Json() : Json(format.title)}});
+    one["extensions"] = format.extensions;
+    one["input_extensions"] = format.input_extensions;
+    one["is_read"] = format.read != nullptr;
+    one["is_written"] = format.is_output();
+    one["is_binary"] = format.is_binary;
+    Json& carries = one["carries"] = Json::array();
+    for (const auto& [name, content] : kContentNames) {
+      if (has_any(format.carries, content)) carries.push_back(name);
+    }
+  }
+  return all;
+}
+
 }  // namespace
+
+std::string formats_json() { return describe_formats().dump(); }
 
 std::string describe_operations() {
   Json described{{"version", version()}, {"operations", Json::array()}, {"objects", Json::object()}};
@@ -117,7 +136,7 @@ std::string describe_operations() {
   }
   described["objects"]["mesh"] = describe_object(MeshObject());
   described["objects"]["diagram"] = describe_object(DiagramObject());
-  described["formats"] = {{"read", names_in(kMeshFormatNames)}, {"written", names_in(kOutputFormatNames)}};
+  described["formats"] = describe_formats();
   return described.dump();
 }
 

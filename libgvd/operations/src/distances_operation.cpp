@@ -24,6 +24,7 @@
 #include "base/parallel_chunks.hpp"
 #include "gvd/barriers.hpp"
 #include "gvd/error.hpp"
+#include "gvd/io/format.hpp"
 #include "gvd/text.hpp"
 #include "gvd/unreached_points.hpp"
 
@@ -306,7 +307,8 @@ void describe(OptionList& list, DistancesCall& call) {
   list.group("Points");
   list.option("from", PointList{&call.sources.points},
               {.help = "The points to measure from: vertices of the input file, counted from 0, as in 3,17,99",
-               .more = ", or a file that lists points (text, .csv or .json), or - for standard input",
+               .more = fmt::format(", or a file that lists points ({}), or - for standard input",
+                                   list_extensions(generator_extensions(), "or")),
                .shown = Shown::main});
   list.option(
       "to", PointList{&call.targets.points},

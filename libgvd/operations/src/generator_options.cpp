@@ -13,6 +13,7 @@
 #include "gvd/constrained_start.hpp"
 #include "gvd/curve_list.hpp"
 #include "gvd/error.hpp"
+#include "gvd/io/format.hpp"
 #include "gvd/option_text.hpp"
 #include "gvd/text.hpp"
 
@@ -88,10 +89,11 @@ void describe(OptionList& list, GeneratorOptions& generators, const std::vector<
   list.option("radius", Number{&generators.radius, above(0)},
               {.help = "Sample generators until no point of the surface is farther than this from the nearest one",
                .unit = "mesh units"});
-  list.option("generators", PointList{&generators.points, PointList::Named::file},
-              {.help = "File that lists the generators (text, .csv, .json, .ply or .xyz)",
-               .more = ", or - for standard input",
-               .shown = Shown::main});
+  list.option(
+      "generators", PointList{&generators.points, PointList::Named::file},
+      {.help = fmt::format("File that lists the generators ({})", list_extensions(generator_extensions(), "or")),
+       .more = ", or - for standard input",
+       .shown = Shown::main});
   list.option("vertices", PointList{&generators.vertices, PointList::Named::vertices},
               {.help = "Use these vertices of the input file, counted from 0, as in 3,17,99"});
   list.option("max_snap", Number{&generators.max_snap, {.least = 0}},

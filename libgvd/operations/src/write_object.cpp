@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gvd/error.hpp"
+#include "gvd/io/format.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/object.hpp"
 
@@ -16,13 +17,12 @@ void write_object(const std::filesystem::path& path, const Object& object, const
   const OwnWriters own = object.own_writers();
   if (const auto writer = own.find(extension); writer != own.end()) return write_file(path, writer->second, progress);
   const std::optional<LabelledMesh> mesh = object.labelled();
-  if (mesh && parse_output_format(extension)) return write_mesh(path, *mesh, progress);
+  const Format* const format = find_output(extension);
+  if (mesh && format != nullptr && format->write != nullptr) return write_mesh(path, *mesh, progress);
   std::vector<std::string> known;
   for (const auto& [name, writer] : own) known.push_back(name);
-  if (mesh) {
-    for (const std::string_view name : names_in(kOutputFormatNames)) {
-      if (!own.contains(name)) known.emplace_back(name);
-    }
+  for (const Format& row : formats()) {
+    if (mesh && row.write != nullptr && !own.contains(row.extensions.front())) known.push_back(row.extensions.front());
   }
   throw Error(ErrorCode::invalid_option,
               known.empty()

@@ -22,7 +22,7 @@ int run(
                                             describe(list, options.generators);
                                             describe(list, options.diagram);
                                             describe_resources(list, options.compute);
-                                            describe_output(list, options.output, kFormats);
+                                            describe_output(list, options.output, kFormats, "ply");
                                           },
                                           [](Run& run, SharedOptions&) { current(run); }};
   arguments.insert(arguments.begin(), "gvd-test");

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "gvd/read_soup.hpp"
 #include "mesh/reading/soup_files.hpp"
 #include "support/meshes.hpp"
 

@@ -35,6 +35,10 @@ std::string options_json(const OptionList& list, const Given& given);
 /// The figures of an object, nested at the dots of their names.
 std::string figures_json(const Object& object);
 
+/// The table of formats: an array of objects with `name`, `title`, `extensions`, `input_extensions`, `is_read`,
+/// `is_written`, `is_binary` and `carries`.
+std::string formats_json();
+
 /// Operations with their options and results, formats, and error codes.
 std::string describe_operations();
 

@@ -9,7 +9,7 @@
 
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
-#include "gvd/io/mesh_writer.hpp"
+#include "gvd/io/labelled_mesh.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/segment.hpp"

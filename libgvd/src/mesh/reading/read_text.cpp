@@ -176,4 +176,21 @@ void TextReader::refuse_end(const std::string& message, std::int64_t element) co
               fmt::format("{}: the file ends after line {}, {}", name_, line_number_, message), element);
 }
 
+std::string first_word(std::string_view bytes) {
+  TextReader text(bytes.substr(0, 1 << 20), "", true);
+  return text.next_content_line() ? std::string(text.token()) : std::string();
+}
+
+bool is_xml_of(std::string_view bytes, std::string_view element) {
+  constexpr std::size_t kSearched = 4096;
+  bytes = bytes.substr(0, kSearched);
+  const std::size_t first = bytes.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  return first != bytes.npos && bytes[first] == '<' && bytes.find(element) != bytes.npos;
+}
+
+bool is_json(std::string_view bytes) {
+  const std::size_t first = bytes.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  return first != bytes.npos && bytes[first] == '{';
+}
+
 }  // namespace gvd

@@ -14,7 +14,7 @@ SharedLine::SharedLine() {
   describe(list, options.diagram);
   app::describe_resources(list, options.compute);
   app::describe_verify(list, options.compute);
-  app::describe_output(list, options.output, kFormats);
+  app::describe_output(list, options.output, kFormats, "ply");
   app::describe_no_curves(list, options.output);
   app::describe_diagram_output(list, options.output);
   app::describe(list, options.general);

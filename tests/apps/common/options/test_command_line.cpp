@@ -151,7 +151,7 @@ TEST_CASE("a question is answered whatever else is wrong") {
   CHECK_THAT(*Line().parse({"--help"}), StartsWith("A test.\n\nUsage: gvd-test [OPTIONS] INPUT...\n") &&
                                             EndsWith("The footer.\n") && Contains("\nOutput:\n"));
   CHECK_THAT(*Line().parse({"-h", "--help"}), EndsWith("All options, and examples: gvd-test --help\n"));
-  CHECK_THAT(*Line().parse({"--print-options"}), StartsWith("[\n {\n  \"name\": \"input\""));
+  CHECK_THAT(*Line().parse({"--print-options"}), StartsWith("{\n \"options\": [\n  {\n   \"name\": \"input\""));
 }
 
 TEST_CASE("a file of options goes behind the command line") {
