@@ -129,10 +129,9 @@ def good_value(option):
     if kind == "whole number":
         return 50 if option.get("least", 1) > 1 else 3
     if kind == "values":
-        per = {"shares": 3, "weights": 3}.get(name, 8)
+        per = 3 if option["of"] == "generators" else 8
         return [1] + [0] * 7 if name == "mask" else [1] * per
-    return {"flag": True, "switch": "on", "vertices": [0, 1, 2], "points": [0, 1], "input file": [0, 1, 2],
-            "curves": "creases", "counts": [2, 3], "bound": "50%", "crease angle": 30, "bytes": "1G"}[kind]
+    return {"flag": True, "switch": "on", "vertices": [0, 1, 2], "points": [0, 1], "curves": "creases", "counts": [2, 3], "bound": "50%", "crease angle": 30, "bytes": "1G"}[kind]
 
 
 def check_described_options():
@@ -253,6 +252,9 @@ def check_values():
         found.append((numbers(made, "generators_faces"), numbers(made, "generators_bary"), figures(made)["final_energy"]))
         release(made)
     assert all(one == found[0] for one in found), found
+    made = result("lloyd", ball, {"vertices": [0, 2], "density": [1] * 8, "iterations": 0})
+    assert figures(made)["options"]["vertices"] == [0, 2] and figures(made)["options"]["density"] == {"numbers": 8}
+    release(made)
     # Strides of any length: every other number, from behind.
     wide = array([2, 7, 0], ctypes.c_int32)
     back = Array(wide.data + 8, wide.type, 1, (2, 1), (-8, 0))
