@@ -87,8 +87,8 @@ Json describe_options(const OptionList& list) {
   for (const Option* const option : list.options()) {
     Json& one = all.emplace_back(Json{{"name", option->name}});
     one.update(Json::parse(kind_json(option->field)));
-    if (const auto* const list = std::get_if<PointList>(&option->field); list != nullptr) {  // programs give no files
-      one["kind"] = list->named == PointList::Named::vertices ? "vertices" : "points";
+    if (const auto* const points = std::get_if<PointList>(&option->field); points != nullptr) {  // programs give no files
+      one["kind"] = points->named == PointList::Named::vertices ? "vertices" : "points";
     }
     if (const auto* const values = std::get_if<ValueSource>(&option->field); values != nullptr) {
       one["of"] = values->of == ValueSource::Of::generators ? "generators" : "vertices or faces";
