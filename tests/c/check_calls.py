@@ -134,11 +134,17 @@ def good_value(option):
     return {"flag": True, "switch": "on", "vertices": [0, 1, 2], "points": [0, 1], "curves": "creases", "counts": [2, 3], "bound": "50%", "crease angle": 30, "bytes": "1G"}[kind]
 
 
+def subject(operation, ball):
+    """What an operation works on."""
+    return result("diagram", ball, {"count": 4}) if operation["on"] == "diagram" else ball
+
+
 def check_described_options():
     """Each option alone beside what it needs: taken, or refused for another reason than its value; and a wrong value."""
     ball = make_ball()
     for operation in DESCRIBED["operations"]:
         options = {option["name"]: option for option in operation["options"]}
+        on = subject(operation, ball)
         for name, option in options.items():
             given = {need: good_value(options[need]) for need in option["needs"]}
             given[name] = good_value(option)
@@ -147,14 +153,14 @@ def check_described_options():
                 fitting = [s for s in sources if s in options and s not in option["excludes"]]
                 if fitting:
                     given[fitting[0]] = good_value(options[fitting[0]])
-            status, made = call(operation["name"], ball, given)
+            status, made = call(operation["name"], on, given)
             if status == OK:
                 assert name in figures(made)["options"], name
                 release(made)
             else:
                 assert not made.startswith(f'"{name}": ') and "no option" not in made, (operation["name"], given, made)
             for wrong in ({"a": 1}, [[]]):
-                message = refused(operation["name"], ball, {name: wrong})
+                message = refused(operation["name"], on, {name: wrong})
                 assert message.startswith(f'"{name}": '), (name, wrong, message)
     release(ball)
 
@@ -163,8 +169,8 @@ def check_described_results():
     """What the description says of results is what they have."""
     ball = make_ball()
     for operation in DESCRIBED["operations"]:
-        options = {"distances": {"from": [0]}, "segment": {"count": 4, "cut": True}}.get(operation["name"], {"count": 4})
-        made = result(operation["name"], ball, options)
+        options = {"distances": {"from": [0]}, "segment": {"count": 4, "cut": True}, "label": {"cut": True}}.get(operation["name"], {"count": 4})
+        made = result(operation["name"], subject(operation, ball), options)
         described = operation["result"]
         for one in described["arrays"]:
             view = Array()
@@ -355,7 +361,12 @@ def check_files(folder):
     assert b"the extension must be one of .ply" in gvd.gvd_last_error(), gvd.gvd_last_error()
     assert gvd.gvd_write(None, b"a.ply", None) == INVALID and gvd.gvd_last_error() == b"object is NULL"
     assert gvd.gvd_mesh_vertex_count(sampled) == 0 and gvd.gvd_diagram_bisector_count(None) == 0
-    release(sampled, ball)
+    # The labels of a diagram are those of a segmentation at once.
+    diagram = result("diagram", ball, {"count": 3})
+    labels, whole = result("label", diagram, {}), result("segment", ball, {"count": 3})
+    assert numbers(labels, "face_labels") == numbers(whole, "face_labels")
+    assert refused("label", ball, {}) == "this takes a diagram, and the object is a mesh"
+    release(sampled, labels, whole, diagram, ball)
 
 
 def check_same_as_commands(folder):

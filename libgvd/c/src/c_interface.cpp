@@ -377,11 +377,9 @@ gvd_status gvd_segment_write(const gvd_diagram* diagram, const char* path, const
   return guarded([&] {
     const DiagramObject& of = given(diagram, "diagram").diagram_object();
     const std::string name = &given(path, "path");
-    SegmentOutcome outcome;
-    outcome.input = of.mesh();
-    outcome.diagram = outcome.on_input = of.shared();
-    outcome.whole = segment_faces(of.mesh()->mesh, of.diagram(), {.progress = progress_of(run)});
-    write_object(name, outcome, progress_of(run));
+    LabelCall call;
+    RunObserver observer(run);
+    write_object(name, *gvd::run(of, call, observer), progress_of(observer));
   });
 }
 

@@ -87,7 +87,8 @@ Json describe_options(const OptionList& list) {
   for (const Option* const option : list.options()) {
     Json& one = all.emplace_back(Json{{"name", option->name}});
     one.update(Json::parse(kind_json(option->field)));
-    if (const auto* const points = std::get_if<PointList>(&option->field); points != nullptr) {  // programs give no files
+    if (const auto* const points = std::get_if<PointList>(&option->field);
+        points != nullptr) {  // programs give no files
       one["kind"] = points->named == PointList::Named::vertices ? "vertices" : "points";
     }
     if (const auto* const values = std::get_if<ValueSource>(&option->field); values != nullptr) {
@@ -137,6 +138,7 @@ std::string describe_operations() {
     call->describe(list);
     described["operations"].push_back({{"name", operation.name},
                                        {"summary", operation.summary},
+                                       {"on", operation.on},
                                        {"options", describe_options(list)},
                                        {"result", describe_object(*operation.no_result())}});
   }

@@ -87,8 +87,8 @@ typedef struct gvd_array {
 /* The number of this interface. It changes where a program has to be compiled again. */
 #define GVD_ABI 1
 
-/* Runs an operation on a mesh. `abi`: GVD_ABI. `options`: a JSON object, as {"count": 30, "density": {"array": 0}},
- * where
+/* Runs an operation on a mesh, or on a diagram (gvd_describe() says which). `abi`: GVD_ABI. `options`: a JSON object,
+ * as {"count": 30, "density": {"array": 0}}, where
  * {"array": 0} is the first one of `arrays`; NULL: none. Numbers may be strings: JSON has no infinity. `arrays`:
  * `count` of them, which the call reads and does not keep; NULL where there is none. gvd_describe() has the operations
  * and their options. */
