@@ -342,7 +342,8 @@ def check_files(folder):
             ("segment", {"levels": [3, 9]}, "--levels 3,9", "ply json"),
             ("lloyd", {"count": 9, "balance": "area"}, "-n 9 --balance area", "txt csv json ply"),
             ("remesh", {"count": 90}, "-n 90", "ply json"),
-            ("distances", {"from": [3], "isolines": 0.3}, "--from 3 --isolines 0.3", "npy json vtp ply")):
+            ("distances", {"from": [3]}, "--from 3", "npy csv ply"),
+            ("distances", {"from": [3], "isolines": 0.3}, "--from 3 --isolines 0.3", "json vtp")):
         mesh = read("figure.obj")
         made = result(operation, mesh, options)
         command = "gvd-distance" if operation == "distances" else f"gvd-{operation}"
