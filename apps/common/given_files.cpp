@@ -21,7 +21,7 @@
 namespace gvd::app {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::unreadable_input, message); }
+[[noreturn]] void refuse_unreadable(const std::string& message) { throw Error(ErrorCode::unreadable_input, message); }
 
 bool is_there(const std::string& file) {
   std::error_code ignored;
@@ -43,7 +43,7 @@ void read(const std::string& option, const PointList& points, const std::optiona
   GivenPoints& given = *points.value;
   if (given.file.empty()) return;
   if (points.named == PointList::Named::any && !is_there(given.file)) {
-    refuse(
+    refuse_unreadable(
         fmt::format("{0} {1}: there is no such file; name one that lists points, or write vertices, as in {0} "
                     "3,17,99",
                     option, printable(given.file)));
@@ -55,7 +55,8 @@ void read(const std::string& option, const Curves& curves) {
   const std::string& name = curves.value->name;
   if (name.empty() || name == "boundary" || parse_creases(name, curves.usual)) return;
   if (!is_there(name)) {
-    refuse(fmt::format("{} {}: there is no such file; write boundary, creases or the name of a file", option, name));
+    refuse_unreadable(
+        fmt::format("{} {}: there is no such file; write boundary, creases or the name of a file", option, name));
   }
   const WaitForInput wait(name);
   curves.value->list = std::make_shared<CurveList>(name == "-" ? parse_curves(read_standard_input(), kStandardInput)

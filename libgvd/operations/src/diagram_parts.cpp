@@ -18,7 +18,7 @@ namespace gvd {
 namespace {
 
 /// A note names this many cells.
-constexpr std::size_t kNamed = 8;
+constexpr std::size_t kNamedCells = 8;
 
 double largest_error(const BalancedDiagram& balanced) {
   double largest = 0;
@@ -35,7 +35,7 @@ void note_misses(Observer& observer, const BalancedDiagram& balanced) {
     for (const GeneratorId g : set) cells.push_back(g.value());
   }
   if (!cells.empty()) {
-    const auto named = cells.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, cells.size()));
+    const auto named = cells.begin() + static_cast<std::ptrdiff_t>(std::min(kNamedCells, cells.size()));
     observer.note(
         fmt::format("{}: no weights divide what is beyond a vertex where the paths of both cells bend, or a "
                     "weight is at its bound: {}{}; other generators may help",

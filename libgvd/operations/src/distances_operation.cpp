@@ -34,7 +34,7 @@ namespace {
 /// More levels would fill the memory before anybody could tell them apart.
 constexpr double kMostLevels = 10'000;
 
-[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+[[noreturn]] void refuse_call(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
 
 ExactFieldOptions field_options(const DistancesCall& call, Observer& observer) {
   ExactFieldOptions options;
@@ -110,7 +110,7 @@ constexpr std::size_t kSourcesAtOnce = 64;
 void check_table(double most, std::size_t sources, std::size_t points) {
   const double needed = double(sources) * double(points) * sizeof(double);
   if (needed <= most) return;
-  refuse(fmt::format(
+  refuse_call(fmt::format(
       "{{option:each}}: {} sources and {} points make a table of {:.3g} GB, and at most {:.3g} GB fit; give fewer "
       "sources, or {{option:to}}; Python's distance_rows computes row by row",
       sources, points, needed / 1e9, most / 1e9));
@@ -203,8 +203,8 @@ std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, con
   const double step = *call.isolines;
   const double last = std::min(largest + longest_edge(mesh), call.max_distance.value_or(kInfinity));
   if (!(last / step < kMostLevels)) {
-    refuse(fmt::format("{{option:isolines={}}}: makes more than {} levels up to {:.6g}; give a larger step", step,
-                       kMostLevels, last));
+    refuse_call(fmt::format("{{option:isolines={}}}: makes more than {} levels up to {:.6g}; give a larger step", step,
+                            kMostLevels, last));
   }
   std::vector<double> levels;
   for (int i = 1; i * step <= last; ++i) levels.push_back(i * step);
@@ -260,8 +260,8 @@ void measure_nearest(const DistancesCall& call, Observer& observer, DistancesOut
   if (call.paths) as_step(observer, "paths", [&] { add_paths(made, *made.field, GeneratorId()); });
   if (call.logarithm) {
     if (made.table.sources.size() != 1) {
-      refuse(fmt::format("{{option:logarithm}} is that at one source, and {} are given; give one",
-                         made.table.sources.size()));
+      refuse_call(fmt::format("{{option:logarithm}} is that at one source, and {} are given; give one",
+                              made.table.sources.size()));
     }
     made.logarithms = as_step(observer, "logarithms", [&] { return find_logarithms(observer, made); });
   }

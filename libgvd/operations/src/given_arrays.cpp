@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-[[noreturn]] void refuse(const std::string& text) { throw Error(ErrorCode::invalid_option, text); }
+[[noreturn]] void refuse_array(const std::string& text) { throw Error(ErrorCode::invalid_option, text); }
 
 template <class T>
 double load(const std::byte* place) {
@@ -40,14 +40,15 @@ static_assert(std::size_t(ArrayType::float64) + 1 == kLoad.size());
 /// An array that may be read: its type and shape are right.
 const ArrayView& checked(const ArrayView& view, std::size_t place) {
   const auto type = static_cast<std::int32_t>(view.type);
-  if (type < 0 || std::size_t(type) >= kLoad.size()) refuse(fmt::format("array {} has no known type: {}", place, type));
+  if (type < 0 || std::size_t(type) >= kLoad.size())
+    refuse_array(fmt::format("array {} has no known type: {}", place, type));
   if (view.dimensions < 1 || view.dimensions > 2) {
-    refuse(fmt::format("array {} has {} dimensions; give 1 or 2", place, view.dimensions));
+    refuse_array(fmt::format("array {} has {} dimensions; give 1 or 2", place, view.dimensions));
   }
   if (view.shape[0] < 0 || (view.dimensions == 2 && view.shape[1] < 0)) {
-    refuse(fmt::format("array {} has a negative length", place));
+    refuse_array(fmt::format("array {} has a negative length", place));
   }
-  if (view.data == nullptr && view.shape[0] > 0) refuse(fmt::format("array {} is NULL", place));
+  if (view.data == nullptr && view.shape[0] > 0) refuse_array(fmt::format("array {} is NULL", place));
   return view;
 }
 
@@ -61,7 +62,7 @@ const ArrayView& find_array(const Json& value, const Arrays& arrays) {
   const Json& place = value.at("array");
   const std::int64_t count = std::ssize(arrays.views);
   if (!place.is_number_integer() || place.get<std::int64_t>() < 0 || place.get<std::int64_t>() >= count) {
-    refuse(fmt::format("there is no array {}; {} given", place.dump(), counted(count, "array is", "arrays are")));
+    refuse_array(fmt::format("there is no array {}; {} given", place.dump(), counted(count, "array is", "arrays are")));
   }
   return checked(arrays.views[place.get<std::size_t>()], place.get<std::size_t>());
 }
@@ -70,7 +71,7 @@ std::int64_t columns_of(const ArrayView& view) { return view.dimensions == 2 ? v
 
 std::int64_t to_index(double value, std::int64_t row) {
   if (value >= 0 && value == std::floor(value) && value <= 0x1p53) return static_cast<std::int64_t>(value);
-  refuse(fmt::format("element {} is {}; give whole numbers from 0 on", row, value));
+  refuse_array(fmt::format("element {} is {}; give whole numbers from 0 on", row, value));
 }
 
 GeneratorEntry make_entry(const ArrayView& view, std::int64_t row) {
@@ -88,13 +89,13 @@ GeneratorEntry make_entry(const ArrayView& view, std::int64_t row) {
 GeneratorList to_list(const ArrayView& view, const std::string& name) {
   const std::int64_t columns = columns_of(view);
   if (columns != 1 && columns != 3 && columns != 4) {
-    refuse(fmt::format(
+    refuse_array(fmt::format(
         "points have {} columns; give vertices, positions in 3 columns, or faces and barycentric coordinates in 4",
         columns));
   }
   GeneratorList list{name, {}};
   for (std::int64_t row = 0; row < view.shape[0]; ++row) list.entries.push_back(make_entry(view, row));
-  if (list.entries.empty()) refuse("there is no point");
+  if (list.entries.empty()) refuse_array("there is no point");
   return list;
 }
 
@@ -102,7 +103,7 @@ GeneratorList to_list(const ArrayView& view, const std::string& name) {
 double to_number(const Json& value) {
   if (value.is_number()) return value.get<double>();
   const auto parsed = value.is_string() ? parse_number<double>(value.get_ref<const std::string&>()) : std::nullopt;
-  if (!parsed) refuse(fmt::format("{} is no number", gvd::quoted(value.dump())));
+  if (!parsed) refuse_array(fmt::format("{} is no number", gvd::quoted(value.dump())));
   return *parsed;
 }
 
@@ -110,12 +111,13 @@ std::vector<double> to_numbers(const Json& value, const Arrays& arrays) {
   std::vector<double> numbers;
   if (is_array_reference(value)) {
     const ArrayView& view = find_array(value, arrays);
-    if (columns_of(view) != 1) refuse(fmt::format("the array has {} columns; give one number each", columns_of(view)));
+    if (columns_of(view) != 1)
+      refuse_array(fmt::format("the array has {} columns; give one number each", columns_of(view)));
     for (std::int64_t row = 0; row < view.shape[0]; ++row) numbers.push_back(number_at(view, row, 0));
     return numbers;
   }
   if (!value.is_array())
-    refuse(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
+    refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
   for (const Json& one : value) numbers.push_back(to_number(one));
   return numbers;
 }
@@ -133,7 +135,7 @@ std::vector<std::int64_t> read_indices(const Json& value, const Arrays& arrays) 
 GeneratorList read_points(const Json& value, const Arrays& arrays, const std::string& name) {
   if (is_array_reference(value)) return to_list(find_array(value, arrays), name);
   if (!value.is_array() || value.empty()) {
-    refuse(fmt::format("{} is no list of points; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
+    refuse_array(fmt::format("{} is no list of points; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
   }
   if (std::all_of(value.begin(), value.end(), [](const Json& one) { return one.is_number(); })) {
     GeneratorList list{name, {}};
@@ -147,12 +149,12 @@ GeneratorList read_points(const Json& value, const Arrays& arrays, const std::st
 
 CurveList read_curves(const Json& value, const Arrays& arrays, const std::string& name) {
   if (!value.is_object() || !value.contains("points")) {
-    refuse(fmt::format("{} is neither boundary, creases, creases:ANGLE nor {{\"points\": ..., \"offsets\": ...}}",
-                       gvd::quoted(value.dump())));
+    refuse_array(fmt::format("{} is neither boundary, creases, creases:ANGLE nor {{\"points\": ..., \"offsets\": ...}}",
+                             gvd::quoted(value.dump())));
   }
   for (const auto& [key, part] : value.items()) {
     if (key != "points" && key != "offsets" && key != "closed")
-      refuse(fmt::format("curves have no {}", gvd::quoted(key)));
+      refuse_array(fmt::format("curves have no {}", gvd::quoted(key)));
   }
   CurveList list;
   list.points = read_points(value.at("points"), arrays, name);
@@ -161,14 +163,14 @@ CurveList read_curves(const Json& value, const Arrays& arrays, const std::string
   if (value.contains("offsets")) offsets = read_indices(value.at("offsets"), arrays);
   const Json closing = value.value("closed", Json(false));
   if (!closing.is_boolean())
-    refuse(fmt::format("\"closed\": {} is neither true nor false", gvd::quoted(closing.dump())));
+    refuse_array(fmt::format("\"closed\": {} is neither true nor false", gvd::quoted(closing.dump())));
   const bool closed = closing.get<bool>();
   if (offsets.size() < 2 || offsets.front() != 0 || offsets.back() != count) {
-    refuse(fmt::format("the offsets of curves begin with 0 and end with the number of points, {}", count));
+    refuse_array(fmt::format("the offsets of curves begin with 0 and end with the number of points, {}", count));
   }
   for (std::size_t c = 0; c + 1 < offsets.size(); ++c) {
     const std::int64_t first = offsets[c], end = offsets[c + 1];
-    if (end <= first) refuse(fmt::format("curve {} has no point", c));
+    if (end <= first) refuse_array(fmt::format("curve {} has no point", c));
     list.curve.resize(std::size_t(end), std::int32_t(c));
     for (std::int64_t i = first + 1; i < end; ++i) list.segments.push_back({std::int32_t(i - 1), std::int32_t(i)});
     if (closed && end - first > 2) list.segments.push_back({std::int32_t(end - 1), std::int32_t(first)});
@@ -187,8 +189,8 @@ ElementValues read_numbers(const Json& value, const Arrays& arrays, ValueSource:
     return given;
   }
   if (count != std::ssize(arrays.input.mesh_vertex)) {
-    refuse(fmt::format("{}; give one for each vertex ({}) or face ({})", counted(count, "number", "numbers"),
-                       mesh.vertex_count(), mesh.face_count()));
+    refuse_array(fmt::format("{}; give one for each vertex ({}) or face ({})", counted(count, "number", "numbers"),
+                             mesh.vertex_count(), mesh.face_count()));
   }
   given.of_mesh = false;  // a number for each vertex of the file
   return given;

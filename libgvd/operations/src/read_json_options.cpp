@@ -23,14 +23,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-[[noreturn]] void refuse(const std::string& text) { throw Error(ErrorCode::invalid_option, text); }
+[[noreturn]] void refuse_json(const std::string& text) { throw Error(ErrorCode::invalid_option, text); }
 
 /// A name that stands twice in an object would lose its first value in silence.
 class RepeatedNames {
  public:
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
     if (event == Json::parse_event_t::key && depth == 1 && !names_.insert(parsed.get<std::string>()).second) {
-      refuse(fmt::format("\"{}\" is given twice; keep one", printable(parsed.get_ref<const std::string&>())));
+      refuse_json(fmt::format("\"{}\" is given twice; keep one", printable(parsed.get_ref<const std::string&>())));
     }
     return true;
   }
@@ -49,10 +49,10 @@ std::string describe_place(std::string_view text, std::size_t byte) {
 Json parse(std::string_view text) {
   try {
     const Json parsed = Json::parse(text, RepeatedNames());
-    if (!parsed.is_object()) refuse("options: the JSON is no object; write one, such as {\"count\": 30}");
+    if (!parsed.is_object()) refuse_json("options: the JSON is no object; write one, such as {\"count\": 30}");
     return parsed;
   } catch (const Json::parse_error& error) {
-    refuse(fmt::format("options: not valid JSON at {}", describe_place(text, error.byte)));
+    refuse_json(fmt::format("options: not valid JSON at {}", describe_place(text, error.byte)));
   }
 }
 
@@ -121,8 +121,8 @@ std::string read_value(const Option& option, const Json& value, const Arrays& ar
   std::vector<std::string> names;
   for (const Option* const option : list.options()) names.push_back(option->name);
   const auto meant = suggest_name(wrong, names);
-  refuse(fmt::format("there is no option \"{}\"{}", printable(wrong),
-                     meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+  refuse_json(fmt::format("there is no option \"{}\"{}", printable(wrong),
+                          meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
 }
 
 }  // namespace
@@ -141,11 +141,11 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
     } catch (const Error& error) {
       wrong = error.text();
     }
-    if (!wrong.empty()) refuse(fmt::format("{{option:{}}}: {}", name, wrong));
+    if (!wrong.empty()) refuse_json(fmt::format("{{option:{}}}: {}", name, wrong));
     given.add(name, {fmt::format("\"{}\"", name), "", 0});
   }
-  if (const auto problem = list.find_problem(given)) refuse(problem->text);
-  if (const auto missing = list.find_missing(given)) refuse(missing->text);
+  if (const auto problem = list.find_problem(given)) refuse_json(problem->text);
+  if (const auto missing = list.find_missing(given)) refuse_json(missing->text);
   return given;
 }
 

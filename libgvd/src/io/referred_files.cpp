@@ -19,12 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// So many bytes tell what a file is, unless all are blank.
-constexpr std::size_t kHeadBytes = 4096;
+constexpr std::size_t kOpeningBytes = 4096;
 
-constexpr std::string_view kBlanks = " \t\v\f", kLineEnds = "\r\n";
+constexpr std::string_view kLineBlanks = " \t\v\f", kLineEnds = "\r\n";
 
 std::string read_head(const fs::path& mesh) {
-  std::string head(kHeadBytes, '\0');
+  std::string head(kOpeningBytes, '\0');
   std::ifstream file(mesh, std::ios::binary);
   file.read(head.data(), std::streamsize(head.size()));
   head.resize(std::size_t(file.gcount()));
@@ -48,13 +48,13 @@ std::vector<std::string> find_material_statements(std::string_view obj) {
   std::vector<std::string> statements;
   if (obj.starts_with("\xEF\xBB\xBF")) obj.remove_prefix(3);
   for (std::size_t at = obj.find(kKeyword); at != obj.npos; at = obj.find(kKeyword, at + 1)) {
-    const std::size_t before = at == 0 ? obj.npos : obj.find_last_not_of(kBlanks, at - 1);
+    const std::size_t before = at == 0 ? obj.npos : obj.find_last_not_of(kLineBlanks, at - 1);
     const std::size_t begin = at + kKeyword.size();
     const bool is_first = before == obj.npos || kLineEnds.find(obj[before]) != kLineEnds.npos;
-    if (!is_first || begin >= obj.size() || kBlanks.find(obj[begin]) == kBlanks.npos) continue;
+    if (!is_first || begin >= obj.size() || kLineBlanks.find(obj[begin]) == kLineBlanks.npos) continue;
     std::string_view rest = obj.substr(begin, obj.find_first_of(kLineEnds, begin) - begin);
-    rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
-    statements.emplace_back(rest.substr(0, rest.find_last_not_of(kBlanks) + 1));
+    rest.remove_prefix(std::min(rest.find_first_not_of(kLineBlanks), rest.size()));
+    statements.emplace_back(rest.substr(0, rest.find_last_not_of(kLineBlanks) + 1));
   }
   return statements;
 }
@@ -68,10 +68,10 @@ std::vector<fs::path> list_material_files(const fs::path& mesh, const std::vecto
     files.emplace_back(statement);
     std::error_code ignored;
     if (fs::exists(mesh.parent_path() / statement, ignored)) continue;
-    for (std::size_t at = statement.find_first_not_of(kBlanks); at < statement.size();) {
-      const std::size_t end = std::min(statement.find_first_of(kBlanks, at), statement.size());
+    for (std::size_t at = statement.find_first_not_of(kLineBlanks); at < statement.size();) {
+      const std::size_t end = std::min(statement.find_first_of(kLineBlanks, at), statement.size());
       if (end - at < statement.size()) files.emplace_back(statement.substr(at, end - at));
-      at = statement.find_first_not_of(kBlanks, end);
+      at = statement.find_first_not_of(kLineBlanks, end);
     }
   }
   return files;
