@@ -28,8 +28,8 @@ bool is_there(const std::string& file) {
   return file == "-" || std::filesystem::exists(file, ignored);
 }
 
-GeneratorList read_list(const Run& run, const std::string& file) {
-  const std::optional<GeneratorFormat> format = run.options().input.list_format;
+/// `format`: where it is not told from extension and content.
+GeneratorList read_list(const std::string& file, const std::optional<GeneratorFormat>& format) {
   if (file != "-") {
     const WaitForInput wait(file);
     return read_generators(file, format);
@@ -39,7 +39,7 @@ GeneratorList read_list(const Run& run, const std::string& file) {
 }
 
 /// A name that is no file may have been meant for vertices.
-void read(const Run& run, const std::string& option, const PointList& points) {
+void read(const std::string& option, const PointList& points, const std::optional<GeneratorFormat>& format) {
   GivenPoints& given = *points.value;
   if (given.file.empty()) return;
   if (points.named == PointList::Named::any && !is_there(given.file)) {
@@ -48,7 +48,7 @@ void read(const Run& run, const std::string& option, const PointList& points) {
                     "3,17,99",
                     option, printable(given.file)));
   }
-  given.list = std::make_shared<GeneratorList>(read_list(run, given.file));
+  given.list = std::make_shared<GeneratorList>(read_list(given.file, format));
 }
 
 void read(const std::string& option, const Curves& curves) {
@@ -89,7 +89,8 @@ void read_given_files(Run& run, const CheckedMesh& input) {
   if (options.list == nullptr) return;
   for (const Option* const option : options.list->options()) {
     const std::string name = typed_names(*option).back();
-    std::visit(Overload{[&](const PointList& points) { read(run, name, points); },
+    const auto format = option->name == "generators" ? options.input.list_format : std::nullopt;
+    std::visit(Overload{[&](const PointList& points) { read(name, points, format); },
                         [&](const Curves& curves) { read(name, curves); },
                         [&](const ValueSource& source) { read(run, input, name, source); }, [](const auto&) {}},
                option->field);

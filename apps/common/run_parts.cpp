@@ -110,8 +110,7 @@ LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh) {
   return mesh;
 }
 
-void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
-               const std::map<std::string, OutputWriter>& own_formats) {
+void write_one(Run& run, const std::string& path, const LabelledMesh& mesh, const OwnWriters& own_formats) {
   const bool standard = path == "-";
   const std::string format = format_of(run.options().output, path);
   const auto own = own_formats.find(format);
@@ -340,7 +339,7 @@ void report_figures(Run& run, const Object& object) {
   run.report().results().update(nlohmann::ordered_json::parse(figures_json(object)));
 }
 
-void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::string, OutputWriter>& own_formats) {
+void write_output_files(Run& run, const LabelledMesh& mesh, const OwnWriters& own_formats) {
   const OutputOptions& output = run.options().output;
   if (!names_file(output)) {
     run.console().note(fmt::format("no file was written; name one with -o, --report{} or --view",
@@ -352,6 +351,10 @@ void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::
   run.timed("write", [&] {
     for (const std::string& file : output.files) write_one(run, file, mesh, own_formats);
   });
+}
+
+void write_output_files(Run& run, const Object& object) {
+  write_output_files(run, object.labelled().value(), object.own_writers());
 }
 
 void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram) {

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -71,8 +70,8 @@ using OutputWriter = std::function<void(std::ostream&)>;
 // Each of the following functions writes where its option is given, and throws Error{unwritable_output} where it can't.
 
 /// Writes every `-o` file: in the formats of `own_formats`, by extension without its dot, or else `mesh`.
-void write_output_files(Run& run, const LabelledMesh& mesh,
-                        const std::map<std::string, OutputWriter>& own_formats = {});
+void write_output_files(Run& run, const LabelledMesh& mesh, const OwnWriters& own_formats = {});
+void write_output_files(Run& run, const Object& object);
 
 /// Writes `--diagram`.
 void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram);

@@ -116,10 +116,6 @@ void check_content(const Options& options, const DistancesCall& own) {
 void check(const Options& options, const DistancesCall& own) {
   const OutputOptions& output = options.output;
   const bool has_targets = own.targets.are_listed(), has_view = !output.view.empty();
-  if (own.paths && !has_targets)
-    refuse_use("--paths does nothing here: add --to, where the paths begin, or leave --paths out");
-  if (own.each && own.isolines)
-    refuse_use("--each and --isolines exclude each other: isolines are of the nearest source");
   if (own.each && has_view) refuse_use("--each and --view exclude each other: the page shows the nearest source");
   const Format* const values = find_written(output, Content::distances, Content::surface);
   if (has_targets && values != nullptr) {
@@ -174,22 +170,6 @@ void note_targets(RunObserver& observer, const DistancesOutcome& made, bool are_
   if (told < all) observer.note(fmt::format("... and {} more", all - told));
 }
 
-void write_files(Run& run, const CheckedMesh& input, const DistanceTable& table, LabelledMesh output) {
-  const Mesh& mesh = input.mesh;
-  output.appearance = &input.appearance;
-  const bool has_paths = !table.paths.empty();
-  const std::vector<MeshCurve> curves = make_curves(mesh, table);
-  if (!curves.empty()) output.curves = &curves;
-  write_output_files(
-      run, output,
-      {{"npy", [&](std::ostream& out) { write_distances_npy(out, table); }},
-       {"txt", [&](std::ostream& out) { write_distances_text(out, table); }},
-       {"csv", [&](std::ostream& out) { has_paths ? write_paths_csv(out, table) : write_distances_csv(out, table); }},
-       {"json", [&](std::ostream& out) { write_distances_json(out, mesh, table); }},
-       {"shape.gii", [&](std::ostream& out) { write_distances_gifti(out, table); }},
-       {"curv", [&](std::ostream& out) { write_distances_freesurfer(out, table, mesh.face_count()); }}});
-}
-
 void measure(Run& run, OwnOptions& own) {
   check(run.options(), own.call);
   const auto input = std::make_shared<CheckedMesh>(load_input(run));
@@ -202,12 +182,7 @@ void measure(Run& run, OwnOptions& own) {
   }();
   report_figures(run, *made);
   report_generators(run, input->mesh, made->table.sources, made->snap_distance);
-  LabelledMesh output{input->mesh};
-  if (made->field) {
-    output.vertex_label = &made->label;
-    output.vertex_distance = &made->distance;
-  }
-  write_files(run, *input, made->table, output);
+  write_output_files(run, *made);
   if (made->field) {
     write_view_file(run, "gvd-distance", [&] {
       std::vector scenes{make_distance_scene("Distances", made->surface(), *made->field, made->table)};

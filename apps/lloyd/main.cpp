@@ -21,7 +21,6 @@
 #include "common/referred_files.hpp"
 #include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
-#include "gvd/generator_list.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/lloyd_operation.hpp"
@@ -182,16 +181,6 @@ class TimedObserver : public RunObserver {
   bool relaxes_ = false;
 };
 
-void write_outputs(Run& run, const CheckedMesh& input, const Diagram& diagram) {
-  const Mesh& mesh = input.mesh;
-  const auto list = [&](GeneratorFormat format) {
-    return [&mesh, &diagram, format](std::ostream& out) { out << format_generators(mesh, diagram.generators, format); };
-  };
-  LabelledMesh output = label_mesh(mesh, diagram, diagram.face_label);
-  output.appearance = &input.appearance;
-  write_output_files(run, output, {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}});
-}
-
 void write_points_file(Run& run, const OwnOptions& own, const Mesh& mesh, const LloydResult& relaxed) {
   const auto format = parse_point_format(file_extension(own.points));
   if (!format) return;
@@ -222,7 +211,7 @@ void lloyd(Run& run, OwnOptions& own) {
   run.figures().energy = relaxed.final_energy;
   run.report().set_generators(mesh, relaxed.generators);
   set_diagram(run, relaxed.diagram);
-  write_outputs(run, *input, relaxed.diagram);
+  write_output_files(run, *outcome);
   write_diagram_file(run, mesh, relaxed.diagram);
   write_points_file(run, own, mesh, relaxed);
   write_own_file(run, "--trace", [&](std::ostream& out) { trace.write(out, relaxed, own.call.diagram.method); });

@@ -115,8 +115,7 @@ void run_remesh(Run& run, OwnOptions& own) {
   set_diagram(run, result.diagram);
   run.report().set_generators(input->mesh, result.generators);
   if (carries) note_carried(run, *made);
-  write_output_files(run, made->labelled(),
-                     {{"json", [&](std::ostream& out) { write_remesh_json(out, input->mesh, result); }}});
+  write_output_files(run, *made);
   write_diagram_file(run, input->mesh, result.diagram);
   write_own_file(run, "--map", [&](std::ostream& out) { write_map_json(out, *input, *made->map); });
   write_view(run, input->mesh, result);

@@ -133,9 +133,9 @@ void write_arrays(Run& run, const LabelledMesh& output) {
 }
 
 void write_files(Run& run, const SegmentOutcome& made) {
-  const LabelledMesh output = made.labelled();
+  const LabelledMesh output = made.labelled().value();
   write_arrays(run, output);
-  write_output_files(run, output, {{"json", [&](std::ostream& out) { made.write_json(out); }}});
+  write_output_files(run, made);
   write_view_file(run, "gvd-segment", [&] {
     std::vector<ViewScene> scenes = make_region_scenes(output);
     for (ViewScene& scene : scenes) scene.borders = made.borders();

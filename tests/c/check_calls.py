@@ -129,10 +129,14 @@ def good_value(option):
     if kind == "whole number":
         return 50 if option.get("least", 1) > 1 else 3
     if kind == "values":
-        per = {"shares": 3, "weights": 3}.get(name, 8)
+        per = 3 if option["of"] == "generators" else 8
         return [1] + [0] * 7 if name == "mask" else [1] * per
-    return {"flag": True, "switch": "on", "vertices": [0, 1, 2], "points": [0, 1], "input file": [0, 1, 2],
-            "curves": "creases", "counts": [2, 3], "bound": "50%", "crease angle": 30, "bytes": "1G"}[kind]
+    return {"flag": True, "switch": "on", "vertices": [0, 1, 2], "points": [0, 1], "curves": "creases", "counts": [2, 3], "bound": "50%", "crease angle": 30, "bytes": "1G"}[kind]
+
+
+def subject(operation, ball):
+    """What an operation works on."""
+    return result("diagram", ball, {"count": 4}) if operation["on"] == "diagram" else ball
 
 
 def check_described_options():
@@ -140,6 +144,7 @@ def check_described_options():
     ball = make_ball()
     for operation in DESCRIBED["operations"]:
         options = {option["name"]: option for option in operation["options"]}
+        on = subject(operation, ball)
         for name, option in options.items():
             given = {need: good_value(options[need]) for need in option["needs"]}
             given[name] = good_value(option)
@@ -148,14 +153,14 @@ def check_described_options():
                 fitting = [s for s in sources if s in options and s not in option["excludes"]]
                 if fitting:
                     given[fitting[0]] = good_value(options[fitting[0]])
-            status, made = call(operation["name"], ball, given)
+            status, made = call(operation["name"], on, given)
             if status == OK:
                 assert name in figures(made)["options"], name
                 release(made)
             else:
                 assert not made.startswith(f'"{name}": ') and "no option" not in made, (operation["name"], given, made)
             for wrong in ({"a": 1}, [[]]):
-                message = refused(operation["name"], ball, {name: wrong})
+                message = refused(operation["name"], on, {name: wrong})
                 assert message.startswith(f'"{name}": '), (name, wrong, message)
     release(ball)
 
@@ -164,8 +169,8 @@ def check_described_results():
     """What the description says of results is what they have."""
     ball = make_ball()
     for operation in DESCRIBED["operations"]:
-        options = {"distances": {"from": [0]}, "segment": {"count": 4, "cut": True}}.get(operation["name"], {"count": 4})
-        made = result(operation["name"], ball, options)
+        options = {"distances": {"from": [0]}, "segment": {"count": 4, "cut": True}, "label": {"cut": True}}.get(operation["name"], {"count": 4})
+        made = result(operation["name"], subject(operation, ball), options)
         described = operation["result"]
         for one in described["arrays"]:
             view = Array()
@@ -253,6 +258,9 @@ def check_values():
         found.append((numbers(made, "generators_faces"), numbers(made, "generators_bary"), figures(made)["final_energy"]))
         release(made)
     assert all(one == found[0] for one in found), found
+    made = result("lloyd", ball, {"vertices": [0, 2], "density": [1] * 8, "iterations": 0})
+    assert figures(made)["options"]["vertices"] == [0, 2] and figures(made)["options"]["density"] == {"numbers": 8}
+    release(made)
     # Strides of any length: every other number, from behind.
     wide = array([2, 7, 0], ctypes.c_int32)
     back = Array(wide.data + 8, wide.type, 1, (2, 1), (-8, 0))
@@ -283,6 +291,26 @@ def check_parts():
     release(diagram)
 
 
+def check_distances():
+    """Rows, paths, isolines and logarithms of one operation."""
+    ball = make_ball()
+    made = result("distances", ball, {"from": [0], "to": [1], "paths": True, "isolines": 0.5, "logarithm": True})
+    assert len(numbers(made, "rows")) == 1 and math.isclose(numbers(made, "rows")[0][0], math.sqrt(6))
+    offsets = numbers(made, "path_offsets")
+    assert offsets[0] == 0 and offsets[1] == len(numbers(made, "path_faces")) > 1
+    assert len(numbers(made, "isoline_levels")) == len(numbers(made, "isoline_offsets")) - 1 > 0
+    for distance, (x, y) in zip(numbers(made, "vertex_distances"), numbers(made, "logarithms")):
+        assert math.isclose(distance, math.hypot(x, y), abs_tol=1e-12)
+    release(made)
+    made = result("distances", ball, {"from": [0, 1], "each": True})
+    rows = numbers(made, "rows")
+    assert len(rows) == 2 and rows[0][1] == rows[1][0] and rows[0][0] == 0
+    assert refused("distances", ball, {"from": [0, 1], "logarithm": True}).startswith('"logarithm" is that at one source')
+    assert refused("distances", ball, {"from": [0], "paths": True}).startswith('"paths" does nothing here: add "to"')
+    assert "neither true nor false" in refused("distances", ball, {"curves": {"points": [0, 2], "closed": 1}})
+    release(made, ball)
+
+
 def check_runs():
     """Notes as they happen; a function and a flag that cancel."""
     mesh, notes, steps = read("figure.obj"), [], set()
@@ -305,6 +333,41 @@ def check_runs():
     assert found and found[0][0] == INTERRUPTED, found
     assert call("lloyd", mesh, {"count": 3}, run=Run(-1, PROGRESS(), None, None, NOTE()))[0] == INVALID
     release(mesh)
+
+
+def check_files(folder):
+    """Files of results are those of the commands."""
+    for operation, options, words, extensions in (
+            ("segment", {"count": 12, "cut": True}, "-n 12 --cut", "ply json vtp"),
+            ("segment", {"levels": [3, 9]}, "--levels 3,9", "ply json"),
+            ("lloyd", {"count": 9, "balance": "area"}, "-n 9 --balance area", "txt csv json ply"),
+            ("remesh", {"count": 90}, "-n 90", "ply json"),
+            ("distances", {"from": [3]}, "--from 3", "npy csv ply"),
+            ("distances", {"from": [3], "isolines": 0.3}, "--from 3 --isolines 0.3", "json vtp")):
+        mesh = read("figure.obj")
+        made = result(operation, mesh, options)
+        command = "gvd-distance" if operation == "distances" else f"gvd-{operation}"
+        for extension in extensions.split():
+            mine, theirs = folder / f"mine.{extension}", folder / f"theirs.{extension}"
+            assert gvd.gvd_write(made, str(mine).encode(), None) == OK, gvd.gvd_last_error()
+            subprocess.run([str(BIN / command), str(DATA / "figure.obj"), *words.split(), "-o", str(theirs)], check=True,
+                           stderr=subprocess.DEVNULL)
+            assert mine.read_bytes() == theirs.read_bytes(), (operation, extension)
+        release(made, mesh)
+    ball = make_ball()
+    sampled = result("sample", ball, {"count": 2})
+    assert gvd.gvd_write(sampled, str(folder / "a.ply").encode(), None) == INVALID
+    assert b"a sample has no file" in gvd.gvd_last_error(), gvd.gvd_last_error()
+    assert gvd.gvd_write(ball, str(folder / "a.doc").encode(), None) == INVALID
+    assert b"the extension must be one of .ply" in gvd.gvd_last_error(), gvd.gvd_last_error()
+    assert gvd.gvd_write(None, b"a.ply", None) == INVALID and gvd.gvd_last_error() == b"object is NULL"
+    assert gvd.gvd_mesh_vertex_count(sampled) == 0 and gvd.gvd_diagram_bisector_count(None) == 0
+    # The labels of a diagram are those of a segmentation at once.
+    diagram = result("diagram", ball, {"count": 3})
+    labels, whole = result("label", diagram, {}), result("segment", ball, {"count": 3})
+    assert numbers(labels, "face_labels") == numbers(whole, "face_labels")
+    assert refused("label", ball, {}) == "this takes a diagram, and the object is a mesh"
+    release(sampled, labels, whole, diagram, ball)
 
 
 def check_same_as_commands(folder):
@@ -331,8 +394,10 @@ with tempfile.TemporaryDirectory() as scratch:
     check_mistakes()
     check_values()
     check_parts()
+    check_distances()
     check_runs()
     check_described_options()
     check_described_results()
+    check_files(pathlib.Path(scratch))
     check_same_as_commands(pathlib.Path(scratch))
 print("all checks passed")

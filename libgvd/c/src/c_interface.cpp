@@ -5,12 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
-#include <filesystem>
 #include <memory>
-#include <mutex>
-#include <new>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,13 +16,12 @@
 #include "gvd/exact_field.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/gvd.h"
-#include "gvd/io/mesh_writer.hpp"
-#include "gvd/io/write_file.hpp"
 #include "gvd/lloyd_operation.hpp"
 #include "gvd/read_soup.hpp"
 #include "gvd/remesh_operation.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/segment.hpp"
+#include "gvd/segment_operation.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/version.hpp"
 #include "handles.hpp"
@@ -44,11 +38,6 @@ struct gvd_path {
   std::vector<gvd::SurfacePoint> points;
   double length = 0;
 };
-struct gvd_diagram {
-  gvd::MeshPtr input;
-  gvd::Diagram diagram;
-};
-
 namespace {
 
 SurfacePoint to_point(const Mesh& mesh, const gvd_point& point) {
@@ -173,36 +162,44 @@ gvd_status gvd_mesh_create(const double* vertices, int64_t vertex_count, const i
 
 void gvd_mesh_free(gvd_mesh* mesh) { gvd_release(mesh); }
 
-const char* gvd_mesh_repairs(const gvd_mesh* mesh) { return mesh->repairs.c_str(); }
+const char* gvd_mesh_repairs(const gvd_mesh* mesh) { return mesh == nullptr ? "" : mesh->repairs.c_str(); }
 
-int32_t gvd_mesh_vertex_count(const gvd_mesh* mesh) { return mesh->mesh().vertex_count(); }
+int32_t gvd_mesh_vertex_count(const gvd_mesh* mesh) {
+  return answered(0, [&] { return given(mesh, "mesh").mesh().vertex_count(); });
+}
 
-int32_t gvd_mesh_face_count(const gvd_mesh* mesh) { return mesh->mesh().face_count(); }
+int32_t gvd_mesh_face_count(const gvd_mesh* mesh) {
+  return answered(0, [&] { return given(mesh, "mesh").mesh().face_count(); });
+}
 
-int64_t gvd_mesh_input_vertex_count(const gvd_mesh* mesh) { return std::ssize(mesh->checked()->mesh_vertex); }
+int64_t gvd_mesh_input_vertex_count(const gvd_mesh* mesh) {
+  return answered<int64_t>(0, [&] { return std::ssize(given(mesh, "mesh").checked()->mesh_vertex); });
+}
 
 int32_t gvd_mesh_vertex_of_input(const gvd_mesh* mesh, int64_t vertex) {
-  const std::vector<VertexId>& vertices = mesh->checked()->mesh_vertex;
-  return has(vertices, vertex) ? vertices[std::size_t(vertex)].value() : -1;
+  return answered(-1, [&] {
+    const std::vector<VertexId>& vertices = given(mesh, "mesh").checked()->mesh_vertex;
+    return has(vertices, vertex) ? vertices[std::size_t(vertex)].value() : -1;
+  });
 }
 
 void gvd_mesh_vertices(const gvd_mesh* mesh, double* vertices) {
-  for (const Vec3& p : mesh->mesh().positions()) vertices = std::copy_n(p.data(), 3, vertices);
+  guarded([&] {
+    double* out = &given(vertices, "vertices");
+    for (const Vec3& p : given(mesh, "mesh").mesh().positions()) out = std::copy_n(p.data(), 3, out);
+  });
 }
 
 void gvd_mesh_faces(const gvd_mesh* mesh, int32_t* faces) {
-  for (const auto& corners : mesh->mesh().face_vertices()) {
-    for (const VertexId v : corners) *faces++ = v.value();
-  }
-}
-
-gvd_status gvd_mesh_write(const gvd_mesh* mesh, const char* path) {
-  return guarded([&] {
-    LabelledMesh written{given(mesh, "mesh").mesh()};
-    written.appearance = &mesh->checked()->appearance;
-    write_mesh(&given(path, "path"), written);
+  guarded([&] {
+    int32_t* out = &given(faces, "faces");
+    for (const auto& corners : given(mesh, "mesh").mesh().face_vertices()) {
+      for (const VertexId v : corners) *out++ = v.value();
+    }
   });
 }
+
+gvd_status gvd_mesh_write(const gvd_mesh* mesh, const char* path) { return gvd_write(mesh, path, nullptr); }
 
 gvd_status gvd_point_at_vertex(const gvd_mesh* mesh, int64_t vertex, gvd_point* point) {
   return guarded([&] {
@@ -275,11 +272,17 @@ gvd_status gvd_path_compute(const gvd_mesh* mesh, const gvd_point* from, const g
 
 void gvd_path_free(gvd_path* path) { delete path; }
 
-double gvd_path_length(const gvd_path* path) { return path->length; }
+double gvd_path_length(const gvd_path* path) {
+  return answered(0.0, [&] { return given(path, "path").length; });
+}
 
-int32_t gvd_path_point_count(const gvd_path* path) { return std::int32_t(path->points.size()); }
+int32_t gvd_path_point_count(const gvd_path* path) {
+  return answered(0, [&] { return std::int32_t(given(path, "path").points.size()); });
+}
 
-void gvd_path_points(const gvd_path* path, gvd_point* points) { copy_points(path->points, points); }
+void gvd_path_points(const gvd_path* path, gvd_point* points) {
+  guarded([&] { copy_points(given(path, "path").points, &given(points, "points")); });
+}
 
 gvd_status gvd_diagram_compute(const gvd_mesh* mesh, const gvd_point* generators, int32_t count, gvd_method method,
                                const gvd_run* run, gvd_diagram** diagram) {
@@ -291,39 +294,52 @@ gvd_status gvd_diagram_compute(const gvd_mesh* mesh, const gvd_point* generators
     DiagramOptions options = diagram_options(run);
     options.method = kMethods[std::size_t(method)];
     Diagram made = compute_diagram(surface, to_points(surface, generators, count), options);
-    *diagram = new gvd_diagram{mesh->checked(), std::move(made)};
+    *diagram = new gvd_object(
+        std::make_shared<DiagramObject>(mesh->checked(), std::make_shared<const Diagram>(std::move(made))));
   });
 }
 
-void gvd_diagram_free(gvd_diagram* diagram) { delete diagram; }
+void gvd_diagram_free(gvd_diagram* diagram) { gvd_release(diagram); }
 
 void gvd_diagram_vertices(const gvd_diagram* diagram, int32_t* labels, double* distances) {
-  const Diagram& made = diagram->diagram;
-  for (const VertexId v : made.vertex_label.ids()) {
-    if (labels != nullptr) labels[v.index()] = made.vertex_label[v].value();
-    if (distances != nullptr) distances[v.index()] = made.vertex_distance[v];
-  }
+  guarded([&] {
+    const Diagram& made = given(diagram, "diagram").diagram();
+    for (const VertexId v : made.vertex_label.ids()) {
+      if (labels != nullptr) labels[v.index()] = made.vertex_label[v].value();
+      if (distances != nullptr) distances[v.index()] = made.vertex_distance[v];
+    }
+  });
 }
 
 void gvd_diagram_areas(const gvd_diagram* diagram, double* areas) {
-  for (const Cell& cell : diagram->diagram.cells) *areas++ = cell.area;
+  guarded([&] {
+    double* out = &given(areas, "areas");
+    for (const Cell& cell : given(diagram, "diagram").diagram().cells) *out++ = cell.area;
+  });
 }
 
-int32_t gvd_diagram_branch_point_count(const gvd_diagram* diagram) { return diagram->diagram.branch_points.count(); }
+int32_t gvd_diagram_branch_point_count(const gvd_diagram* diagram) {
+  return answered(0, [&] { return given(diagram, "diagram").diagram().branch_points.count(); });
+}
 
 void gvd_diagram_branch_points(const gvd_diagram* diagram, gvd_point* points, double* distances) {
-  for (const BranchPoint& branch : diagram->diagram.branch_points) {
-    *points++ = to_c(branch.point);
-    if (distances != nullptr) *distances++ = branch.distance;
-  }
+  guarded([&] {
+    gvd_point* out = &given(points, "points");
+    for (const BranchPoint& branch : given(diagram, "diagram").diagram().branch_points) {
+      *out++ = to_c(branch.point);
+      if (distances != nullptr) *distances++ = branch.distance;
+    }
+  });
 }
 
-int32_t gvd_diagram_bisector_count(const gvd_diagram* diagram) { return diagram->diagram.bisectors.count(); }
+int32_t gvd_diagram_bisector_count(const gvd_diagram* diagram) {
+  return answered(0, [&] { return given(diagram, "diagram").diagram().bisectors.count(); });
+}
 
 namespace {
 
 const Bisector& bisector_at(const gvd_diagram* diagram, std::int32_t index) {
-  const auto& bisectors = given(diagram, "diagram").diagram.bisectors;
+  const auto& bisectors = given(diagram, "diagram").diagram().bisectors;
   if (index < 0 || index >= bisectors.count()) {
     refuse("there is no bisector " + std::to_string(index) + " of " + std::to_string(bisectors.count()));
   }
@@ -349,9 +365,9 @@ gvd_status gvd_diagram_bisector_points(const gvd_diagram* diagram, int32_t index
 
 gvd_status gvd_segment(const gvd_diagram* diagram, int smooth, const gvd_run* run, int32_t* labels) {
   return guarded([&] {
-    const gvd_diagram& of = given(diagram, "diagram");
+    const DiagramObject& of = given(diagram, "diagram").diagram_object();
     const SegmentOptions options{smooth != 0 ? FaceLabels::smooth : FaceLabels::nearest, progress_of(run)};
-    const Segmentation made = segment_faces(of.input->mesh, of.diagram, options);
+    const Segmentation made = segment_faces(of.mesh()->mesh, of.diagram(), options);
     int32_t* out = &given(labels, "labels");
     for (const GeneratorId label : made.face_label) *out++ = label.value();
   });
@@ -359,19 +375,11 @@ gvd_status gvd_segment(const gvd_diagram* diagram, int smooth, const gvd_run* ru
 
 gvd_status gvd_segment_write(const gvd_diagram* diagram, const char* path, const gvd_run* run) {
   return guarded([&] {
-    const gvd_diagram& of = given(diagram, "diagram");
-    const Diagram& made = of.diagram;
-    const std::filesystem::path file = &given(path, "path");
-    const MeshFormat format = output_format(file);
-    SegmentOptions options;
-    options.progress = progress_of(run);
-    const Segmentation labels = segment_faces(of.input->mesh, made, options);
-    if (format == MeshFormat::json) {
-      return write_file(file, [&](std::ostream& out) { write_segmentation_json(out, of.input->mesh, made, labels); });
-    }
-    LabelledMesh written = label_mesh(of.input->mesh, made, labels.face_label);
-    written.appearance = &of.input->appearance;
-    write_mesh(file, written);
+    const DiagramObject& of = given(diagram, "diagram").diagram_object();
+    const std::string name = &given(path, "path");
+    LabelCall call;
+    RunObserver observer(run);
+    write_object(name, *gvd::run(of, call, observer), progress_of(observer));
   });
 }
 

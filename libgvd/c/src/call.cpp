@@ -66,7 +66,8 @@ gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const c
                       abi, GVD_ABI));
     }
     const Operation& operation = find(name);
-    const MeshPtr& mesh = given(on, "the object").checked();
+    const auto& object = given(on, "the object").object;
+    const MeshPtr& mesh = mesh_of(*object);
     given(result, "result");
     const std::vector<ArrayView> views = to_views(arrays, count);
     RunObserver observer(run);
@@ -76,7 +77,7 @@ gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const c
     const Given names = read_json_options(list, *mesh, options == nullptr ? "{}" : options, views);
     auto made = [&] {
       try {
-        return std::make_unique<gvd_object>(call->run(mesh, observer));
+        return std::make_unique<gvd_object>(call->run(object, observer));
       } catch (const Error& error) {
         throw Error(error.code(), spell_for_json(error.text(), &names), error.element());
       }
@@ -125,6 +126,15 @@ const char* gvd_describe(void) {
     text = &kText;
   });
   return text == nullptr ? "null" : text->c_str();
+}
+
+gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* run) {
+  return guarded([&] {
+    const Object& written = *given(object, "object").object;
+    const std::string name = &given(path, "path");
+    RunObserver observer(run);
+    write_object(name, written, progress_of(observer));
+  });
 }
 
 void gvd_release(gvd_object* object) { delete object; }

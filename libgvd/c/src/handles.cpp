@@ -84,6 +84,12 @@ const MeshPtr& gvd_object::checked() const {
   return surface->mesh();
 }
 
+const DiagramObject& gvd_object::diagram_object() const {
+  const auto* const diagram = dynamic_cast<const DiagramObject*>(object.get());
+  if (diagram == nullptr) c::refuse("this takes a diagram, and the object is a " + std::string(object->kind()));
+  return *diagram;
+}
+
 const ClosestPointTree& gvd_object::closest() const {
   const Mesh& surface = mesh();
   std::call_once(tree_made_, [&] { tree_ = std::make_unique<ClosestPointTree>(surface); });

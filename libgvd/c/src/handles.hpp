@@ -34,6 +34,9 @@ struct gvd_object {
   /// Throws Error{invalid_option} where this is no mesh.
   const gvd::MeshPtr& checked() const;
   const gvd::Mesh& mesh() const { return checked()->mesh; }
+  /// Throws Error{invalid_option} where this is no diagram.
+  const gvd::DiagramObject& diagram_object() const;
+  const gvd::Diagram& diagram() const { return diagram_object().diagram(); }
   /// Of a mesh. The first call builds it.
   const gvd::ClosestPointTree& closest() const;
 
@@ -75,6 +78,13 @@ gvd_status guarded(Work&& work) noexcept {
   } catch (...) {
     return fail(GVD_INTERNAL_ERROR, "unknown exception");
   }
+}
+
+/// What a function without a status answers: `fallback` where an argument is NULL or an object of another kind.
+template <class T, class Work>
+T answered(T fallback, Work&& work) noexcept {
+  guarded([&] { fallback = work(); });
+  return fallback;
 }
 
 [[noreturn]] void refuse(const std::string& message);

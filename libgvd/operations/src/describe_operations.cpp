@@ -87,6 +87,13 @@ Json describe_options(const OptionList& list) {
   for (const Option* const option : list.options()) {
     Json& one = all.emplace_back(Json{{"name", option->name}});
     one.update(Json::parse(kind_json(option->field)));
+    if (const auto* const points = std::get_if<PointList>(&option->field);
+        points != nullptr) {  // programs give no files
+      one["kind"] = points->named == PointList::Named::vertices ? "vertices" : "points";
+    }
+    if (const auto* const values = std::get_if<ValueSource>(&option->field); values != nullptr) {
+      one["of"] = values->of == ValueSource::Of::generators ? "generators" : "vertices or faces";
+    }
     const Spec& spec = option->spec;
     one["unit"] = spec.unit.empty() ? Json() : Json(spec.unit);
     one["default"] = spec.usual.empty() ? Json() : Json(spell_for_json(spec.usual));
@@ -131,6 +138,7 @@ std::string describe_operations() {
     call->describe(list);
     described["operations"].push_back({{"name", operation.name},
                                        {"summary", operation.summary},
+                                       {"on", operation.on},
                                        {"options", describe_options(list)},
                                        {"result", describe_object(*operation.no_result())}});
   }

@@ -12,13 +12,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/parallel_chunks.hpp"
 #include "gvd/barriers.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/format.hpp"
@@ -219,6 +222,29 @@ std::vector<Isoline> trace_isolines(const DistancesCall& call, Observer& observe
   }
 }
 
+constexpr std::size_t kPointsAtOnce = 256;  ///< vertices whose paths one thread traces before it reports
+
+std::vector<std::array<double, 2>> find_logarithms(Observer& observer, const DistancesOutcome& made) {
+  const Mesh& input = made.input->mesh;
+  std::vector<std::optional<VertexId>> place(std::size_t(input.vertex_count()));  // the nearest copy of each vertex
+  for (const VertexId v : made.surface().vertices()) {
+    std::optional<VertexId>& nearest = place[made.measured->input_vertex(v).index()];
+    if (!nearest || made.field->distance(v) < made.field->distance(*nearest)) nearest = v;
+  }
+  return ParallelChunks(observer.threads, progress_of(observer))
+      .collect(cut_into_chunks(place.size(), kPointsAtOnce), {"logarithms"}, [&](const Chunk& chunk) {
+        std::vector<std::array<double, 2>> found;
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+          const VertexId v = place[i].value_or(VertexId());
+          Vec2 log = v.valid() ? made.field->departure(vertex_point(made.surface(), v)) : Vec2::Zero();
+          const bool is_unknown = !v.valid() || (log.isZero(0) && made.field->distance(v) > 0);
+          if (is_unknown) log.setConstant(std::numeric_limits<double>::quiet_NaN());
+          found.push_back({log.x(), log.y()});
+        }
+        return found;
+      });
+}
+
 /// One field for the nearest source.
 void measure_nearest(const DistancesCall& call, Observer& observer, DistancesOutcome& made) {
   const Mesh& mesh = made.surface();
@@ -232,6 +258,13 @@ void measure_nearest(const DistancesCall& call, Observer& observer, DistancesOut
   });
   add_nearest(made);
   if (call.paths) as_step(observer, "paths", [&] { add_paths(made, *made.field, GeneratorId()); });
+  if (call.logarithm) {
+    if (made.table.sources.size() != 1) {
+      refuse_call(fmt::format("{{option:logarithm}} is that at one source, and {} are given; give one",
+                              made.table.sources.size()));
+    }
+    made.logarithms = as_step(observer, "logarithms", [&] { return find_logarithms(observer, made); });
+  }
   if (!call.isolines) return;
   made.table.isolines =
       as_step(observer, "isolines", [&] { return trace_isolines(call, observer, mesh, *made.field); });
@@ -308,6 +341,12 @@ void describe(OptionList& list, DistancesCall& call) {
              }});
 }
 
+void describe_for_programs(OptionList& list, DistancesCall& call) {
+  list.option("logarithm", Flag{&call.logarithm},
+              {.help = "Direction and length of the shortest path to each vertex, in the tangent plane of the source"});
+  list.excludes("logarithm", {"each", "curves"});
+}
+
 std::string describe_unreached(const DistancesOutcome& outcome) {
   const DistanceTable& table = outcome.table;
   UnreachedPoints unreached(outcome);
@@ -348,6 +387,7 @@ std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall&
   made->targets = made->measured->place(table.targets);
   check_sources(*made);
   call.each ? measure_each(call, observer, *made) : measure_nearest(call, observer, *made);
+  made->polylines = make_curves(input->mesh, table);
   for (const std::vector<double>& row : table.rows) {
     made->unreached += std::ranges::count_if(row, [](double d) { return !std::isfinite(d); });
   }

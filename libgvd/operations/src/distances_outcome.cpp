@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <span>
 #include <utility>
 
@@ -111,6 +112,10 @@ void DistancesOutcome::visit(ObjectVisitor& visitor) const {
   visitor.array({"vertex_distances", "mesh units", "of the mesh's vertices from the nearest source; empty with each"},
                 view(distance));
   visitor.array({"vertex_labels", "", "that source; -1: none"}, view(label));
+  visitor.array({"logarithms", "mesh units",
+                 "of each vertex, in the tangent plane at the source: direction and length of the shortest path; not a "
+                 "number where none leads"},
+                view(logarithms));
   const auto& paths = table.paths;
   visitor.curves({"path", "", "the points of each path, from its target on"},
                  {std::ssize(paths), [&paths](std::int64_t i) {
@@ -123,6 +128,29 @@ void DistancesOutcome::visit(ObjectVisitor& visitor) const {
                   }});
   visitor.array({"isoline_levels", "mesh units", "the distance of each isoline"}, view(isolines, &Isoline::level));
   visitor.array({"isoline_closed", "", "1 for a loop"}, view(isolines, &Isoline::closed));
+}
+
+std::optional<LabelledMesh> DistancesOutcome::labelled() const {
+  LabelledMesh mesh{input->mesh};
+  mesh.appearance = &input->appearance;
+  if (!polylines.empty()) mesh.curves = &polylines;
+  if (field == nullptr) return mesh;
+  mesh.vertex_label = &label;
+  mesh.vertex_distance = &distance;
+  return mesh;
+}
+
+OwnWriters DistancesOutcome::own_writers() const {
+  const Mesh& mesh = input->mesh;
+  return {{"npy", [this](std::ostream& out) { write_distances_npy(out, table); }},
+          {"txt", [this](std::ostream& out) { write_distances_text(out, table); }},
+          {"csv",
+           [this](std::ostream& out) {
+             table.paths.empty() ? write_distances_csv(out, table) : write_paths_csv(out, table);
+           }},
+          {"json", [this, &mesh](std::ostream& out) { write_distances_json(out, mesh, table); }},
+          {"shape.gii", [this](std::ostream& out) { write_distances_gifti(out, table); }},
+          {"curv", [this, &mesh](std::ostream& out) { write_distances_freesurfer(out, table, mesh.face_count()); }}};
 }
 
 }  // namespace gvd

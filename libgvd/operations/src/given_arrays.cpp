@@ -161,7 +161,10 @@ CurveList read_curves(const Json& value, const Arrays& arrays, const std::string
   const std::int64_t count = std::ssize(list.points.entries);
   std::vector<std::int64_t> offsets{0, count};
   if (value.contains("offsets")) offsets = read_indices(value.at("offsets"), arrays);
-  const bool closed = value.value("closed", Json(false)) == Json(true);
+  const Json closing = value.value("closed", Json(false));
+  if (!closing.is_boolean())
+    refuse_array(fmt::format("\"closed\": {} is neither true nor false", gvd::quoted(closing.dump())));
+  const bool closed = closing.get<bool>();
   if (offsets.size() < 2 || offsets.front() != 0 || offsets.back() != count) {
     refuse_array(fmt::format("the offsets of curves begin with 0 and end with the number of points, {}", count));
   }

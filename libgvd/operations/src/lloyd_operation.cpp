@@ -163,9 +163,8 @@ void LloydOutcome::visit(ObjectVisitor& visitor) const {
   visitor.points({"generators", "", "relaxed ones"}, result.generators);
   visitor.array({"areas", "square mesh units", "of the cells"}, view(moments, &CellMoments::area));
   visitor.array({"cell_energies", "mesh units to the fourth", "of the cells"}, view(moments, &CellMoments::energy));
-  visitor.part({"diagram", "", "of the generators"}, "diagram", [this] {
-    return std::make_shared<DiagramObject>(input, std::shared_ptr<const Diagram>(relaxed, &relaxed->diagram));
-  });
+  visitor.part({"diagram", "", "of the generators"}, "diagram",
+               [this] { return std::make_shared<DiagramObject>(diagram()); });
 }
 
 std::shared_ptr<const LloydOutcome> run(const MeshPtr& input, LloydCall& call, Observer& observer) {

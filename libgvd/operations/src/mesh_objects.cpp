@@ -2,7 +2,9 @@
 #include "gvd/mesh_objects.hpp"
 
 #include <algorithm>
+#include <ostream>
 
+#include "gvd/generator_list.hpp"
 #include "gvd/mesh.hpp"
 
 namespace gvd {
@@ -89,5 +91,26 @@ void DiagramObject::visit(ObjectVisitor& visitor) const {
                     return std::span<const SurfacePoint>(bisectors[std::size_t(i)].points);
                   }});
 }
+
+OwnWriters list_writers(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  const auto list = [&](GeneratorFormat format) {
+    return [&mesh, &points, format](std::ostream& out) { out << format_generators(mesh, points, format); };
+  };
+  return {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}};
+}
+
+std::optional<LabelledMesh> MeshObject::labelled() const {
+  LabelledMesh mesh{mesh_->mesh};
+  mesh.appearance = &mesh_->appearance;
+  return mesh;
+}
+
+std::optional<LabelledMesh> DiagramObject::labelled() const {
+  LabelledMesh mesh = label_mesh(mesh_->mesh, *diagram_, diagram_->face_label);
+  mesh.appearance = &mesh_->appearance;
+  return mesh;
+}
+
+OwnWriters DiagramObject::own_writers() const { return list_writers(mesh_->mesh, diagram_->generators); }
 
 }  // namespace gvd

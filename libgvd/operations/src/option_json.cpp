@@ -5,8 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gvd/curve_list.hpp"
+#include "gvd/generator_list.hpp"
 #include "gvd/operation_json.hpp"
 #include "gvd/option_text.hpp"
+#include "gvd/read_values.hpp"
 
 namespace gvd {
 namespace {
@@ -41,11 +44,19 @@ Json value_of(const Field& field) {
                                    file.value);
                },
                [](const PointList& list) {
-                 return list.value->vertices ? Json(*list.value->vertices) : or_null(list.value->file);
+                 const auto& [vertices, file, given] = *list.value;
+                 if (vertices) return Json(*vertices);
+                 return given && file.empty() ? Json{{"points", given->entries.size()}} : or_null(file);
                },
-               [](const Curves& curves) { return or_null(curves.value->name); },
+               [](const Curves& curves) {
+                 const auto& [name, given] = *curves.value;
+                 return given && name.empty() ? Json{{"points", given->points.entries.size()}} : or_null(name);
+               },
                [](const Counts& counts) { return counts.value->empty() ? Json() : Json(*counts.value); },
-               [](const ValueSource& values) { return or_null(values.value->name); },
+               [](const ValueSource& values) {
+                 const auto& [name, given] = *values.value;
+                 return given && name.empty() ? Json{{"numbers", given->soup.values.size()}} : or_null(name);
+               },
                [](const ByteSize& size) { return or_null(*size.value); },
                [](const SizeOrPercent& size) {
                  if (!*size.value) return Json();

@@ -297,11 +297,15 @@ void RemeshOutcome::visit(ObjectVisitor& visitor) const {
   });
 }
 
-LabelledMesh RemeshOutcome::labelled() const {
+std::optional<LabelledMesh> RemeshOutcome::labelled() const {
   LabelledMesh coarse{made->result.mesh};
   coarse.properties = &properties;
   coarse.appearance = &appearance;
   return coarse;
+}
+
+OwnWriters RemeshOutcome::own_writers() const {
+  return {{"json", [this](std::ostream& out) { write_remesh_json(out, input->mesh, made->result); }}};
 }
 
 std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options) {

@@ -266,18 +266,6 @@ void describe_regions(OptionList& list, SegmentCall& call) {
   list.needs("per_region", "within");
 }
 
-void describe_charts(OptionList& list, SegmentCall& call) {
-  list.option("disc", Flag{&call.disc}, {.help = "Add generators, as few as are found, until every region is a disc"});
-  list.option(
-      "uv", choice(call.uv, kChartMapNames),
-      {.help =
-           "Give each region texture coordinates, in a " + list_extensions(output_extensions(Content::texture), "or"),
-       .more = ": distance and direction from its generator, or a map that flips no face and needs discs (implies "
-               "{option:cut})"});
-  list.excludes("disc", {"balance", "weights"});
-  list.excludes("uv", {"labels"});
-}
-
 }  // namespace
 
 void SegmentCall::complete() {
@@ -285,26 +273,49 @@ void SegmentCall::complete() {
   cut = cut || uv.has_value();
 }
 
-void describe(OptionList& list, SegmentCall& call) {
-  describe(list, call.generators, {"curves", "per_region", "levels"});
-  describe(list, call.diagram);
+void describe(OptionList& list, LabelCall& call) {
   list.group("Regions");
   list.option("cut", Flag{&call.cut},
               {.help = "Split faces along the bisectors instead of labelling whole faces", .shown = Shown::main});
   describe(list, call.segmentation);
+  list.option(
+      "uv", choice(call.uv, kChartMapNames),
+      {.help = "Give each region texture coordinates, in a file that holds them",
+       .more = ": distance and direction from its generator, or a map that flips no face and needs discs (implies "
+               "{option:cut})"});
+  list.excludes("cut", {"labels"});
+  list.excludes("uv", {"labels"});
+  list.rule({"labels", {"cut", "uv"}, [&call](const Given&) -> std::string {
+               return call.cut || call.uv ? "{option:labels}: no whole face is labelled; leave it out" : "";
+             }});
+}
+
+void describe(OptionList& list, SegmentCall& call) {
+  describe(list, call.generators, {"curves", "per_region", "levels"});
+  describe(list, call.diagram);
+  describe(list, static_cast<LabelCall&>(call));
   describe_regions(list, call);
   describe(list, call.weights, call.diagram);
-  describe_charts(list, call);
+  list.option("disc", Flag{&call.disc}, {.help = "Add generators, as few as are found, until every region is a disc"});
   describe_curves(list, call.generators);
-  list.excludes("cut", {"labels"});
+  list.excludes("disc", {"balance", "weights"});
   list.excludes("curves",
                 {"sampling", "seed", "merge_coincident", "within", "mask", "balance", "weights", "disc", "uv"});
   list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
                return call.diagram.method == Method::exact ? "" : "{option:curves} needs {option:method=exact}";
              }});
-  list.rule({"labels", {"cut", "uv"}, [&call](const Given&) -> std::string {
-               return call.cut || call.uv ? "{option:labels}: no whole face is labelled; leave it out" : "";
-             }});
+}
+
+std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& call, Observer& observer) {
+  SegmentCall whole;  // without regions and levels
+  static_cast<LabelCall&>(whole) = call;
+  whole.complete();
+  call.cut = whole.cut;
+  auto outcome = std::make_shared<SegmentOutcome>();
+  outcome->input = on.mesh();
+  outcome->diagram = outcome->on_input = on.shared();
+  call.cut ? cut_along_bisectors(whole, observer, *outcome) : label_whole_faces(whole, observer, *outcome);
+  return outcome;
 }
 
 std::shared_ptr<const SegmentOutcome> run(const MeshPtr& input, SegmentCall& call, Observer& observer) {

@@ -117,7 +117,7 @@ const IdVector<FaceId, GeneratorId>& SegmentOutcome::face_labels() const {
   return cut ? cut->label : whole ? whole->face_label : kNone;
 }
 
-LabelledMesh SegmentOutcome::labelled() const {
+std::optional<LabelledMesh> SegmentOutcome::labelled() const {
   if (!cut) {
     LabelledMesh mesh = label_mesh(input->mesh, *on_input, whole->face_label);
     mesh.diagram = diagram.get();
@@ -145,9 +145,11 @@ std::vector<std::vector<Vec3>> SegmentOutcome::borders() const {
   return borders;
 }
 
-void SegmentOutcome::write_json(std::ostream& out) const {
-  if (cut) return write_cut_json(out, input->mesh, *on_input, *cut, cut_vertices);
-  write_segmentation_json(out, input->mesh, *on_input, *whole, whole_numbers);
+OwnWriters SegmentOutcome::own_writers() const {
+  return {{"json", [this](std::ostream& out) {
+             if (cut) return write_cut_json(out, input->mesh, *on_input, *cut, cut_vertices);
+             write_segmentation_json(out, input->mesh, *on_input, *whole, whole_numbers);
+           }}};
 }
 
 void SegmentOutcome::visit(ObjectVisitor& visitor) const {

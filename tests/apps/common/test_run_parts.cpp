@@ -78,7 +78,7 @@ TEST_CASE("a format that can't hold the mesh is refused when the mesh is loaded"
 const Mesh kGrid = test::make_grid(2, 2);
 
 /// A format of a command's own.
-const std::map<std::string, OutputWriter> kOwn{{"json", [](std::ostream& out) { out << "own"; }}};
+const OwnWriters kOwn{{"json", [](std::ostream& out) { out << "own"; }}};
 
 Options with_files(const std::vector<std::string>& files) {
   Options options;

@@ -87,8 +87,8 @@ typedef struct gvd_array {
 /* The number of this interface. It changes where a program has to be compiled again. */
 #define GVD_ABI 1
 
-/* Runs an operation on a mesh. `abi`: GVD_ABI. `options`: a JSON object, as {"count": 30, "density": {"array": 0}},
- * where
+/* Runs an operation on a mesh, or on a diagram (gvd_describe() says which). `abi`: GVD_ABI. `options`: a JSON object,
+ * as {"count": 30, "density": {"array": 0}}, where
  * {"array": 0} is the first one of `arrays`; NULL: none. Numbers may be strings: JSON has no infinity. `arrays`:
  * `count` of them, which the call reads and does not keep; NULL where there is none. gvd_describe() has the operations
  * and their options. */
@@ -102,6 +102,8 @@ GVD_API gvd_status gvd_array_of(const gvd_object* object, const char* name, gvd_
 GVD_API gvd_status gvd_object_of(const gvd_object* object, const char* name, gvd_object** part);
 /* The figures of an object as JSON, and of a result its options and notes. Lives as long as the object. */
 GVD_API const char* gvd_figures(const gvd_object* object);
+/* Writes what an object is, as the command writes it with -o: by the extension of the file. */
+GVD_API gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* run);
 /* The operations with their options and results, the kinds of objects and the formats, as JSON. */
 GVD_API const char* gvd_describe(void);
 
@@ -177,7 +179,8 @@ GVD_API void gvd_path_points(const gvd_path* path, gvd_point* points);
 
 /* ---- Voronoi diagrams and segmentations ---- */
 
-typedef struct gvd_diagram gvd_diagram;
+/* A diagram is an object of its own kind. */
+typedef gvd_object gvd_diagram;
 
 enum { GVD_EXACT = 0, GVD_GBGVD = 1, GVD_PAPER = 2 };
 typedef int32_t gvd_method; /* one of the constants above; any other number is GVD_INVALID_OPTION */

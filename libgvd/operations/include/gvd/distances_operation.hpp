@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -26,18 +27,23 @@ struct DistancesCall {
   bool each = false;                             ///< measure from each source alone
   bool paths = false;                            ///< from each target
   std::optional<double> max_distance, isolines;  ///< mesh units; of isolines the step between levels
+  bool logarithm = false;                        ///< of every vertex, at the only source
   GivenRegions regions;
   /// The most bytes that the table of `each` may take: more are refused before the work.
   double most_bytes = std::numeric_limits<double>::infinity();
 };
 
+/// Describes them, but for `logarithm`, which no file of the command holds.
 void describe(OptionList& list, DistancesCall& call);
+void describe_for_programs(OptionList& list, DistancesCall& call);
 
 /// Distances from sources, with paths and isolines.
 class DistancesOutcome : public Object {
  public:
   std::string_view kind() const override { return "distances"; }
   void visit(ObjectVisitor& visitor) const override;
+  std::optional<LabelledMesh> labelled() const override;
+  OwnWriters own_writers() const override;
   const Mesh& surface() const { return measured->mesh(); }
 
   MeshPtr input = std::make_shared<CheckedMesh>();
@@ -45,12 +51,14 @@ class DistancesOutcome : public Object {
   std::vector<std::optional<double>> snap_distance;  ///< of the sources, from where they were given
   std::vector<GeneratorCurve> curves;                ///< the sources, where they are curves
   DistanceTable table;
-  PlacedPoints sources, targets;            ///< on the surface
-  bool has_limit = false;                   ///< whether there is a largest distance
-  std::unique_ptr<const ExactField> field;  ///< of the nearest source; null with `each`
-  IdVector<VertexId, double> distance;      ///< of the mesh's vertices from the nearest source; empty with `each`
-  IdVector<VertexId, GeneratorId> label;    ///< that source
-  std::int64_t unreached = 0;               ///< distances that are infinite
+  std::vector<MeshCurve> polylines;               ///< paths and isolines, for files
+  PlacedPoints sources, targets;                  ///< on the surface
+  bool has_limit = false;                         ///< whether there is a largest distance
+  std::unique_ptr<const ExactField> field;        ///< of the nearest source; null with `each`
+  IdVector<VertexId, double> distance;            ///< of the mesh's vertices from the nearest source; empty with `each`
+  IdVector<VertexId, GeneratorId> label;          ///< that source
+  std::vector<std::array<double, 2>> logarithms;  ///< of the mesh's vertices; NaN where no path leads
+  std::int64_t unreached = 0;                     ///< distances that are infinite
 };
 
 /// Notes name at most so many distances to targets.

@@ -33,6 +33,9 @@ class LloydOutcome : public Object {
  public:
   std::string_view kind() const override { return "lloyd"; }
   void visit(ObjectVisitor& visitor) const override;
+  std::optional<LabelledMesh> labelled() const override { return diagram().labelled(); }
+  OwnWriters own_writers() const override { return list_writers(input->mesh, relaxed->generators); }
+  DiagramObject diagram() const { return {input, std::shared_ptr<const Diagram>(relaxed, &relaxed->diagram)}; }
 
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();  ///< with balanced cells at the end

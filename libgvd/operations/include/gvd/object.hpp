@@ -2,8 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <iosfwd>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +17,8 @@
 #include <vector>
 
 #include "gvd/ids.hpp"
+#include "gvd/io/mesh_writer.hpp"
+#include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
 
@@ -118,6 +124,9 @@ struct PointLists {
   std::function<std::span<const SurfacePoint>(std::int64_t)> list;
 };
 
+/// Writers of formats by extension, without the dot.
+using OwnWriters = std::map<std::string, std::function<void(std::ostream&)>, std::less<>>;
+
 class Object;
 using PartMaker = std::function<std::shared_ptr<const Object>()>;
 
@@ -145,6 +154,17 @@ class Object {
   virtual ~Object() = default;
   virtual std::string_view kind() const = 0;  ///< "mesh", "diagram", or the name of the operation
   virtual void visit(ObjectVisitor& visitor) const = 0;
+
+  // What files hold of it. Both refer to the object, which must outlive them.
+
+  /// The mesh that formats of meshes have; nothing where there is none.
+  virtual std::optional<LabelledMesh> labelled() const { return std::nullopt; }
+  /// Formats of its own, by extension, which go before those of meshes.
+  virtual OwnWriters own_writers() const { return {}; }
 };
+
+/// Writes a complete file or none, in the format of its extension. Throws Error{invalid_option} for another extension,
+/// and what write_mesh and write_file throw.
+void write_object(const std::filesystem::path& path, const Object& object, const Progress& progress = {});
 
 }  // namespace gvd

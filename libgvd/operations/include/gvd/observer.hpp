@@ -37,18 +37,23 @@ inline Progress progress_of(Observer& observer) {
 class Step {
  public:
   Step(Observer& observer, std::string_view name) : observer_(observer) { observer_.enter(name); }
-  ~Step() { observer_.leave(); }
+  ~Step() {
+    if (is_inside_) observer_.leave();
+  }
   Step(const Step&) = delete;
   Step& operator=(const Step&) = delete;
 
   /// Ends it, and begins another one in its place.
   void next(std::string_view name) {
+    is_inside_ = false;  // where the other one can't begin, none has to end
     observer_.leave();
     observer_.enter(name);
+    is_inside_ = true;
   }
 
  private:
   Observer& observer_;
+  bool is_inside_ = true;
 };
 
 /// The result of `work`, which is a step.

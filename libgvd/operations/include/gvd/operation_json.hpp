@@ -29,7 +29,7 @@ std::string spell_for_json(const std::string& text, const Given* given = nullptr
 std::string value_json(const Field& field);
 std::string kind_json(const Field& field);
 
-/// Every option with its value; null where it is not set or does nothing.
+/// Every option with its value; null where it is not set or does nothing. Of values that are no names, the number.
 std::string options_json(const OptionList& list, const Given& given);
 
 /// The figures of an object, nested at the dots of their names.

@@ -40,8 +40,8 @@ class RemeshOutcome : public Object {
   std::string_view kind() const override { return "remesh"; }
   void visit(ObjectVisitor& visitor) const override;
   const RemeshResult& result() const { return made->result; }
-  /// What files hold.
-  LabelledMesh labelled() const;
+  std::optional<LabelledMesh> labelled() const override;
+  OwnWriters own_writers() const override;
 
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const SurfaceRemesh> made = std::make_shared<SurfaceRemesh>();

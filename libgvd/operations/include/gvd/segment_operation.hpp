@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,18 +26,24 @@ struct GivenWeights {
   GivenNumbers weights;  ///< of the generators, for `balance` to start from
 };
 
+/// The options of the operation `label`, which works on a diagram.
+struct LabelCall {
+  SegmentOptions segmentation;
+  bool cut = false;            ///< split faces along the bisectors
+  std::optional<ChartMap> uv;  ///< of the texture coordinates, which are those of cut faces; none: no coordinates
+};
+
+void describe(OptionList& list, LabelCall& call);
+
 /// The options of the operation `segment`.
-struct SegmentCall {
+struct SegmentCall : LabelCall {
   GeneratorOptions generators;
   DiagramOptions diagram;
-  SegmentOptions segmentation;
-  bool cut = false;  ///< split faces along the bisectors
   GivenRegions regions;
   std::optional<std::int32_t> per_region;  ///< generators of each region, >= 1
   std::vector<std::int32_t> levels;        ///< numbers of generators, ascending; empty: one level
   GivenWeights weights;
-  bool disc = false;           ///< generators are added until every cell is a disc
-  std::optional<ChartMap> uv;  ///< of the texture coordinates; none: no coordinates
+  bool disc = false;  ///< generators are added until every cell is a disc
 
   /// Stores what follows from options: the number of generators, and that texture coordinates are those of cut faces.
   void complete();
@@ -66,14 +71,13 @@ class SegmentOutcome : public Object {
   /// The mesh of `diagram`, which has the input's faces, with the vertices on borders of regions doubled.
   const Mesh& surface() const { return parted.is_parted() ? parted.separated.mesh : input->mesh; }
   /// What files hold: the input, or its pieces, with labels and distances.
-  LabelledMesh labelled() const;
+  std::optional<LabelledMesh> labelled() const override;
+  OwnWriters own_writers() const override;
   const IdVector<FaceId, GeneratorId>& face_labels() const;
   /// The numbers of the labelled mesh's faces beside their labels.
   const std::vector<FaceNumbers>& numbers() const { return cut ? cut->numbers : whole_numbers; }
   /// The edges between two regions, or beside faces that are left out.
   std::vector<std::vector<Vec3>> borders() const;
-  /// Writes the diagram with the labels, as a file of the extension .json.
-  void write_json(std::ostream& out) const;
 
   MeshPtr input = std::make_shared<CheckedMesh>();
   PartedMesh parted;
@@ -96,6 +100,9 @@ class SegmentOutcome : public Object {
   };
   std::optional<Discs> discs;
 };
+
+/// Labels or cuts the faces of a diagram's mesh. Throws what segment_faces, cut_faces and make_charts throw.
+std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& call, Observer& observer);
 
 /// Chooses generators, computes their diagram, and labels or cuts the faces. Options become what they stand for. Throws
 /// what its steps throw.
