@@ -65,8 +65,12 @@ Density find_density(const CheckedMesh& input, const GivenNumbers& given) {
 
 RelaxationStartOptions make_start_options(const CheckedMesh& input, const GeneratorOptions& generators,
                                           const DiagramOptions& diagram, const GivenConstraints& given,
-                                          RelaxationStartOptions options, Observer& observer) {
-  if (generators.are_listed()) options.listed = choose_generators(input, generators, diagram, observer).points;
+                                          RelaxationStartOptions options, ResolvedGenerators& listed,
+                                          Observer& observer) {
+  if (generators.are_listed()) {
+    listed = choose_generators(input, generators, diagram, observer);
+    options.listed = listed.points;
+  }
   options.sampling = make_sampling_options(generators, diagram, observer);
   options.constraints.fixed = resolve_fixed(input, given.fixed, observer);
   options.weighs_curvature = given.density.name == "curvature";
@@ -74,6 +78,15 @@ RelaxationStartOptions make_start_options(const CheckedMesh& input, const Genera
   options.threads = observer.threads;
   options.progress = progress_of(observer);
   return options;
+}
+
+std::vector<std::optional<double>> snaps_of_unmoved(const ResolvedGenerators& listed,
+                                                    const std::vector<SurfacePoint>& points) {
+  std::vector<std::optional<double>> snaps(points.size());
+  for (std::size_t i = 0; i < std::min(points.size(), listed.points.size()); ++i) {
+    if (listed.points[i] == points[i]) snaps[i] = listed.snap_distance[i];
+  }
+  return snaps;
 }
 
 void tell_start(Observer& observer, const Mesh& mesh, const RelaxationStart& start,

@@ -50,6 +50,8 @@ class RemeshOutcome : public Object {
   std::optional<RemeshMap> map;          ///< where it was asked for
   std::vector<MeshProperty> properties;  ///< carried over
   Appearance appearance;                 ///< carried over
+  /// Of the generators, from where they were given; nothing for those that are somewhere else now.
+  std::vector<std::optional<double>> snap_distance;
 };
 
 /// The notes on a remesh, one line each. `options`: those that gave the result.
