@@ -14,15 +14,22 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# Sentences with a list of extensions: the page, the text around the list, the word before its last member, and what formats in it carry.
+# Sentences with a list of extensions: the page, the text around the list, the word before its last member, what the formats in it carry
+# some of, and what they don't carry. Where a text has "{all}", their further extensions are in the list, too.
 SENTENCES = [
-    ("docs/guide/formats.md", "`--no-curves` leaves the bisectors out of {}. It is", "and", {"curves"}),
-    ("docs/guide/commands.md", "| leave the bisectors out of {} |", "and", {"curves"}),
-    ("python/gvd/_files.py", "`no_curves`: leaves the bisectors out of {}. `ascii_ply`", "and", {"curves"}),
-    ("docs/guide/formats.md", "- {} have doubles and keep every bit", "and", {"doubles"}),
-    ("docs/guide/segment.md", "all with the same scale. {} have texture coordinates", "and", {"texture coordinates"}),
-    ("docs/guide/remesh.md", "texture coordinates to {}, and materials", "and", {"texture coordinates"}),
-    ("docs/guide/distance.md", "Paths and isolines go to {}", "and", {"curves", "isolines"}),
+    ("docs/guide/formats.md", "`--no-curves` leaves the bisectors out of {}. It is", "and", {"curves"}, set()),
+    ("docs/guide/formats.md", "- {} have doubles and keep every bit", "and", {"doubles"}, set()),
+    ("docs/guide/commands.md", "| leave the bisectors out of {} |", "and", {"curves"}, set()),
+    ("docs/guide/distance.md", "Paths and isolines go to {}", "and", {"curves", "isolines"}, set()),
+    ("docs/guide/remesh.md", "texture coordinates to {}, and materials", "and", {"texture coordinates"}, set()),
+    ("docs/guide/segment.md", "all with the same scale. {} have texture coordinates", "and", {"texture coordinates"}, set()),
+    ("docs/guide/segment.md", "`--vertex-labels` also takes {all}, `--vertex-distances`", "and", {"vertex labels"}, {"surface"}),
+    ("docs/guide/segment.md", "`--vertex-distances` also {all}, as", "and", {"distances"}, {"surface"}),
+    ("python/gvd/_files.py", "`no_curves`: leaves the bisectors out of {}. `ascii_ply`", "and", {"curves"}, set()),
+    ("python/gvd/_files.py", " {} (FreeSurfer) hold meshes", "and", {"surface"}, set()),
+    ("python/gvd/_files.py", "hold meshes, {} labels of vertices", "and", {"vertex labels"}, {"surface"}),
+    ("python/gvd/_files.py", "labels of vertices, {} their distances", "and", {"distances"}, {"surface"}),
+    ("libgvd/c/include/gvd/gvd.h", "Writes the mesh in the format of the extension: {}. */", "or", {"surface"}, set()),
 ]
 
 
@@ -112,12 +119,13 @@ def check_distances(formats):
 
 def check_sentences(formats):
     findings = []
-    for page, sentence, last, contents in SENTENCES:
-        names = [f"`.{entry['extensions'][0]}`" for entry in formats if entry["is_written"] and carries(entry, *contents)]
-        if page.endswith(".py"):
-            names = [name.strip("`") for name in names]
+    for page, sentence, last, some, none in SENTENCES:
+        named = [entry for entry in formats if entry["is_written"] and carries(entry, *some) and not carries(entry, *none)]
+        names = [name for entry in named for name in entry["extensions"][:None if "{all}" in sentence else 1]]
+        form = {".md": "`.{}`", ".py": ".{}", ".h": "{}"}[pathlib.Path(page).suffix]
+        names = [form.format(name) for name in names]
         listed = names[0] if len(names) == 1 else f"{', '.join(names[:-1])} {last} {names[-1]}"
-        wanted = sentence.format(listed)
+        wanted = sentence.format(listed, all=listed)
         if wanted not in " ".join((ROOT / page).read_text().split()):
             findings.append(f"{page}: should say: {wanted}")
     return findings

@@ -238,8 +238,8 @@ TEST_CASE("formats: what is read only is not written, and the other way round") 
   CHECK_THROWS_WITH(to_bytes(labelled.view(), MeshFormat::vtk),
                     "a mesh can't be written as .vtk; choose .ply, .obj, .off, .coff, .stl, .vtp, .vtu, .glb, "
                     ".surf.gii or .fs");
-  CHECK_THROWS_WITH(parse_soup("{}", MeshFormat::json, "a.json"),
-                    "a.json: no mesh is read from .json; name another format");
+  CHECK_THROWS_WITH(parse_soup("1,2", MeshFormat::csv, "a.csv"),
+                    "a.csv: no mesh is read from .csv; name another format");
 }
 
 }  // namespace gvd::test_formats

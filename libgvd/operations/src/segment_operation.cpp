@@ -18,6 +18,7 @@
 #include "gvd/diagram_parts.hpp"
 #include "gvd/disc_cells.hpp"
 #include "gvd/error.hpp"
+#include "gvd/io/format.hpp"
 #include "gvd/segment_options.hpp"
 #include "gvd/text.hpp"
 #include "weighted_diagram.hpp"

@@ -135,7 +135,7 @@ GVD_API int32_t gvd_mesh_vertex_of_input(const gvd_mesh* mesh, int64_t vertex);
 GVD_API void gvd_mesh_vertices(const gvd_mesh* mesh, double* vertices);
 /* faces: 3 x face_count */
 GVD_API void gvd_mesh_faces(const gvd_mesh* mesh, int32_t* faces);
-/* Writes the mesh in the format of the extension: ply, obj, off, stl, vtp, vtu, glb, surf.gii or fs. */
+/* Writes the mesh in the format of the extension: ply, obj, off, coff, stl, vtp, vtu, glb, surf.gii or fs. */
 GVD_API gvd_status gvd_mesh_write(const gvd_mesh* mesh, const char* path);
 
 /* ---- Points of a surface ---- */
