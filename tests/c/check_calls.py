@@ -197,6 +197,7 @@ def check_mistakes():
     assert bad(b'{"count": 3,\n "seed" 4}') == "options: not valid JSON at line 2, column 9"
     assert bad(b"[]").startswith("options: the JSON is no object; write one")
     assert bad(b'{"count": 3, "count": 4}') == '"count" is given twice; keep one'
+    assert bad(b'{"radius": 1e309}') == "options: the JSON has a number that is too large for a double"
     assert bad(b'\xff{"count": 3}').startswith("options: not valid JSON at line 1")
     assert bad({"cuont": 3}) == 'there is no option "cuont"; did you mean "count"?'
     assert bad({"count": 0}) == "\"count\": '0' is not a whole number from 1 to 2147483647"

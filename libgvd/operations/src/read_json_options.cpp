@@ -53,6 +53,8 @@ Json parse(std::string_view text) {
     return parsed;
   } catch (const Json::parse_error& error) {
     refuse_json(fmt::format("options: not valid JSON at {}", describe_place(text, error.byte)));
+  } catch (const Json::out_of_range&) {
+    refuse_json("options: the JSON has a number that is too large for a double");
   }
 }
 
