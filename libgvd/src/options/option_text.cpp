@@ -53,11 +53,11 @@ Texts split(const std::string& text, char separator) {
 
 template <class T>
 struct Plain {
-  using type = T;
+  using Type = T;
 };
 template <class T>
 struct Plain<std::optional<T>> {
-  using type = T;
+  using Type = T;
 };
 
 /// Whether a number lies in a range. No NaN does.
@@ -71,7 +71,7 @@ bool lies_in(const Range& range, T value) {
 std::string read_number(const Number& number, const std::string& text) {
   return std::visit(
       [&](auto* field) -> std::string {
-        using T = typename Plain<std::remove_reference_t<decltype(*field)>>::type;
+        using T = typename Plain<std::remove_reference_t<decltype(*field)>>::Type;
         if (const auto word = value_in(number.words, text)) {
           *field = static_cast<T>(*word);
           return "";
@@ -92,7 +92,7 @@ std::string read_implied(const Number& number, const Texts& texts) {
   if (!off && !texts.empty() && texts != Texts{"true"}) return read_number(number, texts.front());
   std::visit(
       [&](auto* field) {
-        using T = typename Plain<std::remove_reference_t<decltype(*field)>>::type;
+        using T = typename Plain<std::remove_reference_t<decltype(*field)>>::Type;
         if (!off) *field = static_cast<T>(*number.implied);
       },
       number.value);
@@ -328,30 +328,30 @@ Written write_any(const std::optional<T>& value) {
 
 // These are function objects, so that std::visit takes them beside lambdas.
 
-const auto write_number = [](const Number& number) {
+const auto kWriteNumber = [](const Number& number) {
   return std::visit(
       [&](const auto* field) {
         using T = std::remove_cv_t<std::remove_reference_t<decltype(*field)>>;
-        std::optional<typename Plain<T>::type> value = *field;
+        std::optional<typename Plain<T>::Type> value = *field;
         const auto word = value ? name_in(number.words, static_cast<double>(*value)) : std::string_view();
         return word.empty() ? write_any(value) : write_text(std::string(word));
       },
       number.value);
 };
 
-const auto write_points = [](const PointList& list) {
+const auto kWritePoints = [](const PointList& list) {
   const auto& [vertices, file, values] = *list.value;
   return vertices ? write_text(fmt::format("{}", fmt::join(*vertices, ","))) : write_text(file);
 };
 
-const auto write_bound = [](const SizeOrPercent& size) {
+const auto kWriteBound = [](const SizeOrPercent& size) {
   if (!*size.value) return Written();
   const auto& [value, in_diagonals] = **size.value;
   return in_diagonals ? write_text(fmt::format("{:.15g}%", value * 100))  // without the rounding of the division
                       : write_text(fmt::format("{}", value));
 };
 
-const auto write_angle = [](const CreaseAngle& angle) {
+const auto kWriteAngle = [](const CreaseAngle& angle) {
   return *angle.automatic ? write_text("auto") : write_any(*angle.value);
 };
 
@@ -423,7 +423,7 @@ std::string value_name(const Field& field) {
 std::string describe_range(const Number& number) {
   std::string text = std::visit(
       [&](const auto* field) {
-        using T = typename Plain<std::remove_cv_t<std::remove_reference_t<decltype(*field)>>>::type;
+        using T = typename Plain<std::remove_cv_t<std::remove_reference_t<decltype(*field)>>>::Type;
         if constexpr (std::is_integral_v<T>) {
           return describe_whole_range<T>(number.range);
         } else {
@@ -442,7 +442,7 @@ std::optional<Texts> write_option(const Field& field) {
                [](const Switch& on_off) {
                  return *on_off.value ? Written(Texts{**on_off.value ? "on" : "off"}) : Written();
                },
-               write_number,
+               kWriteNumber,
                [](const Choice& choice) {
                  const auto place = choice.get();
                  return place ? Written(Texts{choice.names[*place]}) : Written();
@@ -454,10 +454,10 @@ std::optional<Texts> write_option(const Field& field) {
                               [](const Texts* names) { return names->empty() ? Written() : Written(*names); }},
                      file.value);
                },
-               write_points, [](const Curves& curves) { return write_text(curves.value->name); },
+               kWritePoints, [](const Curves& curves) { return write_text(curves.value->name); },
                [](const Counts& counts) { return write_text(fmt::format("{}", fmt::join(*counts.value, ","))); },
                [](const ValueSource& values) { return write_text(values.value->name); },
-               [](const ByteSize& size) { return write_any(*size.value); }, write_bound, write_angle},
+               [](const ByteSize& size) { return write_any(*size.value); }, kWriteBound, kWriteAngle},
       field);
 }
 
