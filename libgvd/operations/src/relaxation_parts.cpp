@@ -65,8 +65,13 @@ Density find_density(const CheckedMesh& input, const GivenNumbers& given) {
 
 RelaxationStartOptions make_start_options(const CheckedMesh& input, const GeneratorOptions& generators,
                                           const DiagramOptions& diagram, const GivenConstraints& given,
-                                          RelaxationStartOptions options, Observer& observer) {
-  if (generators.are_listed()) options.listed = choose_generators(input, generators, diagram, observer).points;
+                                          RelaxationStartOptions options, Observer& observer,
+                                          ResolvedGenerators* listed) {
+  if (generators.are_listed()) {
+    ResolvedGenerators found = choose_generators(input, generators, diagram, observer);
+    options.listed = found.points;
+    if (listed != nullptr) *listed = std::move(found);
+  }
   options.sampling = make_sampling_options(generators, diagram, observer);
   options.constraints.fixed = resolve_fixed(input, given.fixed, observer);
   options.weighs_curvature = given.density.name == "curvature";

@@ -56,10 +56,11 @@ void describe_rules(OptionList& list, const RemeshCall& call) {
 }
 
 /// The library's options; the user's own ones become what they stand for.
-SurfaceRemeshOptions make_options(const CheckedMesh& input, RemeshCall& call, Observer& observer) {
+SurfaceRemeshOptions make_options(const CheckedMesh& input, RemeshCall& call, Observer& observer,
+                                  ResolvedGenerators& listed) {
   SurfaceRemeshOptions options = call.remesh;
   options.start =
-      make_start_options(input, call.generators, call.diagram, call.constraints, call.remesh.start, observer);
+      make_start_options(input, call.generators, call.diagram, call.constraints, call.remesh.start, observer, &listed);
   options.remesh.diagram = call.diagram;
   options.remesh.diagram.progress = progress_of(observer);
   call.remesh.relaxation = options.iterations();
@@ -149,7 +150,7 @@ std::shared_ptr<const RemeshOutcome> run(const MeshPtr& input, RemeshCall& call,
   call.diagram.threads = observer.threads;
   auto outcome = std::make_shared<RemeshOutcome>();
   outcome->input = input;
-  SurfaceRemeshOptions options = make_options(*input, call, observer);
+  SurfaceRemeshOptions options = make_options(*input, call, observer, outcome->listed);
   const GeneratorOptions& asked = call.generators;
   if (asked.error) options.start.sampling.count = search_count(mesh, *asked.error, options, observer, *outcome);
   if (asked.target_edge) options.start.sampling.count = count_for(mesh, *asked.target_edge);

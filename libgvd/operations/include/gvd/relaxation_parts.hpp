@@ -25,10 +25,12 @@ void describe(OptionList& list, GivenConstraints& given);
 /// A density out of numbers; uniform without. Throws Error{precondition} for numbers that are none.
 Density find_density(const CheckedMesh& input, const GivenNumbers& given);
 
-/// The options for the start of a relaxation, with the generators and what restricts them.
+/// The options for the start of a relaxation, with the generators and what restricts them. `listed`, if not null,
+/// receives the generators of a list.
 RelaxationStartOptions make_start_options(const CheckedMesh& input, const GeneratorOptions& generators,
                                           const DiagramOptions& diagram, const GivenConstraints& given,
-                                          RelaxationStartOptions options, Observer& observer);
+                                          RelaxationStartOptions options, Observer& observer,
+                                          ResolvedGenerators* listed = nullptr);
 
 /// Notes how many of a start's generators are fixed, on creases and free, what they do not follow, and why a
 /// copy that was asked for is not used. `is_listed`: the generators were not sampled.

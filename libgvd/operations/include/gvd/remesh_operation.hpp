@@ -44,6 +44,7 @@ class RemeshOutcome : public Object {
   OwnWriters own_writers() const override;
 
   MeshPtr input = std::make_shared<CheckedMesh>();
+  ResolvedGenerators listed;  ///< the generators of a list, as they were given
   std::shared_ptr<const SurfaceRemesh> made = std::make_shared<SurfaceRemesh>();
   std::optional<Fewest> search;          ///< for the fewest generators
   double search_distance = 0;            ///< that was asked for, mesh units
