@@ -119,13 +119,6 @@ void RunReport::set_time(std::string_view step, double milliseconds) {
 
 void RunReport::set_peak_memory(std::int64_t bytes) { (*document_)["peak_memory_bytes"] = bytes; }
 
-void RunReport::set_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
-  generators_.resize(points.size(), {{}, Vec3::Zero(), {}});
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(generators_[i].point == points[i])) generators_[i] = {points[i], position(mesh, points[i]), {}};
-  }
-}
-
 void RunReport::write(std::ostream& out) const {
   const char* separator = "{";
   for (const auto& [name, value] : document_->items()) {

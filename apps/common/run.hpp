@@ -49,9 +49,6 @@ class RunReport {
   /// Member `generators`: those that the run used or leaves, in the order of their ids.
   std::vector<ReportedGenerator>& generators() { return generators_; }
 
-  /// Lists these points. Generators that are listed already, in their places, keep their snap distances.
-  void set_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points);
-
   void set_input(const MeshSummary& mesh, const DefectReport& defects);
   /// The figures of a diagram. Replaces those of an earlier one and its error measure. Cost: O(cells).
   void set_diagram(const Diagram& diagram);

@@ -209,7 +209,7 @@ void lloyd(Run& run, OwnOptions& own) {
   const LloydResult& relaxed = *outcome->relaxed;
   report_figures(run, *outcome);
   run.figures().energy = relaxed.final_energy;
-  run.report().set_generators(mesh, relaxed.generators);
+  report_generators(run, mesh, relaxed.generators, outcome->snap_distance);
   set_diagram(run, relaxed.diagram);
   write_output_files(run, *outcome);
   write_diagram_file(run, mesh, relaxed.diagram);

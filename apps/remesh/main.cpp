@@ -113,8 +113,7 @@ void run_remesh(Run& run, OwnOptions& own) {
   const RemeshResult& result = made->result();
   report_figures(run, *made);
   set_diagram(run, result.diagram);
-  report_generators(run, input->mesh, made->listed.points, made->listed.snap_distance);
-  run.report().set_generators(input->mesh, result.generators);
+  report_generators(run, input->mesh, result.generators, made->snap_distance);
   if (carries) note_carried(run, *made);
   write_output_files(run, *made);
   write_diagram_file(run, input->mesh, result.diagram);

@@ -218,7 +218,7 @@ std::vector<Isoline> trace_isolines(const DistancesCall& call, Observer& observe
     return field.isolines(levels, {.threads = observer.threads, .progress = progress_of(observer)});
   } catch (const Error& error) {
     if (error.code() != ErrorCode::invalid_option) throw;
-    throw error.at(fmt::format("{{option:isolines={}}}", *call.isolines));
+    refuse_call(fmt::format("{{option:isolines={}}}: {}, with a larger step", *call.isolines, error.text()));
   }
 }
 

@@ -38,10 +38,10 @@ double area_variation(const IdVector<GeneratorId, Cell>& cells) {
   return std::sqrt(squares / static_cast<double>(cells.size()));
 }
 
-RelaxationStart start(const CheckedMesh& input, LloydCall& call, Observer& observer) {
+RelaxationStart start(const CheckedMesh& input, LloydCall& call, ResolvedGenerators& listed, Observer& observer) {
   call.start.copy = copy_options(call.relaxation, call.start.copy);
   RelaxationStartOptions options =
-      make_start_options(input, call.generators, call.diagram, call.constraints, call.start, observer);
+      make_start_options(input, call.generators, call.diagram, call.constraints, call.start, listed, observer);
   RelaxationStart made;
   {
     Step step(observer, "generators");
@@ -171,10 +171,12 @@ std::shared_ptr<const LloydOutcome> run(const MeshPtr& input, LloydCall& call, O
   call.diagram.threads = observer.threads;
   auto outcome = std::make_shared<LloydOutcome>();
   outcome->input = input;
-  const RelaxationStart made = start(*input, call, observer);
+  ResolvedGenerators listed;
+  const RelaxationStart made = start(*input, call, listed, observer);
   LloydResult relaxed = relax(input->mesh, made, call, observer);
   if (call.balance.is_given()) outcome->balanced = balance(*input, made, call, relaxed, observer);
   tell_diagram(observer, relaxed.diagram);
+  outcome->snap_distance = snaps_of_unmoved(listed, relaxed.generators);
   outcome->relaxed = std::make_shared<const LloydResult>(std::move(relaxed));
   resolve(call.diagram);
   resolve(call.relaxation);

@@ -65,12 +65,11 @@ Density find_density(const CheckedMesh& input, const GivenNumbers& given) {
 
 RelaxationStartOptions make_start_options(const CheckedMesh& input, const GeneratorOptions& generators,
                                           const DiagramOptions& diagram, const GivenConstraints& given,
-                                          RelaxationStartOptions options, Observer& observer,
-                                          ResolvedGenerators* listed) {
+                                          RelaxationStartOptions options, ResolvedGenerators& listed,
+                                          Observer& observer) {
   if (generators.are_listed()) {
-    ResolvedGenerators found = choose_generators(input, generators, diagram, observer);
-    options.listed = found.points;
-    if (listed != nullptr) *listed = std::move(found);
+    listed = choose_generators(input, generators, diagram, observer);
+    options.listed = listed.points;
   }
   options.sampling = make_sampling_options(generators, diagram, observer);
   options.constraints.fixed = resolve_fixed(input, given.fixed, observer);
@@ -79,6 +78,15 @@ RelaxationStartOptions make_start_options(const CheckedMesh& input, const Genera
   options.threads = observer.threads;
   options.progress = progress_of(observer);
   return options;
+}
+
+std::vector<std::optional<double>> snaps_of_unmoved(const ResolvedGenerators& listed,
+                                                    const std::vector<SurfacePoint>& points) {
+  std::vector<std::optional<double>> snaps(points.size());
+  for (std::size_t i = 0; i < std::min(points.size(), listed.points.size()); ++i) {
+    if (listed.points[i] == points[i]) snaps[i] = listed.snap_distance[i];
+  }
+  return snaps;
 }
 
 void tell_start(Observer& observer, const Mesh& mesh, const RelaxationStart& start,

@@ -56,11 +56,11 @@ void describe_rules(OptionList& list, const RemeshCall& call) {
 }
 
 /// The library's options; the user's own ones become what they stand for.
-SurfaceRemeshOptions make_options(const CheckedMesh& input, RemeshCall& call, Observer& observer,
-                                  ResolvedGenerators& listed) {
+SurfaceRemeshOptions make_options(const CheckedMesh& input, RemeshCall& call, ResolvedGenerators& listed,
+                                  Observer& observer) {
   SurfaceRemeshOptions options = call.remesh;
   options.start =
-      make_start_options(input, call.generators, call.diagram, call.constraints, call.remesh.start, observer, &listed);
+      make_start_options(input, call.generators, call.diagram, call.constraints, call.remesh.start, listed, observer);
   options.remesh.diagram = call.diagram;
   options.remesh.diagram.progress = progress_of(observer);
   call.remesh.relaxation = options.iterations();
@@ -150,13 +150,15 @@ std::shared_ptr<const RemeshOutcome> run(const MeshPtr& input, RemeshCall& call,
   call.diagram.threads = observer.threads;
   auto outcome = std::make_shared<RemeshOutcome>();
   outcome->input = input;
-  SurfaceRemeshOptions options = make_options(*input, call, observer, outcome->listed);
+  ResolvedGenerators listed;
+  SurfaceRemeshOptions options = make_options(*input, call, listed, observer);
   const GeneratorOptions& asked = call.generators;
   if (asked.error) options.start.sampling.count = search_count(mesh, *asked.error, options, observer, *outcome);
   if (asked.target_edge) options.start.sampling.count = count_for(mesh, *asked.target_edge);
   auto made = std::make_shared<SurfaceRemesh>(make_remesh(mesh, std::move(options), observer));
   tell(observer, mesh, call, *made);
   const RemeshResult& result = made->result;
+  outcome->snap_distance = snaps_of_unmoved(listed, result.generators);
   call.remesh.remesh.max_added = result.max_added;
   outcome->made = std::move(made);
   if (call.map || call.carry) {

@@ -323,8 +323,8 @@ TEST_CASE("gvd-distance: isolines that would fill the memory are refused") {
   write_text(scratch / "disc.off", fmt::format("OFF\n{} {} 0\n{}{}", kSpokes + 1, kSpokes, vertices, faces));
   require_error(
       "gvd-distance", scratch / "disc.off" + " --from 0 --isolines 2.1e-4 -o " + scratch / "a.json", 2,
-      "--isolines 0.00021: the curves would cross edges 2.4e+07 times, more than 2e+07; give fewer levels, by a "
-      "larger --isolines");
+      "--isolines 0.00021: the curves would cross edges 2.4e+07 times, more than 2e+07; give fewer levels, with "
+      "a larger step");
 }
 
 TEST_CASE("gvd-distance: isolines of a coarse mesh are nowhere farther from their level than 1e-4 mean edges") {

@@ -40,6 +40,8 @@ class LloydOutcome : public Object {
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();  ///< with balanced cells at the end
   std::optional<BalancedRelaxation> balanced;                                    ///< without its diagram
+  /// Of the generators, from where they were given; nothing for those that are somewhere else now.
+  std::vector<std::optional<double>> snap_distance;
 };
 
 /// Relaxes generators and, where that is asked for, balances their cells. Options become what they stand for. Throws

@@ -25,12 +25,16 @@ void describe(OptionList& list, GivenConstraints& given);
 /// A density out of numbers; uniform without. Throws Error{precondition} for numbers that are none.
 Density find_density(const CheckedMesh& input, const GivenNumbers& given);
 
-/// The options for the start of a relaxation, with the generators and what restricts them. `listed`, if not null,
-/// receives the generators of a list.
+/// The options for the start of a relaxation, with the generators and what restricts them. `listed` becomes the
+/// generators of a list, where there is one.
 RelaxationStartOptions make_start_options(const CheckedMesh& input, const GeneratorOptions& generators,
                                           const DiagramOptions& diagram, const GivenConstraints& given,
-                                          RelaxationStartOptions options, Observer& observer,
-                                          ResolvedGenerators* listed = nullptr);
+                                          RelaxationStartOptions options, ResolvedGenerators& listed,
+                                          Observer& observer);
+
+/// How far each of `points` is from where it was given, mesh units; nothing for one that has moved since.
+std::vector<std::optional<double>> snaps_of_unmoved(const ResolvedGenerators& listed,
+                                                    const std::vector<SurfacePoint>& points);
 
 /// Notes how many of a start's generators are fixed, on creases and free, what they do not follow, and why a
 /// copy that was asked for is not used. `is_listed`: the generators were not sampled.

@@ -44,13 +44,14 @@ class RemeshOutcome : public Object {
   OwnWriters own_writers() const override;
 
   MeshPtr input = std::make_shared<CheckedMesh>();
-  ResolvedGenerators listed;  ///< the generators of a list, as they were given
   std::shared_ptr<const SurfaceRemesh> made = std::make_shared<SurfaceRemesh>();
   std::optional<Fewest> search;          ///< for the fewest generators
   double search_distance = 0;            ///< that was asked for, mesh units
   std::optional<RemeshMap> map;          ///< where it was asked for
   std::vector<MeshProperty> properties;  ///< carried over
   Appearance appearance;                 ///< carried over
+  /// Of the generators, from where they were given; nothing for those that are somewhere else now.
+  std::vector<std::optional<double>> snap_distance;
 };
 
 /// The notes on a remesh, one line each. `options`: those that gave the result.

@@ -159,7 +159,7 @@ void check_crossings(const LevelSets& sets) {
   }
   if (crossings <= kMostCrossings) return;
   throw Error(ErrorCode::invalid_option, fmt::format("the curves would cross edges {:.2g} times, more than {:.2g}; "
-                                                     "give fewer levels, by a larger {{option:isolines}}",
+                                                     "give fewer levels",
                                                      crossings, kMostCrossings));
 }
 
