@@ -41,6 +41,14 @@ TEST_CASE("gvd-remesh: listed generators stay where they are, unless --relax ask
   CHECK(first(report_of(run + " --relax 3")) != first(given));
 }
 
+TEST_CASE("gvd-remesh: the report tells how far listed positions were from the surface") {
+  const ScratchFolder scratch;
+  write_text(scratch / "list.txt", "p 0 0 5\n100\n");
+  const auto generators = report_of(data_file("torus.ply") + " --generators " + scratch / "list.txt")["generators"];
+  CHECK(generators[0]["snap_distance"] > 1);
+  CHECK(!generators[1].contains("snap_distance"));
+}
+
 TEST_CASE("gvd-remesh: constraints hold in the relaxation, and are refused where nothing moves") {
   const ScratchFolder scratch;
   write_text(scratch / "fixed.txt", "5\n77\n");
