@@ -3,6 +3,7 @@
 #include "common/run_observer.hpp"
 
 #include <algorithm>
+#include <exception>
 
 #include "common/options/spelling.hpp"
 #include "common/process.hpp"
@@ -11,10 +12,16 @@ namespace gvd::app {
 
 RunObserver::RunObserver(Run& run) : run_(run) { threads = run.options().compute.threads; }
 
+// Nothing is reported while an exception is on its way: there may be no memory for it.
 RunObserver::~RunObserver() {
+  if (std::uncaught_exceptions() > 0) return;
   for (const Timed& timed : steps_) {
-    run_.report_time(timed.step, std::chrono::duration<double, std::milli>(timed.sum).count());
+    if (timed.times > 1) report(timed);
   }
+}
+
+void RunObserver::report(const Timed& timed) {
+  run_.report_time(timed.step, std::chrono::duration<double, std::milli>(timed.sum).count());
 }
 
 bool RunObserver::progress(std::string_view step, double fraction) {
@@ -35,6 +42,7 @@ void RunObserver::leave() {
   Timed& left = steps_[entered_.back()];
   left.sum += Clock::now() - left.started;
   entered_.pop_back();
+  if (std::uncaught_exceptions() == 0 && ++left.times == 1) report(left);
 }
 
 void RunObserver::note(const std::string& text) { run_.console().note(spelled(text)); }

@@ -12,7 +12,8 @@
 namespace gvd::app {
 
 /// What an operation tells, for the console and the report of a run: bars, notes with the options as the user wrote
-/// them, and the time of each step, which is reported when this ends.
+/// them, and the time of each step. It is reported when the step ends, and in
+/// all when this ends, where the step began again.
 class RunObserver : public Observer {
  public:
   /// `run` must outlive it.
@@ -34,8 +35,10 @@ class RunObserver : public Observer {
     std::string step;
     Clock::duration sum{};
     Clock::time_point started{};
+    int times = 0;  ///< that it ended
   };
   std::string spelled(const std::string& text) const;
+  void report(const Timed& timed);
 
   Run& run_;
   std::vector<Timed> steps_;          // in the order of their first starts

@@ -1,4 +1,4 @@
-// The parts that the runs of the three commands share: INPUT, generators, diagram, files, and the end.
+// The parts that the runs of the commands share: INPUT, generators, diagram, files, and the end.
 //
 // Each part calls a step on values within `timed`, notes its result on standard error, and fills in its members of the
 // report. Users see the order of notes and times, so it stays. Output formats that can't hold the coordinates of the
@@ -335,7 +335,8 @@ void set_diagram(Run& run, const Diagram& diagram) {
 }
 
 void report_figures(Run& run, const Object& object) {
-  if (run.options().output.report.empty()) return;  // figures of a million regions take time
+  const OutputOptions& output = run.options().output;
+  if (output.report.empty() && output.summary.empty()) return;  // figures of a million regions take time
   run.report().results().update(nlohmann::ordered_json::parse(figures_json(object)));
 }
 

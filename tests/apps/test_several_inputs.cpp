@@ -252,6 +252,8 @@ TEST_CASE("several inputs: --summary has a row for each, also for one that faile
     CHECK(cell(3, "input.area") == json["input"]["area"].dump());
     CHECK(cell(3, "diagram.length") == json["diagram"]["length"].dump());
     CHECK(rows[0].back() == "seconds");
+    CHECK(
+        std::any_of(rows[0].begin(), rows[0].end(), [](const auto& column) { return column.starts_with("results."); }));
   }
 }
 

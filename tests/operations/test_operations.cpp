@@ -113,6 +113,36 @@ TEST_CASE("figures are nested at the dots of their names, and a level without an
   CHECK(equal["balance"]["masses"].size() == 8);
 }
 
+/// What is wrong with the options of an operation; empty where they are accepted.
+std::string refusal_of(const char* operation, const std::string& options) {
+  const auto made = find_operation(operation)->call();
+  OptionList list;
+  made->describe(list);
+  try {
+    read_json_options(list, *kBall, options, {});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_CASE("a flag with its default is as if it were not there") {
+  CHECK(refusal_of("segment", R"({"count": 5, "merge_coincident": false})").empty());
+  CHECK(refusal_of("remesh", R"({"count": 5, "exact_count": false, "refine": true})").empty());
+  CHECK_THAT(refusal_of("segment", R"({"count": 5, "merge_coincident": true})"), Contains("exclude each other"));
+}
+
+TEST_CASE("JSON that is nested deeply is refused before it fills the stack") {
+  const std::string deep = "{\"vertices\": " + std::string(1'000'000, '[') + std::string(1'000'000, ']') + "}";
+  CHECK_THAT(refusal_of("segment", deep), Contains("nested more than 8 deep"));
+}
+
+TEST_CASE("curves are the words for them, or points") {
+  CHECK(refusal_of("segment", R"({"curves": "creases:30"})").empty());
+  CHECK_THAT(refusal_of("segment", R"({"curves": "creasesx"})"), Contains("is none of boundary, creases"));
+  CHECK_THAT(refusal_of("segment", R"({"curves": "creases:x"})"), Contains("creases"));
+}
+
 TEST_CASE("texts are spelled as JSON has options") {
   CHECK(spell_for_json("{option:count} or {option:features=none}") == R"("count" or "features": "none")");
   CHECK(spell_for_json("{option:count=30}; {option:refine=false}") == R"("count": 30; "refine": false)");

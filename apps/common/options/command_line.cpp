@@ -96,7 +96,7 @@ class SplitWords {
       const bool is_number = std::holds_alternative<Number>(option.field);
       const bool has_input =
           std::any_of(given.begin(), given.end(), [](const auto& g) { return g.option->spec.positional; });
-      const bool is_free = !word.starts_with('-') && (has_input || next_ + 1 < words_.size());
+      const bool is_free = (word == "-" || !word.starts_with('-')) && (has_input || next_ + 1 < words_.size());
       if (is_number ? !parse_number<double>(word) : !is_free) return {};
     }
     ++next_;
@@ -109,8 +109,12 @@ class SplitWords {
       if (value) texts = {*value ? "false" : "true"};
     }
     const auto found = std::find_if(given.begin(), given.end(), [&](const auto& g) { return g.option == &option; });
-    if (found == given.end()) return given.push_back({&option, {name, ""}, std::move(texts)});
-    if (!takes_value(option.field)) found->texts.clear();  // the last one counts
+    const bool takes = takes_value(option.field);
+    // A value that is missing, or is none, is told wherever it stands.
+    const bool lacks = found != given.end() && takes && (texts.empty() || found->texts.empty());
+    if (found == given.end() || lacks) return given.push_back({&option, {name, ""}, std::move(texts)});
+    if (!takes && !found->texts.empty() && !parse_flag(found->texts.back())) return;
+    if (!takes) found->texts.clear();  // the last one counts
     found->texts.insert(found->texts.end(), texts.begin(), texts.end());
   }
 

@@ -8,6 +8,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/option_text.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd::app {
 
@@ -49,7 +50,9 @@ std::string spell(const OptionList& list, const Given& given, const std::string&
     const bool is_flag = std::holds_alternative<Flag>(option->field);
     if (value.empty() || (is_flag && !as_key)) return spelled;
     if (is_flag) return spelled + " = true";
-    return spelled + (as_key ? " = \"" + std::string(value) + '"' : ' ' + std::string(value));
+    const std::string shown(value);
+    if (!as_key) return spelled + ' ' + shown;
+    return spelled + " = " + (parse_number<double>(value) ? shown : '"' + shown + '"');
   };
   return spell_options(text, {spell_one, [&](std::string_view name) { return given.has(name); }});
 }

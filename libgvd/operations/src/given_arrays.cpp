@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
@@ -47,6 +48,9 @@ const ArrayView& checked(const ArrayView& view, std::size_t place) {
   }
   if (view.shape[0] < 0 || (view.dimensions == 2 && view.shape[1] < 0)) {
     refuse_array(fmt::format("array {} has a negative length", place));
+  }
+  if (std::max(view.shape[0], view.dimensions == 2 ? view.shape[1] : 0) > std::numeric_limits<std::int32_t>::max()) {
+    refuse_array(fmt::format("array {} has more elements than a mesh can have", place));
   }
   if (view.data == nullptr && view.shape[0] > 0) refuse_array(fmt::format("array {} is NULL", place));
   return view;

@@ -25,10 +25,14 @@ using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse_json(const std::string& text) { throw Error(ErrorCode::invalid_option, text); }
 
+/// No option has lists in lists in lists. Deep ones would overflow the stack of whoever shows or frees them.
+constexpr int kDeepest = 8;
+
 /// A name that stands twice in an object would lose its first value in silence.
-class RepeatedNames {
+class CheckedWhileRead {
  public:
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+    if (depth > kDeepest) refuse_json(fmt::format("options: lists and objects are nested more than {} deep", kDeepest));
     if (event == Json::parse_event_t::key && depth == 1 && !names_.insert(parsed.get<std::string>()).second) {
       refuse_json(fmt::format("\"{}\" is given twice; keep one", printable(parsed.get_ref<const std::string&>())));
     }
@@ -48,7 +52,7 @@ std::string describe_place(std::string_view text, std::size_t byte) {
 
 Json parse(std::string_view text) {
   try {
-    const Json parsed = Json::parse(text, RepeatedNames());
+    const Json parsed = Json::parse(text, CheckedWhileRead());
     if (!parsed.is_object()) refuse_json("options: the JSON is no object; write one, such as {\"count\": 30}");
     return parsed;
   } catch (const Json::parse_error& error) {
@@ -90,9 +94,11 @@ std::string read_value(const Option& option, const Json& value, const Arrays& ar
                  return "";
                },
                [&](const Curves& curves) {
-                 const bool is_word = value == Json("boundary") ||
-                                      (value.is_string() && value.get_ref<const std::string&>().starts_with("creases"));
-                 if (is_word) return as_text();
+                 const std::string word = value.is_string() ? value.get<std::string>() : "";
+                 if (word == "boundary" || word == "creases" || word.starts_with("creases:")) return as_text();
+                 if (value.is_string()) {
+                   return gvd::quoted(word) + " is none of boundary, creases and creases:ANGLE; or give points";
+                 }
                  *curves.value = {{}, std::make_shared<CurveList>(read_curves(value, arrays, name))};
                  return std::string();
                },
@@ -100,7 +106,7 @@ std::string read_value(const Option& option, const Json& value, const Arrays& ar
                  const std::string word = value.is_string() ? value.get<std::string>() : "";
                  if (std::find(values.words.begin(), values.words.end(), word) != values.words.end()) return as_text();
                  if (value.is_string() && !values.words.empty()) {
-                   return fmt::format("{}, nor numbers", describe_unknown(word, values.words));
+                   return fmt::format("{} (numbers serve, too)", describe_unknown(word, values.words));
                  }
                  *values.value = {{}, std::make_shared<ElementValues>(read_numbers(value, arrays, values.of, name))};
                  return "";
@@ -144,7 +150,9 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
       wrong = error.text();
     }
     if (!wrong.empty()) refuse_json(fmt::format("{{option:{}}}: {}", name, wrong));
-    given.add(name, {fmt::format("\"{}\"", name), "", 0});
+    // A flag with its default says nothing, as --cut=false of a command.
+    const bool is_set = !std::holds_alternative<Flag>(option->field) || value.get<bool>() != option->is_on;
+    if (is_set) given.add(name, {fmt::format("\"{}\"", name), "", 0});
   }
   if (const auto problem = list.find_problem(given)) refuse_json(problem->text);
   if (const auto missing = list.find_missing(given)) refuse_json(missing->text);

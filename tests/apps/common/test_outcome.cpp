@@ -185,7 +185,7 @@ TEST_CASE("a message spells options of a file as this does") {
   command.names.add("refine", {.spelling = "no-refine", .place = "a.toml:3"});
   command.names.add("max_snap", {.spelling = "max-snap", .place = "a.toml:4"});
   CHECK(command.message("leave {given:refine=false} out") == "leave no-refine = true out");
-  CHECK(command.message("give {option:max_snap=3}") == "give max-snap = \"3\"");
+  CHECK(command.message("give {option:max_snap=3}") == "give max-snap = 3");
 }
 
 TEST_CASE("an error that tells where keeps its placeholders, its code and its element") {

@@ -31,7 +31,7 @@ typedef enum gvd_status {
   GVD_NO_VALID_RESULT = 5,   /* no valid result exists */
   GVD_UNWRITABLE_OUTPUT = 6, /* a file could not be written */
   GVD_INTERNAL_ERROR = 70,   /* a fault of the library */
-  GVD_INTERRUPTED = 130      /* the progress callback asked to stop */
+  GVD_INTERRUPTED = 130      /* the progress callback or the flag `cancel` asked to stop */
 } gvd_status;
 
 /* What went wrong in the last call of this thread that failed, where, and what to do; valid until the next one fails.

@@ -9,7 +9,7 @@
 namespace gvd {
 
 /// What an operation tells while it works, for a door to override. Texts name options by placeholders
-/// (gvd/option_list.hpp). All calls come from the thread that runs the operation, also where it throws later.
+/// (gvd/placeholders.hpp). All calls come from the thread that runs the operation, also where it throws later.
 class Observer {
  public:
   virtual ~Observer() = default;

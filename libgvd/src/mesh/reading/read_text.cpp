@@ -71,7 +71,8 @@ std::optional<double> parse_double(std::string_view token) {
   return error == std::errc::result_out_of_range ? out_of_range_value(token) : value;
 }
 
-std::optional<std::int64_t> parse_integer(std::string_view token) {
+// Inlined whole: as a call, the conversion costs an OBJ 4 % of the instructions of reading it.
+[[gnu::flatten]] std::optional<std::int64_t> parse_integer(std::string_view token) {
   return parse_number<std::int64_t>(without_plus(token));
 }
 

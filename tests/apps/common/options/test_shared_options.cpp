@@ -11,6 +11,20 @@ using gvd::test::parse_options;
 using gvd::test::SharedLine;
 using gvd::test::SharedOptions;
 
+TEST_CASE("a value that is missing is told, also where the option is given again") {
+  const auto told = [](const std::vector<std::string>& words) {
+    try {
+      parse_options(words);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  CHECK_THAT(told({"a.obj", "--count", "-n", "3"}), Catch::Matchers::Contains("value is missing"));
+  CHECK_THAT(told({"a.obj", "-n", "3", "-o", "-o", "x.ply"}), Catch::Matchers::Contains("value is missing"));
+  CHECK_THAT(told({"a.obj", "-n", "3", "--verify=bogus", "--verify=false"}), Catch::Matchers::Contains("bogus"));
+}
+
 TEST_CASE("every name in the rules and texts of the shared options is an option's") {
   SharedLine line;
   CHECK(line.list.find_unknown_names().empty());
