@@ -13,6 +13,7 @@
 #include <iostream>
 
 #include "gvd/error.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
 
 namespace gvd::bench {

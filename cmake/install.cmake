@@ -12,7 +12,7 @@ install(DIRECTORY libgvd/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPON
 
 # The libraries that this configuration builds.
 set(GVD_INSTALLED_PARTS "")
-foreach(part segment lloyd remesh distance)
+foreach(part segment lloyd remesh operations)
   if(TARGET gvd_${part})
     list(APPEND GVD_INSTALLED_PARTS ${part})
     install(TARGETS gvd_${part} EXPORT gvd-targets COMPONENT dev)
@@ -25,7 +25,9 @@ install(TARGETS gvd_c EXPORT gvd-targets LIBRARY COMPONENT c NAMELINK_COMPONENT 
 install(DIRECTORY libgvd/c/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev FILES_MATCHING PATTERN *.h)
 install(EXPORT gvd-targets NAMESPACE gvd:: DESTINATION ${GVD_CMAKE_DIR} COMPONENT dev)
 if(GVD_COMMANDS)
-  install(TARGETS ${GVD_COMMANDS} COMPONENT commands)
+  install(TARGETS gvd_program COMPONENT commands)
+  list(TRANSFORM GVD_COMMANDS PREPEND ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/ OUTPUT_VARIABLE GVD_COMMAND_LINKS)
+  install(FILES ${GVD_COMMAND_LINKS} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT commands)
 endif()
 
 # Separate, so that only users of the component `verify` need CGAL and accept its licence.
@@ -67,7 +69,7 @@ endif()
 if(GVD_WITH_XML)
   list(APPEND GVD_PC_REQUIRES pugixml zlib)
 endif()
-foreach(part remesh segment lloyd)
+foreach(part operations remesh segment lloyd)
   if(part IN_LIST GVD_INSTALLED_PARTS)
     string(APPEND GVD_PC_LIBS "-lgvd_${part} ")
   endif()

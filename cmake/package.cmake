@@ -74,9 +74,9 @@ if(GVD_COMMANDS)
   gvd_add_package(commands gvd science "" "${comment}"
 "geodesic Voronoi diagrams on triangle meshes
 Commands that compute the Voronoi diagram of points on a triangle mesh, by
-exact distances along the surface. gvd-segment labels the faces with the
-nearest point, gvd-lloyd spreads points evenly, gvd-remesh builds a coarse
-mesh of the same topology, and gvd-distance measures distances and paths.")
+exact distances along the surface. gvd segment labels the faces with the
+nearest point, gvd lloyd spreads points evenly, gvd remesh builds a coarse
+mesh of the same topology, and gvd distance measures distances and paths.")
   # For the workflow in examples/cohort.
   set(CPACK_DEBIAN_COMMANDS_PACKAGE_SUGGESTS "python3-gvd, snakemake")
 endif()

@@ -5,6 +5,7 @@
 #include <exception>
 #include <gvd/check.hpp>
 #include <gvd/diagram.hpp>
+#include <gvd/read_soup.hpp>
 #include <gvd/soup.hpp>
 #include <vector>
 

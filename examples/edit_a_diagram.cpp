@@ -3,6 +3,7 @@
 //   edit_a_diagram MESH
 #include <gvd/diagram_editor.hpp>
 #include <gvd/error.hpp>
+#include <gvd/read_soup.hpp>
 #include <gvd/sampling.hpp>
 #include <gvd/soup.hpp>
 #include <iostream>

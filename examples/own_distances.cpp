@@ -10,6 +10,7 @@
 #include <exception>
 #include <functional>
 #include <gvd/check.hpp>
+#include <gvd/read_soup.hpp>
 #include <gvd/sampling.hpp>
 #include <gvd/soup.hpp>
 #include <gvd/trace_diagram.hpp>

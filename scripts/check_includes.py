@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # From the ground up. Folders on one floor do not include each other.
 FLOORS = [
     ["libgvd/src/base"],
-    ["libgvd/src/mesh"],
+    ["libgvd/src/options", "libgvd/src/mesh"],
     ["libgvd/src/mesh/reading"],
     ["libgvd/src/mesh/repair"],
     ["libgvd/src/geodesic"],
@@ -36,30 +36,35 @@ FLOORS = [
     ["libgvd/remesh/src/dual"],
     ["libgvd/remesh/src/repair"],
     ["libgvd/remesh"],
+    ["libgvd/operations"],
     ["libgvd/c"],
     ["apps/common/options"],
     ["apps/common"],
     ["apps/segment", "apps/lloyd", "apps/remesh", "apps/distance"],
+    ["apps/gvd"],
 ]
 FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
 
 # For users, all public headers are in one folder. This is the folder to which each one belongs.
 PUBLIC = {
-    "libgvd/src/base": "vec ids error names text text_encoding progress diagram_steps version",
+    "libgvd/src/base": "vec ids error names placeholders text text_encoding progress diagram_steps version",
+    "libgvd/src/options": "given_values option_list option_text",
     "libgvd/src/mesh": "mesh surface_point generator_curve closest_point distance_samples quality openmesh",
-    "libgvd/src/mesh/reading": "appearance mesh_property read_soup referred_files",
+    "libgvd/src/mesh/reading": "appearance mesh_property polygon_soup",
     "libgvd/src/mesh/repair": "soup",
     "libgvd/src/geodesic": "front geodesic_tracing",
     "libgvd/src/geodesic/sampling": "sampling",
     "libgvd/src/geodesic/windows": "exact_field",
-    "libgvd/src/diagram": "bisector_length diagram check diagram_editor error_measure trace_diagram",
-    "libgvd/src/io": "curve_list generator_list read_values",
-    "libgvd/src/io/writers": "io/diagram_json io/distance_writer io/label_color io/mesh_writer io/point_writer io/write_file",
+    "libgvd/src/diagram": "bisector_length diagram diagram_options check diagram_editor error_measure trace_diagram",
+    "libgvd/src/io": "curve_list generator_list read_soup read_values referred_files io/format io/mesh_writer",
+    "libgvd/src/io/writers": "io/diagram_json io/distance_writer io/label_color io/labelled_mesh io/point_writer io/write_file",
     "libgvd/src/io/view": "io/view gvd",
-    "libgvd/segment": "charts face_regions region_statistics segment",
-    "libgvd/lloyd": "balance cell_moments coarse_copy constrained_start density features lloyd relaxation_start",
+    "libgvd/segment": "charts face_regions region_statistics segment segment_options",
+    "libgvd/lloyd": "balance cell_moments coarse_copy constrained_start density features lloyd lloyd_options relaxation_start",
     "libgvd/remesh/src/dual": "dual remesh_certificate self_intersections surface_distance",
-    "libgvd/remesh": "carry_properties disc_cells find_fewest named_options placement remesh remesh_map remesh_scenes remesh_surface",
+    "libgvd/remesh": "carry_properties disc_cells find_fewest named_options placement remesh remesh_map remesh_options remesh_scenes remesh_surface",
+    "libgvd/operations": "barriers diagram_operation diagram_parts distances_operation generator_options given_regions lloyd_operation lloyd_words measured_surface mesh_objects object "
+                         "observer operation operation_json relaxation_parts remesh_operation segment_operation unreached_points",
     "libgvd/verify": "verify",
 }
 PUBLIC_FOLDER = {f"gvd/{name}.hpp": folder for folder, names in PUBLIC.items() for name in names.split()}
@@ -140,7 +145,7 @@ def draw_floors():
             # A colour for each subject: base and mesh, geodesic, diagram, io, the parts beside libgvd, the commands.
             words = folder.split("/")
             subject = words[2] if folder.startswith("libgvd/src") else words[0]
-            colour = {"base": "#e3e3e3", "mesh": "#d9e8f5", "geodesic": "#d8efdc", "diagram": "#fbe6c8",
+            colour = {"base": "#e3e3e3", "options": "#e3e3e3", "mesh": "#d9e8f5", "geodesic": "#d8efdc", "diagram": "#fbe6c8",
                       "io": "#ecdff2", "libgvd": "#f7d9d9", "apps": "#fff4b8"}[subject]
             out.append(f'<rect x="{x:.1f}" y="{y}" width="{room:.1f}" height="{height}" rx="4" fill="{colour}" '
                        'stroke="#777777"/>')

@@ -55,7 +55,7 @@ def collect_words(files):
 def path_exists(name, page):
     """Whether a path leads to a file or a folder, from one of the places where the paths of a page may begin."""
     pattern = PLACEHOLDER.sub("*", name.rstrip("/"))
-    include = [ROOT / "libgvd" / part / "include" for part in ("", "segment", "lloyd", "remesh", "verify", "c")]
+    include = [ROOT / "libgvd" / part / "include" for part in ("", "segment", "lloyd", "remesh", "operations", "verify", "c")]
     for start in [ROOT, page.parent, ROOT / "libgvd/src", ROOT / "apps", ROOT / "web", *include]:
         if any(start.glob(pattern)) or any(start.glob(pattern + ".[ch]pp")):
             return True

@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "common/console.hpp"
+#include "common/options/spelling.hpp"
 #include "common/process.hpp"
 #include "gvd/error.hpp"
 
@@ -41,40 +42,20 @@ constexpr std::array<CodeWords, 7> kCodes{{{kUsage, "usage"},
                                            {kInterrupted, "interrupted"}}};
 static_assert(static_cast<std::size_t>(ErrorCode::interrupted) + 1 == kCodes.size());
 
-/// This ends a message behind other advice.
-constexpr std::string_view kAllow = ", or set allow_intersections";
-constexpr std::string_view kAllowOption = ", or add --allow-intersections";
-
-struct Advice {
-  std::string_view of_library;
-  std::string_view of_command;
+/// What the message of a shortage depends on.
+struct MemoryAdvice {
+  std::optional<std::int64_t> limit;
+  bool has_chords = false;  ///< whether a chord tolerance counts
 };
-
-constexpr std::array<Advice, 9> kAdvice{{
-    {"name the format",
-     "name the format with --input-format obj, ply, off, stl, vtp, vtu, vtk, glb, gltf, gii, mni or fs"},
-    {"allow its repair", "allow its repair with --on-defect repair"},
-    {"give the list as CSV", "give the list as CSV with --generators-format csv"},
-    {"raise max_snap", "raise --max-snap"},
-    {"choose others", "choose others, by another list, -n or --seed"},
-    {"set merge_coincident", "add --merge-coincident"},
-    {"set refine", "leave --no-refine or --exact-count out"},
-    {"raise max_added", "raise --max-added"},
-    {"choose PLY, OBJ, OFF or VTP",
-     "choose PLY, OBJ, OFF or VTP by the extension of -o, or for -o - by --output-format"},
-}};
-
-/// The options that the message of a shortage depends on.
-ComputeOptions g_compute;
+MemoryAdvice g_memory;
 
 Outcome out_of_memory() {
   // The points of the bisectors are most of an exact diagram. A few long needles take as much memory as many faces.
   std::string advice = "take a mesh of fewer or rounder triangles";
-  if (g_compute.method == Method::exact)
-    advice = "take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles";
-  std::string message = g_compute.max_memory
+  if (g_memory.has_chords) advice = "take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles";
+  std::string message = g_memory.limit
                             ? fmt::format("out of memory: the run needs more than --max-memory {}; raise it, or {}",
-                                          format_bytes(*g_compute.max_memory), advice)
+                                          format_bytes(*g_memory.limit), advice)
                             : fmt::format("out of memory: up to {} in use; {}; --max-memory ends such a run sooner",
                                           format_bytes(peak_memory_bytes()), advice);
   return {kNoResult, std::move(message), "out of memory"};
@@ -91,21 +72,27 @@ Outcome describe_exception(const std::exception& error) {
   if (!tells_of_threads(error)) {
     return {kNoResult, fmt::format("unexpected: {}; please report it", error.what()), "unexpected error"};
   }
-  if (g_compute.max_memory) return out_of_memory();  // no memory for the thread's stack
+  if (g_memory.limit) return out_of_memory();  // no memory for the thread's stack
   return {kNoResult,
           "a thread could not be started: the system allows no more threads, or no memory for one; use --threads 1",
           "no thread"};
 }
 
+/// An error's text with options as the user of the command writes them, where they are known.
+std::string describe(const Error& error, const Options* options) {
+  if (error.code() == ErrorCode::reader_gone) return "";
+  if (options == nullptr || options->list == nullptr) return error.what();
+  return spell(*options->list, *options->given, error.text());
+}
+
 /// The outcome of a run that ended with this exception. Null: it ended without one, as std::terminate may.
-Outcome describe_failure(const std::exception_ptr& failure) {
+Outcome describe_failure(const std::exception_ptr& failure, const Options* options) {
   if (!failure) return {kNoResult, "unexpected: ended without an exception; please report it", "unexpected error"};
   try {
     std::rethrow_exception(failure);
   } catch (const Error& error) {
     const CodeWords& words = kCodes[static_cast<std::size_t>(error.code())];
-    const bool gone = error.code() == ErrorCode::reader_gone;
-    return {words.exit_code, gone ? "" : name_options(error.what()), words.words};
+    return {words.exit_code, describe(error, options), words.words};
   } catch (const std::bad_alloc&) {
     return out_of_memory();
   } catch (const std::exception& error) {
@@ -135,7 +122,7 @@ constinit thread_local bool t_ending = false;
   while (g_ending.test_and_set()) ::pause();  // another thread ends the process
   limit_memory({});
   try {
-    const Outcome outcome = describe_failure(std::current_exception());
+    const Outcome outcome = describe_failure(std::current_exception(), nullptr);
     Console console(g_command, detect_console_style(), false, false);
     console.clear_line();
     if (!outcome.message.empty()) console.error((g_input.empty() ? "" : g_input + ": ") + outcome.message);
@@ -156,20 +143,7 @@ std::exception_ptr catch_interrupt() {
 
 }  // namespace
 
-std::string name_options(std::string message) {
-  if (message.ends_with(kAllow)) {
-    message.resize(message.size() - kAllow.size());
-    return name_options(std::move(message)).append(kAllowOption);
-  }
-  for (const Advice& advice : kAdvice) {
-    if (!message.ends_with(advice.of_library)) continue;
-    message.replace(message.size() - advice.of_library.size(), advice.of_library.size(), advice.of_command);
-    break;
-  }
-  return message;
-}
-
-Outcome run_guarded(const std::function<void()>& work) {
+Outcome run_guarded(const std::function<void()>& work, const Options* options) {
   std::exception_ptr failure;
   try {
     work();
@@ -179,12 +153,13 @@ Outcome run_guarded(const std::function<void()>& work) {
   limit_memory({});  // the message needs some
   // A signal can make a system call fail, such as the opening of a pipe that nobody reads: that is no error of its own.
   if (failure && interrupt_requested()) failure = catch_interrupt();
-  return failure ? describe_failure(failure) : Outcome();
+  return failure ? describe_failure(failure, options) : Outcome();
 }
 
-void limit_memory_of(const ComputeOptions& compute) {
-  g_compute = compute;
-  limit_memory(compute.max_memory);
+void limit_memory_of(const Options& options) {
+  const Option* const chords = options.list == nullptr ? nullptr : options.list->find("chord_tolerance");
+  g_memory = {options.compute.max_memory, chords != nullptr && options.list->why_idle(*chords, *options.given).empty()};
+  limit_memory(options.compute.max_memory);
 }
 
 std::string format_bytes(std::int64_t bytes) {

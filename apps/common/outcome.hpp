@@ -25,18 +25,15 @@ struct Outcome {
   std::string summary = "done";  ///< in a few words: "unreadable input"
 };
 
-/// The message of an error for users of a command. libgvd knows no command line: its advice names its own fields, as in
-/// "raise max_snap". Where a message ends so, it ends with the option that does it.
-std::string name_options(std::string message);
-
 /// Runs `work`, and turns what it throws into an outcome: exit code 2 to 6, 130 or 141 for a gvd::Error of each code, 5
 /// where memory runs out or a thread can't be started. A reader of the output that is gone has no message: nobody is
-/// left to tell. Lifts the limit of memory at the end.
-Outcome run_guarded(const std::function<void()>& work);
+/// left to tell. Messages spell options as the user of the command does, by the list of `options`, if these are there.
+/// Lifts the limit of memory at the end.
+Outcome run_guarded(const std::function<void()>& work, const Options* options = nullptr);
 
 /// Limits the memory of the run that begins, by its options (--max-memory). Messages of a shortage tell the limit, and
 /// what helps.
-void limit_memory_of(const ComputeOptions& compute);
+void limit_memory_of(const Options& options);
 
 /// "1.5 GiB".
 std::string format_bytes(std::int64_t bytes);

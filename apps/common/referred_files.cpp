@@ -14,6 +14,7 @@
 
 #include "common/outcome.hpp"
 #include "gvd/error.hpp"
+#include "gvd/io/mesh_writer.hpp"
 #include "gvd/referred_files.hpp"
 
 namespace gvd::app {
@@ -54,9 +55,8 @@ std::vector<Written> list_written(const OutputOptions& output) {
     if (target.path == "-") continue;
     files.push_back({target});
     const bool may_have_materials = target.option == "-o" || target.option == "--output-dir";
-    if (!may_have_materials || file_extension(target.path) != "obj") continue;
-    files.push_back(
-        {{"the materials of " + target.option, fs::path(target.path).replace_extension(".mtl").string()}, true});
+    const auto materials = may_have_materials ? materials_file(target.path) : std::nullopt;
+    if (materials) files.push_back({{"the materials of " + target.option, materials->string()}, true});
   }
   if (!output.summary.empty()) files.push_back({{"--summary", output.summary}});
   return files;
@@ -138,10 +138,10 @@ void check_material_files(Run& run, const Appearance& appearance, bool drops_mat
   if (!appearance.material.empty() && !output.region_materials && !drops_materials) return;  // no .mtl is written
   const std::string& input = run.options().input.path;
   for (const std::string& path : output.files) {
-    if (format_of(output, path) != "obj") continue;
-    const fs::path made = fs::path(path).replace_extension(".mtl");
+    const auto made = materials_file(path);
+    if (!made) continue;
     for (const fs::path& name : list_material_files(input, appearance.material_files)) {
-      if (!is_same(made, fs::path(input).replace_filename(name))) continue;
+      if (!is_same(*made, fs::path(input).replace_filename(name))) continue;
       throw Error(ErrorCode::invalid_option,
                   fmt::format("-o {}: its materials would replace {}, which {} names; choose "
                               "another name",

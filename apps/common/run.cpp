@@ -1,6 +1,6 @@
 // A run of a command: its report, times and progress.
 //
-// The report is one JSON document (gvd-report/1), which the body of the run fills in and writes at its end. Members
+// The report is one JSON document (gvd-report/2), which the body of the run fills in and writes at its end. Members
 // stand in the order of the contract, each on a line of its own. The generators are kept apart, since a run may have a
 // million, and written one a line, in the form in which `parse_generators` reads them. The library reads no clock and
 // prints nothing. A step's time is reported when its StepTimes ends, after an exception too. The progress callback
@@ -60,12 +60,12 @@ Json to_json(const MeshSummary& mesh) {
           {"area", mesh.area}};
 }
 
-RunReport::RunReport(const std::string& command, const Options& options)
-    : document_(std::make_unique<Json>(Json{{"schema", "gvd-report/1"},
+RunReport::RunReport(const std::string& command, std::uint64_t seed)
+    : document_(std::make_unique<Json>(Json{{"schema", "gvd-report/2"},
                                             {"command", command},
                                             {"version", version()},
-                                            {"options", to_json(options)},
-                                            {"seed", options.generators.seed},
+                                            {"options", Json::object()},
+                                            {"seed", seed},
                                             {"input", nullptr},
                                             {"generators", nullptr},
                                             {"diagram", nullptr},
@@ -118,13 +118,6 @@ void RunReport::set_time(std::string_view step, double milliseconds) {
 }
 
 void RunReport::set_peak_memory(std::int64_t bytes) { (*document_)["peak_memory_bytes"] = bytes; }
-
-void RunReport::set_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
-  generators_.resize(points.size(), {{}, Vec3::Zero(), {}});
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(generators_[i].point == points[i])) generators_[i] = {points[i], position(mesh, points[i]), {}};
-  }
-}
 
 void RunReport::write(std::ostream& out) const {
   const char* separator = "{";

@@ -31,16 +31,16 @@ struct ReportedGenerator {
   std::optional<double> snap_distance;  ///< mesh units; from the given position, where one was given
 };
 
-/// The record of a run: the document of `--report`, schema `gvd-report/1`. The body of the run fills it in, and it is
+/// The record of a run: the document of `--report`, schema `gvd-report/2`. The body of the run fills it in, and it is
 /// written once, at the end. docs/guide/formats.md lists its members.
 class RunReport {
  public:
-  RunReport(const std::string& command, const Options& options);
+  RunReport(const std::string& command, std::uint64_t seed);
   ~RunReport();
   RunReport(const RunReport&) = delete;
   RunReport& operator=(const RunReport&) = delete;
 
-  /// Member `options`, an object: the shared options are in it, a command adds its own.
+  /// Member `options`, an object: every option of the command as it was understood. Filled in by `write_report`.
   nlohmann::ordered_json& options();
   /// Member `results`, an object: the figures of the command itself.
   nlohmann::ordered_json& results();
@@ -48,9 +48,6 @@ class RunReport {
   const nlohmann::ordered_json& document() const { return *document_; }
   /// Member `generators`: those that the run used or leaves, in the order of their ids.
   std::vector<ReportedGenerator>& generators() { return generators_; }
-
-  /// Lists these points. Generators that are listed already, in their places, keep their snap distances.
-  void set_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points);
 
   void set_input(const MeshSummary& mesh, const DefectReport& defects);
   /// The figures of a diagram. Replaces those of an earlier one and its error measure. Cost: O(cells).
@@ -111,9 +108,11 @@ struct RunFigures {
 class Run {
  public:
   Run(const std::string& command, Options options, Console& console)
-      : options_(std::move(options)), console_(console), report_(command, options_) {}
+      : options_(std::move(options)), console_(console), report_(command, seed_of(options_)) {}
 
-  const Options& options() const { return options_; }
+  const Options& options() const { return live_ != nullptr ? *live_ : options_; }
+  /// From now on the options are these, which the body of the run may complete. They must outlive the run.
+  void follow(const Options& live) { live_ = &live; }
   Console& console() { return console_; }
   /// The document of `--report`.
   RunReport& report() { return report_; }
@@ -139,6 +138,7 @@ class Run {
 
  private:
   Options options_;
+  const Options* live_ = nullptr;
   Console& console_;
   RunReport report_;
   RunFigures figures_;

@@ -1,4 +1,4 @@
-// The parts that the runs of the three commands share: INPUT, generators, diagram, files, and the end.
+// The parts that the runs of the commands share: INPUT, generators, diagram, files, and the end.
 //
 // Each part calls a step on values within `timed`, notes its result on standard error, and fills in its members of the
 // report. Users see the order of notes and times, so it stays. Output formats that can't hold the coordinates of the
@@ -13,18 +13,23 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <tuple>
 #include <utility>
 
+#include "common/given_files.hpp"
+#include "common/options/option_json.hpp"
 #include "common/options/options.hpp"
-#include "common/options/typed_options.hpp"
+#include "common/options/spelling.hpp"
 #include "common/process.hpp"
 #include "common/referred_files.hpp"
+#include "common/run_observer.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/operation_json.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #ifdef GVD_HAS_VERIFY
@@ -53,7 +58,8 @@ PolygonSoup read(const InputOptions& input, PipedInput* piped) {
   std::string bytes = read_pipe(input.path);
   const auto format = input.format ? input.format : detect_format(bytes, input.path);
   if (!format) {
-    throw Error(ErrorCode::unreadable_input, input.path + ": the content does not tell the format; name the format");
+    throw Error(ErrorCode::unreadable_input,
+                input.path + ": the content does not tell the format; name the format with " + input_format_option());
   }
   PolygonSoup soup = parse_soup(bytes, *format, name_of(input));
   if (piped != nullptr) *piped = {std::move(bytes), *format};
@@ -65,65 +71,17 @@ void weld_input(PolygonSoup& soup, const InputOptions& input) {
   try {
     weld_soup(soup, *input.weld);
   } catch (const Error& error) {
-    throw Error(error.code(), fmt::format("{}: {}", name_of(input), error.what()), error.element());
+    throw error.at(name_of(input));
   }
-}
-
-/// A note of the library with the option that the library can't name.
-std::string with_weld_option(std::string message) {
-  constexpr std::string_view kOfLibrary = "welding would close";
-  const std::size_t at = message.find(kOfLibrary);
-  if (at != message.npos) message.replace(at, kOfLibrary.size(), fmt::format("{} would close", kWeldOption));
-  return message;
 }
 
 /// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
 void check_formats(const OutputOptions& output, const Mesh& mesh) {
   std::vector<std::string> formats = written_formats(output);
-  for (const auto& [option, file] : output.own) formats.push_back(file_extension(file));
+  for (const auto& [option, file] : output.own) formats.push_back(file_extension(*file));
   for (const std::string& name : formats) {
     if (const auto format = parse_output_format(name)) check_format(mesh, *format);
   }
-}
-
-void note_changes(Run& run, const GeneratorOptions& list, const ResolvedGenerators& resolved, double diagonal) {
-  Console& console = run.console();
-  const std::string& points = list.names.points;
-  if (!run.options().generators.max_snap) note_far_entry(run, resolved, diagonal);
-  if (resolved.longest_snap) {
-    console.note(fmt::format("{}: moved to the surface, by at most {:.4g}", points, *resolved.longest_snap));
-  }
-  if (resolved.merged == 0) return;
-  console.note(fmt::format("{}: {}", points,
-                           counted(resolved.merged, "is merged with an earlier one", "are merged with earlier ones")));
-}
-
-GeneratorList read_list(const GeneratorOptions& options) {
-  if (options.file == "-") {
-    const std::string content = read_standard_input();
-    return parse_generators(content, options.format.value_or(detect_generator_format(content)), kStandardInput);
-  }
-  if (!options.vertices) {
-    const WaitForInput wait(options.file);
-    return read_generators(options.file, options.format);
-  }
-  GeneratorList list{options.names.vertices, {}};
-  for (const std::int64_t vertex : *options.vertices) {
-    list.entries.push_back({GeneratorEntry::Kind::vertex, vertex, {}, 0});
-  }
-  return list;
-}
-
-ResolvedGenerators resolve(const CheckedMesh& input, const GeneratorOptions& asked, ResolveOptions options) {
-  options.input_vertices = &input.mesh_vertex;
-  return resolve_generators(input.mesh, read_list(asked), options);
-}
-
-ResolvedGenerators sample(Run& run, const Mesh& mesh, const Sampler& sampler) {
-  ResolvedGenerators sampled;
-  sampled.points = sampler(mesh, make_sampling_options(run));
-  sampled.snap_distance.resize(sampled.points.size());
-  return sampled;
 }
 
 #ifdef GVD_HAS_VERIFY
@@ -152,8 +110,7 @@ LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh) {
   return mesh;
 }
 
-void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
-               const std::map<std::string, OutputWriter>& own_formats) {
+void write_one(Run& run, const std::string& path, const LabelledMesh& mesh, const OwnWriters& own_formats) {
   const bool standard = path == "-";
   const std::string format = format_of(run.options().output, path);
   const auto own = own_formats.find(format);
@@ -167,14 +124,15 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh,
   const LabelledMesh chosen = choose_content(run.options().output, mesh);
   const OutputWriter write = [&](std::ostream& out) { write_mesh(out, chosen, *known); };
   if (standard) return write_standard_output(write);
-  if (*known != OutputFormat::obj) {
+  const auto materials = materials_file(path);
+  if (!materials) {
     write_file(path, write, run.progress());
     return run.add_written(path);
   }
   write_mesh(path, chosen, run.progress());
   run.add_written(path);
   const bool has_own_materials = chosen.face_label != nullptr && !chosen.names_materials();
-  if (has_own_materials) run.add_written(std::filesystem::path(path).replace_extension(".mtl").string());
+  if (has_own_materials) run.add_written(materials->string());
   if (chosen.names_materials()) note_material_files(run, path, *chosen.appearance);
 }
 
@@ -185,45 +143,50 @@ void write_timed(Run& run, const std::string& step, const std::string& path, con
   run.add_written(path);
 }
 
-/// The formats of this run's files that hold meshes, each once.
-std::vector<std::string> mesh_formats(const OutputOptions& output) {
-  std::vector<std::string> found;
+/// The formats of this run's files that hold a surface, each once.
+std::vector<const Format*> surface_formats(const OutputOptions& output) {
+  std::vector<const Format*> found;
   for (const std::string& file : output.files) {
-    const std::string format = format_of(output, file);
-    const bool is_mesh = parse_output_format(format).has_value() &&
-                         !contains({"json", "label.gii", "shape.gii", "annot", "curv"}, format);
-    if (is_mesh && !contains(found, format)) found.push_back(format);
+    const Format* const format = find_output(format_of(output, file));
+    const bool has_surface = format != nullptr && has_any(format->carries, Content::surface);
+    if (has_surface && std::ranges::find(found, format) == found.end()) found.push_back(format);
   }
   return found;
 }
 
 /// Notes in one line which parts of the input's appearance the files of this run will not hold.
 void note_left_out(Run& run, const Appearance& appearance) {
-  const std::vector<std::string> formats = mesh_formats(run.options().output);
+  const std::vector<const Format*> formats = surface_formats(run.options().output);
   std::vector<std::string> lost;
-  const auto add = [&](const char* what, const std::vector<std::string>& holding) {
-    std::vector<std::string> without = formats;
-    std::erase_if(without, [&](const std::string& format) { return contains(holding, format); });
-    if (!without.empty()) lost.push_back(fmt::format("{} in .{}", what, fmt::join(without, ", .")));
+  const auto add = [&](Content content) {
+    std::vector<std::string> without;
+    for (const Format* const format : formats) {
+      if (!has_any(format->carries, content)) without.push_back(format->extensions.front());
+    }
+    if (without.empty()) return;
+    lost.push_back(fmt::format("{} in {}", name_in(kContentNames, content), list_extensions(without, "and")));
   };
-  if (!appearance.texture.empty()) add("texture coordinates", {"ply", "obj", "glb"});
-  if (!appearance.material.empty()) add("materials", {"obj"});
+  if (!appearance.texture.empty()) add(Content::texture);
+  if (!appearance.material.empty()) add(Content::materials);
   if (!formats.empty()) lost.insert(lost.end(), appearance.unread.begin(), appearance.unread.end());
   if (!lost.empty()) note_on_input(run, fmt::format("left out: {}", fmt::join(lost, "; ")));
 }
 
 /// Notes for each format with 32-bit floats that they damage the surface.
 void note_position_loss(Run& run, const Mesh& mesh) {
-  for (const std::string& format : mesh_formats(run.options().output)) {
-    const PositionLoss loss = measure_position_loss(mesh, *parse_output_format(format));
+  for (const Format* const format : surface_formats(run.options().output)) {
+    const PositionLoss loss = measure_position_loss(mesh, format->id);
     if (!loss.is_notable) continue;
     std::string collapsed;
     if (loss.collapsed_faces > 0) {
       collapsed = fmt::format(", and {}", counted(loss.collapsed_faces, "face collapses", "faces collapse"));
     }
-    run.console().note(fmt::format(
-        ".{} has 32-bit floats, which move vertices by up to {:.2g}{}; .ply, .obj, .off and .vtp keep doubles{}",
-        format, loss.farthest_move, collapsed, format == "glb" ? "" : ", .glb the place"));
+    const bool keeps_place = has_any(format->carries, Content::place);
+    const std::string of_place = list_extensions(output_extensions(Content::place), "and") + " the place";
+    run.console().note(fmt::format(".{} has 32-bit floats, which move vertices by up to {:.2g}{}; {} keep doubles{}",
+                                   format->extensions.front(), loss.farthest_move, collapsed,
+                                   list_extensions(output_extensions(Content::doubles), "and"),
+                                   keeps_place ? "" : ", " + of_place));
   }
 }
 
@@ -290,19 +253,10 @@ void note_far_vertices(Run& run, const CheckedMesh& checked) {
 
 }  // namespace
 
-/// A snap beyond this fraction of the bounding box's diagonal is told: the list may be of another model, or in other
-/// units. Digitised and rounded points are much nearer to their surface.
-constexpr double kFarSnap = 0.01;
-
-void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagonal) {
-  if (!(resolved.longest_snap.value_or(0) > kFarSnap * diagonal)) return;
-  run.console().note(fmt::format("{} is {:.4g} from the surface, and the model's diagonal is {:.4g}: check its units",
-                                 resolved.farthest, *resolved.longest_snap, diagonal));
-}
-
 void note_on_input(Run& run, const std::string& message) {
   const Options& options = run.options();
-  run.console().note(options.output.folder.empty() ? name_of(options.input) + ": " + message : message);
+  const std::string text = spell(*options.list, *options.given, message);
+  run.console().note(options.output.folder.empty() ? name_of(options.input) + ": " + text : text);
 }
 
 CheckedMesh load_input(Run& run, PipedInput* piped) {
@@ -311,7 +265,7 @@ CheckedMesh load_input(Run& run, PipedInput* piped) {
   check_referred_files(run.options(), soup.appearance);
   if (input.weld) run.timed("weld", [&] { weld_input(soup, input); });
   CheckedMesh checked = run.timed("check", [&] { return build_mesh(soup, input.on_defect, name_of(input)); });
-  for (const std::string& message : checked.defects.messages) note_on_input(run, with_weld_option(message));
+  for (const std::string& message : checked.defects.messages) note_on_input(run, message);
   note_coarse_coordinates(run, checked.mesh);
   note_far_vertices(run, checked);
   check_formats(run.options().output, checked.mesh);
@@ -321,6 +275,7 @@ CheckedMesh load_input(Run& run, PipedInput* piped) {
                                    counted(summary.faces, "face", "faces"),
                                    counted(summary.components, "component", "components"),
                                    counted(summary.boundary_loops, "boundary loop", "boundary loops")));
+  read_given_files(run, checked);
   return checked;
 }
 
@@ -338,8 +293,7 @@ constexpr double kLongRun = 10;  // seconds
 
 }  // namespace
 
-void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost) {
-  const std::int64_t count = run.options().generators.count.value_or(0);
+void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const GeneratorCost& cost) {
   const double seconds = cost.microseconds * 1e-6 * double(count);
   if (count <= mesh.face_count() || seconds < kLongRun) return;
   run.console().note(fmt::format(
@@ -347,18 +301,6 @@ void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost)
       "{:.2g} kB a generator as measured on two cores",
       count, mesh.face_count(), format_duration(seconds), cost.kilobytes * 1e-6 * double(count),
       cost.microseconds * 1e-3, cost.kilobytes));
-}
-
-SamplingOptions make_sampling_options(Run& run) {
-  const GeneratorOptions& asked = run.options().generators;
-  SamplingOptions options;
-  options.seed = asked.seed;
-  options.front = make_diagram_options(run.options().compute).chosen_front();
-  options.progress = run.progress();
-  if (asked.count) options.count = *asked.count;
-  if (asked.radius) options.radius = *asked.radius;
-  options.kind = asked.radius ? Sampling::covering_radius : asked.sampling;
-  return options;
 }
 
 std::string property_file(Run& run) {
@@ -379,91 +321,26 @@ void refuse_name(Run& run, const std::string& option, const std::string& name) {
   throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: {}", option, name, why));
 }
 
-namespace {
-
-ResolvedGenerators choose_generators(Run& run, const CheckedMesh& input, const Sampler& sampler) {
-  const GeneratorOptions& asked = run.options().generators;
-  ResolvedGenerators found = run.timed("generators", [&] {
-    const ResolveOptions resolving{
-        .max_snap = asked.max_snap, .merge_coincident = asked.merge_coincident, .progress = run.progress()};
-    ResolvedGenerators chosen =
-        asked.are_listed() ? resolve(input, asked, resolving) : sample(run, input.mesh, sampler);
-    note_changes(run, asked, chosen, input.mesh.bbox_diagonal());
-    return chosen;
-  });
-  for (std::size_t i = 0; i < found.points.size(); ++i) {
+void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& points,
+                       const std::vector<std::optional<double>>& snap_distance) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     run.report().generators().push_back(
-        {found.points[i], position(input.mesh, found.points[i]), found.snap_distance[i]});
+        {points[i], position(mesh, points[i]), i < snap_distance.size() ? snap_distance[i] : std::nullopt});
   }
-  run.console().detail(counted(std::ssize(found.points), "generator", "generators"));
-  return found;
 }
 
-}  // namespace
-
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input, const Sampler& sampler) {
-  return choose_generators(run, input, sampler).points;
-}
-
-ListedPoints load_sources(Run& run, const CheckedMesh& input) {
-  ResolvedGenerators found = choose_generators(run, input, sample_generators);
-  return {std::move(found.points), std::move(found.vertex)};
-}
-
-ListedPoints load_targets(Run& run, const CheckedMesh& input) {
-  const GeneratorOptions& asked = run.options().targets;
-  if (!asked.are_listed()) return {};
-  return run.timed("targets", [&] {
-    ResolvedGenerators found =
-        resolve(input, asked,
-                {.max_snap = run.options().generators.max_snap, .keep_coincident = true, .progress = run.progress()});
-    note_changes(run, asked, found, input.mesh.bbox_diagonal());
-    return ListedPoints{std::move(found.points), std::move(found.vertex)};
-  });
-}
-
-Diagram compute_timed(Run& run, DiagramOptions options, const std::function<Diagram(const DiagramOptions&)>& compute) {
-  StepTimes times(run);
-  std::string current;
-  options.progress = [&, show = run.progress()](std::string_view step, double fraction) {
-    if (step != current) {
-      current = step;
-      times.start("diagram: " + current);
-    }
-    return show(step, fraction);
-  };
-  return compute(options);
-}
-
-Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                      const std::vector<double>& weights) {
-  DiagramOptions options = make_diagram_options(run.options().compute);
-  options.weights = weights;
-  const auto compute = [&](const DiagramOptions& timed) { return compute_diagram(mesh, generators, timed); };
-  Diagram diagram = run.timed("diagram", [&] { return compute_timed(run, options, compute); });
-  report_diagram(run, diagram);
-  return diagram;
-}
-
-void report_diagram(Run& run, const Diagram& diagram) {
-  const DiagramReport& report = diagram.report;
+void set_diagram(Run& run, const Diagram& diagram) {
   run.report().set_diagram(diagram);
   run.figures().regions = std::ssize(diagram.cells);
-  run.console().note(fmt::format("{}, {}, {} of length {:.6g}", counted(std::ssize(diagram.cells), "cell", "cells"),
-                                 counted(std::ssize(diagram.branch_points), "branch point", "branch points"),
-                                 counted(std::ssize(diagram.bisectors), "bisector", "bisectors"), diagram.length));
-  if (report.straightened_faces > 0) {
-    run.console().note(fmt::format(
-        "bisectors are straightened in {}; there they are nearer to one generator than to the other by up to {:.3g}",
-        counted(report.straightened_faces, "face", "faces"), report.straightened_error));
-  }
-  if (report.unresolved_ends > 0) {
-    run.console().note(fmt::format("the diagram is incomplete: {} no branch point",
-                                   counted(report.unresolved_ends, "end of a bisector has", "ends of bisectors have")));
-  }
 }
 
-void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::string, OutputWriter>& own_formats) {
+void report_figures(Run& run, const Object& object) {
+  const OutputOptions& output = run.options().output;
+  if (output.report.empty() && output.summary.empty()) return;  // figures of a million regions take time
+  run.report().results().update(nlohmann::ordered_json::parse(figures_json(object)));
+}
+
+void write_output_files(Run& run, const LabelledMesh& mesh, const OwnWriters& own_formats) {
   const OutputOptions& output = run.options().output;
   if (!names_file(output)) {
     run.console().note(fmt::format("no file was written; name one with -o, --report{} or --view",
@@ -477,6 +354,10 @@ void write_output_files(Run& run, const LabelledMesh& mesh, const std::map<std::
   });
 }
 
+void write_output_files(Run& run, const Object& object) {
+  write_output_files(run, object.labelled().value(), object.own_writers());
+}
+
 void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram) {
   write_timed(run, "diagram", run.options().output.diagram,
               [&](std::ostream& out) { write_diagram_json(out, mesh, diagram); });
@@ -485,7 +366,7 @@ void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram) {
 void write_own_file(Run& run, const std::string& option, const OutputWriter& write) {
   const auto& own = run.options().output.own;
   const auto target = own.find(option);
-  if (target != own.end()) write_timed(run, option.substr(2), target->second, write);
+  if (target != own.end()) write_timed(run, option.substr(2), *target->second, write);
 }
 
 void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes) {
@@ -513,6 +394,10 @@ void write_report(Run& run) {
   if (path.empty()) return;
   check_interrupt();
   run.report().set_peak_memory(peak_memory_bytes());
+  if (const Options& options = run.options(); options.list != nullptr) {
+    run.report().options() = report_options(*options.list, *options.given);
+    run.report().options()["input"] = options.input.path;
+  }
   write_file(path, [&](std::ostream& out) { run.report().write(out); });
   run.add_written(path);
 }

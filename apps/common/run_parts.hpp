@@ -1,8 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,9 +11,10 @@
 #include "common/process.hpp"
 #include "common/run.hpp"
 #include "gvd/diagram.hpp"
-#include "gvd/generator_list.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/view.hpp"
+#include "gvd/object.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
@@ -24,10 +25,6 @@ namespace gvd::app {
 
 /// Notes something about the input, behind its name. With --output-dir the console's lines have that name already.
 void note_on_input(Run& run, const std::string& message);
-
-/// Notes which entry of a list lies farthest from the surface, if that is far in view of the model's `diagonal`, in
-/// mesh units.
-void note_far_entry(Run& run, const ResolvedGenerators& resolved, double diagonal);
 
 /// What standard input or a pipe held, which can be read only once.
 struct PipedInput {
@@ -47,24 +44,9 @@ std::string property_file(Run& run);
 /// Refuses the name that `option` has, which is neither that of a file nor of a property of INPUT.
 [[noreturn]] void refuse_name(Run& run, const std::string& option, const std::string& name);
 
-/// What `read` finds under the name that `option` has: a function of the input, the name and the `property_file` that
-/// returns nothing where the name is neither a file nor a property. Throws Error{unreadable_input} then.
-template <class Read>
-auto find_numbers(Run& run, const CheckedMesh& input, const std::string& option, const std::string& name,
-                  const Read& read) {
-  const WaitForInput wait(name);  // which may be a pipe
-  auto found = read(input, name, property_file(run));
-  if (!found) refuse_name(run, option, name);
-  return *std::move(found);
-}
-
-/// Samples generators of a mesh.
-using Sampler = std::function<std::vector<SurfacePoint>(const Mesh&, const SamplingOptions&)>;
-
-/// Chooses the generators by the options, exactly as many as they say, and reports them: those of a list, or sampled
-/// ones. Throws what read_generators, resolve_generators and sample_generators throw.
-std::vector<SurfacePoint> make_generators(Run& run, const CheckedMesh& input,
-                                          const Sampler& sampler = sample_generators);
+/// Lists generators in the report. `snap_distance`: from where they were given, as far as that is known.
+void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& points,
+                       const std::vector<std::optional<double>>& snap_distance);
 
 /// What a command takes for each generator, where a mesh has fewer faces than generators: nearly all of the work is in
 /// the generators then, and grows with their number.
@@ -72,33 +54,15 @@ struct GeneratorCost {
   double microseconds, kilobytes;
 };
 
-/// Notes before the work how long -n may take, where it exceeds the faces of the mesh and that is long.
-void note_many_generators(Run& run, const Mesh& mesh, const GeneratorCost& cost);
+/// Notes before the work how long so many generators may take, where they exceed the faces of the mesh and that is
+/// long.
+void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const GeneratorCost& cost);
 
-/// The library's options for sampled generators.
-SamplingOptions make_sampling_options(Run& run);
+/// Adds the figures of an object to the results of the report, if it is written.
+void report_figures(Run& run, const Object& object);
 
-/// Points of a list of the user's.
-struct ListedPoints {
-  std::vector<SurfacePoint> points;
-  std::vector<std::int64_t> vertices;  ///< of INPUT, as the list names them; -1 for points given otherwise
-};
-
-/// The points of --from, as make_generators chooses and reports them, with the user's numbers.
-ListedPoints load_sources(Run& run, const CheckedMesh& input);
-
-/// The points of --to, in their order, coincident ones too; none without it. Throws what make_generators throws.
-ListedPoints load_targets(Run& run, const CheckedMesh& input);
-
-/// Computes the diagram by the method of the options, and reports it. Throws what compute_diagram throws.
-Diagram build_diagram(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                      const std::vector<double>& weights = {});
-
-/// Calls compute(options), and reports the time of each of its steps as "diagram: step".
-Diagram compute_timed(Run& run, DiagramOptions options, const std::function<Diagram(const DiagramOptions&)>& compute);
-
-/// Notes and reports the figures of a diagram.
-void report_diagram(Run& run, const Diagram& diagram);
+/// Reports the figures of a diagram.
+void set_diagram(Run& run, const Diagram& diagram);
 
 /// Writes to `-o` in one format.
 using OutputWriter = std::function<void(std::ostream&)>;
@@ -106,8 +70,8 @@ using OutputWriter = std::function<void(std::ostream&)>;
 // Each of the following functions writes where its option is given, and throws Error{unwritable_output} where it can't.
 
 /// Writes every `-o` file: in the formats of `own_formats`, by extension without its dot, or else `mesh`.
-void write_output_files(Run& run, const LabelledMesh& mesh,
-                        const std::map<std::string, OutputWriter>& own_formats = {});
+void write_output_files(Run& run, const LabelledMesh& mesh, const OwnWriters& own_formats = {});
+void write_output_files(Run& run, const Object& object);
 
 /// Writes `--diagram`.
 void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram);

@@ -62,12 +62,15 @@ RunResult run_one(const std::string& command, const Options& options, const std:
   const auto start = std::chrono::steady_clock::now();
   const std::string& input = options.input.path;
   report_termination(command, input);
-  Console console(fmt::format("{}: {}", command, input), detect_console_style(), options.quiet, options.verbose);
+  Console console(fmt::format("{}: {}", command, input), detect_console_style(), options.general.quiet,
+                  options.general.verbose);
   Run run(command, options, console);
-  const Outcome outcome = run_guarded([&] {
-    limit_memory_of(options.compute);
-    body(run);
-  });
+  const Outcome outcome = run_guarded(
+      [&] {
+        limit_memory_of(options);
+        body(run);
+      },
+      &options);
   console.clear_bar();
   print_error(command, input, outcome.message);
   const std::string result =
@@ -182,7 +185,7 @@ int run_several(const std::string& command, const std::vector<Options>& runs, co
   if (exit_code == kDone) exit_code = summary.exit_code;
   // The last run may have been done when the signal came.
   if (exit_code == kDone && results.size() < runs.size()) exit_code = kInterrupted;
-  Console console(command, {}, runs.front().quiet, false);
+  Console console(command, {}, runs.front().general.quiet, false);
   for (const std::string& line : format_results(results)) console.note(line);
   std::size_t files = 0;
   for (const RunResult& result : results) files += result.files;

@@ -1,12 +1,7 @@
 // gvd-distance: exact distances on the surface from points of a list, shortest paths, and isolines.
 //
-// One exact field answers for the nearest source; with --each, each thread computes whole rows, each of one source.
-// The distances form a table with a row for each field: of the vertices as the input file numbers them, or of the
-// points of --to. Unused vertices of the file are infinitely far; copies of a vertex that was cut count as the nearest
-// one. Files hold the table, or the mesh with the distances of its vertices; paths and isolines go where curves fit.
-//
-// --within and --mask part the surface. A point on the border of regions is in each of them, so it may have several
-// places: fields are computed from all places of the sources, and a distance is the least of those of its places.
+// The library measures (gvd/distances_operation.hpp). Files hold the table of distances, or the mesh with those of its
+// vertices; paths and isolines go where curves fit.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -14,28 +9,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
 
-#include "common/barriers.hpp"
 #include "common/command.hpp"
-#include "common/curves.hpp"
-#include "common/options/typed_options.hpp"
+#include "common/options/shared_options.hpp"
+#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
-#include "distance/measured_surface.hpp"
-#include "distance/unreached_points.hpp"
+#include "gvd/barriers.hpp"
+#include "gvd/distances_operation.hpp"
 #include "gvd/error.hpp"
-#include "gvd/exact_field.hpp"
 #include "gvd/io/distance_writer.hpp"
-#include "gvd/text.hpp"
+#include "gvd/unreached_points.hpp"
 
 namespace gvd::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kExamples =
     "  gvd-distance bunny.obj --from 17 --to 90\n"
@@ -44,532 +34,176 @@ constexpr const char* kExamples =
     "  gvd-distance bunny.obj --from seeds.csv --isolines 0.05 -o curves.obj\n"
     "  gvd-distance scan.stl --from seeds.txt --each --max-distance 40 -o rows.npy\n";
 
-/// Notes tell so many distances to points of --to; files and the report have all.
-constexpr std::size_t kTold = 8;
+/// What holds curves without a surface and, of the formats with one, those that draw lines beside it.
+constexpr Content kPaths = Content::curves | Content::paths, kIsolines = Content::curves | Content::isolines;
 
-/// More levels would fill the memory before anybody could tell them apart.
-constexpr double kMostLevels = 10'000;
+const std::vector<std::string> kFormats =
+    output_extensions(Content::distances | Content::rows | Content::targets | kPaths | kIsolines);
 
-/// The options of gvd-distance alone.
-struct OwnOptions {
-  bool each = false, paths = false;
-  std::optional<double> max_distance, isolines;  ///< mesh units
-  RegionFiles regions;
+struct OwnOptions : Options {
+  DistancesCall call;
 };
 
-bool writes(const Options& options, const std::vector<std::string>& formats) {
-  const std::vector<std::string> written = written_formats(options.output);
-  return std::any_of(written.begin(), written.end(), [&](const std::string& f) { return contains(formats, f); });
+void describe_own(OptionList& list, OwnOptions& own) {
+  own.has_diagram = false;
+  own.output.prints = true;
+  describe_input(list, own.input);
+  describe(list, own.call);
+  list.group("Computing");
+  describe_resources(list, own.compute);
+  describe_output(list, own.output, kFormats, "npy");
 }
 
-[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+/// Where no file is named, standard output has a text that a script reads as it is, or else the simplest format that
+/// holds all.
+void complete(OwnOptions& own, const Given& given) {
+  if (names_file(own.output)) return;
+  if (!given.has("output_format")) own.output.formats = {own.call.isolines ? "json" : own.call.paths ? "csv" : "txt"};
+  own.output.files = {"-"};
+}
 
-/// The file of -o that has this format, for messages.
-std::string named(const OutputOptions& output, const std::string& format) {
-  for (const std::string& file : output.files) {
-    if (file != "-" && format_of(output, file) == format) return "-o " + file;
+[[noreturn]] void refuse_use(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+
+/// The first of the written formats that carries any of `any`, but nothing of `none`. Null: there is none.
+const Format* find_written(const OutputOptions& output, Content any, Content none = Content::nothing) {
+  for (const std::string& format : written_formats(output)) {
+    const Format* const row = find_output(format);
+    if (row != nullptr && has_any(row->carries, any) && !has_any(row->carries, none)) return row;
   }
-  return "--output-format " + format;
+  return nullptr;
+}
+
+/// "-o p.obj: .obj", the file that has this format, for messages.
+std::string named(const OutputOptions& output, const Format& format) {
+  const std::string& name = format.extensions.front();
+  for (const std::string& file : output.files) {
+    if (file != "-" && format_of(output, file) == name) return fmt::format("-o {}: .{}", file, name);
+  }
+  return fmt::format("--output-format {0}: .{0}", name);
+}
+
+/// The formats to write instead.
+std::string list_formats(Content any, Content none = Content::nothing) {
+  return list_extensions(output_extensions(any, none), "or");
 }
 
 /// Refuses a mesh or a text that would hold nothing of what was asked for.
-void check_content(const Options& options, const OwnOptions& own) {
+void check_content(const Options& options, const DistancesCall& own) {
   const OutputOptions& output = options.output;
-  const bool has_targets = options.targets.are_listed(), has_curves = own.paths || own.isolines;
-  if (!has_curves && writes(options, {"obj"})) {
-    refuse(has_targets
-               ? fmt::format("{}: .obj holds no distances; add --paths for the shortest paths, or write .csv, .npy or "
-                             ".json",
-                             named(output, "obj"))
-               : fmt::format("{}: .obj holds no distances; write .ply, .vtp, .csv, .npy or .json, or add --isolines",
-                             named(output, "obj")));
+  const bool has_targets = own.targets.are_listed(), has_curves = own.paths || own.isolines;
+  constexpr Content kDistances = Content::distances | Content::rows;
+  if (const Format* const lines = find_written(output, Content::curves, kDistances); lines != nullptr && !has_curves) {
+    refuse_use(has_targets ? fmt::format("{} holds no distances; add --paths for the shortest paths, or write {}",
+                                         named(output, *lines), list_formats(Content::targets))
+                           : fmt::format("{} holds no distances; write {}, or add --isolines", named(output, *lines),
+                                         list_formats(kDistances)));
   }
-  const bool holds_targets =
-      !output.report.empty() || !output.view.empty() || writes(options, {"npy", "csv", "json", "txt"});
-  for (const char* format : {"ply", "vtp", "vtu"}) {
-    if (!has_targets || has_curves || holds_targets || !writes(options, {format})) continue;
-    refuse(
-        fmt::format("{}: .{} has the distances of all vertices, for which --to does nothing; {}write .csv, .npy or "
-                    ".json, or leave --to out",
-                    named(output, format), format, format == std::string("ply") ? "" : "add --paths, "));
+  const bool has_report = !output.report.empty() || !output.view.empty();
+  const Format* const mesh = find_written(output, Content::distances, Content::targets);
+  if (has_targets && !has_curves && !has_report && mesh != nullptr && !writes(output, Content::targets)) {
+    refuse_use(
+        fmt::format("{} has the distances of all vertices, for which --to does nothing; {}write {}, or leave --to out",
+                    named(output, *mesh), has_any(mesh->carries, Content::curves) ? "add --paths, " : "",
+                    list_formats(Content::targets)));
   }
-  if (own.paths && !writes(options, {"csv", "json", "obj", "vtp", "vtu"}) && output.report.empty() &&
-      output.view.empty()) {
-    refuse(
-        "--paths: only .csv, .json, .obj, .vtp, .vtu, --view and --report hold paths; write one of them or leave "
-        "--paths out");
+  if (own.paths && !has_report && !writes(output, kPaths)) {
+    refuse_use(fmt::format("--paths: {} paths; write one of them or leave --paths out",
+                           only_formats(kPaths, {"--view", "--report"})));
   }
 }
 
 /// Refuses options that contradict each other or have no effect.
-void check(const Options& options, const OwnOptions& own) {
-  const bool has_targets = options.targets.are_listed(), has_view = !options.output.view.empty();
-  if (own.paths && !has_targets)
-    refuse("--paths does nothing here: add --to, where the paths begin, or leave --paths out");
-  if (own.each && own.isolines) refuse("--each and --isolines exclude each other: isolines are of the nearest source");
-  if (own.each && !options.generators.curves.empty()) refuse("--each and --curves exclude each other: keep one");
-  if (own.each && has_view) refuse("--each and --view exclude each other: the page shows the nearest source");
-  if (own.each && !own.paths && writes(options, {"ply", "vtp", "vtu", "obj"})) {
-    refuse(
-        "--each: .ply, .vtp, .vtu and .obj hold one distance for each vertex; write .npy, .csv or .json, or add --to "
-        "and "
-        "--paths");
+void check(const Options& options, const DistancesCall& own) {
+  const OutputOptions& output = options.output;
+  const bool has_targets = own.targets.are_listed(), has_view = !output.view.empty();
+  if (own.each && has_view) refuse_use("--each and --view exclude each other: the page shows the nearest source");
+  const Format* const values = find_written(output, Content::distances, Content::surface);
+  if (has_targets && values != nullptr) {
+    refuse_use(fmt::format("--to: {} hold a distance for each vertex; write {}, or leave --to out",
+                           list_extensions(output_extensions(Content::distances, Content::surface), "and"),
+                           list_formats(Content::targets)));
   }
-  if (has_targets && writes(options, {"shape.gii", "curv"})) {
-    refuse("--to: .shape.gii and .curv hold a distance for each vertex; write .npy, .csv or .json, or leave --to out");
+  const Format* const single = find_written(output, Content::distances, Content::rows);
+  if (own.each && single != nullptr && !(own.paths && has_any(single->carries, Content::surface))) {
+    refuse_use(fmt::format("--each: {} hold one distance for each vertex; write {}{}",
+                           list_extensions(output_extensions(Content::distances, Content::rows), "and"),
+                           list_formats(Content::rows),
+                           has_any(single->carries, Content::surface) ? ", or add --to and --paths" : ""));
   }
-  if (own.each && writes(options, {"curv"})) {
-    refuse("--each: .curv holds one distance for each vertex; write .shape.gii, .npy, .csv or .json");
-  }
-  const bool holds_curves =
-      has_view || !options.output.report.empty() || writes(options, {"obj", "vtp", "vtu", "json"});
-  if (own.isolines && !holds_curves) {
-    refuse(
-        "--isolines: only .obj, .vtp, .vtu, .json, --view and --report hold curves; write one of them or leave "
-        "--isolines "
-        "out");
+  if (own.isolines && !has_view && output.report.empty() && !writes(output, kIsolines)) {
+    refuse_use(fmt::format("--isolines: {} curves; write one of them or leave --isolines out",
+                           only_formats(kIsolines, {"--view", "--report"})));
   }
   check_content(options, own);
 }
 
-void report_options(Run& run, const OwnOptions& own) {
-  Json& reported = run.report().options();
-  reported["each"] = own.each;
-  reported["paths"] = own.paths;
-  reported["max_distance"] = or_null(own.max_distance);
-  reported["isolines"] = or_null(own.isolines);
-  reported["within"] = or_null(own.regions.within);
-  reported["mask"] = or_null(own.regions.mask);
-}
-
-ExactFieldOptions field_options(Run& run, const OwnOptions& own) {
-  ExactFieldOptions options;
-  options.threads = run.options().compute.threads;
-  options.progress = run.progress();
-  options.max_distance = own.max_distance.value_or(kInfinity);
-  return options;
-}
-
-/// Calls take(i, v) for each vertex i of the file and each vertex v of the mesh that it became: several where one was
-/// cut, and the same one for several that were welded.
-template <class Take>
-void match_vertices(const CheckedMesh& input, const Take& take) {
-  for (std::size_t i = 0; i < input.mesh_vertex.size(); ++i) {
-    if (input.mesh_vertex[i].valid()) take(i, input.mesh_vertex[i]);
-  }
-  for (const VertexId v : input.mesh.vertices()) {
-    if (input.input_vertex[v] >= 0) take(std::size_t(input.input_vertex[v]), v);
-  }
-}
-
-/// The measured surface, and where the points of the lists are on it.
-struct Measurement {
-  const CheckedMesh& input;
-  const MeasuredSurface& surface;
-  PlacedPoints sources, targets;
-
-  /// The source of a field from all places of the sources.
-  GeneratorId source(GeneratorId place) const {
-    return place.valid() && !sources.point.empty() ? GeneratorId(sources.point[place.index()]) : place;
-  }
-};
-
-/// Nearest sources of points, and their distances.
-struct NearestSources {
-  std::vector<double> distance;
-  std::vector<GeneratorId> source;
-
-  explicit NearestSources(std::size_t points) : distance(points, kInfinity), source(points) {}
-  void take(std::size_t point, double d, GeneratorId from) {
-    if (!(d < distance[point])) return;
-    distance[point] = d;
-    source[point] = from;
-  }
-};
-
-/// The nearest source of each vertex of the input's mesh, which may be at several places of the surface.
-NearestSources find_nearest_of_vertices(const Measurement& measured, const ExactField& field) {
-  NearestSources found(std::size_t(measured.input.mesh.vertex_count()));
-  for (const VertexId v : measured.surface.mesh().vertices()) {
-    found.take(measured.surface.input_vertex(v).index(), field.distance(v), measured.source(field.label(v)));
-  }
-  return found;
-}
-
-/// Adds the distances of a field in the order of the table's points, and the nearest sources. `vertices`: those of the
-/// mesh's vertices.
-void add_nearest(DistanceTable& table, const Measurement& measured, const ExactField& field,
-                 const NearestSources& vertices) {
-  const CheckedMesh& input = measured.input;
-  NearestSources found(table.targets.empty() ? input.mesh_vertex.size() : table.targets.size());
-  for (std::size_t i = 0; i < measured.targets.places.size(); ++i) {
-    const ExactField::Nearest nearest = field.nearest(measured.targets.places[i]);
-    found.take(std::size_t(measured.targets.point[i]), nearest.distance, measured.source(nearest.generator));
-  }
-  if (table.targets.empty()) {
-    match_vertices(input, [&](std::size_t i, VertexId v) {
-      found.take(i, vertices.distance[v.index()], vertices.source[v.index()]);
-    });
-  }
-  table.rows.push_back(std::move(found.distance));
-  table.nearest = std::move(found.source);
-}
-
-/// Sources whose rows are computed at once: enough for all cores, and little beside the table.
-constexpr std::size_t kSourcesAtOnce = 64;
-
 /// The part of the machine's memory that a table may take: it is computed and written beside other things.
 constexpr double kMemoryShare = 0.5;
 
-/// Refuses a table that the memory does not hold, before the work.
-void check_table(const Options& options, std::size_t sources, std::size_t points) {
+double most_table_bytes(const ComputeOptions& compute) {
   const double machine = kMemoryShare * double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
-  const double most = std::min(machine, double(options.compute.max_memory.value_or(INT64_MAX)));
-  const double needed = double(sources) * double(points) * sizeof(double);
-  if (needed <= most) return;
-  refuse(
-      fmt::format("--each: {} sources and {} points make a table of {:.3g} GB, and at most {:.3g} GB fit; give fewer "
-                  "sources, or --to; Python's distance_rows computes row by row",
-                  sources, points, needed / 1e9, most / 1e9));
+  return std::min(machine, double(compute.max_memory.value_or(INT64_MAX)));
 }
 
-/// A row of distances from each source.
-void add_rows(Run& run, const OwnOptions& own, const Measurement& measured, DistanceTable& table) {
-  const CheckedMesh& input = measured.input;
-  const Mesh& mesh = measured.surface.mesh();
-  const bool has_targets = !table.targets.empty();
-  const std::vector<SurfacePoint>& sources = measured.sources.places;
-  const std::size_t places = has_targets ? measured.targets.places.size() : std::size_t(mesh.vertex_count());
-  const std::size_t points = has_targets ? table.targets.size() : input.mesh_vertex.size();
-  check_table(run.options(), table.sources.size(), points);
-  table.rows.assign(table.sources.size(), std::vector<double>(points, kInfinity));
-  if (places == 0) return;  // all targets are left out
-  ExactFieldOptions options = field_options(run, own);
-  std::vector<double> rows, of_vertices;
-  for (std::size_t begin = 0; begin < sources.size(); begin += kSourcesAtOnce) {
-    const std::size_t end = std::min(begin + kSourcesAtOnce, sources.size());
-    rows.resize((end - begin) * places);
-    options.progress = [&, shown = run.progress()](std::string_view step, double done) {
-      return shown(step, (double(begin) + done * double(end - begin)) / double(sources.size()));
-    };
-    compute_distance_rows(mesh, {sources.begin() + begin, sources.begin() + end},
-                          has_targets ? &measured.targets.places : nullptr, rows, options);
-    for (std::size_t source = begin; source < end; ++source) {
-      const auto first = rows.begin() + std::ptrdiff_t((source - begin) * places);
-      std::vector<double>& row = table.rows[std::size_t(measured.sources.point[source])];
-      const auto take = [&](std::size_t i, double d) { row[i] = std::min(row[i], d); };
-      if (has_targets) {
-        for (std::size_t k = 0; k < places; ++k) take(std::size_t(measured.targets.point[k]), first[k]);
-        continue;
-      }
-      of_vertices.assign(std::size_t(input.mesh.vertex_count()), kInfinity);
-      for (const VertexId v : mesh.vertices()) {
-        double& least = of_vertices[measured.surface.input_vertex(v).index()];
-        least = std::min(least, first[v.index()]);
-      }
-      match_vertices(input, [&](std::size_t i, VertexId v) { take(i, of_vertices[v.index()]); });
-    }
+/// Notes the first distances to the points of --to, and why the others are infinite.
+void note_targets(RunObserver& observer, const DistancesOutcome& made, bool are_printed) {
+  const DistanceTable& table = made.table;
+  const std::size_t all = table.rows.size() * table.targets.size();
+  if (all == 0) return;
+  if (are_printed) {  // on standard output
+    if (all <= kToldDistances && made.unreached > 0) observer.note(describe_unreached(made));
+    return;
   }
-}
-
-/// Adds a path from each target, out of its nearest place. `only`: the source, where the field is of that one alone.
-void add_paths(DistanceTable& table, const Measurement& measured, const ExactField& field, GeneratorId only) {
-  std::vector<std::optional<SurfacePoint>> starts(table.targets.size());
-  std::vector<double> least(table.targets.size(), kInfinity);
-  for (std::size_t k = 0; k < measured.targets.places.size(); ++k) {
-    const std::size_t target = std::size_t(measured.targets.point[k]);
-    const double d = field.nearest(measured.targets.places[k]).distance;
-    if (!(d < least[target])) continue;
-    least[target] = d;
-    starts[target] = measured.targets.places[k];
-  }
-  for (std::size_t i = 0; i < table.targets.size(); ++i) {
-    GeodesicPath path{.points = {}, .generator = {}, .length = kInfinity};
-    if (starts[i]) path = field.path(*starts[i]);
-    const GeneratorId source = only.valid() && path.generator.valid() ? only : measured.source(path.generator);
-    TargetPath& added = table.paths.emplace_back(TargetPath{std::int32_t(i), source, std::move(path)});
-    for (const SurfacePoint& point : added.path.points) {
-      added.positions.push_back(position(measured.surface.mesh(), point));
-    }
-  }
-}
-
-std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, const OwnOptions& own) {
-  double largest = 0;
-  for (const VertexId v : mesh.vertices()) {
-    if (std::isfinite(field.distance(v))) largest = std::max(largest, field.distance(v));
-  }
-  // No point of a face is farther from its vertices than its longest edge.
-  const double step = *own.isolines;
-  const double last = std::min(largest + longest_edge(mesh), own.max_distance.value_or(kInfinity));
-  if (!(last / step < kMostLevels)) {
-    refuse(fmt::format("--isolines {}: makes more than {} levels up to {:.6g}; give a larger step", step, kMostLevels,
-                       last));
-  }
-  std::vector<double> levels;
-  for (int i = 1; i * step <= last; ++i) levels.push_back(i * step);
-  return levels;
-}
-
-std::vector<Isoline> trace_isolines(Run& run, const OwnOptions& own, const Mesh& mesh, const ExactField& field) {
-  const std::vector<double> levels = choose_levels(mesh, field, own);
-  try {
-    return field.isolines(levels, {.threads = run.options().compute.threads, .progress = run.progress()});
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::invalid_option) throw;
-    refuse(fmt::format("--isolines {}: {}, with a larger step", *own.isolines, error.what()));
-  }
-}
-
-double length_of(const Mesh& mesh, const Isoline& line) {
-  double length = 0;
-  for (std::size_t i = line.closed ? 0 : 1; i < line.points.size(); ++i) {
-    const SurfacePoint& before = i > 0 ? line.points[i - 1] : line.points.back();
-    length += (position(mesh, line.points[i]) - position(mesh, before)).norm();
-  }
-  return length;
-}
-
-Json describe_isolines(const Mesh& mesh, const std::vector<Isoline>& lines) {
-  Json levels = Json::array();
-  for (const Isoline& line : lines) {
-    if (levels.empty() || levels.back()["level"] != line.level) {
-      levels.push_back({{"level", line.level}, {"curves", 0}, {"closed", 0}, {"length", 0.0}});
-    }
-    Json& level = levels.back();
-    level["curves"] = level["curves"].get<int>() + 1;
-    level["closed"] = level["closed"].get<int>() + (line.closed ? 1 : 0);
-    level["length"] = level["length"].get<double>() + length_of(mesh, line);
-  }
-  return levels;
-}
-
-Json describe_targets(const Mesh& mesh, const DistanceTable& table) {
-  Json targets = Json::array();
-  for (std::size_t i = 0; i < table.targets.size(); ++i) {
-    const Vec3 p = position(mesh, table.targets[i]);
-    const std::int64_t vertex = table.target_vertex(i);
-    Json& target = targets.emplace_back(Json{{"vertex", vertex < 0 ? Json() : Json(vertex)},
-                                             {"face", table.targets[i].face.value()},
-                                             {"bary", table.targets[i].bary},
-                                             {"position", {p.x(), p.y(), p.z()}},
-                                             {"distances", Json::array()}});
-    for (const std::vector<double>& row : table.rows) {
-      target["distances"].push_back(std::isfinite(row[i]) ? Json(row[i]) : Json());
-    }
-    target["source"] = table.nearest.empty() ? Json() : Json(table.nearest[i].value());
-  }
-  return targets;
-}
-
-/// Notes the first distances to the points of --to. Returns whether these are all distances.
-bool note_targets(Run& run, const DistanceTable& table, UnreachedPoints& unreached) {
-  if (table.targets.empty() || contains(run.options().output.files, "-")) return false;  // they are on standard output
+  UnreachedPoints unreached(made);
   std::size_t told = 0;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    for (std::size_t i = 0; i < table.targets.size() && told < kTold; ++i, ++told) {
+    for (std::size_t i = 0; i < table.targets.size() && told < kToldDistances; ++i, ++told) {
       const double distance = table.rows[row][i];
       const std::string target = table.target_name(i);
-      run.console().note(
-          std::isfinite(distance)
-              ? fmt::format("{} is {:.9g} from {}", target, distance, table.source_name(table.source(row, i)))
-              : fmt::format("{} is not reached from {}: it is {}", target,
-                            table.nearest.empty() ? table.source_name(GeneratorId(row)) : "any source",
-                            describe(unreached.find(row, i), unreached.inside())));
+      observer.note(std::isfinite(distance)
+                        ? fmt::format("{} is {:.9g} from {}", target, distance, table.source_name(table.source(row, i)))
+                        : fmt::format("{} is not reached from {}: it is {}", target,
+                                      table.nearest.empty() ? table.source_name(GeneratorId(row)) : "any source",
+                                      describe(unreached.find(row, i), unreached.inside())));
     }
   }
-  const std::size_t all = table.rows.size() * table.targets.size();
-  if (told < all) run.console().note(fmt::format("... and {} more", all - told));
-  return told == all;
+  if (told < all) observer.note(fmt::format("... and {} more", all - told));
 }
 
-/// Notes how many distances are infinite, and why. Returns their number.
-std::int64_t note_unreached(Run& run, const DistanceTable& table, UnreachedPoints& unreached, bool are_told) {
-  std::int64_t count = 0, sum = 0;
-  BarrierCounts barriers;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    for (std::size_t i = 0; i < table.rows[row].size(); ++i) {
-      ++count;
-      if (std::isfinite(table.rows[row][i])) continue;
-      ++sum;
-      barriers.add(unreached.find(row, i));
-    }
+void measure(Run& run, OwnOptions& own) {
+  check(run.options(), own.call);
+  const auto input = std::make_shared<CheckedMesh>(load_input(run));
+  own.call.most_bytes = most_table_bytes(own.compute);
+  const auto made = [&] {
+    RunObserver observer(run);
+    auto measured = gvd::run(input, own.call, observer);
+    note_targets(observer, *measured, contains(run.options().output.files, "-"));
+    return measured;
+  }();
+  report_figures(run, *made);
+  report_generators(run, input->mesh, made->table.sources, made->snap_distance);
+  write_output_files(run, *made);
+  if (made->field) {
+    write_view_file(run, "gvd-distance", [&] {
+      std::vector scenes{make_distance_scene("Distances", made->surface(), *made->field, made->table)};
+      for (const GeneratorCurve& curve : made->curves) {
+        for (auto& line : polylines(made->surface(), curve)) scenes[0].paths.push_back(std::move(line));
+      }
+      return scenes;
+    });
   }
-  if (sum > 0 && !are_told) {
-    run.console().note(fmt::format("{} of {}{} {} inf: {}", sum, counted(count, "distance", "distances"),
-                                   table.targets.empty() ? " to vertices" : "",
-                                   table.targets.empty() || sum > 1 ? "are" : "is",
-                                   barriers.describe(unreached.inside())));
-  }
-  return sum;
-}
-
-void report_table(Run& run, const OwnOptions& own, const Measurement& measured, const DistanceTable& table) {
-  double largest = 0;
-  for (const std::vector<double>& row : table.rows) {
-    for (const double d : row) {
-      if (std::isfinite(d)) largest = std::max(largest, d);
-    }
-  }
-  UnreachedPoints unreached(measured.input, measured.surface, table, measured.targets, own.max_distance.has_value());
-  const bool are_told = note_targets(run, table, unreached);
-  Json& results = run.report().results();
-  results["sources"] = table.sources.size();
-  results["source_vertices"] = Json::array();
-  for (std::size_t i = 0; i < table.sources.size(); ++i) {
-    const std::int64_t vertex = table.source_vertex(GeneratorId(i));
-    results["source_vertices"].push_back(vertex < 0 ? Json() : Json(vertex));
-  }
-  results["distances"] = table.rows.size() * (table.rows.empty() ? 0 : table.rows.front().size());
-  results["unreached"] = note_unreached(run, table, unreached, are_told);
-  results["largest"] = largest;
-  results["targets"] = describe_targets(measured.input.mesh, table);
-  Json& paths = results["paths"] = Json::array();
-  for (const auto& [target, source, path, positions] : table.paths) {
-    paths.push_back({{"source", source.value()},
-                     {"target", target},
-                     {"length", std::isfinite(path.length) ? Json(path.length) : Json()},
-                     {"points", path.points.size()},
-                     {"complete", path.complete}});
-  }
-  results["isolines"] = describe_isolines(measured.input.mesh, table.isolines);
-  if (own.isolines) {
-    run.console().note(fmt::format("{} on {}", counted(std::ssize(table.isolines), "isoline", "isolines"),
-                                   counted(std::ssize(results["isolines"]), "level", "levels")));
-  }
-}
-
-void write_files(Run& run, const CheckedMesh& input, const DistanceTable& table, LabelledMesh output) {
-  const Mesh& mesh = input.mesh;
-  output.appearance = &input.appearance;
-  const bool has_paths = !table.paths.empty();
-  const std::vector<MeshCurve> curves = make_curves(mesh, table);
-  if (!curves.empty()) output.curves = &curves;
-  write_output_files(
-      run, output,
-      {{"npy", [&](std::ostream& out) { write_distances_npy(out, table); }},
-       {"txt", [&](std::ostream& out) { write_distances_text(out, table); }},
-       {"csv", [&](std::ostream& out) { has_paths ? write_paths_csv(out, table) : write_distances_csv(out, table); }},
-       {"json", [&](std::ostream& out) { write_distances_json(out, mesh, table); }},
-       {"shape.gii", [&](std::ostream& out) { write_distances_gifti(out, table); }},
-       {"curv", [&](std::ostream& out) { write_distances_freesurfer(out, table, mesh.face_count()); }}});
-}
-
-/// One field for the nearest source.
-void measure_nearest(Run& run, const OwnOptions& own, const Measurement& measured, DistanceTable& table) {
-  const Mesh &input = measured.input.mesh, &mesh = measured.surface.mesh();
-  const bool has_curves = !run.options().generators.curves.empty();
-  const std::vector<GeneratorCurve> curves =
-      has_curves ? load_curves(run, measured.input) : std::vector<GeneratorCurve>();
-  for (const GeneratorCurve& curve : curves) table.sources.push_back(curve.points.front());
-  if (has_curves) table.source_vertices.assign(curves.size(), -1);
-  const ExactField field = run.timed("distances", [&] {
-    const ExactFieldOptions options = field_options(run, own);
-    return has_curves ? ExactField(mesh, curves, options) : ExactField(mesh, measured.sources.places, options);
-  });
-  const NearestSources vertices = find_nearest_of_vertices(measured, field);
-  add_nearest(table, measured, field, vertices);
-  if (own.paths) run.timed("paths", [&] { add_paths(table, measured, field, GeneratorId()); });
-  if (own.isolines) table.isolines = run.timed("isolines", [&] { return trace_isolines(run, own, mesh, field); });
-  report_table(run, own, measured, table);
-  IdVector<VertexId, double> distances;
-  IdVector<VertexId, GeneratorId> labels;
-  for (const double d : vertices.distance) distances.push_back(d);
-  for (const GeneratorId source : vertices.source) labels.push_back(source);
-  write_files(run, measured.input, table, {.mesh = input, .vertex_label = &labels, .vertex_distance = &distances});
-  write_view_file(run, "gvd-distance", [&] {
-    std::vector scenes{make_distance_scene("Distances", mesh, field, table)};
-    for (const GeneratorCurve& curve : curves) {
-      for (auto& line : polylines(mesh, curve)) scenes[0].paths.push_back(std::move(line));
-    }
-    return scenes;
-  });
-}
-
-/// The paths from all targets to each source.
-void add_all_paths(Run& run, const OwnOptions& own, const Measurement& measured, DistanceTable& table) {
-  ExactFieldOptions options = field_options(run, own);
-  const PlacedPoints& sources = measured.sources;
-  for (std::size_t i = 0, begin = 0; i < table.sources.size(); ++i) {
-    options.progress = [&, shown = run.progress()](std::string_view, double done) {
-      return shown("paths", (double(i) + done) / double(table.sources.size()));
-    };
-    std::vector<SurfacePoint> places;
-    for (; begin < sources.places.size() && sources.point[begin] == std::int32_t(i); ++begin) {
-      places.push_back(sources.places[begin]);
-    }
-    add_paths(table, measured, ExactField(measured.surface.mesh(), places, options), GeneratorId(i));
-  }
-}
-
-void measure_each(Run& run, const OwnOptions& own, const Measurement& measured, DistanceTable& table) {
-  const CheckedMesh& input = measured.input;
-  run.timed("distances", [&] { add_rows(run, own, measured, table); });
-  if (own.paths) run.timed("paths", [&] { add_all_paths(run, own, measured, table); });
-  report_table(run, own, measured, table);
-  write_files(run, input, table, {.mesh = input.mesh});
-}
-
-/// Refuses a source that is nowhere on the surface: its distances would all be infinite.
-void check_sources(const DistanceTable& table, const PlacedPoints& placed) {
-  std::size_t next = 0;
-  for (const std::int32_t point : placed.point) {
-    if (std::size_t(point) > next) break;
-    next = std::size_t(point) + 1;
-  }
-  if (next == table.sources.size()) return;
-  throw Error(ErrorCode::precondition,
-              fmt::format("--from: {} lies in faces that --within or --mask leaves out; choose another",
-                          table.source_name(GeneratorId(next))),
-              std::int64_t(next));
-}
-
-void measure(Run& run, const OwnOptions& own) {
-  check(run.options(), own);
-  report_options(run, own);
-  const CheckedMesh input = load_input(run);
-  DistanceTable table;
-  if (run.options().generators.curves.empty()) {
-    ListedPoints sources = load_sources(run, input);
-    table.sources = std::move(sources.points);
-    table.source_vertices = std::move(sources.vertices);
-  }
-  ListedPoints targets = load_targets(run, input);
-  table.targets = std::move(targets.points);
-  table.target_vertices = std::move(targets.vertices);
-  const MeasuredSurface surface(run, input, own.regions);
-  const Measurement measured{input, surface, surface.place(table.sources), surface.place(table.targets)};
-  check_sources(table, measured.sources);
-  own.each ? measure_each(run, own, measured, table) : measure_nearest(run, own, measured, table);
   write_report(run);
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd;
-  using namespace gvd::app;
-  OwnOptions own;
-  Command command({"gvd-distance",
-                   "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
-                   kExamples,
-                   {{"npy", "csv", "ply", "vtp", "vtu", "obj", "json", "shape.gii", "curv", "txt"}, false},
-                   register_distance_options});
-  command.line().option_defaults()->group("Distances");
-  add_curves_option(command.line(), command.options().generators, {"--from", "--merge-coincident"});
-  add_flag(command.line(), "--each", own.each, "Measure from each source alone, instead of from the nearest one");
-  add_flag(command.line(), "--paths", own.paths,
-           "Trace the shortest path from each point of --to; .csv then holds the points of the paths");
-  add_number(command.line(), "--max-distance", own.max_distance, kNotNegative,
-             "Leave out what is farther than this, in mesh units; the work ends there");
-  add_number(command.line(), "--isolines", own.isolines, kPositive,
-             "Trace the curves of equal distance at every multiple of this, in mesh units");
-  add_region_files(command.line(), own.regions, "distances and paths");
-  for (const char* option : {"--within", "--mask"}) {
-    command.line().get_option(option)->excludes(command.line().get_option("--curves"));
-  }
-  // Where no file is named: a text that a script reads as it is, or else the simplest format that holds all.
-  command.print_results([&] { return own.isolines ? "json" : own.paths ? "csv" : "txt"; });
-  return command.run(argc, argv, [&](Run& run) { measure(run, own); });
+Command distance_command() {
+  return make_command<OwnOptions>(
+      {"gvd-distance",
+       "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
+       kExamples,
+       {kFormats, false}},
+      {describe_own, measure, complete});
 }
+
+}  // namespace gvd::app

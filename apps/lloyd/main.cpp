@@ -7,46 +7,39 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <nlohmann/json.hpp>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "common/balance.hpp"
 #include "common/command.hpp"
 #include "common/options/options.hpp"
-#include "common/options/register_options.hpp"
-#include "common/options/typed_options.hpp"
+#include "common/options/shared_options.hpp"
 #include "common/referred_files.hpp"
-#include "common/relaxation.hpp"
+#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
-#include "gvd/balance.hpp"
-#include "gvd/generator_list.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
+#include "gvd/lloyd_operation.hpp"
+#include "gvd/lloyd_words.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// 100,000 generators on 5,876 faces took 76 s of processor time and 0.96 GB.
 constexpr GeneratorCost kGeneratorCost{760, 9.6};
 
-/// The command's own options.
-struct OwnOptions {
-  LloydOptions relaxation;
-  ConstraintOptions constraints;
+const std::vector<std::string> kFormats =
+    output_extensions(Content::generators | Content::surface | Content::vertex_labels | Content::distances);
+
+struct OwnOptions : Options {
+  LloydCall call;
   std::optional<double> time_limit;  ///< of the relaxation, seconds, >= 0
-  std::string balance;               ///< what cells share in the end: "area", a file or a property; empty: as they come
+  std::string points, trace;         ///< files; empty: none
 };
 
 constexpr const char* kExamples =
@@ -58,105 +51,28 @@ constexpr const char* kExamples =
     "    gvd-remesh bunny.obj --generators relaxed.txt -o coarse.obj\n"
     "  gvd-lloyd scans/*.stl -n 30 --output-dir relaxed --output-format json\n";
 
-constexpr Range<std::int32_t> kIterations{0, 1000000, "a whole number from 0 to 1000000"};
-// The upper end is the largest double below 2.
-constexpr Range<double> kStep{std::numeric_limits<double>::min(), 0x1.fffffffffffffp0, "above 0 and below 2"};
-
-void register_relaxation(CLI::App& line, OwnOptions& own) {
-  LloydOptions &options = own.relaxation, plain;
-  plain.acceleration = Acceleration::none;
-  line.option_defaults()->group("Relaxation");
-  add_choice(line, "--accelerate", options.acceleration, kAccelerationNames,
-             "How to find the steps: by a quasi-Newton method (lbfgs, the default), by Anderson mixing of the last "
-             "steps, or by Lloyd's method alone");
-  add_choice(line, "--relocate", options.relocate, Choices<bool>{{"on", true}, {"off", false}},
-             "Move generators from cells with little energy to distant cells with much, where that lowers the energy "
-             "at once (default: on; off with --accelerate none)");
-  add_number(line, "--iterations", options.max_iterations, kIterations,
-             fmt::format("Largest number of iterations (default: {}; {} with --accelerate none)",
-                         max_iterations(options), max_iterations(plain)));
-  add_number(line, "--tolerance", options.energy_tolerance, kNotNegative,
-             fmt::format("Stop once an iteration lowers the energy by less than this fraction of it; 1e-8 is near the "
-                         "limit (default: stop once the next five iterations would lower it by less than {:g} %, as "
-                         "predicted; {} with --accelerate none)",
-                         100 * kSettledFall, *energy_tolerance(plain)));
-  add_number(line, "--move-tolerance", options.move_tolerance, kNotNegative,
-             fmt::format("Stop once no generator is farther from its centroid than this fraction of the mean cell "
-                         "radius (default: {})",
-                         options.move_tolerance));
-  add_number(
-      line, "--step", options.step, kStep,
-      fmt::format(
-          "Length of the steps of Lloyd's method, as a fraction of the way to the centroid, below 2 (default: {})",
-          options.step));
-  register_coarse(line, own.constraints);
-  add_file(
-      line, "--balance", own.balance,
-      "In the end, make all cells equal and keep the generators near their centroids: in area, or in the integral of "
-      "a number for each vertex or face, out of a file or a property of INPUT",
-      "area|FILE|PROPERTY");
-  add_number(line, "--time-limit", own.time_limit, kNotNegative,
-             "Stop after the iteration that exceeds this many seconds in all; the result then varies from run to run "
-             "(default: no limit)");
-}
-
-const char* describe(LloydStop stop) {
-  constexpr std::array<const char*, 6> kSentences{
-      "every generator is at its centroid", "the energy falls by less than the tolerance",
-      "no step lowers the energy any more", "hardly any decrease of the energy is left",
-      "the iterations are used up",         "the time is over"};
-  return kSentences[static_cast<std::size_t>(stop)];
-}
-
-/// The measure of an iteration's energy: the name of a method, or `sampled` without a diagram.
-std::string_view measure_name(const LloydIteration& iteration) {
-  return iteration.is_sampled ? "sampled" : name_in(kMethodNames, iteration.method);
-}
-
-/// How the step of an iteration was found, in one word.
-std::string_view step_name(const LloydIteration& iteration) {
-  if (iteration.relocated > 0) return "relocation";
-  return iteration.by == Acceleration::none ? "lloyd" : name_in(kAccelerationNames, iteration.by);
-}
-
-/// One array for each figure of the iterations. The first energy is that of the given generators.
-void add_iterations(Json& results, const LloydResult& result) {
-  const auto list = [&](const char* name, const auto& figure) {
-    results[name] = Json::array();
-    for (const LloydIteration& i : result.iterations) results[name].push_back(std::invoke(figure, i));
-  };
-  list("energies", &LloydIteration::energy);
-  results["energies"].insert(results["energies"].begin(), result.initial_energy);
-  list("steps", step_name);
-  list("relocated_generators", &LloydIteration::relocated);
-  list("methods", measure_name);
-  list("largest_moves", &LloydIteration::largest_move);
-  list("mean_moves", &LloydIteration::mean_move);
-  list("step_scales", &LloydIteration::scale);
-  list("held_generators", &LloydIteration::held);
-}
-
-/// Standard deviation of the cells' areas, divided by their mean; 0 where they have none.
-double area_variation(const IdVector<GeneratorId, Cell>& cells) {
-  double sum = 0, squares = 0;
-  for (const Cell& cell : cells) sum += cell.area;
-  const double mean = sum / static_cast<double>(cells.size());
-  if (!(mean > 0)) return 0;
-  for (const Cell& cell : cells) squares += (cell.area / mean - 1) * (cell.area / mean - 1);
-  return std::sqrt(squares / static_cast<double>(cells.size()));
-}
-
-void report_own_options(Json& reported, const OwnOptions& own) {
-  const LloydOptions& options = own.relaxation;
-  reported["accelerate"] = name_in(kAccelerationNames, options.acceleration);
-  reported["relocate"] = relocates(options);
-  reported["iterations"] = max_iterations(options);
-  reported["tolerance"] = or_null(energy_tolerance(options));
-  reported["move_tolerance"] = options.move_tolerance;
-  reported["step"] = options.step;
-  report_constraints(reported, own.constraints);
-  reported["balance"] = or_null(own.balance);
-  reported["time_limit"] = or_null(own.time_limit);
+void describe_own(OptionList& list, OwnOptions& own) {
+  describe_input(list, own.input);
+  describe(list, own.call);
+  describe_generators_format(list, own.input);
+  list.group("Computing");
+  describe_resources(list, own.compute);
+  describe_verify(list, own.compute);
+  list.group("Relaxation");
+  list.option("time_limit", Number{&own.time_limit, {.least = 0}},
+              {.help = "Stop after the iteration that exceeds this time in all",
+               .more = "; the result then varies from run to run",
+               .unit = "seconds",
+               .usual = "no limit"});
+  describe_output(list, own.output, kFormats, "txt");
+  describe_no_curves(list, own.output);
+  describe_diagram_output(list, own.output);
+  const std::vector<std::string_view> names = names_in(kPointFormatNames);
+  describe_target(
+      list, own.output, "points", own.points, {names.begin(), names.end()},
+      {.help = "Write the generators with normals, barycentric coordinates, areas and energies", .shown = Shown::main});
+  describe_target(list, own.output, "trace", own.trace, {"csv"},
+                  {.help = "Write energy, moves, methods and seconds of each iteration as CSV"});
 }
 
 /// When the energy of each iteration was known, and the generators then. The library reads no clock.
@@ -164,6 +80,8 @@ class RelaxationTrace {
  public:
   /// Seconds since this was made.
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+  void restart() { *this = {}; }
 
   /// To be called from LloydOptions::on_iteration. Iterations that count as one with those before are forgotten.
   void note(std::int64_t iterations, const std::vector<SurfacePoint>& generators) {
@@ -238,105 +156,33 @@ std::vector<ViewScene> make_iteration_scenes(const Mesh& mesh, const LloydResult
   return scenes;
 }
 
-/// The progress of a relaxation that also ends after `limit` seconds.
-Progress limit_progress(const Progress& progress, const RelaxationTrace& trace, double limit) {
-  return [progress, &trace, limit](std::string_view step, double fraction) {
-    return progress(step, std::max(fraction, std::min(1.0, trace.seconds() / limit)));
-  };
-}
-
-void report_result(Run& run, const LloydResult& result) {
-  const double variation = area_variation(result.diagram.cells);
-  Json& results = run.report().results();
-  results["iterations"] = result.iterations.size();
-  results["stop"] = name_in(kLloydStopNames, result.stop);
-  add_iterations(results, result);
-  results["coarse"] = describe_copy(result.copy);
-  results["residual"] = result.residual;
-  results["mean_cell_radius"] = result.mean_cell_radius;
-  results["diagrams"] = result.diagrams;
-  results["area_variation"] = variation;
-  run.figures().energy = result.final_energy;
-  run.console().note(fmt::format("{}, energy {:.6g} -> {:.6g} mesh units^4: {}",
-                                 counted(std::ssize(result.iterations), "iteration", "iterations"),
-                                 result.initial_energy, result.final_energy, describe(result.stop)));
-  run.console().note(fmt::format("areas of the cells: coefficient of variation {:.3g}", variation));
-}
-
-RelaxationStart make_start(Run& run, const CheckedMesh& input, const ConstraintOptions& constraints) {
-  RelaxationStartOptions options = make_start_options(run, input, constraints);
-  RelaxationStart start;
-  {
-    StepTimes times(run);
-    options.on_step = [&times](std::string_view step) { times.start(step); };
-    start = start_relaxation(input.mesh, options);
+/// The observer of a relaxation that also ends after a time.
+class TimedObserver : public RunObserver {
+ public:
+  TimedObserver(Run& run, RelaxationTrace& trace, std::optional<double> limit)
+      : RunObserver(run), trace_(trace), limit_(limit) {}
+  bool progress(std::string_view step, double fraction) override {
+    if (limit_ && relaxes_) fraction = std::max(fraction, std::min(1.0, trace_.seconds() / *limit_));
+    return RunObserver::progress(step, fraction);
   }
-  report_start(run, input.mesh, start, constraints);
-  return start;
-}
-
-LloydResult relax(Run& run, const Mesh& mesh, const RelaxationStart& start, const OwnOptions& own,
-                  RelaxationTrace& trace) {
-  LloydOptions options = own.relaxation;
-  options.diagram = make_diagram_options(run.options().compute);
-  options.progress = run.progress();
-  trace = {};
-  if (own.time_limit) {
-    options.is_time_over = [&] { return trace.seconds() >= *own.time_limit; };
-    options.progress = limit_progress(run.progress(), trace, *own.time_limit);
+  void enter(std::string_view step) override {
+    RunObserver::enter(step);
+    relaxes_ = step == kRelaxationStep;
+    if (relaxes_) trace_.restart();
   }
-  options.on_iteration = [&](std::int64_t iterations, double energy, const std::vector<SurfacePoint>& generators) {
-    trace.note(iterations, generators);
-    show_iteration(run, iterations, energy);
-  };
-  LloydResult result = run.timed("relaxation", [&] { return relax_generators(mesh, start, options); });
-  run.console().set_status("");
-  note_copy(run, result.copy, start, options.ends_on_copy);
-  report_result(run, result);
-  return result;
-}
+  void leave() override {
+    relaxes_ = false;
+    RunObserver::leave();
+  }
 
-/// Makes the cells of a relaxation equal, and takes what that changes into its result.
-void balance(Run& run, const CheckedMesh& input, const RelaxationStart& start, const OwnOptions& own,
-             LloydResult& relaxed) {
-  BalancedRelaxationOptions options;
-  if (own.balance != "area") options.balance.density = find_density(run, input, "--balance", own.balance);
-  options.balance.diagram = make_diagram_options(run.options().compute);
-  options.balance.diagram.progress = run.progress();
-  options.density = start.density;
-  options.freedom = start.freedom;
-  options.creases = start.creases;
-  BalancedRelaxation found =
-      run.timed("balance", [&] { return relax_balanced(input.mesh, relaxed.generators, options); });
-  relaxed.generators = found.balanced.diagram.generators;
-  relaxed.moments = std::move(found.moments);
-  relaxed.final_energy = 0;
-  for (const CellMoments& cell : relaxed.moments) relaxed.final_energy += cell.energy;
-  run.console().note(fmt::format("{} of balancing, generators at most {:.2g} mean cell radii from their centroids",
-                                 counted(found.rounds, "round", "rounds"), found.residual / found.mean_cell_radius));
-  report_balance(run, found.balanced);
-  relaxed.diagram = std::move(found.balanced.diagram);
-  Json& results = run.report().results();
-  results["balance"]["rounds"] = found.rounds;
-  results["weights"] = relaxed.diagram.weights;
-  results["residual"] = found.residual;
-  results["mean_cell_radius"] = found.mean_cell_radius;
-  results["area_variation"] = area_variation(relaxed.diagram.cells);
-  run.figures().energy = relaxed.final_energy;
-}
+ private:
+  RelaxationTrace& trace_;
+  std::optional<double> limit_;
+  bool relaxes_ = false;
+};
 
-void write_outputs(Run& run, const CheckedMesh& input, const Diagram& diagram) {
-  const Mesh& mesh = input.mesh;
-  const auto list = [&](GeneratorFormat format) {
-    return [&mesh, &diagram, format](std::ostream& out) { out << format_generators(mesh, diagram.generators, format); };
-  };
-  LabelledMesh output = label_mesh(mesh, diagram, diagram.face_label);
-  output.appearance = &input.appearance;
-  write_output_files(run, output, {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}});
-}
-
-void write_points_file(Run& run, const Mesh& mesh, const LloydResult& relaxed) {
-  const auto format = parse_point_format(file_extension(run.options().output.own.at("--points")));
+void write_points_file(Run& run, const OwnOptions& own, const Mesh& mesh, const LloydResult& relaxed) {
+  const auto format = parse_point_format(file_extension(own.points));
   if (!format) return;
   std::vector<SurfaceSample> samples;
   for (const SurfacePoint& point : relaxed.generators) {
@@ -346,29 +192,31 @@ void write_points_file(Run& run, const Mesh& mesh, const LloydResult& relaxed) {
   write_own_file(run, "--points", [&](std::ostream& out) { write_points(out, mesh, samples, *format); });
 }
 
-void lloyd(Run& run, const OwnOptions& own) {
-  report_own_options(run.report().options(), own);
-  const CheckedMesh input = load_input(run);
-  note_many_generators(run, input.mesh, kGeneratorCost);
-  check_material_files(run, input.appearance);
-  const Mesh& mesh = input.mesh;
-  ConstraintOptions constraints = own.constraints;
-  CopyOptions copy;
-  copy.faces = constraints.coarse;
-  constraints.coarse = copy_options(own.relaxation, copy).faces;
-  const RelaxationStart start = make_start(run, input, constraints);
+void lloyd(Run& run, OwnOptions& own) {
+  const auto input = std::make_shared<CheckedMesh>(load_input(run));
+  note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
+  check_material_files(run, input->appearance);
+  const Mesh& mesh = input->mesh;
   RelaxationTrace trace;
-  LloydResult relaxed = relax(run, mesh, start, own, trace);
-  if (!own.balance.empty()) balance(run, input, start, own, relaxed);
-  run.report().generators().clear();
-  run.report().set_generators(mesh, relaxed.generators);
-  report_diagram(run, relaxed.diagram);
-  write_outputs(run, input, relaxed.diagram);
+  own.call.relaxation.on_iteration = [&trace](std::int64_t iterations, double, const auto& generators) {
+    trace.note(iterations, generators);
+  };
+  if (own.time_limit) own.call.relaxation.is_time_over = [&] { return trace.seconds() >= *own.time_limit; };
+  const auto outcome = [&] {
+    TimedObserver observer(run, trace, own.time_limit);
+    return gvd::run(input, own.call, observer);
+  }();
+  const LloydResult& relaxed = *outcome->relaxed;
+  report_figures(run, *outcome);
+  run.figures().energy = relaxed.final_energy;
+  report_generators(run, mesh, relaxed.generators, outcome->snap_distance);
+  set_diagram(run, relaxed.diagram);
+  write_output_files(run, *outcome);
   write_diagram_file(run, mesh, relaxed.diagram);
-  write_points_file(run, mesh, relaxed);
-  write_own_file(run, "--trace", [&](std::ostream& out) { trace.write(out, relaxed, run.options().compute.method); });
+  write_points_file(run, own, mesh, relaxed);
+  write_own_file(run, "--trace", [&](std::ostream& out) { trace.write(out, relaxed, own.call.diagram.method); });
   write_view_file(run, "gvd-lloyd", [&] {
-    DiagramOptions early = make_diagram_options(run.options().compute);
+    DiagramOptions early = own.call.diagram;
     early.progress = run.progress();
     return make_iteration_scenes(mesh, relaxed, trace, early);
   });
@@ -376,20 +224,13 @@ void lloyd(Run& run, const OwnOptions& own) {
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd;
-  using namespace gvd::app;
-  OwnOptions own;
-  Command command({"gvd-lloyd",
-                   "Moves generators to the geodesic centroids of their cells until they stop moving.",
-                   kExamples,
-                   {{"txt", "csv", "json", "ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb", "surf.gii",
-                     "label.gii", "shape.gii", "fs", "annot", "curv"}}});
-  register_relaxation(command.line(), own);
-  register_constraints(command.line(), own.constraints);
-  command.add_target("--points", "Write the generators with normals, barycentric coordinates, areas and energies");
-  command.add_target("--trace", "Write energy, moves, methods and seconds of each iteration as CSV");
-  return command.run(argc, argv, [&](Run& run) { lloyd(run, own); });
+Command lloyd_command() {
+  return make_command<OwnOptions>({"gvd-lloyd",
+                                   "Moves generators to the geodesic centroids of their cells until they stop moving.",
+                                   kExamples,
+                                   {kFormats}},
+                                  {describe_own, lloyd});
 }
+
+}  // namespace gvd::app

@@ -1,41 +1,28 @@
 // gvd-remesh: builds the coarse mesh that is dual to a diagram.
 //
-// The library makes it (gvd/remesh_surface.hpp). Here are the files that options name, the report and the notes, and
-// the maps and properties that are carried over. --error asks for the fewest generators whose remesh is near enough:
-// the number is searched for first, and the run follows with it.
+// The library makes it (gvd/remesh_operation.hpp). Here are the files, and the properties of INPUT that are carried
+// over.
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <memory>
+#include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "common/command.hpp"
 #include "common/options/options.hpp"
+#include "common/options/shared_options.hpp"
 #include "common/process.hpp"
-#include "common/relaxation.hpp"
+#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
-#include "gvd/carry_properties.hpp"
-#include "gvd/error.hpp"
-#include "gvd/lloyd.hpp"
-#include "gvd/mesh.hpp"
+#include "gvd/mesh_property.hpp"
 #include "gvd/remesh_map.hpp"
+#include "gvd/remesh_operation.hpp"
 #include "gvd/remesh_scenes.hpp"
-#include "gvd/remesh_surface.hpp"
-#include "gvd/sampling.hpp"
-#include "gvd/text.hpp"
-#include "remesh/remesh_report.hpp"
-#include "remesh/settings.hpp"
 
 namespace gvd::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kExamples =
     "  gvd-remesh bunny.obj -n 2000 -o coarse.obj\n"
@@ -49,149 +36,56 @@ constexpr const char* kExamples =
 /// 30,000 generators on 5,876 faces took 14 s of processor time and 0.44 GB.
 constexpr GeneratorCost kGeneratorCost{460, 14.7};
 
-constexpr const char* kMap = "--map";
+const std::vector<std::string> kFormats = output_extensions(Content::surface | Content::diagram);
 
-void report_relaxation(Run& run, const SurfaceRemesh& made) {
-  const LloydResult& relaxed = *made.relaxation;
-  note_copy(run, relaxed.copy, made.start, made.relaxation_ends_on_copy);
-  run.console().detail(fmt::format("generators relaxed in {}, energy {:.6g} -> {:.6g} mesh units^4",
-                                   counted(std::ssize(relaxed.iterations), "iteration", "iterations"),
-                                   relaxed.initial_energy, relaxed.final_energy));
-  run.report().results()["relaxation"] = {
-      {"iterations", relaxed.iterations.size()},   {"stop", name_in(kLloydStopNames, relaxed.stop)},
-      {"initial_energy", relaxed.initial_energy},  {"final_energy", relaxed.final_energy},
-      {"extremities", relaxed.extremities.size()}, {"diagrams", relaxed.diagrams},
-      {"coarse", describe_copy(relaxed.copy)}};
-}
+/// What --carry takes from the input.
+constexpr Content kCarried = Content::properties | Content::texture | Content::materials;
 
-void report_options(Run& run, const Settings& settings, const ConstraintOptions& constraints,
-                    const SurfaceRemeshOptions& asked) {
-  Json& reported = run.report().options();
-  const GeneratorOptions& generators = run.options().generators;
-  const Placement placement = asked.chosen_placement();
-  reported["relax"] = asked.iterations();
-  report_constraints(reported, constraints);
-  reported["target_edge"] = or_null(generators.target_edge);
-  reported["loose_boundary"] = settings.loose_boundary;
-  reported["place"] = name_in(kPlacementNames, placement);
-  reported["shape"] = placement == Placement::fit ? Json(asked.remesh.placement.shape) : nullptr;
-  reported["allow_intersections"] = asked.remesh.allow_intersections;
-  reported["no_refine"] = !asked.remesh.refine;
-  reported["exact_count"] = asked.exact_count;
-}
-
-/// The library's options for this run.
-SurfaceRemeshOptions make_remesh_options(Run& run, const CheckedMesh& input, const Settings& settings) {
-  SurfaceRemeshOptions options;
-  options.start = make_start_options(run, input, settings.constraints);
-  options.start.constraints.prefers_boundary = !settings.loose_boundary;
-  options.relaxation = settings.relaxation;
-  options.placement = settings.place;
-  options.exact_count = settings.exact_count;
-  options.remesh = settings.remesh;
-  options.remesh.refine = !settings.no_refine;
-  if (settings.shape) options.remesh.placement.shape = *settings.shape;
-  options.remesh.diagram = make_diagram_options(run.options().compute);
-  options.remesh.diagram.progress = run.progress();
-  return options;
-}
-
-/// Generators and their remesh, with the time of every step.
-SurfaceRemesh make_remesh(Run& run, const Mesh& mesh, SurfaceRemeshOptions options) {
-  StepTimes times(run);
-  options.on_step = [&](std::string_view step) {
-    times.start(step);
-    run.console().set_status("");
-  };
-  options.on_iteration = [&run](std::int64_t iterations, double energy) { show_iteration(run, iterations, energy); };
-  return remesh_surface(mesh, options);
-}
-
-void report_result(Run& run, const Mesh& mesh, const ConstraintOptions& constraints, const SurfaceRemesh& made) {
-  const RemeshResult& result = made.result;
-  report_start(run, mesh, made.start, constraints);
-  run.report().results()["relaxation"] = nullptr;
-  if (made.relaxation) report_relaxation(run, made);
-  run.report().options()["max_added"] = result.max_added;
-  report_remesh(run.report().results(), mesh, result);
-  run.report().set_diagram(result.diagram);
-  run.figures().regions = std::ssize(result.diagram.cells);
-  run.report().set_generators(mesh, result.generators);
-  for (const std::string& line : describe_remesh(result, made.options)) run.console().note(line);
-}
-
-/// Searches for the fewest generators that keep the distance of `--error`, and reports the trials.
-std::int32_t search_count(Run& run, const Mesh& mesh, const SurfaceRemeshOptions& options) {
-  const ErrorBound& bound = *run.options().generators.error;
-  const double distance = bound.value * (bound.in_diagonals ? mesh.bbox_diagonal() : 1);
-  const auto show = [&run](const CountTrial& trial) {
-    run.console().set_status(fmt::format("{} generators tried", trial.count));
-    run.console().detail(std::isfinite(trial.error)
-                             ? fmt::format("{} generators: distance {:.6g} mesh units", trial.count, trial.error)
-                             : fmt::format("{} generators: no mesh", trial.count));
-  };
-  const Fewest found = run.timed("trials", [&] { return find_remesh_count(mesh, options, distance, show); });
-  run.console().set_status("");
-  report_trials(run.report().results(), distance, found);
-  return *found.count;
-}
-
-/// The number of generators for a mean length of edges: by the area that each one has in an even triangulation.
-std::int32_t count_for(const Mesh& mesh, double edge) {
-  const double count = even_count(compute_area(mesh), edge);
-  if (count <= std::numeric_limits<std::int32_t>::max()) return static_cast<std::int32_t>(count);
-  throw Error(ErrorCode::invalid_option,
-              fmt::format("--target-edge {}: this takes {:.3g} generators; ask for longer edges", edge, count));
-}
-
-/// The map that `--map` and `--carry` need; empty without them.
-RemeshMap make_map(Run& run, const Mesh& mesh, const RemeshResult& result, bool carry) {
-  const std::string& path = run.options().output.own.at(kMap);
-  run.report().options()["map"] = or_null(path);
-  if (path.empty() && !carry) return {};
-  return run.timed("map", [&] { return map_to_remesh(mesh, result, run.options().compute.threads, run.progress()); });
-}
-
-/// Writes `--map`; the report and a note tell how good the map is.
-void write_map(Run& run, const CheckedMesh& input, const RemeshMap& map) {
-  if (run.options().output.own.at(kMap).empty()) return;
-  run.console().note(report_map(run.report().results(), map));
-  write_own_file(run, kMap, [&](std::ostream& out) { write_map_json(out, input, map); });
-}
-
-/// Properties, texture coordinates and materials of the input file, on the remesh.
-struct Carried {
-  std::vector<MeshProperty> properties;
-  Appearance appearance;  ///< empty where the file has neither
+struct OwnOptions : Options {
+  RemeshCall call;
+  std::string map;  ///< a file; empty: none
 };
+
+void describe_own(OptionList& list, OwnOptions& own) {
+  describe_input(list, own.input);
+  describe(list, own.call);
+  describe_generators_format(list, own.input);
+  list.group("Remesh");
+  list.option("carry", Flag{&own.call.carry},
+              {.help = "Carry over the colours and other properties of a PLY input to " +
+                       list_extensions(output_extensions(Content::properties), "and"),
+               .more = fmt::format(", texture coordinates to {}, and materials to {}",
+                                   list_extensions(output_extensions(Content::texture), "and"),
+                                   list_extensions(output_extensions(Content::materials), "and"))});
+  list.rule(format_rule(own.output, "carry", output_extensions(kCarried),
+                        fmt::format("{{option:carry}}: {} what is carried over; write one, such as "
+                                    "{{option:output=FILE.ply}}",
+                                    only_formats(kCarried))));
+  list.group("Computing");
+  describe_resources(list, own.compute);
+  describe_verify(list, own.compute);
+  describe_output(list, own.output, kFormats, "ply");
+  describe_diagram_output(list, own.output);
+  describe_target(list, own.output, "map", own.map, {"json"},
+                  {.help = "Write the point of {option:input} for each output vertex, and the point of the output for "
+                           "each input vertex"});
+}
+
+void complete(OwnOptions& own, const Given&) { own.call.map = !own.map.empty(); }
 
 std::vector<MeshProperty> read_properties(const InputOptions& input, const PipedInput& piped) {
   if (piped.bytes.empty()) return read_mesh_properties(input.path, input.format);
   return parse_mesh_properties(piped.bytes, piped.format, input.path == "-" ? kStandardInput : input.path);
 }
 
-/// Reads the properties of the input file, and carries them over, with the texture coordinates and materials. Notes
-/// where there is nothing to carry over, and what no output holds.
-Carried carry(Run& run, const CheckedMesh& input, const RemeshResult& result, const RemeshMap& map,
-              const PipedInput& piped) {
-  Carried carried = run.timed("carry", [&] {
-    const std::vector<MeshProperty> found = read_properties(run.options().input, piped);
-    return Carried{carry_properties(input, found, result, map), carry_appearance(input, result, map)};
-  });
-  if (carried.properties.empty() && carried.appearance.empty()) {
+/// Notes where there was nothing to carry over, and what no output holds.
+void note_carried(Run& run, const RemeshOutcome& made) {
+  if (made.properties.empty() && made.appearance.empty()) {
     note_on_input(run, "no properties, texture coordinates or materials to carry over");
-  } else if (!carried.properties.empty() && !contains(written_formats(run.options().output), "ply")) {
-    run.console().note("--carry: OBJ and GLB hold texture coordinates, and no properties; these need -o FILE.ply");
+  } else if (!made.properties.empty() && !writes(run.options().output, Content::properties)) {
+    run.console().note(
+        fmt::format("--carry: {} properties; write one, such as -o FILE.ply", only_formats(Content::properties)));
   }
-  return carried;
-}
-
-void write_remesh(Run& run, const Mesh& mesh, const RemeshResult& result, const Carried& carried) {
-  LabelledMesh coarse{result.mesh};
-  coarse.properties = &carried.properties;
-  coarse.appearance = &carried.appearance;
-  const auto json = [&](std::ostream& out) { write_remesh_json(out, mesh, result); };
-  write_output_files(run, coarse, {{"json", json}});
 }
 
 void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
@@ -202,49 +96,41 @@ void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
   });
 }
 
-void run_remesh(Run& run, const Settings& settings) {
-  check_settings(run.options(), settings);
-  run.report().options()["carry"] = settings.carry;
+void run_remesh(Run& run, OwnOptions& own) {
   PipedInput piped;
-  const CheckedMesh input = load_input(run, settings.carry ? &piped : nullptr);
-  note_many_generators(run, input.mesh, kGeneratorCost);
-  if (!settings.carry && !input.appearance.empty() && !run.options().output.files.empty()) {
-    note_on_input(run, "texture coordinates and materials are left out; --carry keeps them in .obj, .ply and .glb");
+  const bool carries = own.call.carry;
+  const auto input = std::make_shared<CheckedMesh>(load_input(run, carries ? &piped : nullptr));
+  note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
+  if (!carries && !input->appearance.empty() && !run.options().output.files.empty()) {
+    note_on_input(run, fmt::format("texture coordinates and materials are left out; --carry keeps them in {}",
+                                   list_extensions(output_extensions(Content::texture | Content::materials), "and")));
   }
-  const Mesh& mesh = input.mesh;
-  const GeneratorOptions& asked = run.options().generators;
-  SurfaceRemeshOptions options = make_remesh_options(run, input, settings);
-  ConstraintOptions constraints = settings.constraints;
-  constraints.auto_features = constraints.auto_features && options.may_add();
-  report_options(run, settings, constraints, options);
-  if (asked.error) options.start.sampling.count = search_count(run, mesh, options);
-  if (asked.target_edge) options.start.sampling.count = count_for(mesh, *asked.target_edge);
-  const SurfaceRemesh made = make_remesh(run, mesh, std::move(options));
-  report_result(run, mesh, constraints, made);
-  const RemeshResult& result = made.result;
-  const RemeshMap map = make_map(run, mesh, result, settings.carry);
-  const Carried carried = settings.carry ? carry(run, input, result, map, piped) : Carried();
-  write_remesh(run, mesh, result, carried);
-  write_diagram_file(run, mesh, result.diagram);
-  write_map(run, input, map);
-  write_view(run, mesh, result);
-  finish_run(run, mesh, result.diagram);
+  if (carries) own.call.properties = read_properties(run.options().input, piped);
+  const auto made = [&] {
+    RunObserver observer(run);
+    return gvd::run(input, own.call, observer);
+  }();
+  const RemeshResult& result = made->result();
+  report_figures(run, *made);
+  set_diagram(run, result.diagram);
+  report_generators(run, input->mesh, result.generators, made->snap_distance);
+  if (carries) note_carried(run, *made);
+  write_output_files(run, *made);
+  write_diagram_file(run, input->mesh, result.diagram);
+  write_own_file(run, "--map", [&](std::ostream& out) { write_map_json(out, *input, *made->map); });
+  write_view(run, input->mesh, result);
+  finish_run(run, input->mesh, result.diagram);
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd;
-  using namespace gvd::app;
-  Settings settings;
-  Command command({"gvd-remesh",
-                   "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
-                   kExamples,
-                   // the coarse mesh has no labels
-                   {{"ply", "obj", "off", "stl", "vtp", "vtu", "glb", "json", "surf.gii", "fs"}, false}});
-  register_settings(command, settings);
-  command.add_target(
-      kMap, "Write the point of INPUT for each output vertex, and the point of the output for each input vertex");
-  return command.run(argc, argv, [&](Run& run) { run_remesh(run, settings); });
+Command remesh_command() {
+  return make_command<OwnOptions>(
+      {"gvd-remesh",
+       "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
+       kExamples,
+       {kFormats, false}},  // the coarse mesh has no labels
+      {describe_own, run_remesh, complete});
 }
+
+}  // namespace gvd::app

@@ -7,32 +7,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <iterator>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
 
-#include "common/barriers.hpp"
 #include "common/command.hpp"
-#include "common/curves.hpp"
-#include "common/options/typed_options.hpp"
+#include "common/options/shared_options.hpp"
 #include "common/referred_files.hpp"
+#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
-#include "gvd/error.hpp"
 #include "gvd/io/distance_writer.hpp"
 #include "gvd/region_statistics.hpp"
 #include "gvd/segment.hpp"
-#include "gvd/text.hpp"
-#include "segment/charts.hpp"
-#include "segment/parted_surface.hpp"
-#include "segment/weights.hpp"
+#include "gvd/segment_operation.hpp"
 
 namespace gvd::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kExamples =
     "  gvd-segment bunny.obj -n 30 -o regions.ply\n"
@@ -43,100 +35,69 @@ constexpr const char* kExamples =
     "  gvd-segment bunny.obj -n 20 --disc --uv flat -o charts.glb\n"
     "  gvd-segment scans/*.stl -n 30 --output-dir regions --output-format ply,json\n";
 
-/// A note names this many generators.
-constexpr std::size_t kNamed = 8;
-
-/// Borders of a greater multiple of the bisectors' length get a note. Of 509 runs on 77 meshes with 50 or more faces
-/// for each generator, 491 stay below it; with fewer the mesh is too coarse.
-constexpr double kUsualBorderRatio = 1.14;
-
 /// A million generators on 5,876 faces took 27 s of processor time and 3.6 GB.
 constexpr GeneratorCost kGeneratorCost{27, 3.6};
 
-/// The options of gvd-segment alone.
-struct OwnOptions {
-  bool cut = false;
-  std::optional<FaceLabels> labels;  ///< of whole faces
-  RegionOptions regions;
-  WeightOptions weights;
-  ChartRequest charts;
+const std::vector<std::string> kFormats =
+    output_extensions(Content::surface | Content::vertex_labels | Content::distances | Content::diagram);
 
-  bool is_cut() const { return cut || charts.uv; }
+/// Arrays and tables, and the formats that hold nothing but these numbers of vertices.
+std::vector<std::string> array_formats(Content numbers) {
+  std::vector<std::string> found{"npy", "csv"};
+  for (const Format& format : formats()) {
+    const bool is_alone = has_any(format.carries, numbers) && !has_any(format.carries, Content::surface);
+    if (format.write != nullptr && is_alone) {
+      found.insert(found.end(), format.extensions.begin(), format.extensions.end());
+    }
+  }
+  return found;
+}
+
+struct OwnOptions : Options {
+  SegmentCall call;
+  std::string face_labels, vertex_labels, vertex_distances, stats, adjacency;  ///< files; empty: none
 };
 
-SegmentOptions make_segment_options(Run& run, const OwnOptions& own) {
-  return {own.labels.value_or(SegmentOptions().labels), run.progress()};
+void describe_targets(OptionList& list, OwnOptions& own) {
+  const auto add = [&](const char* name, std::string& file, std::vector<std::string> extensions, Spec spec) {
+    describe_target(list, own.output, name, file, extensions, std::move(spec));
+  };
+  add("face_labels", own.face_labels, {"npy", "csv"},
+      {.help = "Write the label of each face, in the order of the faces in .ply (-1 for none)"});
+  add("vertex_labels", own.vertex_labels, array_formats(Content::vertex_labels),
+      {.help = "Write the nearest generator of each vertex, in the order of the vertices in .ply (-1 for none)"});
+  add("vertex_distances", own.vertex_distances, array_formats(Content::distances),
+      {.help = "Write the distance of each vertex from its generator, in the order of the vertices in .ply",
+       .more = "; .csv has the generators, too"});
+  add("stats", own.stats, {"csv"},
+      {.help = "Write the area, perimeter, radius and neighbours of each region (CSV)", .shown = Shown::main});
+  add("adjacency", own.adjacency, {"graphml"},
+      {.help = "Write the graph of the regions: their areas, and the length of each border (GraphML)"});
 }
 
-void report_options(Run& run, const OwnOptions& own, const SegmentOptions& options) {
-  Json& reported = run.report().options();
-  const auto file = [&](const char* option) { return or_null(run.options().output.own.at(option)); };
-  reported["curves"] = or_null(run.options().generators.curves);
-  reported["cut"] = own.is_cut();
-  reported["region_materials"] = run.options().output.region_materials;
-  reported["stats"] = file("--stats");
-  reported["adjacency"] = file("--adjacency");
-  reported["face_labels"] = file("--face-labels");
-  reported["vertex_labels"] = file("--vertex-labels");
-  reported["vertex_distances"] = file("--vertex-distances");
-  reported["labels"] = own.is_cut() ? nullptr : Json(name_in(kFaceLabelNames, options.labels));
-  report_region_options(run, own.regions);
-  report_weight_options(run, own.weights);
-  report_chart_options(run, own.charts);
+void describe_own(OptionList& list, OwnOptions& own) {
+  describe_input(list, own.input);
+  describe(list, own.call);
+  describe_generators_format(list, own.input);
+  list.group("Computing");
+  describe_resources(list, own.compute);
+  describe_verify(list, own.compute);
+  describe_output(list, own.output, kFormats, "ply");
+  describe_no_curves(list, own.output);
+  describe_diagram_output(list, own.output);
+  describe_targets(list, own);
+  list.group("Output");
+  list.option("region_materials", Flag{&own.output.region_materials},
+              {.help = "Give each region a material of its own in .obj also where {option:input} has materials",
+               .more = ", in place of these"});
+  list.excludes("curves", {"verify"});
+  list.rule(format_rule(own.output, "region_materials", output_extensions(Content::materials),
+                        fmt::format("{{option:region_materials}}: {} materials; write one, as in "
+                                    "{{option:output=FILE.obj}}, or leave it out",
+                                    only_formats(Content::materials))));
 }
 
-/// The note on generators that own no face. It names a few of them; the report lists all.
-std::string describe_without_face(const std::vector<std::int32_t>& ids) {
-  const auto named = ids.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, ids.size()));
-  return fmt::format(
-      "{} inside faces of other regions: {}{}",
-      counted(std::ssize(ids), "generator owns no face, its cell lies", "generators own no face, their cells lie"),
-      fmt::join(ids.begin(), named, ", "), named == ids.end() ? "" : ", ...");
-}
-
-/// A segmented mesh, whose faces are those of the input or pieces of them.
-struct Segmented {
-  const PartedSurface& surface;
-  const Diagram& diagram;  ///< of the surface
-  const Mesh& mesh;
-  const IdVector<FaceId, GeneratorId>& label;
-  const IdVector<FaceId, FaceId>* parent = nullptr;  ///< of pieces
-};
-
-/// Notes the faces that no generator reaches, and why. Returns their number.
-std::int64_t note_unreached(Run& run, const Segmented& made) {
-  const auto whole = [&](FaceId f) { return made.parent != nullptr ? (*made.parent)[f] : f; };
-  std::vector<FaceId> reached, unreached;  // faces of the input
-  for (const FaceId f : made.mesh.faces()) {
-    if (!made.surface.is_left_out(whole(f))) (made.label[f].valid() ? reached : unreached).push_back(whole(f));
-  }
-  if (unreached.empty()) return 0;
-  const Barriers barriers(made.surface.input());
-  const Barriers::Origin origin = barriers.from(reached);
-  BarrierCounts counts;
-  for (const FaceId f : unreached) counts.add(barriers.between(origin, f));
-  run.console().note(fmt::format("{} reached by no generator and {} label -1: {}",
-                                 counted(std::ssize(unreached), "face is", "faces are"),
-                                 unreached.size() == 1 ? "gets" : "get", counts.describe("in another region")));
-  return std::ssize(unreached);
-}
-
-/// Reports the size of each region, and the faces that no generator reaches.
-void report_regions(Run& run, const Segmented& made) {
-  const std::int64_t unreached = note_unreached(run, made);
-  Json& results = run.report().results();
-  results["faces"] = made.mesh.face_count();
-  results["unreached_faces"] = unreached;
-  Json& regions = results["regions"] = Json::array();
-  const std::vector<SurfacePoint>& generators = made.diagram.generators;
-  const IdVector<GeneratorId, RegionSize> sizes = measure_regions(made.mesh, made.label, generators.size());
-  for (const GeneratorId g : sizes.ids()) {
-    Json& region = regions.emplace_back(Json{{"label", g.value()}});
-    for (const FaceNumbers& n : made.surface.numbers()) region[n.name] = n.values[generators[g.index()].face];
-    region["faces"] = sizes[g].faces;
-    region["area"] = sizes[g].area;
-  }
-}
+void complete(OwnOptions& own, const Given&) { own.call.complete(); }
 
 /// The labels of the faces and vertices, and the distances of the vertices: each as an array, as a table, or in a
 /// format of meshes that holds nothing else. With levels, each face has the labels of all.
@@ -144,10 +105,10 @@ void write_arrays(Run& run, const LabelledMesh& output) {
   const DistanceTable distances{.rows = {output.vertex_distance->raw()}, .nearest = output.vertex_label->raw()};
   const auto write = [&](const char* option, const OutputWriter& write_npy, const OutputWriter& write_csv) {
     write_own_file(run, option, [&](std::ostream& out) {
-      const std::string extension = file_extension(run.options().output.own.at(option));
+      const std::string extension = file_extension(*run.options().output.own.at(option));
       if (extension == "csv") return write_csv(out);
-      if (!contains({"label.gii", "annot", "shape.gii", "curv"}, extension)) return write_npy(out);
-      write_mesh(out, output, *parse_output_format(extension));
+      const auto format = parse_output_format(extension);
+      format ? write_mesh(out, output, *format) : write_npy(out);
     });
   };
   const auto write_labels = [&](const char* option, const std::vector<GeneratorId>& labels, const char* element) {
@@ -155,7 +116,10 @@ void write_arrays(Run& run, const LabelledMesh& output) {
         option, [&](std::ostream& out) { write_labels_npy(out, labels); },
         [&](std::ostream& out) { write_labels_csv(out, labels, element); });
   };
-  if (const auto levels = levels_of(*output.face_numbers); !levels.empty()) {
+  std::vector<FaceNumbers> levels;
+  std::ranges::copy_if(*output.face_numbers, std::back_inserter(levels),
+                       [](const FaceNumbers& n) { return n.name != kRegionName; });
+  if (!levels.empty()) {
     write(
         "--face-labels", [&](std::ostream& out) { write_levels_npy(out, levels); },
         [&](std::ostream& out) { write_levels_csv(out, levels); });
@@ -168,192 +132,66 @@ void write_arrays(Run& run, const LabelledMesh& output) {
       [&](std::ostream& out) { write_distances_csv(out, distances); });
 }
 
-void write_files(Run& run, const PartedSurface& surface, const LabelledMesh& output, const OutputWriter& write_json) {
+void write_files(Run& run, const SegmentOutcome& made) {
+  const LabelledMesh output = made.labelled().value();
   write_arrays(run, output);
-  write_output_files(run, output, {{"json", write_json}});
+  write_output_files(run, made);
   write_view_file(run, "gvd-segment", [&] {
     std::vector<ViewScene> scenes = make_region_scenes(output);
-    for (ViewScene& scene : scenes) scene.borders = surface.borders();
+    for (ViewScene& scene : scenes) scene.borders = made.borders();
     return scenes;
   });
-}
-
-/// Lengths are in mesh units. Returns the length of the borders by that of the bisectors, where these have a length.
-std::optional<double> report_segmentation(Run& run, const Mesh& mesh, const Diagram& diagram,
-                                          const Segmentation& segmentation) {
-  const double borders = compute_border_length(mesh, segmentation.face_label), bisectors = diagram.length;
-  std::vector<std::int32_t> without_face;
-  for (const GeneratorId id : segmentation.without_face) without_face.push_back(id.value());
-  if (!without_face.empty()) run.console().note(describe_without_face(without_face));
-  if (bisectors > 0) {
-    run.console().detail(
-        fmt::format("borders of length {:.6g}, {:.3f} times that of the bisectors", borders, borders / bisectors));
-  }
-  Json& results = run.report().results();
-  results["generators_without_face"] = std::move(without_face);
-  results["moved_faces"] = segmentation.moved_faces;
-  results["given_faces"] = segmentation.given_faces;
-  results["smoothed_faces"] = segmentation.smoothed_faces;
-  results["border_length"] = borders;
-  const std::optional<double> ratio = bisectors > 0 ? std::optional(borders / bisectors) : std::nullopt;
-  results["border_ratio"] = or_null(ratio);
-  return ratio;
-}
-
-/// Notes smooth borders that are longer than usual. `ratio`: to the bisectors, if these have a length.
-void note_long_borders(Run& run, std::optional<double> ratio) {
-  if (!ratio || *ratio <= kUsualBorderRatio) return;
-  run.console().note(
-      fmt::format("borders are {:.2f} times as long as the bisectors (usually at most {}): no shorter ones were found "
-                  "along edges near these; --cut follows the bisectors",
-                  *ratio, kUsualBorderRatio));
-}
-
-/// Labels the faces of the diagram's surface, which are those of the input. Files have the input's vertices, on which
-/// borders of regions are not doubled; bisectors are read from the surface.
-void write_whole_faces(Run& run, const PartedSurface& surface, const CheckedMesh& checked, const Diagram& diagram,
-                       const OwnOptions& own) {
-  const SegmentOptions options = make_segment_options(run, own);
-  const Mesh &mesh = surface.mesh(), &input = checked.mesh;
-  const Segmentation segmentation = run.timed("segment", [&] { return segment_faces(mesh, diagram, options); });
-  const std::optional<double> ratio = report_segmentation(run, mesh, diagram, segmentation);
-  report_regions(run, {surface, diagram, input, segmentation.face_label});
-  if (options.labels == FaceLabels::smooth) note_long_borders(run, ratio);
-  if (own.charts.disc) {
-    note_non_discs(run, input, segmentation.face_label, "whole faces join or touch there; --cut follows the cells");
-  }
-  Diagram restricted;
-  const Diagram& written = surface.restrict(diagram, restricted);
-  std::vector<FaceNumbers> numbers = surface.numbers();
-  surface.add_labels(segmentation.face_label, numbers);
-  LabelledMesh output = label_mesh(input, written, segmentation.face_label);
-  output.diagram = &diagram;
-  output.diagram_mesh = &mesh;
-  output.face_numbers = &numbers;
-  output.appearance = &checked.appearance;
-  write_files(run, surface, output,
-              [&](std::ostream& out) { write_segmentation_json(out, input, written, segmentation, numbers); });
-  write_diagram_file(run, input, written);
-}
-
-/// Cuts the input and not the diagram's surface: both sides of a border keep their vertices in common. Returns the
-/// charts, if they are asked for.
-std::optional<Charts> write_cut_faces(Run& run, const PartedSurface& surface, const CheckedMesh& checked,
-                                      const Diagram& diagram, const ChartRequest& charts) {
-  const Mesh& input = checked.mesh;
-  CutMesh cut = run.timed("cut", [&] { return cut_faces(input, diagram, run.progress()); });
-  const CutVertices vertices = carry_to_cut_vertices(surface.mesh(), diagram, cut);
-  cut.numbers = carry_to_cut_faces(surface.numbers(), cut);
-  Appearance appearance = carry_to_cut_faces(input, checked.appearance, cut);
-  surface.add_labels(cut.label, cut.numbers);
-  if (cut.uncut_faces > 0) {
-    run.console().note(fmt::format("{} could not be cut", counted(cut.uncut_faces, "face", "faces")));
-  }
-  run.report().results()["uncut_faces"] = cut.uncut_faces;
-  report_regions(run, {surface, diagram, cut.mesh, cut.label, &cut.parent});
-  if (charts.disc) note_non_discs(run, cut.mesh, cut.label, "the given regions touch themselves there");
-  LabelledMesh output{cut.mesh,           &cut.label, &cut.parent,    &vertices.label,
-                      &vertices.distance, &diagram,   &surface.mesh()};
-  output.face_numbers = &cut.numbers;
-  std::optional<Charts> made;
-  if (charts.uv) {
-    made = chart_regions(run, surface.mesh(), diagram, cut, charts);
-    replace_texture(std::move(made->texture), appearance);
-  }
-  output.appearance = &appearance;
-  Diagram restricted;
-  const Diagram& written = surface.restrict(diagram, restricted);
-  write_files(run, surface, output, [&](std::ostream& out) { write_cut_json(out, input, written, cut, vertices); });
-  write_diagram_file(run, input, written);
-  return made;
+  write_diagram_file(run, made.input->mesh, *made.on_input);
 }
 
 /// Notes, once for all inputs, that the page and a mesh of whole faces show different borders.
 void note_whole_faces(Run& run, const OwnOptions& own) {
-  static const std::vector<std::string> kMeshes{"ply", "obj", "off", "coff",     "stl",
-                                                "vtp", "vtu", "glb", "surf.gii", "fs"};
   const OutputOptions& output = run.options().output;
   const InputOptions& input = run.options().input;
-  if (own.is_cut() || own.labels || output.view.empty() || input.path != input.paths.front()) return;
+  if (own.call.cut || run.options().given->has("labels") || output.view.empty() || input.path != input.paths.front())
+    return;
   for (const std::string& file : output.files) {
-    if (!contains(kMeshes, format_of(output, file))) continue;
+    const Format* const format = find_output(format_of(output, file));
+    if (format == nullptr || !has_any(format->carries, Content::surface)) continue;
     return run.console().note(fmt::format("{} shows the exact borders, and {} has whole faces; --cut splits them",
                                           output.view, file == "-" ? "standard output" : file));
   }
 }
 
-void segment(Run& run, const OwnOptions& own) {
-  if (!run.options().generators.curves.empty() && run.options().compute.method != Method::exact) {
-    throw Error(ErrorCode::invalid_option, "--curves needs --method exact");
-  }
-  const SegmentOptions options = make_segment_options(run, own);
-  report_options(run, own, options);
-  if (run.options().output.region_materials && !contains(written_formats(run.options().output), "obj")) {
-    throw Error(ErrorCode::invalid_option,
-                "--region-materials: only .obj names materials; write one, as in -o FILE.obj, or leave it out");
-  }
-  const CheckedMesh input = load_input(run);
-  check_material_files(run, input.appearance, own.charts.uv.has_value());
-  note_many_generators(run, input.mesh, kGeneratorCost);
-  const PartedSurface surface(run, input, own.regions, options);
-  const Mesh& mesh = surface.mesh();
-  Diagram diagram = run.options().generators.curves.empty()
-                        ? build_weighted_diagram(run, {input, mesh}, surface.make_generators(run), own.weights)
-                        : build_curve_diagram(run, mesh, load_curves(run, input));
-  if (own.charts.disc) {
-    diagram = make_cells_discs(run, mesh, diagram);
-    run.report().set_generators(input.mesh, diagram.generators);
-  }
-  std::optional<Charts> charts;
-  if (own.is_cut()) {
-    charts = write_cut_faces(run, surface, input, diagram, own.charts);
-  } else {
-    write_whole_faces(run, surface, input, diagram, own);
-    note_whole_faces(run, own);
-  }
+void segment(Run& run, OwnOptions& own) {
+  const auto input = std::make_shared<CheckedMesh>(load_input(run));
+  check_material_files(run, input->appearance, own.call.uv.has_value());
+  note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
+  const auto made = [&] {
+    RunObserver observer(run);
+    return gvd::run(input, own.call, observer);
+  }();
+  const Diagram& diagram = *made->diagram;
+  report_figures(run, *made);
+  report_generators(run, input->mesh, diagram.generators, made->snap_distance);
+  set_diagram(run, diagram);
+  write_files(run, *made);
+  note_whole_faces(run, own);
   write_own_file(run, "--stats", [&](std::ostream& out) {
-    write_statistics_csv(out, compute_region_statistics(mesh, diagram), charts ? &*charts : nullptr);
+    const Charts* const charts = made->charts ? &*made->charts : nullptr;
+    write_statistics_csv(out, compute_region_statistics(made->surface(), diagram), charts);
   });
   write_own_file(run, "--adjacency", [&](std::ostream& out) {
-    write_adjacency_graphml(out, mesh, diagram.generators, compute_region_statistics(mesh, diagram));
+    write_adjacency_graphml(out, made->surface(), diagram.generators,
+                            compute_region_statistics(made->surface(), diagram));
   });
-  finish_run(run, mesh, diagram);
+  finish_run(run, made->surface(), diagram);
 }
 
 }  // namespace
-}  // namespace gvd::app
 
-int main(int argc, char** argv) {
-  using namespace gvd;
-  using namespace gvd::app;
-  OwnOptions own;
-  Command command({"gvd-segment",
-                   "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
-                   kExamples,
-                   {{"ply", "obj", "off", "coff", "stl", "vtp", "vtu", "glb", "json", "surf.gii", "label.gii",
-                     "shape.gii", "fs", "annot", "curv"}}});
-  command.line().option_defaults()->group("Regions");
-  add_flag(command.line(), "--cut", own.cut, "Split faces along the bisectors instead of labelling whole faces");
-  add_choice(command.line(), "--labels", own.labels, kFaceLabelNames,
-             "How to label whole faces on a bisector: for borders as short as its faces allow, or by the largest share "
-             "(default: smooth)")
-      ->excludes("--cut");
-  add_flag(command.line(), "--region-materials", command.options().output.region_materials,
-           "Give each region a material of its own in .obj also where INPUT has materials, in place of these");
-  add_region_options(command.line(), own.regions, command.options().generators);
-  add_weight_options(command.line(), own.weights);
-  add_chart_options(command.line(), own.charts);
-  add_curves_option(command.line(), command.options().generators,
-                    {"--count", "--radius", "--sampling", "--seed", "--generators", "--vertices", "--merge-coincident",
-                     "--within", "--mask", "--levels", "--balance", "--weights", "--disc", "--uv", "--verify"});
-  command.add_target("--face-labels", "Write the label of each face, in the order of the faces in .ply (-1 for none)");
-  command.add_target("--vertex-labels",
-                     "Write the nearest generator of each vertex, in the order of the vertices in .ply (-1 for none)");
-  command.add_target("--vertex-distances",
-                     "Write the distance of each vertex from its generator, in the order of the vertices in .ply; .csv "
-                     "has the generators, too");
-  command.add_target("--stats", "Write the area, perimeter, radius and neighbours of each region (CSV)");
-  command.add_target("--adjacency",
-                     "Write the graph of the regions: their areas, and the length of each border (GraphML)");
-  return command.run(argc, argv, [&](Run& run) { segment(run, own); });
+Command segment_command() {
+  return make_command<OwnOptions>(
+      {"gvd-segment",
+       "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
+       kExamples,
+       {kFormats}},
+      {describe_own, segment, complete});
 }
+
+}  // namespace gvd::app

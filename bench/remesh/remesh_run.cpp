@@ -25,6 +25,7 @@
 #include "clocks.hpp"
 #include "gvd/features.hpp"
 #include "gvd/quality.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
 
 namespace gvd::bench {

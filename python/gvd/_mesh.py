@@ -502,7 +502,7 @@ def _weld_tolerance(weld: Union[None, bool, float]) -> Optional[float]:
 
 @checked
 def read(path: PathLike, *, on_defect: Literal["error", "repair", "largest"] = "repair",
-         input_format: Optional[Literal["obj", "ply", "off", "stl", "vtp", "vtu", "vtk", "glb", "gltf", "gii", "mni", "fs"]] = None,
+         input_format: Optional[Literal["ply", "obj", "off", "stl", "vtp", "vtu", "vtk", "glb", "gltf", "gii", "mni", "fs"]] = None,
          weld: Union[None, bool, float] = None) -> Mesh:
     """Reads an OBJ, PLY, OFF, STL, VTP, VTU, legacy VTK, glTF, GIFTI, MNI or FreeSurfer file, packed by gzip or not.
 

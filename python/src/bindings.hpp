@@ -42,6 +42,9 @@ using Entries = std::tuple<Array<std::int8_t>, Array<std::int64_t>, Array<double
 /// `name` stands for the list in messages.
 GeneratorList make_list(const std::string& name, const Entries& entries);
 
+/// An option as an argument of a call: "max_snap", "no_refine=True", "method='exact'".
+std::string spell_argument(std::string_view name, std::string_view value);
+
 /// The options of every diagram, by their names in Python.
 struct ComputeOptions {
   std::string method = "exact";

@@ -35,7 +35,7 @@ SharedMesh mesh_from_file(const std::filesystem::path& path, const std::optional
                           const std::string& on_defect, const std::optional<double>& weld) {
   const DefectPolicy policy = choose("on_defect", on_defect, kDefectPolicyNames);
   std::optional<MeshFormat> known;
-  if (format) known = choose("input_format", *format, kMeshFormatNames);
+  if (format) known = choose("input_format", *format, input_format_names());
   return run_unlocked(py::none(), [&](const Progress&) {
     PolygonSoup soup = read_soup(path, known);
     if (weld) weld_soup(soup, *weld);
@@ -149,7 +149,14 @@ void bind_mesh(py::module_& module) {
            [](const py::object& self) { return view(self.cast<const CheckedMesh&>().input_polygon, self); })
       .def("texture_coordinates",
            [](const py::object& self) { return view(self.cast<const CheckedMesh&>().appearance.texture, self); })
-      .def("notes", [](const CheckedMesh& checked) { return checked.defects.messages; })
+      .def("notes",
+           [](const CheckedMesh& checked) {
+             std::vector<std::string> notes;
+             for (const std::string& message : checked.defects.messages) {
+               notes.push_back(spell_options(message, {spell_argument}));
+             }
+             return notes;
+           })
       .def("summary", &summarize)
       .def("resolve", &resolve)
       .def("sample", &sample)

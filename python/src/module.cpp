@@ -1,12 +1,23 @@
 // The module _gvd: the library as the Python package needs it. The classes and functions that users meet are in
 // python/gvd, with their documents and checks of arguments; nothing here is meant to be called by others.
+#include <string>
 #include <string_view>
 
 #include "bindings.hpp"
 #include "gvd/error.hpp"
+#include "gvd/placeholders.hpp"
 #include "gvd/version.hpp"
 
 namespace gvd::python {
+
+std::string spell_argument(std::string_view name, std::string_view value) {
+  std::string spelled(name);
+  if (value.empty()) return spelled;
+  if (value == "true") return spelled + "=True";
+  if (value == "false") return "no_" + spelled + "=True";
+  return spelled + "='" + std::string(value) + '\'';
+}
+
 namespace {
 
 /// Raises the library's errors as gvd.Error. The package loads this module, so its class is looked up when needed.
@@ -16,7 +27,7 @@ void translate_error(std::exception_ptr thrown) {
   } catch (const Error& error) {
     const py::object type = py::module_::import("gvd._error").attr("Error");
     // Names of files need not be UTF-8; Python keeps such bytes as it does in its own names of files.
-    const std::string_view text = error.what();
+    const std::string text = spell_options(error.text(), {spell_argument});
     const auto message = py::reinterpret_steal<py::object>(
         PyUnicode_DecodeUTF8(text.data(), py::ssize_t(text.size()), "surrogateescape"));
     const py::object raised = type(message, kErrorCodeNames[std::size_t(error.code())], error.element());

@@ -25,10 +25,10 @@ TEST_CASE("commands: a run reports what it did, and is silent when asked") {
     CHECK(result.out.empty());
     CHECK(result.err.empty());
     const auto content = nlohmann::json::parse(read_text(report));
-    CHECK(content["schema"] == "gvd-report/1");
+    CHECK(content["schema"] == "gvd-report/2");
     CHECK(content["command"] == name);
     CHECK(content["seed"] == 0);
-    CHECK(content["options"]["n"] == 40);
+    CHECK(content["options"]["count"] == 40);
     CHECK(content["input"]["faces"].get<int>() > 1000);
     CHECK(content["generators"].size() >= 40);
     CHECK(content["diagram"]["unresolved_ends"] == 0);

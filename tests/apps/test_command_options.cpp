@@ -50,14 +50,14 @@ TEST_CASE("commands: a bad option is a usage error") {
   for (const std::string& name : built_commands()) {
     require_error(name, "", 2, "INPUT");
     require_error(name, mesh, 2, "no generators");
-    require_error(name, mesh + " -n 5 --radius 1", 2, "--count excludes --radius");
+    require_error(name, mesh + " -n 5 --radius 1", 2, "-n and --radius exclude each other: keep one");
     require_error(name, mesh + " -n five", 2, "five");
     require_error(name, mesh + " -n 5 --method other", 2, "exact|gbgvd");
     require_error(name, mesh + " -n 5 --front planar", 2, "add --method gbgvd");
     require_error(name, mesh + " -n 5 --method gbgvd --chord-tolerance 1e-3", 2, "--chord-tolerance");
-    require_error(name, mesh + " -n 5 --chord-tolerance 0", 2, "'0' is not a finite number above 0");
+    require_error(name, mesh + " -n 5 --chord-tolerance 0", 2, "'0' is not a finite number from 1e-10 on");
     require_error(name, mesh + " -n 5 --chord-tolerance 1e-11", 2,
-                  "--chord-tolerance 1e-11: bisectors are exact only to 1e-10 mean edge lengths");
+                  "--chord-tolerance: '1e-11' is not a finite number from 1e-10 on");
     require_error(name, mesh + " -n 5 --no-such-option", 2, "--no-such-option");
     require_error(name, mesh + " -n 5 --smapling random --sed 3", 2,
                   "unknown options: --smapling (did you mean --sampling?), --sed (did you mean --seed?)");
@@ -84,7 +84,7 @@ TEST_CASE("commands: options come from a file too") {
     CAPTURE(name, result.err);
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());
-    CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["options"]["n"] == 12);
+    CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["options"]["count"] == 12);
   }
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("commands: the command line's generators take the place of those of th
 }
 
 TEST_CASE("commands: the schema of reports has every format of a mesh and of a list") {
-  const auto schema = nlohmann::json::parse(read_text(data_file("../docs/schema/gvd-report-1.schema.json")));
+  const auto schema = nlohmann::json::parse(read_text(data_file("../docs/schema/gvd-report-2.schema.json")));
   const auto& options = schema["properties"]["options"]["properties"];
   const auto names_of = [&](const char* option) {
     std::vector<std::string> names;
@@ -132,7 +132,7 @@ TEST_CASE("commands: the schema of reports has every format of a mesh and of a l
   const auto are = [](const std::vector<std::string>& names, const std::vector<std::string_view>& wanted) {
     return std::equal(names.begin(), names.end(), wanted.begin(), wanted.end());
   };
-  CHECK(are(names_of("input_format"), names_in(kMeshFormatNames)));
+  CHECK(are(names_of("input_format"), names_in(input_format_names())));
   CHECK(are(names_of("generators_format"), names_in(kGeneratorFormatNames)));
 }
 

@@ -308,7 +308,7 @@ TEST_CASE("commands: --open shows the page, by $BROWSER or xdg-open, and never w
   CHECK_THAT(failed.err, Contains("xdg-open failed with exit code 3; open torus.gvd.html in a browser"));
   require_error("gvd-segment", data_file("torus.ply") + " -n 5 --open --output-dir " + scratch / "out", 2, "--open");
   require_error("gvd-segment", data_file("torus.ply") + " -n 5 --up z -o " + scratch / "a.ply", 2,
-                "--up requires --view or --open");
+                "--up needs --view or --open: add one");
 }
 
 TEST_CASE("commands: many more generators than faces are told in advance, with time and memory") {

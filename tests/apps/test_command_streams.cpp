@@ -81,7 +81,7 @@ TEST_CASE("commands: standard output carries data only, and standard input is re
 TEST_CASE("commands: a report goes to a pipe or a descriptor, whatever that is called") {
   const ScratchFolder scratch;
   const std::string run = data_file("torus.ply") + " -n 3 -q --report ";
-  CHECK_THAT(run_command("gvd-segment", run + "/dev/stdout | cat").out, StartsWith("{\"schema\":\"gvd-report/1\""));
+  CHECK_THAT(run_command("gvd-segment", run + "/dev/stdout | cat").out, StartsWith("{\"schema\":\"gvd-report/2\""));
   CHECK(run_command("gvd-segment", run + "/dev/stdout > " + scratch / "out").exit_code == 0);
   CHECK_THAT(read_text(scratch / "out"), StartsWith("{\"schema\":"));
   CHECK_THAT(run_command("gvd-segment", run + "/dev/fd/3 3>&1 | cat").out, StartsWith("{\"schema\":"));
@@ -112,7 +112,8 @@ TEST_CASE("commands: a list of generators comes through a pipe, in any format") 
   require_error("gvd-segment", mesh + " --generators -", 3, "standard input:1: the list holds no generator");
   require_error("gvd-segment", "- --input-format obj --generators -", 2,
                 "INPUT and --generators are both standard input");
-  require_error("gvd-segment", mesh + " -n 3 --generators-format json", 2, "--generators-format requires --generators");
+  require_error("gvd-segment", mesh + " -n 3 --generators-format json", 2,
+                "--generators-format needs --generators: add it");
   const std::string list = scratch / "list.json";
   require_error("gvd-segment", mesh + " --generators - --report " + list + " < " + list, 2, "the run reads this file");
 }

@@ -104,11 +104,11 @@ TEST_CASE("several inputs: what would be lost or is not clear is refused before 
     require_error(name, inputs.all + " -n 9", 2, "with --output-dir");
     require_error(name, twins + inputs.to_out, 2, "would both write " + inputs.out + "/good.");
     for (const char* option : {" -o a.ply", " --report a.json", " --diagram a.json"}) {
-      require_error(name, inputs.all + inputs.to_out + option, 2, " excludes ");
+      require_error(name, inputs.all + inputs.to_out + option, 2, " exclude each other");
     }
     require_error(name, inputs.all + inputs.to_out + " --view a.html", 2, "pages are named after the inputs");
     require_error(name, inputs.good + " -n 9 --view", 2, "name a file");
-    require_error(name, inputs.good + " -n 9 --summary a.csv", 2, "requires --output-dir");
+    require_error(name, inputs.good + " -n 9 --summary a.csv", 2, "--summary needs --output-dir");
     require_error(name, inputs.good + inputs.to_out + " --summary a.txt", 2, "the extension must be .csv");
     require_error(name, inputs.good + inputs.to_out + " --summary none/a.csv", 6, "create it first");
     require_error(name, "- --input-format off" + inputs.to_out, 2, "standard input has no name");
@@ -120,7 +120,7 @@ TEST_CASE("several inputs: what would be lost or is not clear is refused before 
                   "--output-format: 'bmp' is not one of ");
     require_error(name, inputs.good + " -n 9 -o - --output-format off,ply", 2, "-o - writes one format");
   }
-  require_error("gvd-segment", inputs.all + inputs.to_out + " --stats a.csv", 2, " excludes ");
+  require_error("gvd-segment", inputs.all + inputs.to_out + " --stats a.csv", 2, " exclude each other");
   CHECK(!fs::exists(inputs.out));
 }
 
@@ -252,6 +252,8 @@ TEST_CASE("several inputs: --summary has a row for each, also for one that faile
     CHECK(cell(3, "input.area") == json["input"]["area"].dump());
     CHECK(cell(3, "diagram.length") == json["diagram"]["length"].dump());
     CHECK(rows[0].back() == "seconds");
+    CHECK(
+        std::any_of(rows[0].begin(), rows[0].end(), [](const auto& column) { return column.starts_with("results."); }));
   }
 }
 

@@ -112,7 +112,7 @@ static void test_diagram(const char* file) {
   gvd_diagram* diagram = NULL;
   gvd_point generators[20];
   int calls = 0;
-  const gvd_run counted = {1, count_calls, &calls}, cancelled = {0, cancel, NULL};
+  const gvd_run counted = {1, count_calls, &calls, NULL, NULL}, cancelled = {0, cancel, NULL, NULL, NULL};
   REQUIRE(gvd_mesh_read(file, 1, &mesh) == GVD_OK);
   CHECK(gvd_sample(mesh, 20, GVD_FARTHEST, 0, NULL, generators) == GVD_OK);
   CHECK(gvd_diagram_compute(mesh, generators, 20, GVD_EXACT, &cancelled, &diagram) == GVD_INTERRUPTED);
@@ -167,12 +167,11 @@ static void test_refusals(void) {
   CHECK(gvd_diagram_compute(mesh, twice, 1, 7, NULL, &diagram) == GVD_INVALID_OPTION);
   CHECK(gvd_diagram_compute(NULL, twice, 1, GVD_EXACT, NULL, &diagram) == GVD_INVALID_OPTION);
   CHECK(gvd_point_at_vertex(mesh, 7, &point) == GVD_PRECONDITION);
-  /* Where generators keep to the boundary, coincident ones are merged: fewer than `count` points would be written. */
   gvd_lloyd_options options;
   gvd_lloyd_defaults(&options);
   options.keep_boundary = 1;
   gvd_point relaxed[2];
-  CHECK(gvd_lloyd(mesh, twice, 2, &options, NULL, relaxed, NULL) == GVD_INVALID_OPTION);
+  CHECK(gvd_lloyd(mesh, twice, 2, &options, NULL, relaxed, NULL) == GVD_PRECONDITION);
   CHECK(strstr(gvd_last_error(), "coincide") != NULL);
   options.crease_angle = NAN;
   CHECK(gvd_lloyd(mesh, twice, 1, &options, NULL, relaxed, NULL) == GVD_INVALID_OPTION);
@@ -193,6 +192,38 @@ static void test_refusals(void) {
   gvd_mesh_free(mesh);
 }
 
+/* Operations by name, with options as JSON and arrays. */
+static void test_calls(const char* file) {
+  gvd_object *mesh = NULL, *relaxed = NULL, *diagram = NULL;
+  const int64_t vertices[] = {3, 17, 99};
+  const gvd_array list = {vertices, GVD_INT64, 1, {3, 1}, {sizeof(int64_t), 0}};
+  gvd_array faces, bary;
+  REQUIRE(gvd_mesh_read(file, 1, &mesh) == GVD_OK);
+  REQUIRE(gvd_call(GVD_ABI, "lloyd", mesh, "{\"vertices\": {\"array\": 0}, \"iterations\": 2}", &list, 1, NULL,
+                   &relaxed) == GVD_OK);
+  gvd_release(mesh); /* results keep what they need */
+  REQUIRE(gvd_array_of(relaxed, "generators_faces", &faces) == GVD_OK);
+  REQUIRE(gvd_array_of(relaxed, "generators_bary", &bary) == GVD_OK);
+  CHECK(faces.type == GVD_INT32 && faces.dimensions == 1 && faces.shape[0] == 3);
+  CHECK(bary.type == GVD_FLOAT64 && bary.dimensions == 2 && bary.shape[0] == 3 && bary.shape[1] == 3);
+  for (int64_t i = 0; i < 3; ++i) {
+    double sum = 0;
+    for (int64_t j = 0; j < 3; ++j) {
+      sum += *(const double*)((const char*)bary.data + i * bary.strides[0] + j * bary.strides[1]);
+    }
+    CHECK(fabs(sum - 1) < 1e-12);
+  }
+  CHECK(strstr(gvd_figures(relaxed), "\"iterations\":2") != NULL);
+  REQUIRE(gvd_object_of(relaxed, "diagram", &diagram) == GVD_OK);
+  gvd_release(relaxed);
+  REQUIRE(gvd_array_of(diagram, "vertex_labels", &faces) == GVD_OK);
+  CHECK(faces.shape[0] > 0 && *(const int32_t*)faces.data >= 0);
+  gvd_release(diagram);
+  CHECK(gvd_call(GVD_ABI, "lloyd", NULL, "{}", NULL, 0, NULL, &relaxed) == GVD_INVALID_OPTION);
+  CHECK(strstr(gvd_describe(), "\"remesh\"") != NULL);
+  CHECK(strcmp(gvd_figures(NULL), "null") == 0);
+}
+
 int main(int argc, char** argv) {
   char file[1024];
   if (argc != 2) return 2;
@@ -201,6 +232,7 @@ int main(int argc, char** argv) {
   test_distances();
   test_diagram(file);
   test_refusals();
+  test_calls(file);
   if (failures == 0) printf("all checks of version %s passed\n", gvd_version());
   return failures > 0;
 }

@@ -16,6 +16,7 @@
 #include "gvd/check.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
 #include "support/catch.hpp"
 #include "support/environment.hpp"

@@ -78,6 +78,7 @@ def write_documents():
     run("gvd-remesh", "ball.off", "--generators", "l.json", "-o", "r.json", "--map", "m.json", "--report", "r-report.json")
     run("gvd-distance", "sheet.off", "--from", "0,80", "--to", "3,77,155", "--paths", "--isolines", ".5", "--max-distance", "2",
         "-o", "distance.json", "--report", "d-report.json")
+    run("gvd-distance", "n.ply", "--from", "0", "--within", "label_1", "-o", "h.json", "--report", "h-report.json")
     run("gvd-distance", "ball.off", "--from", "0,9", "--each", "-o", "each.json", "--report", "e-report.json")
     run("gvd-segment", "ball.off", "-n", "4", "--balance", "area", "-o", "b.json", "--report", "b-report.json")
     run("gvd-lloyd", "ball.off", "-n", "4", "--balance", "area", "--report", "w-report.json")
@@ -99,8 +100,9 @@ distances = check("distance.json")
 assert None in distances["distances"][0] and distances["paths"][0]["points"] and distances["isolines"]
 assert check("each.json")["nearest"] is None
 assert len(check("b.json")["weights"]) == 4
-for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scgnilrdebwuo"]:
+for name in ["d.json", "g.json", "l.json", "list.json"] + [f"{x}-report.json" for x in "scgnilrdebwuoh"]:
     check(name)
+assert check("h-report.json")["results"]["within"]["regions"] > 0
 if files.has_viewer(bin_folder, work):
     save_manifest("v1.json", "gvd-segment", "sheet.off", "--vertices", "0,77")
     save_manifest("v2.json", "gvd-remesh", "ball.off", "-n", "2")

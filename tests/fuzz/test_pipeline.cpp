@@ -15,6 +15,7 @@
 #include "fuzz/random_soup.hpp"
 #include "geodesic/windows/face_frames.hpp"
 #include "gvd/lloyd.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/remesh_map.hpp"
 #include "gvd/soup.hpp"

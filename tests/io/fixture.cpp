@@ -109,7 +109,7 @@ Rgb color_in(const LabelledMesh& mesh, GeneratorId label) {
   return label.valid() ? region_colors(mesh).at(label.index()) : kUnlabelledColor;
 }
 
-std::string to_bytes(const LabelledMesh& mesh, OutputFormat format) {
+std::string to_bytes(const LabelledMesh& mesh, MeshFormat format) {
   std::ostringstream out;
   write_mesh(out, mesh, format);
   return out.str();

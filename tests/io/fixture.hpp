@@ -47,7 +47,7 @@ void write_bytes(const std::filesystem::path& path, const std::string& bytes);
 Rgb color_in(const LabelledMesh& mesh, GeneratorId label);
 
 /// The bytes that `write_mesh` writes.
-std::string to_bytes(const LabelledMesh& mesh, OutputFormat format);
+std::string to_bytes(const LabelledMesh& mesh, MeshFormat format);
 
 /// The little-endian number at `offset`; moves `offset` behind it.
 template <class T>

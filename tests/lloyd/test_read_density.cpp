@@ -7,6 +7,7 @@
 
 #include "gvd/density.hpp"
 #include "gvd/error.hpp"
+#include "gvd/read_soup.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_read_density {

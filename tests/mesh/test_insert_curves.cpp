@@ -95,10 +95,10 @@ TEST_CASE("curves that can't be generators are refused by their numbers") {
   const GeneratorCurve along = make_polyline({at(0, 0.1, 0.1, 0.8), at(0, 0.1, 0.8, 0.1)}, false);
   const GeneratorCurve crossing = make_polyline({at(0, 0.1, 0.8, 0.1), at(0, 0.45, 0.05, 0.5)}, false);
   CHECK_THAT(refusal({across, crossing}), Contains("curves 0 and 1 cross in face 0"));
-  CHECK_THAT(refusal({across, along}), Contains("coincide"));
+  CHECK_THAT(refusal({across, along}), Contains("curves 0 and 1 meet at (0.9, 0.8, 0); give both a point there"));
   // The end of one on the inside of the other.
   const GeneratorCurve touching = make_polyline({at(0, 0.45, 0.1, 0.45), at(0, 0.1, 0.8, 0.1)}, false);
-  CHECK_THAT(refusal({across, touching}), Contains("coincide"));
+  CHECK_THAT(refusal({across, touching}), Contains("curves 0 and 1 meet at (0.55, 0.45, 0)"));
   CHECK_NOTHROW(WorkingMesh(mesh, std::vector{across, GeneratorCurve{{at(3, 0.2, 0.3, 0.5)}}}));
 }
 

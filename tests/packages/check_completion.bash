@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Completes command lines as the shells do, with the scripts of --print-completion, and compares with --help.
+# Completes command lines as the shells do, with the scripts of --print-completion and `gvd --completion`, and compares with --help.
 #
 #   check_completion.bash BIN WORK_FOLDER COMMAND...
 #
 # zsh and fish are tested where they are installed.
 set -euo pipefail
+here=$(realpath "$(dirname "$0")")
 bin=$1 work=$2
 shift 2
 
@@ -57,7 +58,8 @@ for command in "$@"; do
   done < <(sed -n 's/^  .*\(--[a-z-]*\) \([A-Za-z-]*[a-z|][^ ]*|[^ ]*\).*/\1 \2/p' <<< "$joined" | grep -v FILE)
   [ $lists -ge 4 ] || fail "only $lists lists of words in --help of $command"
 
-  complete_line "$command" "" | expect "$command" report.json mesh.ply options.toml folder "two words.json"
+  complete_line "$command" "" | expect "$command" mesh.ply folder  # INPUT is a mesh
+  complete_line "$command" --output-format ply,vt | expect "$command --output-format ply,vt" ply,vtp ply,vtu
   complete_line "$command" -o m | expect "$command -o m" mesh.ply
   complete_line "$command" --report "" | expect "$command --report" report.json folder "two words.json"
   if [ "$command" = gvd-segment ]; then
@@ -75,6 +77,8 @@ for command in "$@"; do
     offer '--on-defect ' | expect "fish: $command --on-defect" error repair largest
     offer '--input-f' | expect "fish: $command --input-f" --input-format
     offer '-o m' | expect "fish: $command -o m" mesh.ply
+    offer 'm' | expect "fish: $command m" mesh.ply
+    offer '--output-format ply,vt' | expect "fish: $command --output-format ply,vt" ply,vtp ply,vtu
     offer '--output-dir ' | expect "fish: $command --output-dir" folder/
     if [ "$command" = gvd-segment ]; then
       touch labels.npy labels.csv labels.txt
@@ -85,5 +89,58 @@ for command in "$@"; do
     offer '-' | grep -c -e '^--[a-z]' | expect "fish: $command -" "$(printf '%s\n' "${options[@]}" | grep -c -e '^--')"
   fi
 done
+# gvd offers its commands, and behind one what the command's own script offers.
+names=("${@#gvd-}")
+for shell in bash zsh fish; do "$bin/gvd" --completion $shell > "$work/scripts/gvd.$shell"; done
+for command in "$@"; do complete -r "$command" && unset -f "_${command//-/_}"; done
+source "$work/scripts/gvd.bash"
+complete_line gvd "" | expect gvd "${names[@]}" help
+complete_line gvd - | expect "gvd -" -h --help --version --completion
+complete_line gvd re | expect "gvd re" remesh
+complete_line gvd help "" | expect "gvd help" "${names[@]}"
+complete_line gvd help remesh "" | expect "gvd help remesh" ""
+complete_line gvd --completion z | expect "gvd --completion z" zsh
+complete_line gvd --completion = | expect "gvd --completion=" bash zsh fish
+complete_line gvd nothing "" | expect "gvd nothing" ""
+for name in "${names[@]}"; do
+  complete -p "gvd-$name" | grep -q "_gvd_$name" || fail "the script of gvd does not complete gvd-$name"
+  complete_line gvd "$name" mesh.ply - | expect "gvd $name -" $(complete_line "gvd-$name" mesh.ply -)
+  complete_line gvd "$name" "" | expect "gvd $name" mesh.ply folder
+  complete_line gvd "$name" --on-defect "" | expect "gvd $name --on-defect" error repair largest
+  complete_line gvd "$name" -o m | expect "gvd $name -o m" mesh.ply
+done
+
+if command -v zsh >/dev/null; then
+  zsh -n "$work/scripts/gvd.zsh"
+  mkdir -p "$work/zsh"
+  cp "$work/scripts/gvd.zsh" "$work/zsh/_gvd"
+  tab() { (cd "$work/files" && zsh -f "$here/complete.zsh" "$work/zsh" "$work" "$1" </dev/null); }
+  tab "gvd " | expect "zsh: gvd" "${names[@]}" help
+  tab "gvd help " | expect "zsh: gvd help" "${names[@]}"
+  tab "gvd --v" | expect "zsh: gvd --v" --version
+  tab "gvd --completion " | expect "zsh: gvd --completion" bash zsh fish
+  for name in "${names[@]}"; do
+    tab "gvd $name --input-f" | expect "zsh: gvd $name --input-f" --input-format
+    tab "gvd $name --on-defect " | expect "zsh: gvd $name --on-defect" error repair largest
+    tab "gvd $name mesh.ply --on-defect " | expect "zsh: gvd $name mesh.ply --on-defect" error repair largest
+    tab "gvd $name -o m" | expect "zsh: gvd $name -o m" mesh.ply
+    tab "gvd-$name --on-defect " | expect "zsh: gvd-$name --on-defect" error repair largest
+  done
+fi
+
+if command -v fish >/dev/null; then
+  offer() { HOME=$work fish -c "source $work/scripts/gvd.fish; complete -C '$1'" | cut -f 1; }
+  offer 'gvd ' | expect "fish: gvd" "${names[@]}" help
+  offer 'gvd help ' | expect "fish: gvd help" "${names[@]}"
+  offer 'gvd --v' | expect "fish: gvd --v" --version
+  offer 'gvd --completion ' | expect "fish: gvd --completion" bash zsh fish
+  for name in "${names[@]}"; do
+    offer "gvd $name --on-defect " | expect "fish: gvd $name --on-defect" error repair largest
+    offer "gvd $name --input-f" | expect "fish: gvd $name --input-f" --input-format
+    offer "gvd $name -o m" | expect "fish: gvd $name -o m" mesh.ply
+    offer "gvd $name m" | expect "fish: gvd $name m" mesh.ply
+    offer "gvd-$name m" | expect "fish: gvd-$name m" mesh.ply
+  done
+fi
 for shell in zsh fish; do command -v $shell >/dev/null || echo "$shell is not installed: not tested"; done
-echo "completions of $* are what --help lists"
+echo "completions of gvd, $* are what --help lists"

@@ -66,6 +66,8 @@ check_lintian() {
 check_commands() {
   local command words only_there
   make_root "$work/root" "$packages"/gvd_*.deb
+  [ "$(cd "$work/root/usr/bin" && find gvd gvd-* -type f)" = gvd ] || fail "the commands are more than one binary"
+  run_in "$work/root" gvd --help | diff - <("$build/bin/gvd" --help)
   for command in $(cd "$work/root/usr/bin" && ls gvd-*); do
     words=(-n 20 -o "$command.obj" --diagram "$command.json") only_there=(--verify --view "$command.html")
     if [ "$command" = gvd-distance ]; then

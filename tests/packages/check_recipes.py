@@ -23,7 +23,7 @@ except ImportError as missing:
 # What find_package and find_path ask for, and the names of conda-forge, vcpkg and Homebrew. CGAL is an option.
 NAMES = {"Eigen3": ("eigen", "eigen3", "eigen"), "OpenMesh": ("openmesh", "openmesh", "open-mesh"),
          "nlohmann_json": ("nlohmann_json", "nlohmann-json", "nlohmann-json"), "fmt": ("fmt", "fmt", "fmt"),
-         "TBB": ("tbb-devel", "tbb", "tbb"), "CLI11": ("cli11", "cli11", "cli11"),
+         "TBB": ("tbb-devel", "tbb", "tbb"),
          "pugixml": ("pugixml", "pugixml", "pugixml"), "ZLIB": ("zlib", "zlib", "zlib"),
          "GVD_TOMLPLUSPLUS_INCLUDE": ("tomlplusplus", "tomlplusplus", "tomlplusplus"), "CGAL": (None, "cgal", None)}
 

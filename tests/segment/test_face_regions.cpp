@@ -11,6 +11,7 @@
 
 #include "gvd/check.hpp"
 #include "gvd/face_regions.hpp"
+#include "gvd/read_soup.hpp"
 #include "support/catch.hpp"
 #include "support/many_threads.hpp"
 #include "support/meshes.hpp"

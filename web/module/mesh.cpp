@@ -47,7 +47,7 @@ SharedMesh mesh_from_bytes(const std::string& bytes, const std::string& name, co
 
 val notes(const SharedMesh& input) {
   val list = val::array();
-  for (const std::string& line : input->defects.messages) list.call<void>("push", line);
+  for (const std::string& line : input->defects.messages) list.call<void>("push", spell_properties(line));
   return list;
 }
 

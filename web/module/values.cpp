@@ -79,4 +79,13 @@ Progress Given::progress() const {
   };
 }
 
+std::string spell_properties(std::string_view text) {
+  return spell_options(text, {.spell = [](std::string_view name, std::string_view value) {
+                         std::string spelled(name);
+                         if (value == "false") return "no_" + spelled + ": true";
+                         if (value.empty()) return spelled;
+                         return spelled + (value == "true" ? ": true" : ": '" + std::string(value) + '\'');
+                       }});
+}
+
 }  // namespace gvd::web

@@ -82,6 +82,9 @@ val to_points(const std::vector<SurfacePoint>& points);
 /// Their positions, three coordinates each.
 val to_positions(const Mesh& mesh, const std::vector<SurfacePoint>& points);
 
+/// A text of the library with its placeholders as properties of options: "max_added", "no_refine: true".
+std::string spell_properties(std::string_view text);
+
 /// Does the work of a call. What it throws becomes the class that JavaScript gave as Module.Error, with its code.
 template <class Work>
 auto guarded(Work&& work) {
@@ -91,7 +94,7 @@ auto guarded(Work&& work) {
   try {
     return std::forward<Work>(work)();
   } catch (const Error& error) {
-    raise(error.what(), kErrorCodeNames[std::size_t(error.code())], double(error.element()));
+    raise(spell_properties(error.text()).c_str(), kErrorCodeNames[std::size_t(error.code())], double(error.element()));
   } catch (const std::bad_alloc&) {
     raise("the memory of the page is full; use a smaller mesh or fewer generators", "out_of_memory", -1);
   } catch (const std::exception& error) {

@@ -12,10 +12,14 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <utility>
+#include <variant>
 
-#include "common/options/typed_options.hpp"
+#include "common/options/spelling.hpp"
 #include "gvd/error.hpp"
+#include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/write_file.hpp"
+#include "gvd/option_text.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd::app {
@@ -33,16 +37,22 @@ namespace fs = std::filesystem;
 std::string describe_stray(const std::string& word, bool follows, const Options& options,
                            const OutputFormats& formats) {
   std::error_code ignored;
-  if (word.starts_with('-')) return "is not a file; options go before --";
+  if (word.starts_with('-')) {
+    return parse_number<double>(word) ? "is not a file; a value follows the name of its option"
+                                      : "is not a file; options go before --";
+  }
   if (fs::is_directory(word, ignored)) return fmt::format("is a directory; did you mean --output-dir {}?", word);
   if (word == "%") return "is not a file; a percentage has no blank before %";
   if (parse_number<std::int64_t>(word)) {
-    if (options.generators.vertices) {
-      return fmt::format("is not a file; {} takes commas without blanks, as in 3,17,99",
-                         options.generators.names.vertices);
+    for (const char* const name : {"vertices", "from"}) {
+      const Option* const option = options.list->find(name);
+      if (option == nullptr || !options.given->has(name)) continue;
+      return fmt::format("is not a file; {} takes commas without blanks, as in 3,17,99", usual_name(*option));
     }
-    if (options.has_diagram && !options.generators.count)
-      return fmt::format("is not a file; did you mean -n {}?", word);
+    const Option* const count = options.list->find("count");
+    if (count != nullptr && !options.given->has("count")) {
+      return fmt::format("is not a file; did you mean {} {}?", usual_name(*count), word);
+    }
   }
   return follows && contains(formats.extensions, file_extension(word))
              ? fmt::format("is not a file; did you mean -o {}?", word)
@@ -63,8 +73,11 @@ bool may_be_read(const std::string& path) {
     refuse(fmt::format("unexpected: '{}' {}", word, describe_stray(word, i > 0, options, formats)));
   }
   const std::string others = paths.size() == 2 ? paths.back() : fmt::format("{} others", paths.size() - 1);
-  refuse(fmt::format("{} inputs, {} and {}: name a folder for their outputs with --output-dir", paths.size(),
-                     paths.front(), others));
+  // A file of an earlier run is rather the output.
+  const bool names_output =
+      paths.size() == 2 && contains(formats.extensions, file_extension(others)) && options.output.files.empty();
+  refuse(fmt::format("{} inputs, {} and {}: name a folder for their outputs with --output-dir{}", paths.size(),
+                     paths.front(), others, names_output ? ", or write -o " + others + " for an output" : ""));
 }
 
 /// Refuses a word that other programs take for a command.
@@ -74,29 +87,44 @@ void check_commands(const std::string& path) {
   }
 }
 
-/// The files that the options name beside INPUT and --config: a list is empty where its option is not given.
+/// What an option reads: names of files, or of properties and the like, which it may take in their place.
+std::vector<std::string> list_read(const Field& field) {
+  using Names = std::vector<std::string>;
+  return std::visit(Overload{[&](const File& file) {
+                               const bool is_read = file.use == File::Use::read;
+                               return is_read ? write_option(field).value_or(Names()) : Names();
+                             },
+                             [](const PointList& list) { return Names{list.value->file}; },
+                             [](const Curves& curves) { return Names{curves.value->name}; },
+                             [](const ValueSource& values) { return Names{values.value->name}; },
+                             [](const auto&) { return Names(); }},
+                    field);
+}
+
+/// The files that the options name beside INPUT and --config: empty names where they are not given.
 std::vector<std::string> list_read_files(const Options& options) {
-  std::vector<std::string> files = options.input.others;
-  files.insert(files.end(), {options.generators.file, options.generators.curves, options.targets.file});
+  std::vector<std::string> files;
+  for (const Option* const option : options.list->options()) {
+    if (option->spec.positional || option->name == "config") continue;
+    for (std::string& name : list_read(option->field)) files.push_back(std::move(name));
+  }
   return files;
 }
 
-/// Several inputs need a folder for their outputs, in which standard input has no name.
+}  // namespace
+
+// Several inputs need a folder for their outputs, in which standard input has no name.
 void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
   std::vector<std::string> piped;  // what is standard input
-  if (options.input.path == "-") piped.emplace_back("INPUT");
-  for (const GeneratorOptions* list : {&options.generators, &options.targets}) {
-    if (list->file == "-") piped.push_back(list->names.file);
+  for (const Option* const option : options.list->options()) {
+    const bool reads = option->spec.positional ? options.input.path == "-" : contains(list_read(option->field), "-");
+    if (reads && option->name != "config") piped.push_back(typed_names(*option).back());
   }
-  if (options.generators.curves == "-") piped.emplace_back("--curves");
-  piped.insert(piped.end(), options.input.piped.begin(), options.input.piped.end());
   const bool into_folder = !options.output.folder.empty();
   check_commands(options.input.path);
   if (options.input.path == "-" && !options.input.format) {
-    refuse(
-        "standard input has no extension: name its format with --input-format obj, ply, off, stl, vtp, vtu, vtk, glb, "
-        "gltf, gii, mni or fs");
+    refuse("standard input has no extension: name its format with " + input_format_option());
   }
   if (piped.size() > 1) {
     refuse(fmt::format("{} and {} are both standard input, which holds one of them: name a file for the other",
@@ -115,18 +143,7 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
   }
 }
 
-void check_generator_source(const GeneratorOptions& generators) {
-  if (generators.count || generators.are_listed() || generators.radius) return;
-  if (generators.target_edge || generators.error || !generators.curves.empty()) return;
-  if (generators.names.file == "--from") refuse("no sources: give --from or --curves");
-  refuse("no generators: give one of -n, --generators, --vertices or --radius");
-}
-
-void check_chord_tolerance(const ComputeOptions& compute) {
-  if (!compute.chord_tolerance || *compute.chord_tolerance >= kLeastChordTolerance) return;
-  refuse(fmt::format("--chord-tolerance {}: bisectors are exact only to {} mean edge lengths; give at least that",
-                     *compute.chord_tolerance, kLeastChordTolerance));
-}
+namespace {
 
 /// Refuses options of features that this build lacks.
 void check_build(const Options& options) {
@@ -162,7 +179,7 @@ void check_not_read(const std::string& option, const std::string& path, const Op
   std::vector<std::string> all = options.input.paths;
   const std::vector<std::string> named = list_read_files(options);
   all.insert(all.end(), named.begin(), named.end());
-  all.push_back(options.config);
+  all.push_back(options.general.config);
   for (const std::string& read : all) {
     if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
     refuse(fmt::format("{} {}: the run reads this file; name another one", option, path));
@@ -175,9 +192,9 @@ void check_standard_output(const OutputOptions& output) {
     refuse_target("-o", "-", "standard output is closed; redirect it to a file or a pipe");
   }
   const std::string format = format_of(output, "-");
-  const bool is_binary =
-      (format == "ply" && !output.ascii_ply) || contains({"stl", "glb", "npy", "fs", "annot", "curv"}, format);
-  if (is_binary && ::isatty(STDOUT_FILENO) == 1) {
+  const Format* const row = find_output(format);
+  const bool is_text = row == nullptr || !row->is_binary || (row->id == MeshFormat::ply && output.ascii_ply);
+  if (!is_text && ::isatty(STDOUT_FILENO) == 1) {
     refuse(
         fmt::format("-o -: .{0} is binary, and standard output is a terminal; redirect it, as in > a.{0}, or choose "
                     "text with --output-format",
@@ -224,8 +241,8 @@ class Targets {
 
   void claim_with_materials(const std::string& option, const std::string& path, const OutputFormats& formats) {
     claim(option, path);
-    if (!formats.materials || file_extension(path) != "obj") return;
-    claim("the materials of " + option, fs::path(path).replace_extension(".mtl").string());
+    const auto materials = formats.materials ? materials_file(path) : std::nullopt;
+    if (materials) claim("the materials of " + option, materials->string());
   }
 
  private:
@@ -236,7 +253,7 @@ class Targets {
 void check_extension(const OutputOptions& output, const std::string& file, const std::vector<std::string>& extensions) {
   if (file.empty()) refuse("-o: the file name is empty; name a file");
   if (file == "-" || contains(extensions, format_of(output, file))) return;
-  refuse(fmt::format("-o {}: the extension must be one of .{}", file, fmt::join(extensions, ", .")));
+  refuse(fmt::format("-o {}: the extension must be one of {}", file, list_extensions(extensions, "or")));
 }
 
 /// Refuses inputs of one name before the work: the second result would replace the first.
@@ -300,7 +317,10 @@ void check_view(const OutputOptions& output) {
                      output.view));
 }
 
+}  // namespace
+
 void check_outputs(const Options& options, const OutputFormats& formats) {
+  check_build(options);
   const OutputOptions& output = options.output;
   check_formats(output);
   check_view(output);
@@ -308,16 +328,6 @@ void check_outputs(const Options& options, const OutputFormats& formats) {
   for (const std::string& file : output.files) check_extension(output, file, formats.extensions);
   Targets targets(options);
   for (const auto& [option, file] : list_targets(output)) targets.claim_with_materials(option, file, formats);
-}
-
-}  // namespace
-
-void check_options(const Options& options, const OutputFormats& formats) {
-  check_inputs(options, formats);
-  check_generator_source(options.generators);
-  check_chord_tolerance(options.compute);
-  check_build(options);
-  check_outputs(options, formats);
 }
 
 std::vector<Options> plan_runs(const Options& options) {

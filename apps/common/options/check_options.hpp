@@ -13,13 +13,16 @@ struct OutputFormats {
   bool materials = true;                ///< an .obj has its colours in an .mtl beside it
 };
 
-/// Checks what no single option can: the inputs and what is read from standard input, one source of generators, and
-/// features that this build lacks. Refuses outputs that the run could not write or must not. By name: an unknown
+/// Checks what no single option can of the inputs, and of what is read from standard input or a pipe. `options.list`
+/// tells which options read files. Throws Error{invalid_option}.
+void check_inputs(const Options& options, const OutputFormats& formats);
+
+/// Refuses features that this build lacks, and outputs that the run could not write or must not. By name: an unknown
 /// extension, a file that another option names or that the run reads. By the system: a missing folder, no write
 /// permission, a closed standard output, binary data for a terminal.
 ///
 /// Throws Error{invalid_option}, or Error{unwritable_output} where the system refuses.
-void check_options(const Options& options, const OutputFormats& formats);
+void check_outputs(const Options& options, const OutputFormats& formats);
 
 /// The options of each run: those of a command line, with one of its inputs. With --output-dir each run writes a file
 /// of each format into the folder, named after its input.

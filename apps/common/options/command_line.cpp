@@ -1,256 +1,255 @@
-// From argv to the targets of the options, by CLI11. This adds what users meet around it: unknown names with the ones
-// that they may stand for, a help in columns, errors of one line with their place in a file, and options that depend
-// on values. Each error says what is wrong, where, and where the help is.
+// From the words of a command line to the fields of the options: which words belong to which option, which options of
+// the file stay beside them, and which go together.
+//
+// A value may begin with a dash (--up -z), but is no name of an option: behind "--stats -o" a value is missing. Errors
+// come in the order in which a user can mend them: names that are none, then values, then what does not go together.
 
 #include "common/options/command_line.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <sstream>
-#include <string_view>
+#include <filesystem>
+#include <fstream>
 
+#include "common/options/completion.hpp"
 #include "common/options/config_file.hpp"
+#include "common/options/option_json.hpp"
 #include "common/options/options.hpp"
-#include "common/options/typed_options.hpp"
+#include "common/options/spelling.hpp"
 #include "gvd/error.hpp"
+#include "gvd/option_text.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd::app {
 namespace {
 
-constexpr std::size_t kHelpWidth = 80;
-constexpr std::size_t kDescriptionColumn = 26;
-
-/// A shorter beginning fits too many options. Of what is no option, and written in capitals, there is one at most.
-std::size_t least_beginning(const std::string& name) { return name.front() >= 'A' && name.front() <= 'Z' ? 1 : 3; }
-
-/// "--Sampling=random" as "sampling".
-std::string bare_name(const std::string& text) {
-  const std::size_t first = text.find_first_not_of('-');
-  return first == text.npos ? "" : to_lower(text.substr(first, text.find('=') - first));
+/// The option that a user calls by this name; null where there is none.
+const Option* find_typed(const OptionList& list, const std::string& name) {
+  for (const Option* const option : list.options()) {
+    const std::vector<std::string> names = typed_names(*option);
+    if (!option->spec.positional && std::find(names.begin(), names.end(), name) != names.end()) return option;
+  }
+  return nullptr;
 }
 
-/// Whether `typed` has the beginnings of words of `name`, in their order and with its first one, with or without the
-/// dashes between them: "outdir" or "out-d" for "output-dir".
-bool abbreviates(std::string_view typed, std::string_view name) {
-  if (typed.empty()) return true;
-  if (!name.empty() && typed.front() == name.front() && abbreviates(typed.substr(1), name.substr(1))) return true;
-  const std::size_t dash = name.find('-');
-  if (dash == name.npos || dash + 1 == name.size()) return false;
-  const std::string_view next = name.substr(dash + 1), rest = typed.substr(typed.front() == '-' ? 1 : 0);
-  return !rest.empty() && rest.front() == next.front() && abbreviates(rest.substr(1), next.substr(1));
-}
-
-/// Insertions, deletions, replacements and swaps of neighbours that lead from one text to the other: the distance of
-/// Damerau and Levenshtein, with no letter changed twice.
-std::size_t count_edits(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> before, last, now(to.size() + 1);
-  for (std::size_t j = 0; j <= to.size(); ++j) now[j] = j;
-  for (std::size_t i = 1; i <= from.size(); ++i) {
-    before = std::move(last);
-    last = now;
-    now[0] = i;
-    for (std::size_t j = 1; j <= to.size(); ++j) {
-      now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (from[i - 1] != to[j - 1])});
-      const bool swapped = i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1];
-      if (swapped) now[j] = std::min(now[j], before[j - 2] + 1);
+/// The words of a command line by the options that they belong to.
+class SplitWords {
+ public:
+  SplitWords(const OptionList& list, const std::vector<std::string>& words) : list_(list), words_(words) {
+    for (next_ = 0; next_ < words_.size();) {
+      const std::string& word = words_[next_++];
+      const bool is_name = word.size() > 1 && word.front() == '-' && !parse_number<double>(word);
+      if (word == "--") {
+        for (; next_ < words_.size(); ++next_) add_input(words_[next_]);
+      } else if (!is_name) {
+        add_input(word);
+      } else if (word.starts_with("--")) {
+        read_long(word);
+      } else {
+        read_short(word);
+      }
     }
   }
-  return now[to.size()];
-}
 
-/// The options of -h, which fit a screen: where meshes and generators come from, what is asked for, and where results
-/// go.
-bool is_main(const CLI::Option& option) {
-  constexpr std::array kMain{"INPUT",    "-n",           "--generators", "--from",  "--to",       "--target-edge",
-                             "--error",  "--iterations", "--features",   "--paths", "--isolines", "--cut",
-                             "--output", "--output-dir", "--report",     "--view",  "--stats",    "--points"};
-  return std::any_of(kMain.begin(), kMain.end(), [&](const char* name) { return option.check_name(name); });
-}
+  std::vector<GivenTexts> given;
+  std::vector<std::string> unknown;  ///< words that look like an option
 
-/// Every name that a user can type, and those of positional arguments.
-std::vector<std::string> list_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* const option : app.get_options()) {
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    if (option->get_positional()) names.push_back(option->get_name(true));
+ private:
+  void add_input(const std::string& word) {
+    for (const Option* const option : list_.options()) {
+      if (option->spec.positional) return add(*option, usual_name(*option), {word});
+    }
+    unknown.push_back(word);
   }
-  return names;
-}
 
-/// Refuses what CLI11 did not know, in the order typed, each with the name that it may stand for. The word behind a
+  /// --name or --name=value
+  void read_long(const std::string& word) {
+    const std::size_t equals = word.find('=');
+    const Option* const option = find_typed(list_, word.substr(0, equals));
+    if (option == nullptr) return unknown.push_back(word);
+    if (equals != word.npos) return add(*option, word.substr(0, equals), {word.substr(equals + 1)});
+    add(*option, word, take_values(*option));
+  }
+
+  /// -n, -n5, or flags one after the other and maybe an option that takes a value, as in -qn5
+  void read_short(const std::string& word) {
+    for (std::size_t i = 1; i < word.size(); ++i) {
+      const std::string name = {'-', word[i]};
+      const Option* const option = find_typed(list_, name);
+      if (option == nullptr) return unknown.push_back(word);
+      if (!takes_value(option->field)) {
+        add(*option, name, {});
+        continue;
+      }
+      return add(*option, name, i + 1 < word.size() ? std::vector{word.substr(i + 1)} : take_values(*option));
+    }
+  }
+
+  /// What follows the name of an option: a value or none. Behind a name that may stand alone, only what is surely its
+  /// value: a number, or a word that no INPUT waits for.
+  std::vector<std::string> take_values(const Option& option) {
+    if (!takes_value(option.field) || next_ == words_.size()) return {};
+    const std::string& word = words_[next_];
+    if (find_typed(list_, word.substr(0, word.find('='))) != nullptr) return {};
+    if (stands_alone(option.field)) {
+      const bool is_number = std::holds_alternative<Number>(option.field);
+      const bool has_input =
+          std::any_of(given.begin(), given.end(), [](const auto& g) { return g.option->spec.positional; });
+      const bool is_free = (word == "-" || !word.starts_with('-')) && (has_input || next_ + 1 < words_.size());
+      if (is_number ? !parse_number<double>(word) : !is_free) return {};
+    }
+    ++next_;
+    return {word};
+  }
+
+  void add(const Option& option, const std::string& name, std::vector<std::string> texts) {
+    if (option.is_on) {  // --no-refine, --no-refine=true
+      const auto value = parse_flag(texts.empty() ? "true" : texts.back());
+      if (value) texts = {*value ? "false" : "true"};
+    }
+    const auto found = std::find_if(given.begin(), given.end(), [&](const auto& g) { return g.option == &option; });
+    const bool takes = takes_value(option.field);
+    // A value that is missing, or is none, is told wherever it stands.
+    const bool lacks = found != given.end() && takes && (texts.empty() || found->texts.empty());
+    if (found == given.end() || lacks) return given.push_back({&option, {name, ""}, std::move(texts)});
+    if (!takes && !found->texts.empty() && !parse_flag(found->texts.back())) return;
+    if (!takes) found->texts.clear();  // the last one counts
+    found->texts.insert(found->texts.end(), texts.begin(), texts.end());
+  }
+
+  const OptionList& list_;
+  const std::vector<std::string>& words_;
+  std::size_t next_ = 0;
+};
+
+/// Refuses words that are no option, in the order typed, each with the one that it may stand for. The word behind a
 /// wrong option may be its value, or an INPUT.
-void check_known(const CLI::App& app, const std::string& hint) {
-  const std::vector<std::string> names = list_names(app);
-  std::vector<std::string> unknown;
-  for (const std::string& word : app.remaining()) {
-    if (word == "--") continue;
+void check_known(const OptionList& list, const std::vector<std::string>& unknown, const std::string& hint) {
+  if (unknown.empty()) return;
+  std::vector<std::string> names;
+  for (const Option* const option : list.options()) {
+    for (const std::string& name : typed_names(*option)) names.push_back(name);
+  }
+  std::vector<std::string> described;
+  for (const std::string& word : unknown) {
     const auto meant = suggest_name(word, names);
-    const bool means_size = bare_name(word) == "faces" && app.get_option_no_throw("--target-edge") != nullptr;
+    const bool means_size = (word == "--faces" || word.starts_with("--faces=")) && list.find("target_edge") != nullptr;
     const char* const form = means_size ? "{} (-n sets the vertices; a closed mesh has about twice as many faces)"
                              : !meant   ? "{}"
                              : meant->front() == '-' ? "{} (did you mean {}?)"
                                                      : "{} ({} needs no option in front)";
-    unknown.push_back(fmt::format(fmt::runtime(form), printable(word), meant.value_or("")));
+    described.push_back(fmt::format(fmt::runtime(form), printable(word), meant.value_or("")));
   }
-  if (unknown.empty()) return;
   throw Error(ErrorCode::invalid_option,
-              fmt::format("unknown option{}: {}{}", unknown.size() > 1 ? "s" : "", fmt::join(unknown, ", "), hint));
+              fmt::format("unknown option{}: {}{}", unknown.size() > 1 ? "s" : "", fmt::join(described, ", "), hint));
 }
 
-/// Joins --weld and the number behind it to one word, and gives it the number 0 where there is none: what follows may
-/// be an INPUT.
-std::vector<std::string> join_weld_number(const std::vector<std::string>& words) {
-  std::vector<std::string> joined;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] == "--") {
-      joined.insert(joined.end(), words.begin() + std::ptrdiff_t(i), words.end());
-      break;
-    }
-    joined.push_back(words[i]);
-    if (words[i] != kWeldOption) continue;
-    const bool has_number = i + 1 < words.size() && parse_number<double>(words[i + 1]);
-    joined.back() += has_number ? "=" + words[++i] : "=0";
+/// Reads what is given for an option into its field.
+void store(const OptionList& list, Given& given, const GivenTexts& texts, const std::string& hint) {
+  given.add(texts.option->name, texts.source);
+  if (texts.source.spelling == "-o" && !texts.texts.empty() && texts.texts.front().starts_with('=')) {
+    // "=" parts a name with two dashes from its value, but "-o=a.ply" is the value "=a.ply".
+    refuse_option(
+        list, given,
+        {texts.option->name, fmt::format("-o: '{}' begins with =; write -o {}", printable(texts.texts.front()),
+                                         printable(texts.texts.front().substr(1)))},
+        hint);
   }
-  return joined;
+  const std::string wrong = read_option(*texts.option, texts.texts);
+  if (!wrong.empty())
+    refuse_option(list, given, {texts.option->name, fmt::format("{}: {}", texts.source.spelling, wrong)}, hint);
+  if (turns_off(texts)) given.remove(texts.option->name);
 }
 
-void apply_rules(const std::vector<ValueRule>& rules, const ConfigFile& file) {
-  const auto is_typed = [&](const CLI::Option* option) { return is_given(*option) && file.place_of(option).empty(); };
-  const auto is_idle = [](const ValueRule& rule) { return is_given(*rule.option) && !rule.idle().empty(); };
-  for (const ValueRule& rule : rules) {
+/// Answers the first question of a command line.
+std::optional<std::string> answer(const CommandWords& command, const OptionList& list,
+                                  const std::vector<GivenTexts>& typed, const std::string& hint) {
+  for (const GivenTexts& question : typed) {
+    const std::string& name = question.option->name;
+    if (name == "h") return make_short_help(command, list);
+    if (name == "help") return make_help(command, list);
+    if (name == "version") return fmt::format("{} {}\n", command.name, command.version);
+    if (name == "print_options") return print_description(list);
+    if (name != "print_completion") continue;
+    Given given;
+    store(list, given, question, hint);
+    return make_completion(command.name, list, question.texts.front()) + "\n";
+  }
+  return std::nullopt;
+}
+
+/// The options of the file that the command line leaves.
+std::vector<GivenTexts> read_file(const OptionList& list, const std::string& path,
+                                  const std::vector<GivenTexts>& typed) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("--config {}: is a directory; name a TOML file of options", printable(path)));
+  }
+  std::ifstream input(path);
+  if (!input) {
+    throw Error(ErrorCode::invalid_option, fmt::format("--config {}: there is no such file that can be read; name a "
+                                                       "TOML file of options",
+                                                       printable(path)));
+  }
+  std::vector<GivenTexts> kept = read_config_file(list, input, path);
+  std::erase_if(kept, [&](const GivenTexts& given) { return is_overridden(list, *given.option, typed); });
+  return kept;
+}
+
+/// Leaves out the options of the file that do nothing beside values of the command line.
+void leave_out_idle(const OptionList& list, Given& given) {
+  const auto is_typed = [&](const std::string& name) {
+    const Given::Source* const source = given.find(name);
+    return source != nullptr && source->place.empty();
+  };
+  for (const ValueRule& rule : list.rules()) {
     const bool is_overridden = std::any_of(rule.depends_on.begin(), rule.depends_on.end(), is_typed);
-    if (is_overridden && !is_typed(rule.option) && is_idle(rule)) {
-      rule.leave_out();
-      rule.option->clear();
-    }
+    if (!is_overridden || !given.has(rule.option) || is_typed(rule.option) || rule.why_idle(given).empty()) continue;
+    list.find(rule.option)->reset();
+    given.remove(rule.option);
   }
-  for (const ValueRule& rule : rules) {
-    const std::string place = file.place_of(rule.option);
-    if (is_idle(rule)) throw Error(ErrorCode::invalid_option, place + (place.empty() ? "" : ": ") + rule.idle());
-  }
-}
-
-/// Breaks names and a list of choices behind bars, where they are longer than a line.
-std::string break_at_bars(std::string title) {
-  for (std::size_t begin = 0; title.size() - begin > kHelpWidth;) {
-    const std::size_t bar = title.rfind('|', begin + kHelpWidth - 1);
-    if (bar == title.npos || bar <= begin) break;
-    title.insert(bar + 1, fmt::format("\n{:{}}", "", kDescriptionColumn));
-    begin = bar + 2;
-  }
-  return title;
 }
 
 }  // namespace
 
-std::optional<std::string> suggest_name(const std::string& wrong, const std::vector<std::string>& names) {
-  const std::string typed = bare_name(wrong);
-  std::optional<std::string> nearest, longer;
-  std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
-  for (const std::string& name : names) {
-    const std::string bare = bare_name(name);
-    // So many letters at least have to be inserted or deleted.
-    const std::size_t fewest = std::max(typed.size(), bare.size()) - std::min(typed.size(), bare.size());
-    const std::size_t edits = fewest < least ? count_edits(typed, bare) : least;
-    // An option of one letter is nobody's misspelling.
-    if (edits < least && (bare.size() > 1 || edits == 0)) {
-      least = edits;
-      nearest = name;
-    }
-    const bool begins = typed.size() >= least_beginning(name) && typed.size() <= bare.size() &&
-                        typed.front() == bare.front() && abbreviates(typed, bare);
-    if (begins && (!longer || name.size() < longer->size())) longer = name;
+void describe(OptionList& list, GeneralOptions& options) {
+  list.group("General");
+  list.option("h", Flag{&options.short_help},
+              {.help = "Show the main options", .short_name = "h", .shown = Shown::answered});
+  list.option("help", Flag{&options.help}, {.help = "Show all options", .shown = Shown::answered});
+  list.option("version", Flag{&options.version}, {.help = "Show the version", .shown = Shown::answered});
+  list.option("print_completion", choice(options.completion, kShells),
+              {.help = "Print the script that completes this command in a shell", .shown = Shown::hidden});
+  list.option("print_options", Flag{&options.description},
+              {.help = "Print what --help says as JSON, and the formats of files", .shown = Shown::hidden});
+  list.option("config", File{&options.config, File::Use::read, {"toml"}},
+              {.help = "Read options from this TOML file", .more = "; the command line overrides it"});
+  list.option("quiet", Flag{&options.quiet}, {.help = "Print errors only", .short_name = "q"});
+  list.option("verbose", Flag{&options.verbose},
+              {.help = "Print details and the time of each step", .short_name = "v"});
+  list.excludes("quiet", {"verbose"});
+}
+
+std::optional<std::string> parse_command_line(const CommandWords& command, const OptionList& list, Given& given,
+                                              const std::vector<std::string>& words) {
+  const std::string hint = fmt::format(" (see {} --help)", command.name);
+  const SplitWords split(list, words);
+  if (auto text = answer(command, list, split.given, hint)) return text;
+  check_known(list, split.unknown, hint);
+  for (const GivenTexts& texts : split.given) store(list, given, texts, hint);
+  if (given.has("config")) {
+    const std::string path = write_option(list.find("config")->field)->front();
+    for (const GivenTexts& texts : read_file(list, path, split.given)) store(list, given, texts, hint);
   }
-  return longer && least > 0 ? longer : nearest;
-}
-
-std::string first_clause(const std::string& description) {
-  std::size_t end = description.size();
-  for (const char* detail : {";", " (default", ", or ", ", in "}) end = std::min(end, description.find(detail));
-  return description.substr(0, end);
-}
-
-std::string wrap(const std::string& text, std::size_t width, std::size_t indent) {
-  std::istringstream words(text);
-  std::string wrapped;
-  std::size_t column = 0;
-  for (std::string word; words >> word; column += word.size()) {
-    if (column > 0 && column + 1 + word.size() > width) {
-      wrapped += fmt::format("\n{:{}}", "", indent);
-      column = 0;
-    } else if (column > 0) {
-      wrapped += ' ';
-      ++column;
-    }
-    wrapped += word;
-  }
-  return wrapped;
-}
-
-std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
-  std::string text = wrap(app->get_description(), kHelpWidth, 0) + "\n\n" + make_usage(app, name);
-  if (mode == CLI::AppFormatMode::Normal) return text + make_main_options(app);
-  for (const std::string& group : app->get_groups()) {
-    if (group.empty()) continue;  // --print-completion
-    text += fmt::format("\n{}:\n", group);
-    for (const CLI::Option* const option : app->get_options()) {
-      if (option->get_group() == group) text += make_option(option, option->get_positional());
+  for (const Option* const option : list.options()) {
+    if (option->spec.required && !given.has(option->name)) {
+      throw Error(ErrorCode::invalid_option, usual_name(*option) + " is required" + hint);
     }
   }
-  return text + app->get_footer();
-}
-
-std::string HelpFormatter::make_main_options(const CLI::App* app) const {
-  std::string text = "\n";
-  for (const CLI::Option* const option : app->get_options()) {
-    if (is_main(*option)) text += make_line(option, first_clause(option->get_description()));
-  }
-  return text + fmt::format("\nAll options, and examples: {} --help\n", app->get_name());
-}
-
-std::string HelpFormatter::make_option(const CLI::Option* option, bool) const {
-  return make_line(option, option->get_description());
-}
-
-std::string HelpFormatter::make_line(const CLI::Option* option, const std::string& description) {
-  const bool is_positional = option->get_positional();
-  const std::string type = option->get_items_expected_max() > 0 ? " " + option->get_type_name() : "";
-  const std::string names = CLI::detail::find_and_replace(option->get_name(is_positional, true), ",", ", ");
-  const std::string title = fmt::format("  {:{}}", names + type, kDescriptionColumn - 4);
-  const std::string gap =
-      title.size() + 2 <= kDescriptionColumn ? "  " : fmt::format("\n{:{}}", "", kDescriptionColumn);
-  return break_at_bars(title) + gap + wrap(description, kHelpWidth - kDescriptionColumn, kDescriptionColumn) + "\n";
-}
-
-std::optional<std::string> parse_command_line(CLI::App& app, const std::vector<ValueRule>& rules, int argc,
-                                              const char* const* argv) {
-  const auto file = std::make_shared<ConfigFile>(app);
-  app.config_formatter(file);
-  app.formatter(std::make_shared<HelpFormatter>());
-  app.allow_extras();
-  const std::string hint = fmt::format(" (see {} --help)", app.get_name());
-  try {
-    const std::vector<std::string> words = join_weld_number({argv, argv + argc});
-    std::vector<const char*> texts;
-    for (const std::string& word : words) texts.push_back(word.c_str());
-    app.parse(static_cast<int>(texts.size()), texts.data());
-  } catch (const CLI::CallForVersion& version) {
-    return std::string(version.what()) + "\n";
-  } catch (const CLI::CallForAllHelp&) {
-    return app.help("", CLI::AppFormatMode::All);
-  } catch (const CLI::Success&) {
-    return app.help();
-  } catch (const CLI::Error& error) {
-    check_known(app, hint);  // a misspelt name may be all that is wrong
-    const std::string message = file->with_place(error.what());
-    throw Error(ErrorCode::invalid_option, message == error.what() ? message + hint : message);
-  }
-  check_known(app, hint);
-  apply_rules(rules, *file);
+  leave_out_idle(list, given);
+  if (const auto problem = list.find_problem(given)) refuse_option(list, given, *problem);
   return std::nullopt;
 }
 

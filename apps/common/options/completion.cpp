@@ -6,9 +6,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
-#include "common/options/command_line.hpp"
+#include "common/options/spelling.hpp"
+#include "gvd/generator_list.hpp"
+#include "gvd/option_text.hpp"
 
 namespace gvd::app {
 namespace {
@@ -21,6 +24,7 @@ struct CompletedOption {
   bool takes_value = false;
   bool is_repeatable = false;
   std::vector<std::string> words = {};
+  bool is_list = false;    ///< several words are parted by commas
   std::string files = {};  ///< "any", "folder", or their extensions, parted by "|"; empty: no file
 
   /// Its names as typed, with `separator` between them, and `suffix` behind the long ones.
@@ -32,39 +36,70 @@ struct CompletedOption {
   }
 };
 
-void add_alternative(CompletedOption& option, const std::string& text) {
-  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
-  if (text == "FILE") {
-    option.files = "any";
-  } else if (text == "DIR") {
-    option.files = "folder";
-  } else if (std::any_of(text.begin(), text.end(), is_small)) {
-    option.words.push_back(text);
-  }
+/// The words and files that an option takes.
+void add_values(CompletedOption& option, const Field& field) {
+  const auto words = [&](const auto& names) { option.words.assign(names.begin(), names.end()); };
+  const auto nothing = [](const auto&) {};
+  std::visit(Overload{[&](const Switch&) {
+                        words(std::array{"on", "off"});
+                      },
+                      [&](const Number& number) { words(names_in(number.words)); },
+                      [&](const Choice& choice) { words(choice.names); },
+                      [&](const ChoiceList& list) {
+                        words(list.names);
+                        option.is_list = true;
+                      },
+                      [&](const File& file) {
+                        const bool is_folder = file.use == File::Use::folder;
+                        option.files = is_folder                 ? "folder"
+                                       : file.extensions.empty() ? "any"
+                                                                 : fmt::format("{}", fmt::join(file.extensions, "|"));
+                      },
+                      [&](const PointList& list) {
+                        const bool names_files = list.named != PointList::Named::vertices;
+                        option.files = names_files ? fmt::format("{}", fmt::join(generator_extensions(), "|")) : "";
+                      },
+                      [&](const Curves&) {
+                        words(std::array{"boundary", "creases"});
+                        option.files = "any";
+                      },
+                      [&](const ValueSource& values) {
+                        words(values.words);
+                        option.files = "any";
+                      },
+                      [&](const CreaseAngle&) {
+                        words(std::array{"auto", "none"});
+                      },
+                      nothing},
+             field);
 }
 
-CompletedOption make_completed_option(const CLI::Option& entry) {
-  CompletedOption option{entry.get_snames(), entry.get_lnames(), first_clause(entry.get_description()),
-                         entry.get_type_name()};
-  option.takes_value = entry.get_items_expected_max() > 0;
-  option.is_repeatable = entry.get_items_expected_max() > 1;
-  if (entry.get_positional()) option.type = "FILE";
-  constexpr std::string_view kWithExtension = "FILE.";
-  if (option.type.starts_with(kWithExtension)) {
-    option.files = option.type.substr(kWithExtension.size());
-  } else {
-    for (const std::string& text : CLI::detail::split(option.type, '|')) add_alternative(option, text);
+CompletedOption make_completed_option(const OptionList& list, const Option& entry) {
+  CompletedOption option;
+  for (const std::string& name : typed_names(entry)) {
+    if (name.starts_with("--")) option.long_names.push_back(name.substr(2));
+    if (!name.starts_with("--") && name.starts_with('-')) option.short_names.push_back(name.substr(1));
   }
+  option.description = spell(list, entry.spec.help);
+  option.type = entry.spec.positional ? "FILE" : value_name(entry.field);
+  option.takes_value = takes_value(entry.field);
+  option.is_repeatable = option.takes_value && is_repeatable(entry.field);
+  add_values(option, entry.field);
   return option;
 }
 
 /// The options that --help lists. The positional one comes without a name.
-std::vector<CompletedOption> list_completed_options(const CLI::App& app) {
+std::vector<CompletedOption> list_completed_options(const OptionList& list) {
   std::vector<CompletedOption> options;
-  for (const CLI::Option* const option : app.get_options()) {
-    if (!option->get_group().empty()) options.push_back(make_completed_option(*option));
+  for (const Option* const option : list.options()) {
+    if (option->spec.shown != Shown::hidden) options.push_back(make_completed_option(list, *option));
   }
   return options;
+}
+
+std::string replace_all(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size()) text.replace(at, from.size(), to);
+  return text;
 }
 
 /// `text` with a backslash before each of `special`.
@@ -80,15 +115,19 @@ std::string escape_with_backslash(const std::string& text, std::string_view spec
 // Names of files are completed last, so that mapfile appends them. compopt fails where no completion runs, as in tests.
 constexpr const char* kBashScript = R"(# Completion of {0} for bash, made by {0} --print-completion bash
 {1}() {{
-  local word=${{COMP_WORDS[COMP_CWORD]}} option=${{COMP_WORDS[COMP_CWORD-1]}} words= files=
+  local word=${{COMP_WORDS[COMP_CWORD]}} option=${{COMP_WORDS[COMP_CWORD-1]}} words= files= list=
   if [[ $word == = ]]; then
     word=
   elif [[ $option == = ]]; then
     option=${{COMP_WORDS[COMP_CWORD-2]}}
   fi
   case $option in
-{2}    *) if [[ $word == -* ]]; then words='{3}'; else files=any; fi ;;
+{2}    *) if [[ $word == -* ]]; then words='{3}'; else files='{4}'; fi ;;
   esac
+  if [[ $list && $word == *,* ]]; then
+    words=" $words"
+    words=${{words// / ${{word%,*}},}}
+  fi
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
   case $files in
     '') return ;;
@@ -102,16 +141,17 @@ constexpr const char* kBashScript = R"(# Completion of {0} for bash, made by {0}
 complete -F {1} {0})";
 
 std::string make_bash(const std::string& command, const std::vector<CompletedOption>& options) {
-  std::string cases;
+  std::string cases, inputs;
   std::vector<std::string> names;
   for (const CompletedOption& option : options) {
+    if (option.names("").empty()) inputs = option.files;
     if (const std::string typed = option.names(" "); !typed.empty()) names.push_back(typed);
     if (!option.takes_value || option.names("").empty()) continue;
-    cases += fmt::format("    {}) words='{}' files='{}' ;;\n", option.names("|"), fmt::join(option.words, " "),
-                         option.files);
+    cases += fmt::format("    {}) words='{}' files='{}'{} ;;\n", option.names("|"), fmt::join(option.words, " "),
+                         option.files, option.is_list ? " list=1" : "");
   }
-  const std::string function = "_" + CLI::detail::find_and_replace(command, "-", "_");
-  return fmt::format(fmt::runtime(kBashScript), command, function, cases, fmt::join(names, " "));
+  const std::string function = "_" + replace_all(command, "-", "_");
+  return fmt::format(fmt::runtime(kBashScript), command, function, cases, fmt::join(names, " "), inputs);
 }
 
 /// What _arguments does for the value.
@@ -124,6 +164,7 @@ std::string zsh_action(const CompletedOption& option) {
                                                        : fmt::format("_files -g \"*.{}\"", extensions);
   if (option.words.empty()) return files.empty() ? " " : files;
   const std::string words = fmt::format("{}", fmt::join(option.words, " "));
+  if (option.is_list) return fmt::format("_values -s , value {}", words);
   return files.empty() ? fmt::format("({})", words) : fmt::format("{{compadd - {}; {}}}", words, files);
 }
 
@@ -140,22 +181,32 @@ std::string make_zsh(const std::string& command, const std::vector<CompletedOpti
     const std::string excluded = option.is_repeatable ? "*" : fmt::format("({})", names);
     const std::string listed = option.names(",", option.takes_value ? "=" : "");
     const std::string typed = listed.find(',') != listed.npos ? fmt::format("'{{{}}}'", listed) : listed;
-    const std::string description =
-        CLI::detail::find_and_replace(escape_with_backslash(option.description, "\\[]:"), "'", "'\\''");
+    const std::string description = replace_all(escape_with_backslash(option.description, "\\[]:"), "'", "'\\''");
     script += fmt::format(" \\\n  '{}{}[{}]{}'", excluded, typed, description, value);
   }
   return script;
+}
+
+/// What `complete` takes for files with some extensions.
+std::vector<std::string> fish_files(const std::string& files) {
+  if (files == "folder") return {"(__fish_complete_directories)"};
+  std::vector<std::string> words;
+  for (std::size_t start = 0; !files.empty() && files != "any" && start <= files.size();) {
+    const std::size_t end = std::min(files.find('|', start), files.size());
+    words.push_back(fmt::format("(__fish_complete_suffix .{})", files.substr(start, end - start)));
+    start = end + 1;
+  }
+  return words;
 }
 
 /// What `complete` says about the value.
 std::string fish_value(const CompletedOption& option) {
   if (!option.takes_value) return "";
   std::vector<std::string> words = option.words;
-  if (option.files == "folder") words.push_back("(__fish_complete_directories)");
-  const bool has_extension = !option.files.empty() && option.files != "any" && option.files != "folder";
-  for (const std::string& extension : CLI::detail::split(option.files, '|')) {
-    if (has_extension) words.push_back(fmt::format("(__fish_complete_suffix .{})", extension));
+  if (option.is_list) {
+    words = {fmt::format("(__fish_complete_list , \"printf %s\\\\n {}\")", fmt::join(option.words, " "))};
   }
+  for (std::string& file : fish_files(option.files)) words.push_back(std::move(file));
   const std::string listed = words.empty() ? "" : fmt::format(" -a '{}'", fmt::join(words, " "));
   return (option.files == "any" ? " -r -F" : " -x") + listed;
 }
@@ -163,8 +214,11 @@ std::string fish_value(const CompletedOption& option) {
 std::string make_fish(const std::string& command, const std::vector<CompletedOption>& options) {
   std::string script = fmt::format("# Completion of {0} for fish, made by {0} --print-completion fish", command);
   for (const CompletedOption& option : options) {
-    if (option.names("").empty()) continue;  // fish completes files anyway
     script += "\ncomplete -c " + command;
+    if (option.names("").empty()) {
+      script += fmt::format(" -x -a '{}'", fmt::join(fish_files(option.files), " "));
+      continue;
+    }
     for (const std::string& name : option.short_names) script += " -s " + name;
     for (const std::string& name : option.long_names) script += " -l " + name;
     script += fmt::format("{} -d '{}'", fish_value(option), escape_with_backslash(option.description, "\\'"));
@@ -174,9 +228,9 @@ std::string make_fish(const std::string& command, const std::vector<CompletedOpt
 
 }  // namespace
 
-std::string make_completion(const CLI::App& app, const std::string& shell) {
+std::string make_completion(const std::string& command, const OptionList& list, const std::string& shell) {
   const auto make = shell == "bash" ? make_bash : shell == "zsh" ? make_zsh : make_fish;
-  return make(app.get_name(), list_completed_options(app));
+  return make(command, list_completed_options(list));
 }
 
 }  // namespace gvd::app

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+#include "gvd/option_list.hpp"
 
 namespace gvd::app {
 
-/// A script that completes the command line of `app` in a shell: bash, zsh or fish. It has every option that --help
-/// lists, their values as far as the type shows them, and names of files. Without the last line break.
-///
-/// The type of an option is a list of alternatives, parted by "|". One with a small letter is a word, "FILE" any file,
-/// "DIR" a folder. Others, such as "N", are not completed. "FILE.npy|csv" is a file with one of these extensions. INPUT
-/// is a file.
-/// Precondition: no word of a type, and no name, holds a blank or a character that a shell expands.
-std::string make_completion(const CLI::App& app, const std::string& shell);
+/// A script that completes the command line of `command` in a shell: bash, zsh or fish. It has every option that --help
+/// lists, with the words and the kinds of files that each one takes, and meshes for INPUT. Without the last line break.
+/// Precondition: no word and no name holds a blank or a character that a shell expands.
+std::string make_completion(const std::string& command, const OptionList& list, const std::string& shell);
 
 }  // namespace gvd::app

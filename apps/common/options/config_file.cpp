@@ -1,19 +1,18 @@
-// The file of --config: toml++ reads it, and CLI11 takes each value as if it were typed, with its checks.
-// What is done here is what CLI11 has no place for: a value's type in TOML is that of its option, a message has the
-// place of its key, and an option of the command line takes the place of those of the file that it excludes.
+// The file of --config: toml++ reads it, and each value goes the way of one that is typed, with its checks. A value's
+// type in TOML is that of its option, and a message has the place of its key.
 
 #include "common/options/config_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <sstream>
 #include <string_view>
 
-#include "common/options/command_line.hpp"
 #include "common/options/options.hpp"
+#include "common/options/spelling.hpp"
 #include "gvd/error.hpp"
+#include "gvd/option_text.hpp"
 #include "gvd/text.hpp"
 #include "gvd/text_encoding.hpp"
 
@@ -108,58 +107,79 @@ Value read_value(const toml::node& node) {
   return {' ', node.is_array() ? "an array" : node.is_table() ? "a table" : "a date or a time", ""};
 }
 
-bool is_list(const CLI::Option& option) { return option.get_items_expected_max() > 1; }
-
 /// The types of TOML that an option takes: s for strings, i and f for numbers, b for booleans.
 struct TakenTypes {
   std::string_view types;
   const char* expected;  ///< for messages
 };
 
-TakenTypes taken_types(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  if (option.get_items_expected_max() == 0) return {"b", "true or false"};
-  if (type == "N") return {"i", "a whole number"};
-  if (type == "[NUMBER]") return {"ifb", "a number, or true or false"};
-  if (type == "NUMBER") return {"if", "a number"};
-  if (type == "SIZE") return {"ifs", "a string such as \"2G\", or a number of bytes"};
-  if (type == "LIST") return {"is", "an array of whole numbers, such as [3, 17], or a string, such as \"3,17\""};
-  return {"s", is_list(option) ? "a string, or an array of strings" : "a string in quotes"};
+TakenTypes taken_types(const Field& field) {
+  constexpr TakenTypes kText{"s", "a string in quotes"};
+  constexpr TakenTypes kVertices{"is", "an array of whole numbers, such as [3, 17], or a string, such as \"3,17\""};
+  const auto text = [&](const auto&) { return kText; };
+  return std::visit(
+      Overload{[](const Flag&) -> TakenTypes {
+                 return {"b", "true or false"};
+               },
+               [](const Switch&) -> TakenTypes {
+                 return {"bs", "true or false, or \"on\" or \"off\""};
+               },
+               [](const Number& number) -> TakenTypes {
+                 if (number.implied) return {"ifb", "a number, or true or false"};
+                 if (number.words.empty())
+                   return is_real(number) ? TakenTypes{"if", "a number"} : TakenTypes{"i", "a whole number"};
+                 return {"is", "a whole number, or a word in quotes"};
+               },
+               [](const File& file) -> TakenTypes {
+                 if (std::holds_alternative<std::string*>(file.value)) return {"s", "a string in quotes"};
+                 return {"s", "a string, or an array of strings"};
+               },
+               [](const ChoiceList&) -> TakenTypes {
+                 return {"s", "a string, or an array of strings"};
+               },
+               [&](const PointList& list) { return list.named == PointList::Named::file ? kText : kVertices; },
+               [](const Counts&) -> TakenTypes {
+                 return {"is", "an array of whole numbers, such as [10, 100], or a string, such as \"10,100\""};
+               },
+               [](const ByteSize&) -> TakenTypes {
+                 return {"ifs", "a string such as \"2G\", or a number of bytes"};
+               },
+               [](const SizeOrPercent&) -> TakenTypes {
+                 return {"ifs", "a number, or a string such as \"0.5%\""};
+               },
+               [](const CreaseAngle&) -> TakenTypes {
+                 return {"ifs", "a number of degrees, or a word in quotes"};
+               },
+               text},
+      field);
 }
 
-std::vector<std::string> read_values(const Entry& entry, const CLI::Option& option, const std::string& file) {
-  const TakenTypes taken = taken_types(option);
-  std::vector<std::string> values;
+std::vector<std::string> read_texts(const Entry& entry, const Option& option, const std::string& file) {
+  const TakenTypes taken = taken_types(option.field);
+  const bool is_list = is_repeatable(option.field) && takes_value(option.field);
+  std::vector<std::string> texts;
   const auto take = [&](const toml::node& node) {
     const Value value = read_value(node);
     if (taken.types.find(value.type) == taken.types.npos) {
       refuse_file(place_in_file(file, node.source()),
                   fmt::format("{}: expected {}, found {}", entry.key, taken.expected, value.type_name));
     }
-    values.push_back(value.text);
+    texts.push_back(value.text);
   };
   const toml::array* const array = entry.node->as_array();
-  if (array == nullptr || !is_list(option)) take(*entry.node);
-  if (array == nullptr) return values;
+  if (array == nullptr || !is_list) take(*entry.node);
+  if (array == nullptr) return texts;
   for (const toml::node& element : *array) take(element);
-  if (values.empty())
+  if (texts.empty())
     refuse_file(entry.place, fmt::format("{}: expected {}, found an empty array", entry.key, taken.expected));
-  return values;
+  return texts;
 }
 
-/// The names of an option as keys of the file.
-std::vector<std::string> keys_of(const CLI::Option& option) {
-  std::vector<std::string> keys = option.get_snames();
-  keys.insert(keys.end(), option.get_lnames().begin(), option.get_lnames().end());
-  if (option.get_positional()) keys.push_back(to_lower(option.get_name(true)));
-  return keys;
-}
-
-const CLI::Option& find_option(const Entry& entry, const CLI::App& app) {
+const Option& find_option(const Entry& entry, const OptionList& list) {
   std::vector<std::string> all;
-  for (const CLI::Option* const option : app.get_options()) {
-    if (!option->get_configurable()) continue;
-    for (const std::string& key : keys_of(*option)) {
+  for (const Option* const option : list.options()) {
+    if (option->name == "config") continue;
+    for (const std::string& key : file_keys(*option)) {
       if (key == entry.key) return *option;
       all.push_back(key);
     }
@@ -172,65 +192,53 @@ const CLI::Option& find_option(const Entry& entry, const CLI::App& app) {
                                       : "keys are names of options without leading dashes, such as input-format"));
 }
 
-bool excludes_any_given(const CLI::Option& option) {
-  const auto all = option.get_excludes();
-  return std::any_of(all.begin(), all.end(), [](const CLI::Option* other) { return is_given(*other); });
+bool has(const std::vector<GivenTexts>& typed, const std::string& name) {
+  return std::any_of(typed.begin(), typed.end(),
+                     [&](const GivenTexts& given) { return given.option->name == name && !turns_off(given); });
 }
 
-/// Whether the command line takes the place of what the file says. See the class.
-bool is_overridden(const CLI::Option& option) {
-  const auto needs = option.get_needs();
-  return option.count() > 0 || excludes_any_given(option) ||
-         std::any_of(needs.begin(), needs.end(),
-                     [](const CLI::Option* need) { return !is_given(*need) && excludes_any_given(*need); });
+bool is_excluded(const OptionList& list, const std::string& name, const std::vector<GivenTexts>& typed) {
+  return std::any_of(typed.begin(), typed.end(), [&](const GivenTexts& given) {
+    return !turns_off(given) && list.exclude_each_other(given.option->name, name);
+  });
 }
 
 }  // namespace
 
-bool is_given(const CLI::Option& option) {
-  return option.count() > 0 && (option.get_items_expected_max() > 0 || option.as<bool>());
+bool turns_off(const GivenTexts& given) {
+  return !takes_value(given.option->field) && !given.texts.empty() &&
+         parse_flag(given.texts.back()).value_or(true) == given.option->is_on;
 }
 
-std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
-  const std::string file = app_.get_config_ptr()->results().back(), content = read_to_end(input);
+std::vector<GivenTexts> read_config_file(const OptionList& list, std::istream& input, const std::string& file) {
+  const std::string content = read_to_end(input);
   if (input.bad()) refuse_file(file, "could not be read to its end");
   const std::string_view program = find_compression(content);
   if (!program.empty()) refuse_file(file, fmt::format("the file is compressed by {}; unpack it first", program));
   if (has_utf16_mark(content) || is_unmarked_utf16(content, 2))
     refuse_file(file, "the file is text in UTF-16; save it as UTF-8");
   const toml::table table = parse_toml(content, file);
-  std::vector<CLI::ConfigItem> kept;
-  std::map<const CLI::Option*, std::string> keys;
-  given_.clear();
+  std::vector<GivenTexts> given;
   for (const Entry& entry : list_entries(table, file)) {
-    const CLI::Option& option = find_option(entry, app_);
-    const auto [earlier, is_new] = keys.emplace(&option, entry.key);
-    if (!is_new) refuse_file(entry.place, entry.key + ": is the same option as " + earlier->second + " above");
-    const std::vector<std::string> values = read_values(entry, option, file);
-    if (is_overridden(option)) continue;
-    given_.push_back({&option, entry.key, entry.place});
-    kept.push_back({{}, option.get_single_name(), values});
+    const Option& option = find_option(entry, list);
+    const auto earlier = std::find_if(given.begin(), given.end(), [&](const auto& g) { return g.option == &option; });
+    if (earlier != given.end()) {
+      refuse_file(entry.place, entry.key + ": is the same option as " + earlier->source.spelling + " above");
+    }
+    std::vector<std::string> texts = read_texts(entry, option, file);
+    if (option.is_on) texts = {texts.back() == "true" ? "false" : "true"};  // no-refine = true
+    given.push_back({&option, {entry.key, entry.place}, std::move(texts)});
   }
-  return kept;
+  return given;
 }
 
-std::string ConfigFile::place_of(const CLI::Option* option) const {
-  for (const Given& each : given_) {
-    if (each.option == option) return each.place;
-  }
-  return "";
-}
-
-std::string ConfigFile::with_place(const std::string& message) const {
-  std::string words = " " + message + " ", place;
-  for (const Given& each : given_) {
-    const std::string name = " " + each.option->get_name();
-    const std::size_t found = std::min(words.find(name + " "), words.find(name + ":"));
-    if (found == words.npos) continue;
-    words.replace(found + 1, name.size() - 1, each.key);
-    place = each.place + ":";
-  }
-  return place.empty() ? message : place + words.substr(0, words.size() - 1);
+bool is_overridden(const OptionList& list, const Option& option, const std::vector<GivenTexts>& typed) {
+  const bool is_typed =
+      std::any_of(typed.begin(), typed.end(), [&](const GivenTexts& given) { return given.option == &option; });
+  if (is_typed || is_excluded(list, option.name, typed)) return true;
+  const std::vector<std::string> needed = list.needed_by(option.name);
+  return std::any_of(needed.begin(), needed.end(),
+                     [&](const std::string& name) { return !has(typed, name) && is_excluded(list, name, typed); });
 }
 
 }  // namespace gvd::app

@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "gvd/diagram.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/view.hpp"
+#include "gvd/option_list.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
+#include "gvd/text.hpp"
 
 // The options of the commands as plain values, with their defaults.
 namespace gvd::app {
@@ -20,50 +22,14 @@ namespace gvd::app {
 struct InputOptions {
   std::vector<std::string> paths;    ///< of all runs; each a file, or "-" for standard input
   std::string path;                  ///< of this run
-  std::vector<std::string> others;   ///< what the command's own options read: files, or names of properties
-  std::vector<std::string> piped;    ///< the options of these that read standard input
   std::optional<MeshFormat> format;  ///< nothing: told from content and extension
   DefectPolicy on_defect = DefectPolicy::repair;
+  std::optional<GeneratorFormat> list_format;  ///< of a file of points; nothing: told from extension and content
   std::optional<double> weld;  ///< tolerance in mesh units, 0 for exact copies; nothing: as the format asks
 };
 
-/// Largest distance of a result from its input.
-struct ErrorBound {
-  double value = 0;           ///< > 0
-  bool in_diagonals = false;  ///< a fraction of the bounding box's diagonal, not mesh units
-};
-
-/// What the command line calls a list of points, for messages.
-struct ListNames {
-  std::string file = "--generators", vertices = "--vertices";  ///< the options that name it
-  std::string points = "generators";
-};
-
-/// Where the generators come from: exactly one of count, file, vertices, curves, radius, target_edge and error is set.
-struct GeneratorOptions {
-  ListNames names;
-  std::optional<std::int32_t> count;       ///< >= 1
-  Sampling sampling = Sampling::farthest;  ///< of `count` ones
-  std::uint64_t seed = 0;
-  std::string file;                                   ///< a list of generators, or "-" for standard input
-  std::optional<GeneratorFormat> format;              ///< of the list; nothing: told from extension and content
-  std::optional<std::vector<std::int64_t>> vertices;  ///< 0-based indices of the input file's vertices
-  std::string curves;                                 ///< a file of curves, boundary or creases[:ANGLE]; empty: points
-  std::optional<double> radius;                       ///< covering radius in mesh units, > 0
-  std::optional<double> target_edge;                  ///< of a mesh of the generators, mesh units, > 0
-  std::optional<ErrorBound> error;                    ///< as many as a mesh of them needs
-  std::optional<double> max_snap;                     ///< largest snap distance allowed, mesh units, >= 0
-  bool merge_coincident = false;
-
-  /// Whether the generators are those of a list: where the user wants them.
-  bool are_listed() const { return vertices || !file.empty(); }
-};
-
 struct ComputeOptions {
-  Method method = Method::exact;
-  std::optional<Front> front;             ///< for gbgvd and paper; nothing: circles for gbgvd, planar for paper
-  std::optional<double> chord_tolerance;  ///< mean edge lengths, >= kLeastChordTolerance; for exact only
-  std::int32_t threads = 0;               ///< 0: all cores; the results are the same for any number
+  int threads = 0;  ///< 0: one a core
   bool verify = false;
   std::optional<std::int64_t> max_memory;  ///< bytes that the process may hold, > 0
 };
@@ -75,41 +41,43 @@ struct OutputOptions {
   std::string report;
   std::string diagram;
   std::string view;
-  bool open = false;                       ///< show the page of `view` in the browser
-  bool views = false;                      ///< into `folder`, a page for each input
-  std::string summary;                     ///< a row for each input of `folder`
-  std::optional<UpAxis> up;                ///< of the pages
-  bool no_curves = false;                  ///< leave the bisectors out of OBJ, VTP and GLB
-  bool ascii_ply = false;                  ///< PLY as text
-  bool prints = false;                     ///< to standard output, where no file is named
-  bool region_materials = false;           ///< in OBJ, a material for each region, not those of the input
-  std::map<std::string, std::string> own;  ///< further files of the command, by the option, empty where not given
+  bool open = false;              ///< show the page of `view` in the browser
+  bool views = false;             ///< into `folder`, a page for each input
+  std::string summary;            ///< a row for each input of `folder`
+  std::optional<UpAxis> up;       ///< of the pages
+  bool no_curves = false;         ///< leave the bisectors out of OBJ, VTP and GLB
+  bool ascii_ply = false;         ///< PLY as text
+  bool prints = false;            ///< to standard output, where no file is named
+  bool region_materials = false;  ///< in OBJ, a material for each region, not those of the input
+  /// Further files of the command by the option, such as "--stats"; empty texts where not given.
+  std::map<std::string, const std::string*> own;
 };
 
-/// The options that the commands share. A command keeps its own beside these.
+enum class Shell { bash, zsh, fish };
+
+inline const Choices<Shell> kShells{{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}};
+
+/// The options that every command has.
+struct GeneralOptions {
+  bool short_help = false, help = false, version = false, description = false;  ///< questions
+  std::optional<Shell> completion;                                              ///< another one
+  std::string config;                                                           ///< the file of options; empty: none
+  bool quiet = false, verbose = false;
+};
+
+/// The options that the commands share. A command adds its own in a struct that inherits these.
 struct Options {
   InputOptions input;
-  GeneratorOptions generators;
-  GeneratorOptions targets;  ///< a list of points that distances are asked for
-  bool has_diagram = true;   ///< otherwise the options that build, sample and write a diagram are not there
+  bool has_diagram = true;  ///< otherwise the options that build, sample and write a diagram are not there
   ComputeOptions compute;
   OutputOptions output;
-  std::string config;  ///< the file of options; empty: none
-  bool quiet = false;
-  bool verbose = false;
+  GeneralOptions general;
+  const OptionList* list = nullptr;  ///< describes these options and those of the command; null before they are read
+  const Given* given = nullptr;      ///< what the user set of them
 };
 
-/// What restricts and weighs a relaxation, in gvd-lloyd and gvd-remesh.
-struct ConstraintOptions {
-  std::string fixed;               ///< a list of generators that stay; empty: none
-  std::optional<double> features;  ///< angle of creases, degrees
-  /// Instead of `features`, where generators are sampled: the creases that at most half of the generators can follow.
-  bool auto_features = false;
-  bool keep_boundary = false;
-  std::string density;  ///< "curvature", a file, or a property of the input; empty: uniform
-  double gradation = 0.3;
-  std::optional<std::int64_t> coarse;  ///< faces of a copy to relax on first; 0: none; nothing: by the mesh
-};
+/// The seed of the random choices; 0 where the command has none.
+std::uint64_t seed_of(const Options& options);
 
 /// FreeSurfer names its surfaces lh.white or rh.pial: for --output-format, this format takes any name.
 inline constexpr const char* kFreeSurfer = "fs";
@@ -120,6 +88,9 @@ std::string format_of(const OutputOptions& output, const std::string& file);
 
 /// The formats that a run writes to files of `-o`, to standard output, or into the folder.
 std::vector<std::string> written_formats(const OutputOptions& output);
+
+/// Whether one of them carries any of `any`.
+bool writes(const OutputOptions& output, Content any);
 
 /// A file that a run writes, or "-" for standard output.
 struct Target {
@@ -132,18 +103,11 @@ std::vector<Target> list_targets(const OutputOptions& output);
 /// Whether a file or folder is named that gets a result.
 bool names_file(const OutputOptions& output);
 
-/// The library's options for every diagram of a run, with its defaults for what is not given, and no progress.
-DiagramOptions make_diagram_options(const ComputeOptions& compute);
-
 /// A value for the report; null where it is not given, or a text is empty.
 template <class T, class Json = nlohmann::ordered_json>
 Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
-nlohmann::ordered_json or_null(const std::string& text);
-
-/// The options as they were understood, defaults included; null for what was not given. For the report.
-nlohmann::ordered_json to_json(const Options& options);
 
 /// Whether a name stands for what can be read only once: "-", which is standard input, a pipe or a device.
 bool is_read_once(const std::string& file);

@@ -1,16 +1,11 @@
 // The C interface on top of the C++ library: handles that own C++ objects, and a guard that lets no exception out.
 //
-// Every handle holds its mesh by a shared pointer, so that handles may be freed in any order. Arguments of callers are
-// checked where C++ types would rule the mistake out: null pointers, faces out of range, barycentric coordinates.
+// Arguments of callers are checked where C++ types would rule the mistake out: null pointers, faces out of range,
+// barycentric coordinates.
 
 #include <algorithm>
 #include <array>
-#include <exception>
-#include <filesystem>
 #include <memory>
-#include <mutex>
-#include <new>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,97 +14,31 @@
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "gvd/exact_field.hpp"
+#include "gvd/generator_list.hpp"
 #include "gvd/gvd.h"
-#include "gvd/io/mesh_writer.hpp"
-#include "gvd/io/write_file.hpp"
+#include "gvd/lloyd_operation.hpp"
 #include "gvd/read_soup.hpp"
-#include "gvd/relaxation_start.hpp"
-#include "gvd/remesh_surface.hpp"
+#include "gvd/remesh_operation.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/segment.hpp"
+#include "gvd/segment_operation.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/version.hpp"
+#include "handles.hpp"
 
 namespace {
 
 using namespace gvd;
 
-/// A mesh with what its handle answers from. Shared by all handles that need it.
-struct SharedMesh {
-  Mesh mesh;
-  std::vector<VertexId> vertex_of_input;
-  Appearance appearance;
-  std::string repairs;
-  std::optional<std::vector<SurfacePoint>> generators;  ///< of the vertices of a remesh
-  std::once_flag tree_made;
-  std::unique_ptr<ClosestPointTree> tree;
-
-  bool has_input(std::int64_t vertex) const { return vertex >= 0 && vertex < std::ssize(vertex_of_input); }
-  const ClosestPointTree& closest() {
-    std::call_once(tree_made, [this] { tree = std::make_unique<ClosestPointTree>(mesh); });
-    return *tree;
-  }
-};
+using namespace gvd::c;
 
 }  // namespace
 
-struct gvd_mesh {
-  std::shared_ptr<SharedMesh> shared;
-  const gvd::Mesh& mesh() const { return shared->mesh; }
-};
 struct gvd_path {
   std::vector<gvd::SurfacePoint> points;
   double length = 0;
 };
-struct gvd_diagram {
-  std::shared_ptr<SharedMesh> shared;
-  gvd::Diagram diagram;
-};
-
 namespace {
-
-thread_local std::string last_error;
-
-gvd_status fail(gvd_status status, const char* message) noexcept {
-  try {
-    last_error = message;
-  } catch (...) {
-    last_error.clear();
-  }
-  return status;
-}
-
-/// Of each ErrorCode, in their order.
-constexpr std::array<gvd_status, 7> kStatuses{GVD_INVALID_OPTION,  GVD_UNREADABLE_INPUT,  GVD_PRECONDITION,
-                                              GVD_NO_VALID_RESULT, GVD_UNWRITABLE_OUTPUT, GVD_UNWRITABLE_OUTPUT,
-                                              GVD_INTERRUPTED};
-static_assert(std::size_t(ErrorCode::interrupted) + 1 == kStatuses.size());
-
-/// Does the work of a call; its exceptions become a status and a message.
-template <class Work>
-gvd_status guarded(Work&& work) noexcept {
-  try {
-    work();
-    return GVD_OK;
-  } catch (const Error& error) {
-    return fail(kStatuses[std::size_t(error.code())], error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(GVD_OUT_OF_MEMORY, "out of memory; use a smaller mesh or fewer generators");
-  } catch (const std::exception& error) {
-    return fail(GVD_INTERNAL_ERROR, error.what());
-  } catch (...) {
-    return fail(GVD_INTERNAL_ERROR, "unknown exception");
-  }
-}
-
-[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
-
-/// The value behind an argument that must not be NULL.
-template <class T>
-T& given(T* argument, const char* name) {
-  if (argument == nullptr) refuse(std::string(name) + " is NULL");
-  return *argument;
-}
 
 SurfacePoint to_point(const Mesh& mesh, const gvd_point& point) {
   if (point.face < 0 || point.face >= mesh.face_count()) {
@@ -126,6 +55,14 @@ std::vector<SurfacePoint> to_points(const Mesh& mesh, const gvd_point* points, s
   return made;
 }
 
+GeneratorList to_list(const Mesh& mesh, const gvd_point* points, std::int32_t count) {
+  GeneratorList list{"generators", {}};
+  for (const SurfacePoint& point : to_points(mesh, points, count)) {
+    list.entries.push_back({GeneratorEntry::Kind::face, point.face.value(), point.bary, 0});
+  }
+  return list;
+}
+
 gvd_point to_c(const SurfacePoint& point) {
   return {point.face.value(), {point.bary[0], point.bary[1], point.bary[2]}};
 }
@@ -135,9 +72,9 @@ void copy_points(const std::vector<SurfacePoint>& points, gvd_point* out) {
 }
 
 Progress progress_of(const gvd_run* run) {
-  if (run == nullptr || run->progress == nullptr) return {};
-  return [run](std::string_view step, double fraction) {
-    return run->progress(run->data, std::string(step).c_str(), fraction) != 0;
+  if (run == nullptr) return {};
+  return [observer = std::make_shared<RunObserver>(run)](std::string_view step, double fraction) {
+    return observer->progress(step, fraction);
   };
 }
 
@@ -161,33 +98,31 @@ SamplingOptions sampling_options(gvd_sampling kind, std::int32_t count, std::uin
 }
 
 std::unique_ptr<gvd_mesh> make_handle(CheckedMesh checked) {
-  auto handle = std::make_unique<gvd_mesh>();
-  handle->shared = std::make_shared<SharedMesh>();
-  handle->shared->mesh = std::move(checked.mesh);
-  handle->shared->vertex_of_input = std::move(checked.mesh_vertex);
-  handle->shared->appearance = std::move(checked.appearance);
-  for (const std::string& line : checked.defects.messages) handle->shared->repairs += line + '\n';
-  return handle;
+  return std::make_unique<gvd_mesh>(std::make_shared<MeshObject>(std::make_shared<CheckedMesh>(std::move(checked))));
+}
+
+bool has(const std::vector<VertexId>& vertices, std::int64_t vertex) {
+  return vertex >= 0 && vertex < std::ssize(vertices);
 }
 
 DefectPolicy policy(int repair) { return repair != 0 ? DefectPolicy::repair : DefectPolicy::error; }
 
-/// What gvd_lloyd_options and gvd_remesh_options share.
-template <class Options>
-RelaxationStartOptions start_options(const Mesh& mesh, const gvd_point* listed, std::int32_t count,
-                                     const Options& options, const gvd_run* run) {
-  RelaxationStartOptions start;
-  if (listed != nullptr) start.listed = to_points(mesh, listed, count);
-  start.sampling = sampling_options(options.sampling, count, options.seed);
-  if (!(options.crease_angle <= 0)) start.constraints.crease_angle = options.crease_angle;
-  start.threads = threads_of(run);
-  start.progress = progress_of(run);
-  return start;
+/// The generators of gvd_lloyd and gvd_remesh: those of a list, or sampled ones.
+GeneratorOptions generator_options(const Mesh& mesh, const gvd_point* listed, std::int32_t count, gvd_sampling kind,
+                                   std::uint64_t seed) {
+  GeneratorOptions options;
+  if (listed != nullptr) {
+    options.points.list = std::make_shared<GeneratorList>(to_list(mesh, listed, count));
+    return options;
+  }
+  const SamplingOptions sampling = sampling_options(kind, count, seed);
+  options.count = sampling.count;
+  options.sampling = sampling.kind;
+  options.seed = sampling.seed;
+  return options;
 }
 
 }  // namespace
-
-const char* gvd_last_error(void) { return last_error.c_str(); }
 
 const char* gvd_version(void) {
   static const std::string kText(gvd::version());
@@ -225,56 +160,64 @@ gvd_status gvd_mesh_create(const double* vertices, int64_t vertex_count, const i
   });
 }
 
-void gvd_mesh_free(gvd_mesh* mesh) { delete mesh; }
+void gvd_mesh_free(gvd_mesh* mesh) { gvd_release(mesh); }
 
-const char* gvd_mesh_repairs(const gvd_mesh* mesh) { return mesh->shared->repairs.c_str(); }
+const char* gvd_mesh_repairs(const gvd_mesh* mesh) { return mesh == nullptr ? "" : mesh->repairs.c_str(); }
 
-int32_t gvd_mesh_vertex_count(const gvd_mesh* mesh) { return mesh->mesh().vertex_count(); }
+int32_t gvd_mesh_vertex_count(const gvd_mesh* mesh) {
+  return answered(0, [&] { return given(mesh, "mesh").mesh().vertex_count(); });
+}
 
-int32_t gvd_mesh_face_count(const gvd_mesh* mesh) { return mesh->mesh().face_count(); }
+int32_t gvd_mesh_face_count(const gvd_mesh* mesh) {
+  return answered(0, [&] { return given(mesh, "mesh").mesh().face_count(); });
+}
 
-int64_t gvd_mesh_input_vertex_count(const gvd_mesh* mesh) { return std::ssize(mesh->shared->vertex_of_input); }
+int64_t gvd_mesh_input_vertex_count(const gvd_mesh* mesh) {
+  return answered<int64_t>(0, [&] { return std::ssize(given(mesh, "mesh").checked()->mesh_vertex); });
+}
 
 int32_t gvd_mesh_vertex_of_input(const gvd_mesh* mesh, int64_t vertex) {
-  const SharedMesh& shared = *mesh->shared;
-  return shared.has_input(vertex) ? shared.vertex_of_input[std::size_t(vertex)].value() : -1;
-}
-
-void gvd_mesh_vertices(const gvd_mesh* mesh, double* vertices) {
-  for (const Vec3& p : mesh->mesh().positions()) vertices = std::copy_n(p.data(), 3, vertices);
-}
-
-void gvd_mesh_faces(const gvd_mesh* mesh, int32_t* faces) {
-  for (const auto& corners : mesh->mesh().face_vertices()) {
-    for (const VertexId v : corners) *faces++ = v.value();
-  }
-}
-
-gvd_status gvd_mesh_write(const gvd_mesh* mesh, const char* path) {
-  return guarded([&] {
-    LabelledMesh written{given(mesh, "mesh").mesh()};
-    written.appearance = &mesh->shared->appearance;
-    write_mesh(&given(path, "path"), written);
+  return answered(-1, [&] {
+    const std::vector<VertexId>& vertices = given(mesh, "mesh").checked()->mesh_vertex;
+    return has(vertices, vertex) ? vertices[std::size_t(vertex)].value() : -1;
   });
 }
 
+void gvd_mesh_vertices(const gvd_mesh* mesh, double* vertices) {
+  guarded([&] {
+    double* out = &given(vertices, "vertices");
+    for (const Vec3& p : given(mesh, "mesh").mesh().positions()) out = std::copy_n(p.data(), 3, out);
+  });
+}
+
+void gvd_mesh_faces(const gvd_mesh* mesh, int32_t* faces) {
+  guarded([&] {
+    int32_t* out = &given(faces, "faces");
+    for (const auto& corners : given(mesh, "mesh").mesh().face_vertices()) {
+      for (const VertexId v : corners) *out++ = v.value();
+    }
+  });
+}
+
+gvd_status gvd_mesh_write(const gvd_mesh* mesh, const char* path) { return gvd_write(mesh, path, nullptr); }
+
 gvd_status gvd_point_at_vertex(const gvd_mesh* mesh, int64_t vertex, gvd_point* point) {
   return guarded([&] {
-    const SharedMesh& shared = *given(mesh, "mesh").shared;
-    if (!shared.has_input(vertex)) {
+    const CheckedMesh& checked = *given(mesh, "mesh").checked();
+    if (!has(checked.mesh_vertex, vertex)) {
       throw Error(ErrorCode::precondition, "there is no vertex " + std::to_string(vertex) + "; the last one is " +
-                                               std::to_string(std::ssize(shared.vertex_of_input) - 1));
+                                               std::to_string(std::ssize(checked.mesh_vertex) - 1));
     }
-    const VertexId v = shared.vertex_of_input[std::size_t(vertex)];
+    const VertexId v = checked.mesh_vertex[std::size_t(vertex)];
     if (!v.valid()) throw Error(ErrorCode::precondition, "vertex " + std::to_string(vertex) + " is in no face");
-    given(point, "point") = to_c(vertex_point(shared.mesh, v));
+    given(point, "point") = to_c(vertex_point(checked.mesh, v));
   });
 }
 
 gvd_status gvd_point_near(const gvd_mesh* mesh, const double position[3], gvd_point* point, double* distance) {
   return guarded([&] {
     given(position, "position");
-    const ClosestPoint found = given(mesh, "mesh").shared->closest().query(Vec3(position[0], position[1], position[2]));
+    const ClosestPoint found = given(mesh, "mesh").closest().query(Vec3(position[0], position[1], position[2]));
     given(point, "point") = to_c(found.point);
     if (distance != nullptr) *distance = found.distance;
   });
@@ -329,11 +272,17 @@ gvd_status gvd_path_compute(const gvd_mesh* mesh, const gvd_point* from, const g
 
 void gvd_path_free(gvd_path* path) { delete path; }
 
-double gvd_path_length(const gvd_path* path) { return path->length; }
+double gvd_path_length(const gvd_path* path) {
+  return answered(0.0, [&] { return given(path, "path").length; });
+}
 
-int32_t gvd_path_point_count(const gvd_path* path) { return std::int32_t(path->points.size()); }
+int32_t gvd_path_point_count(const gvd_path* path) {
+  return answered(0, [&] { return std::int32_t(given(path, "path").points.size()); });
+}
 
-void gvd_path_points(const gvd_path* path, gvd_point* points) { copy_points(path->points, points); }
+void gvd_path_points(const gvd_path* path, gvd_point* points) {
+  guarded([&] { copy_points(given(path, "path").points, &given(points, "points")); });
+}
 
 gvd_status gvd_diagram_compute(const gvd_mesh* mesh, const gvd_point* generators, int32_t count, gvd_method method,
                                const gvd_run* run, gvd_diagram** diagram) {
@@ -345,39 +294,52 @@ gvd_status gvd_diagram_compute(const gvd_mesh* mesh, const gvd_point* generators
     DiagramOptions options = diagram_options(run);
     options.method = kMethods[std::size_t(method)];
     Diagram made = compute_diagram(surface, to_points(surface, generators, count), options);
-    *diagram = new gvd_diagram{mesh->shared, std::move(made)};
+    *diagram = new gvd_object(
+        std::make_shared<DiagramObject>(mesh->checked(), std::make_shared<const Diagram>(std::move(made))));
   });
 }
 
-void gvd_diagram_free(gvd_diagram* diagram) { delete diagram; }
+void gvd_diagram_free(gvd_diagram* diagram) { gvd_release(diagram); }
 
 void gvd_diagram_vertices(const gvd_diagram* diagram, int32_t* labels, double* distances) {
-  const Diagram& made = diagram->diagram;
-  for (const VertexId v : made.vertex_label.ids()) {
-    if (labels != nullptr) labels[v.index()] = made.vertex_label[v].value();
-    if (distances != nullptr) distances[v.index()] = made.vertex_distance[v];
-  }
+  guarded([&] {
+    const Diagram& made = given(diagram, "diagram").diagram();
+    for (const VertexId v : made.vertex_label.ids()) {
+      if (labels != nullptr) labels[v.index()] = made.vertex_label[v].value();
+      if (distances != nullptr) distances[v.index()] = made.vertex_distance[v];
+    }
+  });
 }
 
 void gvd_diagram_areas(const gvd_diagram* diagram, double* areas) {
-  for (const Cell& cell : diagram->diagram.cells) *areas++ = cell.area;
+  guarded([&] {
+    double* out = &given(areas, "areas");
+    for (const Cell& cell : given(diagram, "diagram").diagram().cells) *out++ = cell.area;
+  });
 }
 
-int32_t gvd_diagram_branch_point_count(const gvd_diagram* diagram) { return diagram->diagram.branch_points.count(); }
+int32_t gvd_diagram_branch_point_count(const gvd_diagram* diagram) {
+  return answered(0, [&] { return given(diagram, "diagram").diagram().branch_points.count(); });
+}
 
 void gvd_diagram_branch_points(const gvd_diagram* diagram, gvd_point* points, double* distances) {
-  for (const BranchPoint& branch : diagram->diagram.branch_points) {
-    *points++ = to_c(branch.point);
-    if (distances != nullptr) *distances++ = branch.distance;
-  }
+  guarded([&] {
+    gvd_point* out = &given(points, "points");
+    for (const BranchPoint& branch : given(diagram, "diagram").diagram().branch_points) {
+      *out++ = to_c(branch.point);
+      if (distances != nullptr) *distances++ = branch.distance;
+    }
+  });
 }
 
-int32_t gvd_diagram_bisector_count(const gvd_diagram* diagram) { return diagram->diagram.bisectors.count(); }
+int32_t gvd_diagram_bisector_count(const gvd_diagram* diagram) {
+  return answered(0, [&] { return given(diagram, "diagram").diagram().bisectors.count(); });
+}
 
 namespace {
 
 const Bisector& bisector_at(const gvd_diagram* diagram, std::int32_t index) {
-  const auto& bisectors = given(diagram, "diagram").diagram.bisectors;
+  const auto& bisectors = given(diagram, "diagram").diagram().bisectors;
   if (index < 0 || index >= bisectors.count()) {
     refuse("there is no bisector " + std::to_string(index) + " of " + std::to_string(bisectors.count()));
   }
@@ -403,9 +365,9 @@ gvd_status gvd_diagram_bisector_points(const gvd_diagram* diagram, int32_t index
 
 gvd_status gvd_segment(const gvd_diagram* diagram, int smooth, const gvd_run* run, int32_t* labels) {
   return guarded([&] {
-    const gvd_diagram& of = given(diagram, "diagram");
+    const DiagramObject& of = given(diagram, "diagram").diagram_object();
     const SegmentOptions options{smooth != 0 ? FaceLabels::smooth : FaceLabels::nearest, progress_of(run)};
-    const Segmentation made = segment_faces(of.shared->mesh, of.diagram, options);
+    const Segmentation made = segment_faces(of.mesh()->mesh, of.diagram(), options);
     int32_t* out = &given(labels, "labels");
     for (const GeneratorId label : made.face_label) *out++ = label.value();
   });
@@ -413,19 +375,11 @@ gvd_status gvd_segment(const gvd_diagram* diagram, int smooth, const gvd_run* ru
 
 gvd_status gvd_segment_write(const gvd_diagram* diagram, const char* path, const gvd_run* run) {
   return guarded([&] {
-    const gvd_diagram& of = given(diagram, "diagram");
-    const Diagram& made = of.diagram;
-    const std::filesystem::path file = &given(path, "path");
-    const OutputFormat format = output_format(file);
-    SegmentOptions options;
-    options.progress = progress_of(run);
-    const Segmentation labels = segment_faces(of.shared->mesh, made, options);
-    if (format == OutputFormat::json) {
-      return write_file(file, [&](std::ostream& out) { write_segmentation_json(out, of.shared->mesh, made, labels); });
-    }
-    LabelledMesh written = label_mesh(of.shared->mesh, made, labels.face_label);
-    written.appearance = &of.shared->appearance;
-    write_mesh(file, written);
+    const DiagramObject& of = given(diagram, "diagram").diagram_object();
+    const std::string name = &given(path, "path");
+    LabelCall call;
+    RunObserver observer(run);
+    write_object(name, *gvd::run(of, call, observer), progress_of(observer));
   });
 }
 
@@ -437,19 +391,17 @@ gvd_status gvd_lloyd(const gvd_mesh* mesh, const gvd_point* listed, int32_t coun
     gvd_lloyd_options asked;
     gvd_lloyd_defaults(&asked);
     if (options != nullptr) asked = *options;
-    const Mesh& surface = given(mesh, "mesh").mesh();
+    const MeshPtr& input = given(mesh, "mesh").checked();
     given(relaxed, "relaxed");
-    LloydOptions relaxation;
-    if (asked.iterations >= 0) relaxation.max_iterations = asked.iterations;
-    if (!(asked.tolerance < 0)) relaxation.energy_tolerance = asked.tolerance;
-    relaxation.diagram = diagram_options(run);
-    relaxation.progress = progress_of(run);
-    RelaxationStartOptions start = start_options(surface, listed, count, asked, run);
-    start.constraints.keep_boundary = asked.keep_boundary != 0;
-    start.copy = copy_options(relaxation);
-    const RelaxationStart made = start_relaxation(surface, start);
-    if (std::ssize(made.points) != count) refuse("some of the given generators coincide; leave these out");
-    const LloydResult result = relax_generators(surface, made, relaxation);
+    LloydCall call;
+    call.generators = generator_options(input->mesh, listed, count, asked.sampling, asked.seed);
+    if (asked.iterations >= 0) call.relaxation.max_iterations = asked.iterations;
+    if (!(asked.tolerance < 0)) call.relaxation.energy_tolerance = asked.tolerance;
+    if (!(asked.crease_angle <= 0)) call.start.constraints.crease_angle = asked.crease_angle;
+    call.start.constraints.keep_boundary = asked.keep_boundary != 0;
+    RunObserver observer(run);
+    const auto outcome = gvd::run(input, call, observer);
+    const LloydResult& result = *outcome->relaxed;
     copy_points(result.generators, relaxed);
     if (energy != nullptr) *energy = result.final_energy;
   });
@@ -463,26 +415,30 @@ gvd_status gvd_remesh(const gvd_mesh* mesh, const gvd_point* listed, int32_t cou
     gvd_remesh_options asked;
     gvd_remesh_defaults(&asked);
     if (options != nullptr) asked = *options;
-    const Mesh& surface = given(mesh, "mesh").mesh();
+    const MeshPtr& input = given(mesh, "mesh").checked();
     given(coarse, "coarse");
-    SurfaceRemeshOptions remesh;
-    if (asked.relaxation >= 0) remesh.relaxation = asked.relaxation;
-    remesh.exact_count = asked.exact_count != 0;
-    remesh.start = start_options(surface, listed, count, asked, run);
-    remesh.start.constraints.prefers_boundary = asked.loose_boundary == 0;
-    remesh.start.constraints.prefers_creases = asked.crease_angle < 0;
-    if (asked.crease_angle < 0) remesh.start.constraints.crease_angle = kUsualCreaseAngle;
-    remesh.remesh.diagram = diagram_options(run);
-    RemeshResult result = remesh_surface(surface, remesh).result;
-    auto handle = make_handle(as_input(std::move(result.mesh)));
-    handle->shared->generators = std::move(result.generators);
+    RemeshCall call;
+    call.generators = generator_options(input->mesh, listed, count, asked.sampling, asked.seed);
+    if (asked.relaxation >= 0) call.remesh.relaxation = asked.relaxation;
+    call.remesh.exact_count = asked.exact_count != 0;
+    StartOptions& constraints = call.remesh.start.constraints;
+    constraints.prefers_boundary = asked.loose_boundary == 0;
+    constraints.prefers_creases = asked.crease_angle < 0;
+    constraints.crease_angle.reset();
+    if (asked.crease_angle < 0) constraints.crease_angle = kUsualCreaseAngle;
+    if (!(asked.crease_angle <= 0)) constraints.crease_angle = asked.crease_angle;
+    RunObserver observer(run);
+    const auto outcome = gvd::run(input, call, observer);
+    const RemeshResult& result = outcome->result();
+    auto handle = make_handle(as_input(result.mesh));
+    handle->generators = result.generators;
     *coarse = handle.release();
   });
 }
 
 gvd_status gvd_mesh_generators(const gvd_mesh* coarse, gvd_point* points) {
   return guarded([&] {
-    const auto& generators = given(coarse, "coarse").shared->generators;
+    const auto& generators = given(coarse, "coarse").generators;
     if (!generators) refuse("the mesh is no remesh, so its vertices have no generators");
     copy_points(*generators, &given(points, "points"));
   });

@@ -30,7 +30,7 @@ struct Appearance {
   std::vector<std::int32_t> material;       ///< per polygon: index into `materials`; -1 where it has none
   std::vector<std::string> materials;       ///< their names
   std::vector<std::string> material_files;  ///< that describe the materials, as the input names them
-  std::vector<std::string> unread;          ///< what else the input has, for messages: "texture images"
+  std::vector<std::string> unread;  ///< what else the input has, for messages with placeholders: "texture images"
 
   /// Whether there is nothing to carry over; `unread` and the files do not count.
   bool empty() const { return texture.empty() && material.empty(); }

@@ -27,7 +27,8 @@ struct CurveList {
 /// - JSON: an array `curves`, `paths`, `isolines` or `bisectors` of objects with an array `points`, whose elements are
 ///   those of a list of generators, and for closed curves `"closed": true`. So what this library writes serves as well;
 /// - text: a list of generators as text, in which a blank line begins another curve.
-/// Throws Error{unreadable_input} with name and line. Cost: O(length).
+/// Throws Error{unreadable_input} with name and line; Error{precondition} for a coordinate of an OBJ or PLY that is not
+/// finite. Cost: O(length).
 CurveList parse_curves(std::string_view content, const std::string& name);
 /// The same for a file, also one that gzip packed. Throws Error{unreadable_input} if it can't be read, too.
 CurveList read_curves(const std::filesystem::path& path);

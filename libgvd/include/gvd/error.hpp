@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+
+#include "gvd/placeholders.hpp"
 
 namespace gvd {
 
@@ -20,18 +23,25 @@ enum class ErrorCode {
 /// The only exception that libgvd throws.
 ///
 /// `what()` is one line without a trailing full stop or line break: what is wrong, where (file, line or
-/// element), and what to do about it.
+/// element), and what to do about it. It calls options by the names of their fields.
 class Error : public std::runtime_error {
  public:
-  /// `element` is the 0-based index of the first offending element, or -1 where there is none.
-  Error(ErrorCode code, const std::string& message, std::int64_t element = -1)
-      : std::runtime_error(message), code_(code), element_(element) {}
+  /// `text` may name options by placeholders. `element` is the 0-based index of the first offending element, or -1
+  /// where there is none.
+  Error(ErrorCode code, const std::string& text, std::int64_t element = -1)
+      : std::runtime_error(spell_options(text)), code_(code), text_(text), element_(element) {}
 
   ErrorCode code() const noexcept { return code_; }
   std::int64_t element() const noexcept { return element_; }
+  /// `what()` with its placeholders, for readers that spell options in a way of their own.
+  const char* text() const noexcept { return text_.what(); }
+
+  /// The same error, which tells where: "WHERE: TEXT".
+  Error at(std::string_view where) const { return {code_, std::string(where) + ": " + text(), element_}; }
 
  private:
   ErrorCode code_;
+  std::runtime_error text_;  // a text that is copied without an exception
   std::int64_t element_;
 };
 

@@ -42,6 +42,14 @@ inline const Choices<GeneratorFormat> kGeneratorFormatNames{{"text", GeneratorFo
                                                             {"ply", GeneratorFormat::ply},
                                                             {"xyz", GeneratorFormat::xyz}};
 
+/// The extension of its files, without a dot.
+inline std::string_view generator_extension(GeneratorFormat format) {
+  return format == GeneratorFormat::text ? "txt" : name_in(kGeneratorFormatNames, format);
+}
+
+/// Those of all lists, in the order of the formats.
+std::vector<std::string> generator_extensions();
+
 /// The format that a list is written in. PLY begins with `ply`, JSON with a brace or bracket. A line of CSV that holds
 /// more than a comment has a comma, or is the header `vertex`; anything else is text. Cost: O(length).
 GeneratorFormat detect_generator_format(std::string_view content);

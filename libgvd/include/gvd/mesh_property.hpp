@@ -2,13 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
-
-#include "gvd/read_soup.hpp"
 
 namespace gvd {
 
@@ -31,16 +27,5 @@ struct MeshProperty {
     return !count_type ? values.size() : first_value.empty() ? 0 : first_value.size() - 1;
   }
 };
-
-/// PLY: the properties of vertices but for their coordinates, and of polygons, in the file's order. Those of a texture,
-/// which `read_soup` reads, and of strips of triangles are left out. OBJ: the colours of vertices as `red`, `green`,
-/// `blue` and, where a vertex has one, `alpha`, of 8 bits. Nothing of other formats, also where they have data of
-/// points and cells. `format` overrides the detection.
-/// Throws Error{unreadable_input} where the file can't be read. Cost: O(bytes).
-std::vector<MeshProperty> read_mesh_properties(const std::filesystem::path& path,
-                                               std::optional<MeshFormat> format = {});
-
-/// `read_mesh_properties` from bytes in memory; `name` stands for the file in messages.
-std::vector<MeshProperty> parse_mesh_properties(std::string_view bytes, MeshFormat format, std::string_view name);
 
 }  // namespace gvd

@@ -9,7 +9,7 @@
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/names.hpp"
-#include "gvd/read_soup.hpp"
+#include "gvd/polygon_soup.hpp"
 
 namespace gvd {
 
@@ -54,7 +54,8 @@ struct DefectReport {
   std::int64_t coincident_vertices = 0;  ///< boundary vertices at the position of another: legal, kept apart
   std::int64_t closable_edges = 0;       ///< boundary edges that welding vertices at equal positions would join
   std::int64_t split_edges = 0;          ///< non-manifold edges that could be cut only with a new midpoint
-  std::vector<std::string> messages;     ///< for the user, one line each: the reader's notes and all of the above
+  /// For the user, one line each: the reader's notes and all of the above, with placeholders (gvd/placeholders.hpp).
+  std::vector<std::string> messages;
 
   /// Number of defects of one kind.
   std::int64_t count(DefectKind kind) const;

@@ -24,6 +24,17 @@ inline std::string counted(std::int64_t count, std::string_view singular, std::s
   return text;
 }
 
+/// "a, b and c", where `last` is "and".
+template <class Words>
+std::string join_words(const Words& words, std::string_view last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 < words.size() ? ", " : ' ' + std::string(last) + ' ';
+    text += words[i];
+  }
+  return text;
+}
+
 /// `text` with small letters in place of the capitals of ASCII, in any locale.
 inline std::string to_lower(std::string_view text) {
   std::string lower(text);

@@ -25,22 +25,6 @@ std::vector<double> to_vertices(const CheckedMesh& input, const std::vector<doub
   return of_mesh;
 }
 
-Density make_density(const CheckedMesh& input, const ElementValues& given) {
-  const SoupProperty& property = given.soup;
-  try {
-    if (given.of_mesh) {
-      return property.of_vertices ? make_vertex_density(input.mesh, property.values)
-                                  : make_face_density(input.mesh, property.values);
-    }
-    if (property.of_vertices) return make_vertex_density(input.mesh, to_vertices(input, property.values));
-    std::vector<double> of_faces;
-    for (const std::int32_t p : input.input_polygon) of_faces.push_back(property.values[p]);
-    return make_face_density(input.mesh, of_faces);
-  } catch (const Error& error) {
-    throw Error(error.code(), given.title + ": " + error.what(), error.element());
-  }
-}
-
 void check_values(const std::vector<double>& values, std::int64_t wanted, const char* one, const char* many) {
   if (std::ssize(values) != wanted) {
     throw Error(ErrorCode::precondition,
@@ -55,6 +39,22 @@ void check_values(const std::vector<double>& values, std::int64_t wanted, const 
 }
 
 }  // namespace
+
+Density make_density(const CheckedMesh& input, const ElementValues& given) {
+  const SoupProperty& property = given.soup;
+  try {
+    if (given.of_mesh) {
+      return property.of_vertices ? make_vertex_density(input.mesh, property.values)
+                                  : make_face_density(input.mesh, property.values);
+    }
+    if (property.of_vertices) return make_vertex_density(input.mesh, to_vertices(input, property.values));
+    std::vector<double> of_faces;
+    for (const std::int32_t p : input.input_polygon) of_faces.push_back(property.values[p]);
+    return make_face_density(input.mesh, of_faces);
+  } catch (const Error& error) {
+    throw error.at(given.title);
+  }
+}
 
 std::optional<Density> read_density(const CheckedMesh& input, const std::string& name,
                                     const std::filesystem::path& mesh_file) {

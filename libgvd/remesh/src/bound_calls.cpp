@@ -12,6 +12,7 @@
 #include "base/parallel_chunks.hpp"
 #include "gvd/constrained_start.hpp"
 #include "gvd/error.hpp"
+#include "gvd/io/format.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/sampling.hpp"
 
@@ -126,7 +127,11 @@ std::vector<double> list_energies(const LloydResult& relaxed) {
 
 void write_samples(std::ostream& out, const Mesh& mesh, const LloydResult& relaxed, const std::string& format) {
   const auto known = parse_point_format(format);
-  if (!known) throw Error(ErrorCode::invalid_option, format + ": points are written as .ply, .xyz or .npy");
+  if (!known) {
+    const std::vector<std::string_view> names = names_in(kPointFormatNames);
+    throw Error(ErrorCode::invalid_option, fmt::format("{}: points are written as {}", format,
+                                                       list_extensions({names.begin(), names.end()}, "or")));
+  }
   std::vector<SurfaceSample> samples;
   for (const GeneratorId g : relaxed.moments.ids()) {
     const CellMoments& moments = relaxed.moments[g];

@@ -71,7 +71,7 @@ std::int32_t count_for_edge(const Mesh& mesh, double edge);
 /// The energy at the start and after each iteration.
 std::vector<double> list_energies(const LloydResult& relaxed);
 
-/// The file of gvd-lloyd --points. Throws Error{invalid_option} for another format than .ply, .xyz or .npy.
+/// The file of gvd-lloyd --points. Throws Error{invalid_option} for another format than those of PointFormat.
 void write_samples(std::ostream& out, const Mesh& mesh, const LloydResult& relaxed, const std::string& format);
 
 /// Reads regions and generators, by their names in both packages (see gvd/named_options.hpp for `Given`).

@@ -88,7 +88,7 @@ LabelledMesh labelled(const MeshDiagram& of);
 LabelledMesh labelled(const Segmented& made);
 LabelledMesh labelled(const Cut& made);
 
-/// A file that does not hold a mesh in one of the formats of `OutputFormat`: its content by its extension.
+/// What a result writes itself, in place of `write_mesh`, by the extension.
 using OwnFormats = std::vector<std::pair<std::string, std::function<void(std::ostream&)>>>;
 
 OwnFormats own_formats(const MeshDiagram& of);

@@ -152,10 +152,13 @@ std::optional<SoupProperty> read_region_numbers(const CheckedMesh& input, const 
                                                 const std::filesystem::path& mesh_file) {
   const std::optional<ElementValues> given =
       read_element_values(input, name, mesh_file, SoupElement::polygon, ValueColumns::last);
-  if (!given) return std::nullopt;
-  const std::vector<double>& values = given->soup.values;
-  if (given->of_mesh) return given->soup;
-  if (given->soup.of_vertices) return SoupProperty{true, to_vertices(input, values)};
+  return given ? std::optional(to_region_numbers(input, *given)) : std::nullopt;
+}
+
+SoupProperty to_region_numbers(const CheckedMesh& input, const ElementValues& given) {
+  const std::vector<double>& values = given.soup.values;
+  if (given.of_mesh) return given.soup;
+  if (given.soup.of_vertices) return SoupProperty{true, to_vertices(input, values)};
   SoupProperty of_faces{false, {}};
   for (const std::int32_t p : input.input_polygon) of_faces.values.push_back(values[p]);
   return of_faces;

@@ -148,7 +148,7 @@ class PartSampler {
       }
     } catch (const Error& error) {
       if (error.code() == ErrorCode::interrupted) throw;
-      throw Error(error.code(), fmt::format("region {}: {}", region, error.what()), error.element());
+      throw error.at(fmt::format("region {}", region));
     }
     done_ += part.faces.size();
   }

@@ -16,6 +16,7 @@
 #include "base/union_find.hpp"
 #include "geodesic/windows/propagation/join_points.hpp"
 #include "gvd/error.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/text.hpp"
 #include "io/parse_lists.hpp"
 #include "io/writers/format_writers.hpp"

@@ -29,6 +29,7 @@
 #include "base/plane.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/text.hpp"
 #include "io/parse_lists.hpp"
@@ -68,11 +69,10 @@ std::string read_list_file(const std::filesystem::path& path) {
 
 std::optional<GeneratorFormat> format_of_extension(const std::filesystem::path& path) {
   const std::string extension = io::bare_extension(path.extension().string());
-  if (extension == "json") return GeneratorFormat::json;
-  if (extension == "csv") return GeneratorFormat::csv;
-  if (extension == "ply") return GeneratorFormat::ply;
-  if (extension == "xyz") return GeneratorFormat::xyz;
-  return extension == "txt" ? std::optional(GeneratorFormat::text) : std::nullopt;
+  for (const auto& [name, format] : kGeneratorFormatNames) {
+    if (generator_extension(format) == extension) return format;
+  }
+  return std::nullopt;
 }
 
 std::string text_of(const std::vector<SurfacePoint>& points) {
@@ -289,8 +289,10 @@ class Resolver {
       refuse(error.what());
     }
     if (options_.max_snap && !(closest.distance <= *options_.max_snap)) {
-      refuse(fmt::format("this position is {} from the surface, more than the {} allowed; move it, or raise max_snap",
-                         closest.distance, *options_.max_snap));
+      refuse(
+          fmt::format("this position is {} from the surface, more than the {} allowed; move it, or raise "
+                      "{{option:max_snap}}",
+                      closest.distance, *options_.max_snap));
     }
     result_.snap_distance.back() = closest.distance;
     if (closest.distance > result_.longest_snap.value_or(-1)) {
@@ -313,7 +315,8 @@ class Resolver {
         kept.snap_distance.push_back(result_.snap_distance[i]);
         kept.vertex.push_back(result_.vertex[i]);
       } else if (!options_.merge_coincident) {
-        refuse(i, describe_coincident(std::size_t(i), std::size_t(twin)) + "; remove one, or set merge_coincident");
+        refuse(i, describe_coincident(std::size_t(i), std::size_t(twin)) +
+                      "; remove one, or add {option:merge_coincident}");
       }
     }
     kept.merged = std::int32_t(first.size() - kept.points.size());
@@ -406,6 +409,12 @@ std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<Su
     first.push_back(grid.insert(canonical(mesh, point), std::int32_t(first.size())));
   }
   return first;
+}
+
+std::vector<std::string> generator_extensions() {
+  std::vector<std::string> extensions;
+  for (const auto& [name, format] : kGeneratorFormatNames) extensions.emplace_back(generator_extension(format));
+  return extensions;
 }
 
 ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options) {

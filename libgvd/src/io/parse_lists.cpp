@@ -337,7 +337,8 @@ std::vector<GeneratorEntry> parse_text(std::string_view content, const std::stri
   std::vector<ListRow> rows;
   for (const auto& [text, number] : split_lines(content)) {
     if (text.find(',') != text.npos) {
-      ListLocation{name, number}.refuse("has a comma; part the fields by blanks, or give the list as CSV");
+      ListLocation{name, number}.refuse(
+          "has a comma; part the fields by blanks, or give the list as CSV with {option:generators_format=csv}");
     }
     rows.push_back({split_fields(text), number});
   }

@@ -135,8 +135,14 @@ void WorkingMesh::claim_for(VertexId v, GeneratorId g) {
   GeneratorId& known = vertex_generator_[v];
   if (known.valid() && (owner_.empty() || known != g)) {
     const auto [first, second] = std::minmax({known.value(), g.value()});
+    const Vec3& at = (split_ ? copy_ : *input_).position(v);
     throw Error(ErrorCode::precondition,
-                fmt::format("generators {} and {} coincide; remove one or merge coincident generators", first, second),
+                owner_.empty()
+                    ? fmt::format("generators {} and {} coincide; remove one, or add {{option:merge_coincident}}",
+                                  first, second)
+                    : fmt::format("curves {} and {} meet at ({:.6g}, {:.6g}, {:.6g}); give both a point there, which "
+                                  "makes them one curve, or move one away",
+                                  first, second, at.x(), at.y(), at.z()),
                 second);
   }
   known = g;

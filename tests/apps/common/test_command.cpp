@@ -2,6 +2,8 @@
 
 #include "apps/common/options/parse_options.hpp"
 #include "common/command.hpp"
+#include "common/options/shared_options.hpp"
+#include "gvd/diagram_options.hpp"
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 
@@ -9,14 +11,25 @@ namespace gvd::test_command {
 
 using namespace app;
 using gvd::test::kFormats;
+using gvd::test::SharedOptions;
 
 int run(
     std::vector<std::string> arguments, const std::function<void(Run&)>& body = [](Run&) {}) {
-  Command command({"gvd-test", "A test.", "  gvd-test a.obj -n 3", {kFormats}});
+  static std::function<void(Run&)> current;  // steps are plain functions
+  current = body;
+  const CommandSteps<SharedOptions> steps{[](OptionList& list, SharedOptions& options) {
+                                            describe_input(list, options.input);
+                                            describe(list, options.generators);
+                                            describe(list, options.diagram);
+                                            describe_resources(list, options.compute);
+                                            describe_output(list, options.output, kFormats, "ply");
+                                          },
+                                          [](Run& run, SharedOptions&) { current(run); }};
   arguments.insert(arguments.begin(), "gvd-test");
   std::vector<const char*> argv;
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return command.run(static_cast<int>(argv.size()), argv.data(), body);
+  return run_command<SharedOptions>({"gvd-test", "A test.", "  gvd-test a.obj -n 3", {kFormats}}, steps,
+                                    static_cast<int>(argv.size()), argv.data());
 }
 
 TEST_CASE("usage errors exit with 2") {

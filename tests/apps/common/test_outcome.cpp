@@ -11,7 +11,9 @@
 #include <thread>
 
 #include "apps/run_command.hpp"
+#include "common/options/options.hpp"
 #include "common/outcome.hpp"
+#include "gvd/diagram_options.hpp"
 #include "gvd/error.hpp"
 #include "gvd/soup.hpp"
 #include "support/catch.hpp"
@@ -26,9 +28,9 @@ using Catch::Matchers::StartsWith;
 TEST_CASE("work that returns is done, and what it throws becomes a code and a message") {
   CHECK(run_guarded([] {}).exit_code == 0);
   CHECK(run_guarded([] {}).message.empty());
-  const Outcome refused = run_guarded([] { throw Error(ErrorCode::precondition, "too far; raise max_snap"); });
+  const Outcome refused = run_guarded([] { throw Error(ErrorCode::precondition, "too far; raise {option:max_snap}"); });
   CHECK(refused.exit_code == 4);
-  CHECK(refused.message == "too far; raise --max-snap");
+  CHECK(refused.message == "too far; raise max_snap");  // no options are known yet
   const Outcome strange = run_guarded([] { throw std::runtime_error("x"); });
   CHECK(strange.exit_code == 5);
   CHECK(strange.message == "unexpected: x; please report it");
@@ -68,24 +70,30 @@ TEST_CASE("bytes are written with the unit that suits them") {
 }
 
 TEST_CASE("a shortage is described with the limit and what helps") {
-  const auto message = [](const ComputeOptions& compute) {
+  const auto message = [](const Options& options) {
     return run_guarded([&] {
-             limit_memory_of(compute);
+             limit_memory_of(options);
              throw std::bad_alloc();
            })
         .message;
   };
-  ComputeOptions compute;
-  CHECK_THAT(message(compute),
+  DiagramOptions diagram;
+  OptionList list;
+  describe(list, diagram);
+  const Given given;
+  Options options;
+  options.list = &list;
+  options.given = &given;
+  CHECK_THAT(message(options),
              StartsWith("out of memory: up to ") &&
                  EndsWith("; take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles; "
                           "--max-memory ends such a run sooner"));
-  compute.method = Method::gbgvd;
-  CHECK_THAT(message(compute),
+  diagram.method = Method::gbgvd;
+  CHECK_THAT(message(options),
              EndsWith("take a mesh of fewer or rounder triangles; --max-memory ends such a run sooner") &&
                  !Contains("generators"));
-  compute.max_memory = std::int64_t{2} << 30;
-  CHECK(message(compute) ==
+  options.compute.max_memory = std::int64_t{2} << 30;
+  CHECK(message(options) ==
         "out of memory: the run needs more than --max-memory 2 GiB; raise it, or take a mesh of fewer or rounder "
         "triangles");
   limit_memory_of({});
@@ -103,9 +111,7 @@ Ended terminate_in(const std::function<void()>& work, const std::string& input =
   const pid_t child = ::fork();
   if (child == 0) {
     if (std::freopen(err.c_str(), "w", stderr) == nullptr) std::_Exit(1);
-    ComputeOptions compute;
-    compute.method = Method::gbgvd;
-    limit_memory_of(compute);
+    limit_memory_of({});
     report_termination("gvd-test", input);
     work();
     std::_Exit(0);
@@ -147,29 +153,47 @@ TEST_CASE("of several inputs the line names the one") {
         "gvd-test: error: a.obj: unexpected: ended without an exception; please report it\n");
 }
 
-TEST_CASE("a message that ends with advice of the library names the option") {
-  CHECK(name_options("a.xyz:1: 3 from the surface; move it, or raise max_snap") ==
-        "a.xyz:1: 3 from the surface; move it, or raise --max-snap");
-  CHECK(name_options("name the format") ==
-        "name the format with --input-format obj, ply, off, stl, vtp, vtu, vtk, glb, gltf, gii, mni or fs");
-}
-
-TEST_CASE("any other message stays as it is") {
-  CHECK(name_options("").empty());
-  CHECK(name_options("name the format.obj: there is no such file") == "name the format.obj: there is no such file");
-}
-
-TEST_CASE("the library gives the advice that names --on-defect") {
-  PolygonSoup soup;
-  soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};  // the last one is in no face
-  soup.corners = {0, 1, 2};
-  soup.close_polygon();
-  try {
-    build_mesh(soup, DefectPolicy::error);
-    FAIL("accepted");
-  } catch (const Error& error) {
-    CHECK_THAT(name_options(error.what()), EndsWith("allow its repair with --on-defect repair"));
+/// Of a command with two options, of which --no-refine is given on the command line, or in a file.
+struct Command : Options {
+  bool refine = true;
+  double snap = 1;
+  OptionList described;
+  Given names;
+  Command() {
+    described.option("refine", Flag{&refine}, {.help = "Keep what is there"});
+    described.option("max_snap", Number{&snap}, {.help = "Largest distance"});
+    list = &described;
+    given = &names;
   }
+  std::string message(const char* text) const {
+    return run_guarded([&] { throw Error(ErrorCode::no_valid_result, text); }, this).message;
+  }
+};
+
+TEST_CASE("a message spells options as the user of the command writes them") {
+  Command command;
+  CHECK(command.message("raise {option:max_snap}") == "raise --max-snap");
+  CHECK(command.message("give {option:max_snap=3}") == "give --max-snap 3");
+  CHECK(command.message("leave {option:refine=false} out") == "leave --no-refine out");
+  CHECK(command.message("leave {given:refine=false|max_snap} out") == "leave --no-refine or --max-snap out");
+  command.names.add("refine", {.spelling = "--no-r", .place = ""});
+  CHECK(command.message("leave {given:refine=false|max_snap} out") == "leave --no-r out");
+}
+
+TEST_CASE("a message spells options of a file as this does") {
+  Command command;
+  command.names.add("refine", {.spelling = "no-refine", .place = "a.toml:3"});
+  command.names.add("max_snap", {.spelling = "max-snap", .place = "a.toml:4"});
+  CHECK(command.message("leave {given:refine=false} out") == "leave no-refine = true out");
+  CHECK(command.message("give {option:max_snap=3}") == "give max-snap = 3");
+}
+
+TEST_CASE("an error that tells where keeps its placeholders, its code and its element") {
+  const Error error = Error(ErrorCode::precondition, "raise {option:max_snap}", 7).at("list:3");
+  CHECK(std::string(error.what()) == "list:3: raise max_snap");
+  CHECK(std::string(error.text()) == "list:3: raise {option:max_snap}");
+  CHECK(error.code() == ErrorCode::precondition);
+  CHECK(error.element() == 7);
 }
 
 }  // namespace gvd::test_outcome

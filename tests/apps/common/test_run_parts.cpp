@@ -12,7 +12,6 @@
 namespace gvd::test_run_parts {
 
 using namespace app;
-using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using gvd::test::QuietRun;
 using gvd::test::read_text;
@@ -76,29 +75,10 @@ TEST_CASE("a format that can't hold the mesh is refused when the mesh is loaded"
   CHECK_NOTHROW(load(options));
 }
 
-TEST_CASE("a diagram is computed as the options say, timed and reported") {
-  const Mesh mesh = test::make_torus(24, 12);
-  const std::vector<SurfacePoint> generators{vertex_point(mesh, VertexId(0)), vertex_point(mesh, VertexId(40)),
-                                             vertex_point(mesh, VertexId(150))};
-  for (const Method method : {Method::exact, Method::gbgvd}) {
-    Options options;
-    options.compute.method = method;
-    QuietRun quiet(options);
-    const Diagram diagram = build_diagram(quiet.run, mesh, generators);
-    DiagramOptions expected;
-    expected.method = method;
-    CHECK(diagram.length == compute_diagram(mesh, generators, expected).length);
-    const auto report = quiet.report();
-    CHECK(report["diagram"]["cells"] == 3);
-    CHECK(report["diagram"]["length"] == diagram.length);
-    CHECK(report["timings_ms"].contains("diagram"));
-  }
-}
-
 const Mesh kGrid = test::make_grid(2, 2);
 
 /// A format of a command's own.
-const std::map<std::string, OutputWriter> kOwn{{"json", [](std::ostream& out) { out << "own"; }}};
+const OwnWriters kOwn{{"json", [](std::ostream& out) { out << "own"; }}};
 
 Options with_files(const std::vector<std::string>& files) {
   Options options;
@@ -162,78 +142,6 @@ TEST_CASE("the report tells the peak of memory, and is not written after a signa
   install_signal_handlers();
   finish_run(quiet.run, kGrid, {});
   CHECK(nlohmann::json::parse(read_text(scratch / "r.json"))["peak_memory_bytes"] > 1000000);
-}
-
-/// The generators of a run on the torus, and what it reports.
-struct Made {
-  explicit Made(const GeneratorOptions& generators) : quiet(options_of(generators)) {
-    input = load_input(quiet.run);
-    points = make_generators(quiet.run, input);
-  }
-
-  static Options options_of(const GeneratorOptions& generators) {
-    Options options;
-    options.input.path = test::data_file("torus.ply");
-    options.generators = generators;
-    return options;
-  }
-
-  QuietRun quiet;
-  CheckedMesh input;
-  std::vector<SurfacePoint> points;
-};
-
-TEST_CASE("a number of generators gives exactly as many, by every kind of sampling, and reports them") {
-  for (const Sampling kind : {Sampling::farthest, Sampling::random, Sampling::vertices, Sampling::poisson}) {
-    GeneratorOptions options;
-    options.count = 12;
-    options.sampling = kind;
-    Made made(options);
-    CHECK(made.points.size() == 12);
-    const auto report = made.quiet.report();
-    REQUIRE(report["generators"].size() == 12);
-    for (std::size_t i = 0; i < 12; ++i) CHECK(report["generators"][i]["face"] == made.points[i].face.value());
-    CHECK(report["timings_ms"].contains("generators"));
-  }
-}
-
-TEST_CASE("a radius gives as many as it takes, and the seed changes a random choice") {
-  GeneratorOptions radius;
-  radius.radius = 1;
-  const std::size_t few = Made(radius).points.size();
-  radius.radius = 0.5;
-  CHECK(Made(radius).points.size() > few);
-  GeneratorOptions random;
-  random.count = 5;
-  random.sampling = Sampling::random;
-  const auto first = Made(random).points;
-  CHECK(Made(random).points == first);
-  random.seed = 1;
-  CHECK(Made(random).points != first);
-}
-
-TEST_CASE("vertices are those of the input, and an error names the option") {
-  GeneratorOptions options;
-  options.vertices = {3, 17};
-  Made made(options);
-  REQUIRE(made.points.size() == 2);
-  CHECK(vertex(made.input.mesh, made.points[1]) == VertexId(17));
-  options.vertices = {3, 3};
-  CHECK_THROWS_WITH(Made(options), Contains("--vertices: vertex 3 is listed twice; remove one"));
-  options.merge_coincident = true;
-  CHECK(Made(options).points.size() == 1);
-}
-
-TEST_CASE("a position in a file is snapped, within the distance that is allowed") {
-  const test::ScratchFolder scratch;
-  test::write_text(scratch / "list.txt", "p 0 0 5\n");
-  GeneratorOptions options;
-  options.file = scratch / "list.txt";
-  Made made(options);
-  const double distance = made.quiet.report()["generators"][0]["snap_distance"].get<double>();
-  CHECK(distance > 1);
-  options.max_snap = 0.5 * distance;
-  CHECK_THROWS_AS(Made(options), Error);
 }
 
 }  // namespace gvd::test_run_parts

@@ -20,7 +20,7 @@ std::vector<Options> quiet_runs(const std::vector<std::string>& inputs) {
   std::vector<Options> runs;
   for (const std::string& input : inputs) {
     runs.emplace_back().input.path = input;
-    runs.back().quiet = true;
+    runs.back().general.quiet = true;
   }
   return runs;
 }

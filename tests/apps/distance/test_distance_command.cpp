@@ -11,6 +11,7 @@
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/read_values.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
@@ -111,7 +112,8 @@ TEST_CASE("gvd-distance: GIFTI and FreeSurfer's files hold the distances of the 
   CHECK(read_values(scratch / "lh.curv") == wanted);
   REQUIRE(run_command("gvd-distance", line + "--each -o " + scratch / "each.shape.gii").exit_code == 0);
   CHECK_THAT(read_text(scratch / "each.shape.gii"), Contains("NumberOfDataArrays=\"2\""));
-  require_error("gvd-distance", line + "--each -o " + scratch / "b.curv", 2, ".curv holds one distance for each");
+  require_error("gvd-distance", line + "--each -o " + scratch / "b.curv", 2,
+                ".curv hold one distance for each vertex; write .shape.gii, .json, .npy, .csv or .txt");
   require_error("gvd-distance", line + "--to 5 -o " + scratch / "b.shape.gii", 2, "--to: .shape.gii and .curv hold a");
 }
 

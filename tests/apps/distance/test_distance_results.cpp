@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
 #include "base/plane.hpp"
+#include "gvd/io/format.hpp"
 #include "support/catch.hpp"
 #include "support/plane_with_holes.hpp"
 
@@ -175,21 +177,60 @@ TEST_CASE("gvd-distance: without a file, paths are a table and isolines JSON, an
   CHECK(json::parse(output_of(strip + "--from 0 --to 4 --output-format json"))["distances"][0][0] == Approx(4));
   CHECK(output_of(strip + "--from 0 --to 4 -o - --output-format txt") == output_of(strip + "--from 0 --to 4"));
   CHECK(output_of(strip + "--from 0 -q --report " + scratch / "r.json").empty());
-  require_error("gvd-distance", strip + "--from 0 --to 4 --paths --output-format txt", 2, "--paths: only .csv, .json");
-  require_error("gvd-distance", strip + "--from 0 --isolines 1 --output-format txt", 2, "--isolines: only .obj");
+  require_error("gvd-distance", strip + "--from 0 --to 4 --paths --output-format txt", 2,
+                "--paths: only .obj, .vtp, .vtu, .glb, .json, .csv, --view and --report hold paths; write one of them");
+  require_error("gvd-distance", strip + "--from 0 --isolines 1 --output-format txt", 2,
+                "--isolines: only .obj, .vtp, .vtu, .glb, .json, --view and --report hold curves; write one of them");
 }
 
 TEST_CASE("gvd-distance: a mesh that would hold nothing of what was asked for is refused, with what to do") {
   const ScratchFolder scratch;
   const std::string strip = write_strip(scratch);
-  require_error("gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.obj", 2,
-                "p.obj: .obj holds no distances; add --paths for the shortest paths, or write .csv");
+  require_error(
+      "gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.obj", 2,
+      "p.obj: .obj holds no distances; add --paths for the shortest paths, or write .json, .npy, .csv or .txt");
   require_error("gvd-distance", strip + "--from 0 -o " + scratch / "p.obj", 2, "or add --isolines");
+  require_error("gvd-distance", strip + "--from 0 -o " + scratch / "p.glb", 2, ".glb holds no distances; write .ply");
   require_error("gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.vtp", 2,
                 "for which --to does nothing; add");
-  require_error("gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.ply", 2, "write .csv, .npy or .json");
+  require_error(
+      "gvd-distance", strip + "--from 0 --to 4 -o " + scratch / "p.ply", 2,
+      "p.ply: .ply has the distances of all vertices, for which --to does nothing; write .json, .npy, .csv or .txt");
   output_of(strip + "--from 0 --to 4 --paths -o " + scratch / "p.obj");
   output_of(strip + "--from 0 --to 4 -o " + scratch / "p.ply" + " -o " + scratch / "p.csv");
+}
+
+TEST_CASE("gvd-distance: a format holds what its row in the table says, and is refused for the rest") {
+  const ScratchFolder scratch;
+  const std::string strip = write_strip(scratch);
+  struct Change {
+    Content content;
+    std::string one, other;
+  };
+  const std::array<Change, 5> changes{{
+      {Content::distances | Content::rows, "--from 0", "--from 3"},
+      {Content::rows, "--from 0,4 --each", "--from 0,3 --each"},
+      {Content::targets, "--from 0 --to 4", "--from 0 --to 3"},
+      {Content::curves | Content::paths, "--from 0 --to 4 --paths", "--from 0 --to 3 --paths"},
+      {Content::curves | Content::isolines, "--from 0 --isolines 1.5", "--from 0 --isolines 0.5"},
+  }};
+  for (const Format& format : formats()) {
+    const bool is_offered =
+        std::ranges::any_of(changes, [&](const Change& c) { return has_any(format.carries, c.content); });
+    if (!format.is_output() || !is_offered) continue;
+    for (const Change& change : changes) {
+      const std::string path = scratch / ("a." + format.extensions.front()), output = " -q -o " + path;
+      INFO(change.one + output);
+      if (!has_any(format.carries, change.content)) {
+        CHECK(run_command("gvd-distance", strip + change.one + output).exit_code == 2);
+        continue;
+      }
+      output_of(strip + change.one + output);
+      const std::string before = read_text(path);
+      output_of(strip + change.other + output);
+      CHECK(read_text(path) != before);
+    }
+  }
 }
 
 TEST_CASE("gvd-distance: -h names what is asked for") {

@@ -40,6 +40,17 @@ TEST_CASE("gvd-lloyd --fixed: these generators come first and stay, and -n count
   CHECK_THAT(few.err, Contains("2 generators are asked for, and 3 are fixed or on features; ask for more generators"));
 }
 
+TEST_CASE("gvd-lloyd --fixed: its list has a format of its own") {
+  const ScratchFolder scratch;
+  write_text(scratch / "fixed.txt", "5\n77\n");
+  write_text(scratch / "list", "vertex\n1000\n2000\n");
+  const std::string options = " --generators-format csv --iterations 2 -q -o ";
+  REQUIRE(lloyd(data_file("figure.obj") + " --generators " + scratch / "list" + " --fixed " + scratch / "fixed.txt" +
+                options + scratch / "a.txt")
+              .exit_code == 0);
+  CHECK(lines_of(scratch / "a.txt").size() == 4);
+}
+
 TEST_CASE("gvd-lloyd --features, --keep-boundary: corners and creases have their generators") {
   const ScratchFolder scratch;
   const std::string run = " -n 60 --iterations 5 -o " + scratch / "out.txt";

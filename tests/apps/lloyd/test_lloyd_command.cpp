@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "apps/run_command.hpp"
+#include "gvd/io/format.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_lloyd_command {
@@ -68,12 +69,19 @@ TEST_CASE("gvd-lloyd: every list that it writes is read back by every command, b
   const ScratchFolder scratch;
   const std::string mesh = data_file("figure.obj");
   const auto path = [&](const std::string& name) { return scratch / name; };
+  std::vector<std::string> lists;
+  std::string outputs;
+  for (const std::string& extension : output_extensions(Content::generators)) {
+    lists.push_back("a." + extension);
+    outputs += " -o " + path(lists.back());
+  }
   const CommandResult result =
-      run_command("gvd-lloyd", mesh + kVertices + "--iterations 5 -o " + path("a.txt") + " -o " + path("a.csv") +
-                                   " -o " + path("a.json") + " --report " + path("report.json"));
+      run_command("gvd-lloyd", mesh + kVertices + "--iterations 5" + outputs + " --report " + path("report.json"));
   CAPTURE(result.err);
   REQUIRE(result.exit_code == 0);
-  for (const char* name : {"a.txt", "a.csv", "a.json", "report.json"}) {
+  CHECK(lists == std::vector<std::string>{"a.json", "a.csv", "a.txt"});
+  lists.emplace_back("report.json");
+  for (const std::string& name : lists) {
     CAPTURE(name);
     const std::string from = mesh + " -q --generators " + path(name);
     REQUIRE(run_command("gvd-lloyd", from + " --iterations 0 -o " + path("b.txt")).exit_code == 0);

@@ -41,6 +41,14 @@ TEST_CASE("gvd-remesh: listed generators stay where they are, unless --relax ask
   CHECK(first(report_of(run + " --relax 3")) != first(given));
 }
 
+TEST_CASE("gvd-remesh: the report tells how far listed positions were from the surface") {
+  const ScratchFolder scratch;
+  write_text(scratch / "list.txt", "p 0 0 5\n100\n");
+  const auto generators = report_of(data_file("torus.ply") + " --generators " + scratch / "list.txt")["generators"];
+  CHECK(generators[0]["snap_distance"] > 1);
+  CHECK(!generators[1].contains("snap_distance"));
+}
+
 TEST_CASE("gvd-remesh: constraints hold in the relaxation, and are refused where nothing moves") {
   const ScratchFolder scratch;
   write_text(scratch / "fixed.txt", "5\n77\n");
@@ -85,7 +93,7 @@ TEST_CASE("gvd-remesh: the boundary is kept for sampled generators, unless it is
   CHECK(followed(report_of(run + " --vertices 0,9,100,200 --keep-boundary")) > 6);
   const CommandResult both = run_command("gvd-remesh", run + " -n 60 --keep-boundary --loose-boundary");
   CHECK(both.exit_code == 2);
-  CHECK_THAT(both.err, Contains("--keep-boundary excludes --loose-boundary"));
+  CHECK_THAT(both.err, Contains("--keep-boundary and --loose-boundary exclude each other: keep one"));
 }
 
 TEST_CASE("gvd-remesh: what edges do not follow is at most the whole length, and the note says what helps") {
@@ -301,7 +309,7 @@ TEST_CASE("gvd-remesh: --exact-count gives as many vertices as asked for, or ref
   CHECK_THAT(one.err, Contains("no valid mesh of 1 vertex was found"));
   CHECK(!std::filesystem::exists(path));
   const auto json = report_of(torus + " -n 24 --exact-count");
-  CHECK(json["options"]["no_refine"] == false);
+  CHECK(json["options"]["refine"] == true);
   CHECK(json["options"]["exact_count"] == true);
   CHECK(json["results"]["output"]["vertices"] == 24);
   const CommandResult both = run_command("gvd-remesh", torus + " -n 24 --exact-count --no-refine");
@@ -353,12 +361,12 @@ TEST_CASE("gvd-remesh: a note says why generators were added") {
   CHECK_THAT(many.err, !Contains("were added"));
 }
 
-TEST_CASE("gvd-remesh: --no-curves is refused, since its files have no curves") {
+TEST_CASE("gvd-remesh: there is no --no-curves, since its files have no curves") {
   const ScratchFolder scratch;
   const CommandResult result =
       run_command("gvd-remesh", data_file("torus.ply") + " -n 9 --no-curves -o " + scratch / "coarse.obj");
   CHECK(result.exit_code == 2);
-  CHECK_THAT(result.err, Contains("--no-curves: the files of gvd-remesh have no curves"));
+  CHECK_THAT(result.err, Contains("unknown option: --no-curves"));
 }
 
 }  // namespace gvd::test_remesh_command

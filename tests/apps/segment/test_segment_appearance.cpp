@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/run_command.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
 #include "support/catch.hpp"
 
@@ -89,7 +90,7 @@ TEST_CASE("gvd-segment: texture coordinates and materials survive, with --cut an
     for (const char* name : {"a.obj", "a.ply", "a.glb"}) require_angles(read_soup(scratch / name));
     require_materials(read_soup(scratch / "a.obj"));
     CHECK_THAT(read_text(scratch / "a.obj"), Contains("\ng region_8\nusemtl ") || Contains("\ng region_8\nf "));
-    CHECK_THAT(result.err, Contains("in.obj: left out: materials in .ply, .glb\n"));
+    CHECK_THAT(result.err, Contains("in.obj: left out: materials in .ply and .glb\n"));
     CHECK(!std::filesystem::exists(scratch / "a.mtl"));
   }
 }
@@ -117,7 +118,7 @@ TEST_CASE("gvd-segment: one line says what of the appearance is left out") {
     return result.err;
   };
   CHECK_THAT(told("a.stl -o " + scratch / "a.off"),
-             Contains("in.obj: left out: texture coordinates in .stl, .off; materials in .stl, .off\n"));
+             Contains("in.obj: left out: texture coordinates in .stl and .off; materials in .stl and .off\n"));
   CHECK_THAT(told("a.obj -o " + scratch / "a.json"), !Contains("left out"));
   CHECK_THAT(told("other/a.obj"), Contains("names the materials of paint box.mtl, which is beside "));
   const std::string painted = told("a.obj --region-materials");
@@ -127,7 +128,7 @@ TEST_CASE("gvd-segment: one line says what of the appearance is left out") {
   const CommandResult idle =
       run_command("gvd-segment", scratch / "in.obj" + " -n 3 --region-materials -o " + scratch / "a.ply");
   CHECK(idle.exit_code == 2);
-  CHECK_THAT(idle.err, Contains("--region-materials: only .obj names materials; write one"));
+  CHECK_THAT(idle.err, Contains("--region-materials: only .obj holds materials; write one"));
 }
 
 TEST_CASE("gvd-segment: materials of regions do not replace those that the input names") {

@@ -284,7 +284,8 @@ TEST_CASE("gvd-segment: labels and distances of vertices go to arrays, tables, G
   CHECK(read_text(file("v.csv")) == vertices);
   for (const auto& [labels, distances, as_labels, as_distances] :
        {std::array{"b.label.gii", "b.shape.gii", "a.label.gii", "a.shape.gii"},
-        std::array{"b.annot", "b.curv", "lh.annot", "lh.curv"}}) {
+        std::array{"b.annot", "b.curv", "lh.annot", "lh.curv"},
+        std::array{"c.label.gii", "c.func.gii", "a.label.gii", "a.shape.gii"}}) {
     REQUIRE(
         run_command("gvd-segment", line + "--vertex-labels " + file(labels) + " --vertex-distances " + file(distances))
             .exit_code == 0);

@@ -57,7 +57,7 @@ TEST_CASE("bad curves, and options that contradict them, are refused in one line
   require_error("gvd-segment", figure + " --curves creases:0", 2, "creases:30");
   require_error("gvd-segment", figure + " --curves /nowhere.obj", 3,
                 "--curves /nowhere.obj: there is no such file; write boundary, creases or the name of a file");
-  require_error("gvd-segment", figure + " --curves boundary -n 5", 2, "--count");
+  require_error("gvd-segment", figure + " --curves boundary -n 5", 2, "-n and --curves exclude each other");
   require_error("gvd-segment", figure + " --curves boundary --verify", 2, "--verify");
   require_error("gvd-segment", data_file("half_sphere.off") + " --curves boundary --method gbgvd", 2, "--method exact");
   require_error("gvd-distance", figure + " -o " + scratch / "a.npy", 2, "--from or --curves");

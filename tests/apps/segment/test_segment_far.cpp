@@ -60,7 +60,7 @@ TEST_CASE("gvd-segment far from the origin: .glb and .ply keep the surface, and 
   for (const std::string format : {"stl", "surf.gii"}) {
     CHECK_THAT(notes, Contains(fmt::format(".{} has 32-bit floats, which move vertices by up to 0.2", format)));
   }
-  CHECK_THAT(notes, Contains("faces collapse; .ply, .obj, .off and .vtp keep doubles, .glb the place"));
+  CHECK_THAT(notes, Contains("faces collapse; .ply, .obj, .off, .coff, .vtp and .vtu keep doubles, .glb the place"));
 }
 
 TEST_CASE("gvd-segment near the origin: 32-bit floats are not told") {

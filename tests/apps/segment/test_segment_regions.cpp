@@ -164,7 +164,7 @@ TEST_CASE("gvd-segment --levels: the same as twice in a row, on any number of th
 
   const nlohmann::json report = read_json(scratch / "b.report.json");
   CHECK(report["options"]["levels"] == std::vector{7, 60});
-  CHECK(report["options"]["n"].is_null());
+  CHECK(report["options"]["count"].is_null());
   CHECK(report["results"]["within"]["regions"] == 7);
   for (const auto& region : report["results"]["regions"]) CHECK(region["label_1"] < 7);
 }

@@ -1,7 +1,6 @@
 // Feeds the file of --config: its entries, and the options that its keys name.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iterator>
 #include <sstream>
 #include <string>
@@ -9,6 +8,8 @@
 
 #include "common/options/config_file.hpp"
 #include "fuzz/targets/require.hpp"
+#include "gvd/option_text.hpp"
+#include "options/toy_options.hpp"
 
 namespace {
 
@@ -16,34 +17,11 @@ using namespace gvd;
 using namespace gvd::app;
 using fuzz::attempt;
 using fuzz::require;
-using Items = std::vector<CLI::ConfigItem>;
 
-/// An app with an option of each kind, alone and as a list.
-class OneOfEach {
- public:
-  OneOfEach() {
-    app_.set_help_flag();
-    app_.add_option("INPUT", texts_)->type_name("");
-    app_.add_option("-n,--count", text_)->type_name("N");
-    app_.add_option("--vertices", texts_)->type_name("LIST");
-    app_.add_option("--radius", text_)->type_name("NUMBER");
-    app_.add_option("--max-memory", text_)->type_name("SIZE");
-    app_.add_option("--sampling", text_)->type_name("NAME");
-    app_.add_flag("--cut", flag_);
-    app_.set_config("--config")->add_result("a.toml");
-  }
-
-  Items read(const std::string& content) const {
-    std::istringstream stream(content);
-    return ConfigFile(app_).from_config(stream);
-  }
-
- private:
-  CLI::App app_{"", "gvd-fuzz"};
-  std::string text_;
-  std::vector<std::string> texts_;
-  bool flag_ = false;
-};
+std::vector<GivenTexts> read(const OptionList& list, const std::string& content) {
+  std::istringstream stream(content);
+  return read_config_file(list, stream, "a.toml");
+}
 
 std::string quoted(const std::string& text) {
   std::string out = "\"";
@@ -57,26 +35,34 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-std::string toml_of(const CLI::ConfigItem& item, const std::string& text) {
-  if (item.name == "count" || item.name == "cut") return text;
-  if (item.name != "radius") return quoted(text);
-  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+std::string toml_of(const GivenTexts& given, const std::string& text) {
+  if (const auto* const number = std::get_if<Number>(&given.option->field)) {
+    const bool is_word = !number->words.empty();
+    const bool is_plain = number->implied && (text == "true" || text == "false");
+    const bool real = is_real(*number);
+    if (is_word) return quoted(text);
+    return is_plain || !real || text.find_first_of(".en") != std::string::npos ? text : text + ".0";
+  }
+  if (std::holds_alternative<Flag>(given.option->field)) {
+    return given.option->is_on ? (text == "true" ? "false" : "true") : text;  // no-refine
+  }
+  return quoted(text);
 }
 
-/// The items, written as TOML, must come back: same names and texts in the same order.
-void check_written(const OneOfEach& options, const Items& items) {
+/// The entries, written as TOML, must come back: same options and texts in the same order.
+void check_written(const OptionList& list, const std::vector<GivenTexts>& all) {
   std::string content;
-  for (const CLI::ConfigItem& item : items) {
-    const bool is_list = item.name == "INPUT" || item.name == "vertices";
-    content += (item.name == "INPUT" ? "input" : item.name) + (is_list ? " = [" : " = ");
-    for (const std::string& text : item.inputs) content += toml_of(item, text) + (is_list ? ", " : "");
+  for (const GivenTexts& given : all) {
+    const bool is_list = is_repeatable(given.option->field) && takes_value(given.option->field);
+    content += given.source.spelling + (is_list ? " = [" : " = ");
+    for (const std::string& text : given.texts) content += toml_of(given, text) + (is_list ? ", " : "");
     content += is_list ? "]\n" : "\n";
   }
-  Items again;
-  attempt({}, [&] { again = options.read(content); });
-  require(again.size() == items.size(), "other entries come back from:\n" + content);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    require(again[i].name == items[i].name && again[i].inputs == items[i].inputs,
+  std::vector<GivenTexts> again;
+  attempt({}, [&] { again = read(list, content); });
+  require(again.size() == all.size(), "other entries come back from:\n" + content);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    require(again[i].option == all[i].option && again[i].texts == all[i].texts,
             "another entry comes back from:\n" + content);
   }
 }
@@ -84,11 +70,14 @@ void check_written(const OneOfEach& options, const Items& items) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const OneOfEach options;
+  test::Toy toy;
   const std::string content(reinterpret_cast<const char*>(data), size);
-  Items items;
-  if (!attempt({ErrorCode::invalid_option}, [&] { items = options.read(content); })) return 0;
-  for (const CLI::ConfigItem& item : items) require(!item.inputs.empty(), "an option without a value");
-  check_written(options, items);
+  std::vector<GivenTexts> given;
+  if (!attempt({ErrorCode::invalid_option}, [&] { given = read(toy.list, content); })) return 0;
+  for (const GivenTexts& each : given) {
+    require(!each.texts.empty(), "an option without a value");
+    read_option(*each.option, each.texts);
+  }
+  check_written(toy.list, given);
   return 0;
 }

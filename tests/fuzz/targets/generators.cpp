@@ -81,7 +81,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string content(reinterpret_cast<const char*>(data + 1), size - 1);
   const int choice = data[0] % 6;
-  attempt({ErrorCode::unreadable_input}, [&] {
+  attempt({ErrorCode::unreadable_input, ErrorCode::precondition}, [&] {
     const CurveList curves = parse_curves(content, "curves");
     require(curves.curve.size() == curves.points.entries.size(), "a point of no curve");
     for (const auto& [a, b] : curves.segments) {

@@ -356,9 +356,21 @@ def config_seeds():
     yield "'a\\b' = 1\nn = 99999999999999999999\n"
 
 
+def call_seeds():
+    yield '{"count": 30, "density": {"array": 0}, "features": 40}'
+    yield '{"generators": {"array": 1}, "max_snap": "0.5", "method": "gbgvd"}'
+    yield '{"vertices": [0, 2, 4], "weights": [1, "2", 0.5], "cut": true}'
+    yield '{"from": [{"vertex": 1}, {"position": [0, 0, 1]}, {"face": 0, "bary": [1, 0, 0]}], "paths": true, "to": {"array": 2}}'
+    yield '{"curves": {"points": {"array": 1}, "offsets": [0, 2], "closed": true}, "isolines": 0.25}'
+    yield '{"curves": "creases:30", "each": false, "within": {"array": 0}, "mask": [0, 1, 0, 1, 0, 1]}'
+    yield '{"count": null, "error": "2%", "levels": [2, 8], "relax": "none"}'
+    yield '{"count": 3, "count": 4}'
+    yield '{"array": {"array": [[[{}]]]}}'
+
+
 SEEDS = {"off": off_seeds, "obj": obj_seeds, "ply": ply_seeds, "stl": stl_seeds, "vtp": vtp_seeds, "vtu": vtu_seeds,
          "vtk": vtk_seeds, "glb": glb_seeds, "gltf": gltf_seeds, "gii": gii_seeds, "mni": mni_seeds, "fs": fs_seeds, "values": value_seeds, "generators": generator_seeds,
-         "config": config_seeds}
+         "calls": call_seeds, "config": config_seeds}
 
 
 def main():
@@ -368,7 +380,7 @@ def main():
         for number, content in enumerate(seeds()):
             content = content if isinstance(content, bytes) else content.encode()
             (folder / f"seed-{number:02}").write_bytes(content)
-            if number == 0 and target not in ("generators", "values", "config"):
+            if number == 0 and target not in ("generators", "values", "calls", "config"):
                 (folder / "seed-packed").write_bytes(gzip.compress(content, mtime=0))
 
 

@@ -113,7 +113,7 @@ void require_same(const Mesh& a, const Mesh& b) {
   }
 }
 
-std::string write(const CheckedMesh& checked, OutputFormat format, bool ascii) {
+std::string write(const CheckedMesh& checked, MeshFormat format, bool ascii) {
   LabelledMesh labelled{checked.mesh};
   labelled.appearance = &checked.appearance;
   labelled.ascii_ply = ascii;
@@ -150,16 +150,13 @@ void require_same(const Mesh& mesh, const Appearance& a, const Appearance& b) {
 
 void check_written(const CheckedMesh& checked, MeshFormat format, bool ascii) {
   const Mesh& mesh = checked.mesh;
-  const auto output = parse_output_format(name_in(kMeshFormatNames, format));
-  require(output.has_value(), "a format can be read and not written");
   // What a repair leaves of a mesh may be smaller than a mesh may be.
   const bool may_be_refused = mesh.bbox_diagonal() < 2 * kSmallestExtent;
   attempt({may_be_refused ? ErrorCode::precondition : ErrorCode::invalid_option}, [&] {
-    const PolygonSoup soup = parse_soup(write(checked, *output, ascii), format, "the written file");
+    const PolygonSoup soup = parse_soup(write(checked, format, ascii), format, "the written file");
     const CheckedMesh again = build_mesh(soup, DefectPolicy::error);
     require_same(mesh, again.mesh);
-    if (format == MeshFormat::obj || format == MeshFormat::ply)
-      require_same(mesh, checked.appearance, again.appearance);
+    if (has_any(format_row(format).carries, Content::texture)) require_same(mesh, checked.appearance, again.appearance);
   });
 }
 
@@ -167,8 +164,7 @@ void check_written(const CheckedMesh& checked, MeshFormat format, bool ascii) {
 void check_written_floats(const CheckedMesh& checked, MeshFormat format) {
   const Mesh& mesh = checked.mesh;
   std::string bytes;
-  const OutputFormat output = *parse_output_format(name_in(kMeshFormatNames, format));
-  if (!attempt({ErrorCode::unwritable_output}, [&] { bytes = write(checked, output, false); })) return;
+  if (!attempt({ErrorCode::unwritable_output}, [&] { bytes = write(checked, format, false); })) return;
   PolygonSoup soup;
   attempt({}, [&] { soup = parse_soup(bytes, format, "the written file"); });
   require(soup.polygon_count() == static_cast<std::size_t>(mesh.face_count()), "other numbers of triangles");
@@ -188,10 +184,8 @@ void check_policy(const PolygonSoup& soup, DefectPolicy policy, MeshFormat forma
   check_maps(checked, soup);
   check_appearance(checked.appearance, 3 * checked.input_polygon.size(), checked.input_polygon.size());
   if (policy != DefectPolicy::repair) return;
-  // These are not written.
-  if (format == MeshFormat::vtk || format == MeshFormat::gltf || format == MeshFormat::mni) return;
-  const auto has_floats = {MeshFormat::stl, MeshFormat::glb, MeshFormat::gii, MeshFormat::fs};
-  if (std::ranges::find(has_floats, format) != has_floats.end()) return check_written_floats(checked, format);
+  if (format_row(format).write == nullptr) return;
+  if (!has_any(format_row(format).carries, Content::doubles)) return check_written_floats(checked, format);
   check_written(checked, format, false);
   if (format == MeshFormat::ply) check_written(checked, format, true);
 }

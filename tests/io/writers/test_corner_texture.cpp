@@ -4,6 +4,7 @@
 #include <set>
 
 #include "gvd/error.hpp"
+#include "gvd/read_soup.hpp"
 #include "io/fixture.hpp"
 #include "io/writers/format_writers.hpp"
 #include "support/catch.hpp"
@@ -30,7 +31,7 @@ struct Textured {
     }
   }
 
-  std::string bytes(OutputFormat format, bool ascii = false) const {
+  std::string bytes(MeshFormat format, bool ascii = false) const {
     LabelledMesh view{mesh};
     view.appearance = &appearance;
     view.properties = &lists;
@@ -56,14 +57,14 @@ Appearance read_back(const std::string& bytes, MeshFormat format) {
 
 TEST_CASE("texture of corners: OBJ and PLY give it back") {
   const Textured textured;
-  require_texture(textured, read_back(textured.bytes(OutputFormat::obj), MeshFormat::obj).texture);
+  require_texture(textured, read_back(textured.bytes(MeshFormat::obj), MeshFormat::obj).texture);
   for (const bool ascii : {false, true}) {
-    require_texture(textured, read_back(textured.bytes(OutputFormat::ply, ascii), MeshFormat::ply).texture);
+    require_texture(textured, read_back(textured.bytes(MeshFormat::ply, ascii), MeshFormat::ply).texture);
   }
 }
 
 TEST_CASE("texture of corners: an OBJ has equal coordinates of a vertex once") {
-  const std::string bytes = Textured().bytes(OutputFormat::obj);
+  const std::string bytes = Textured().bytes(MeshFormat::obj);
   std::size_t written = 0;
   for (std::size_t at = bytes.find("vt "); at != bytes.npos; at = bytes.find("vt ", at + 1)) ++written;
   // The vertices of the first four faces and of the others, less the one corner without coordinates.
@@ -78,7 +79,7 @@ TEST_CASE("texture of corners: without a seam a PLY has it as numbers of vertice
     textured.appearance.texture[h.index()] = {at.x() / 4, -at.y() / 4};
   }
   for (const bool ascii : {false, true}) {
-    const std::string bytes = textured.bytes(OutputFormat::ply, ascii);
+    const std::string bytes = textured.bytes(MeshFormat::ply, ascii);
     CHECK(bytes.find("property float s\nproperty float t\n") != bytes.npos);
     CHECK(bytes.find("texcoord") == bytes.npos);
     CHECK(read_back(bytes, MeshFormat::ply).texture == textured.appearance.texture);
@@ -88,18 +89,18 @@ TEST_CASE("texture of corners: without a seam a PLY has it as numbers of vertice
   }
   textured.lists.push_back(
       {"s", NumberType::float32, true, std::vector<double>(textured.mesh.positions().size()), {}, {}});
-  const std::string taken = textured.bytes(OutputFormat::ply);
+  const std::string taken = textured.bytes(MeshFormat::ply);
   CHECK(taken.find("texcoord") != taken.npos);
   CHECK(read_back(taken, MeshFormat::ply).texture == textured.appearance.texture);
 }
 
 TEST_CASE("texture of corners: a GLB has a vertex for each side of a seam and no more, with v downwards") {
   Textured textured;
-  const Uv none = parse_soup(textured.bytes(OutputFormat::glb), MeshFormat::glb, "out").appearance.texture[30];
+  const Uv none = parse_soup(textured.bytes(MeshFormat::glb), MeshFormat::glb, "out").appearance.texture[30];
   CHECK(none == Uv{0, 0});  // a vertex of a GLB always has some
   const Vec3& at = textured.mesh.position(textured.mesh.from(HalfedgeId(30)));
   textured.appearance.texture[30] = {at.x() / 4 + 0.5, at.y() / 4};
-  const PolygonSoup soup = parse_soup(textured.bytes(OutputFormat::glb), MeshFormat::glb, "out");
+  const PolygonSoup soup = parse_soup(textured.bytes(MeshFormat::glb), MeshFormat::glb, "out");
   REQUIRE(soup.appearance.texture.size() == textured.appearance.texture.size());
   CHECK(soup.appearance.texture == textured.appearance.texture);
   std::set<std::array<double, 3>> different;
@@ -110,22 +111,22 @@ TEST_CASE("texture of corners: a GLB has a vertex for each side of a seam and no
   CHECK(soup.positions.size() == different.size());
   CHECK(soup.positions.size() > textured.mesh.positions().size());
   textured.appearance.texture.clear();
-  CHECK(parse_soup(textured.bytes(OutputFormat::glb), MeshFormat::glb, "out").positions.size() ==
+  CHECK(parse_soup(textured.bytes(MeshFormat::glb), MeshFormat::glb, "out").positions.size() ==
         textured.mesh.positions().size());
 }
 
 TEST_CASE("texture of corners: coordinates beyond 32-bit floats are in OBJ alone") {
   Textured textured;
   textured.appearance.texture[0] = {1e39, 0};
-  CHECK(read_back(textured.bytes(OutputFormat::obj), MeshFormat::obj).texture[0] == Uv{1e39, 0});
-  CHECK(std::isnan(read_back(textured.bytes(OutputFormat::ply), MeshFormat::ply).texture[0][0]));
-  CHECK(read_back(textured.bytes(OutputFormat::glb), MeshFormat::glb).texture[0] == Uv{0, 0});
+  CHECK(read_back(textured.bytes(MeshFormat::obj), MeshFormat::obj).texture[0] == Uv{1e39, 0});
+  CHECK(std::isnan(read_back(textured.bytes(MeshFormat::ply), MeshFormat::ply).texture[0][0]));
+  CHECK(read_back(textured.bytes(MeshFormat::glb), MeshFormat::glb).texture[0] == Uv{0, 0});
 }
 
 TEST_CASE("texture of corners: PLY has it beside lists of vertices") {
   const Textured textured;
   for (const bool ascii : {false, true}) {
-    const auto found = parse_mesh_properties(textured.bytes(OutputFormat::ply, ascii), MeshFormat::ply, "out");
+    const auto found = parse_mesh_properties(textured.bytes(MeshFormat::ply, ascii), MeshFormat::ply, "out");
     REQUIRE(found.size() == 1);
     CHECK(found[0].values == textured.lists[0].values);
     CHECK(found[0].first_value == textured.lists[0].first_value);
@@ -172,7 +173,7 @@ TEST_CASE("materials: without labels an OBJ keeps the order of the faces") {
   const Appearance appearance{{}, {-1, 0, 0, -1}, {"a"}, {}, {}};
   LabelledMesh view{mesh};
   view.appearance = &appearance;
-  const std::string text = to_bytes(view, OutputFormat::obj);
+  const std::string text = to_bytes(view, MeshFormat::obj);
   CHECK(text.find("usemtl a\nf ") < text.find("usemtl (null)\nf "));
   CHECK(read_back(text, MeshFormat::obj).material == appearance.material);
 }
@@ -180,9 +181,9 @@ TEST_CASE("materials: without labels an OBJ keeps the order of the faces") {
 TEST_CASE("texture of corners: refuses a wrong number") {
   Textured textured;
   textured.appearance.texture.pop_back();
-  CHECK_THROWS_AS(textured.bytes(OutputFormat::obj), Error);
+  CHECK_THROWS_AS(textured.bytes(MeshFormat::obj), Error);
   textured.appearance = {{}, {0}, {"a"}, {}, {}};
-  CHECK_THROWS_AS(textured.bytes(OutputFormat::obj), Error);
+  CHECK_THROWS_AS(textured.bytes(MeshFormat::obj), Error);
 }
 
 }  // namespace gvd::test_corner_texture

@@ -88,12 +88,12 @@ TEST_CASE("no locale changes a number") {
     char do_thousands_sep() const override { return '.'; }
     std::string do_grouping() const override { return "\3"; }
   };
-  const std::string before = diagram_text(Labelled()), obj = to_bytes(Labelled().view(), OutputFormat::obj);
+  const std::string before = diagram_text(Labelled()), obj = to_bytes(Labelled().view(), MeshFormat::obj);
   const std::string old = std::setlocale(LC_ALL, nullptr);
   const std::locale classic = std::locale::global(std::locale(std::locale(), new Comma));
   if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) WARN("C's own locale not tried: de_DE.UTF-8 is not installed");
   CHECK(diagram_text(Labelled()) == before);
-  CHECK(to_bytes(Labelled().view(), OutputFormat::obj) == obj);
+  CHECK(to_bytes(Labelled().view(), MeshFormat::obj) == obj);
   CHECK(parse_generators(before, GeneratorFormat::json, "diagram").entries.size() == 3);
   std::locale::global(classic);
   std::setlocale(LC_ALL, old.c_str());

@@ -13,9 +13,8 @@ namespace gvd::test_mesh_writer {
 
 using namespace test;
 
-constexpr std::array kAllFormats{OutputFormat::ply,  OutputFormat::obj, OutputFormat::off,
-                                 OutputFormat::coff, OutputFormat::stl, OutputFormat::vtp,
-                                 OutputFormat::vtu,  OutputFormat::glb, OutputFormat::json};
+constexpr std::array kAllFormats{MeshFormat::ply, MeshFormat::obj, MeshFormat::off, MeshFormat::coff, MeshFormat::stl,
+                                 MeshFormat::vtp, MeshFormat::vtu, MeshFormat::glb, MeshFormat::json};
 
 ErrorCode code_of(const std::function<void()>& action) {
   try {
@@ -42,10 +41,10 @@ class FullBuffer : public std::streambuf {
 };
 
 TEST_CASE("the extension names the format") {
-  CHECK(output_format("a/b.ply") == OutputFormat::ply);
-  CHECK(output_format("B.GLB") == OutputFormat::glb);
-  CHECK(parse_output_format("vtp") == OutputFormat::vtp);
-  CHECK(parse_output_format(".Json") == OutputFormat::json);
+  CHECK(output_format("a/b.ply") == MeshFormat::ply);
+  CHECK(output_format("B.GLB") == MeshFormat::glb);
+  CHECK(parse_output_format("vtp") == MeshFormat::vtp);
+  CHECK(parse_output_format(".Json") == MeshFormat::json);
   CHECK_FALSE(parse_output_format(""));
   for (const char* name : {"a", "a.txt", "", ".ply", "a.ply.gz"}) {
     CHECK(code_of([&] { output_format(name); }) == ErrorCode::invalid_option);
@@ -55,7 +54,7 @@ TEST_CASE("the extension names the format") {
 TEST_CASE("two writes give the same bytes, to a stream and to a file") {
   const Labelled labelled;
   const TemporaryFolder folder;
-  for (const OutputFormat format : kAllFormats) {
+  for (const MeshFormat format : kAllFormats) {
     CHECK(to_bytes(labelled.view(), format) == to_bytes(Labelled().view(), format));
   }
   for (const char* name : {"a.ply", "a.off", "a.coff", "a.stl", "a.vtp", "a.vtu", "a.glb", "a.json"}) {
@@ -94,8 +93,8 @@ TEST_CASE("a plain mesh has no labels, colours or materials in any format") {
   const std::string obj = read_bytes(folder / "a.obj");
   CHECK(obj.find("g ") == std::string::npos);
   CHECK(obj.find("mtl") == std::string::npos);
-  for (const OutputFormat format :
-       {OutputFormat::ply, OutputFormat::coff, OutputFormat::vtp, OutputFormat::vtu, OutputFormat::glb}) {
+  for (const MeshFormat format :
+       {MeshFormat::ply, MeshFormat::coff, MeshFormat::vtp, MeshFormat::vtu, MeshFormat::glb}) {
     const std::string bytes = to_bytes(LabelledMesh{mesh}, format);
     for (const char* word : {"abel\"", " label", "istance", "uchar red", "region", "bisectors", "COFF"}) {
       CHECK(bytes.find(word) == std::string::npos);
@@ -105,7 +104,7 @@ TEST_CASE("a plain mesh has no labels, colours or materials in any format") {
 
 TEST_CASE("a failing stream is an error in every format, wherever it fails") {
   const Labelled labelled;
-  for (const OutputFormat format : kAllFormats) {
+  for (const MeshFormat format : kAllFormats) {
     const auto size = static_cast<std::streamsize>(to_bytes(labelled.view(), format).size());
     for (const std::streamsize capacity : {std::streamsize{0}, size / 2, size - 1}) {
       FullBuffer buffer(capacity);
@@ -133,26 +132,26 @@ TEST_CASE("what does not fit together is refused, and no file appears") {
 
 TEST_CASE("coordinates beyond a 32-bit float are refused where the format has no other") {
   const Mesh mesh({{0, 0, 0}, {1e39, 0, 0}, {0, 1e39, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
-  for (const OutputFormat format : {OutputFormat::stl, OutputFormat::glb}) {
+  for (const MeshFormat format : {MeshFormat::stl, MeshFormat::glb}) {
     CHECK(code_of([&] { to_bytes(LabelledMesh{mesh}, format); }) == ErrorCode::unwritable_output);
     CHECK(code_of([&] { check_format(mesh, format); }) == ErrorCode::unwritable_output);
   }
-  CHECK(to_bytes(LabelledMesh{mesh}, OutputFormat::off).find("1e+39 0 0") != std::string::npos);
-  CHECK_NOTHROW(check_format(mesh, OutputFormat::ply));
+  CHECK(to_bytes(LabelledMesh{mesh}, MeshFormat::off).find("1e+39 0 0") != std::string::npos);
+  CHECK_NOTHROW(check_format(mesh, MeshFormat::ply));
 }
 
 TEST_CASE("a mesh that falls between two 32-bit floats is refused where the format has no other") {
   const auto triangle = [](double at, double size) {
     return Mesh({{at, 0, 0}, {at + size, 0, 0}, {at, size, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
   };
-  CHECK(code_of([&] { check_format(triangle(1e9, 1), OutputFormat::stl); }) == ErrorCode::unwritable_output);
-  CHECK_NOTHROW(check_format(triangle(1e9, 1), OutputFormat::glb));  // which has a translation
-  for (const OutputFormat format : {OutputFormat::stl, OutputFormat::glb}) {
+  CHECK(code_of([&] { check_format(triangle(1e9, 1), MeshFormat::stl); }) == ErrorCode::unwritable_output);
+  CHECK_NOTHROW(check_format(triangle(1e9, 1), MeshFormat::glb));  // which has a translation
+  for (const MeshFormat format : {MeshFormat::stl, MeshFormat::glb}) {
     CHECK(code_of([&] { check_format(triangle(0, 1e-50), format); }) == ErrorCode::unwritable_output);
     CHECK_NOTHROW(check_format(triangle(1e9, 1e3), format));
     CHECK_NOTHROW(check_format(triangle(0, 1e-30), format));
   }
-  CHECK_NOTHROW(check_format(triangle(1e9, 1), OutputFormat::off));
+  CHECK_NOTHROW(check_format(triangle(1e9, 1), MeshFormat::off));
 }
 
 Mesh triangle(double size, double shift) {
@@ -161,7 +160,7 @@ Mesh triangle(double size, double shift) {
 
 std::string float_refusal(const Mesh& mesh) {
   try {
-    io::check_single_precision(mesh, "STL");
+    check_format(mesh, MeshFormat::stl);
   } catch (const Error& error) {
     CHECK(error.code() == ErrorCode::unwritable_output);
     return error.what();
@@ -176,14 +175,14 @@ TEST_CASE("meshes that 32-bit floats hold are taken") {
 
 TEST_CASE("a coordinate beyond a float's range is refused") {
   using Catch::Matchers::Contains;
-  CHECK_THAT(float_refusal(triangle(1e39, 0)), Contains("STL holds 32-bit floats") && Contains("too large"));
+  CHECK_THAT(float_refusal(triangle(1e39, 0)), Contains(".stl holds 32-bit floats") && Contains("too large"));
   CHECK_THAT(float_refusal(triangle(-1e39, 0)), Contains("too large"));
 }
 
 TEST_CASE("a mesh smaller than the step of floats is refused") {
   using Catch::Matchers::Contains;
-  CHECK_THAT(float_refusal(triangle(1, 1e9)),
-             Contains("smaller than the step between two of them") && Contains("choose PLY"));
+  CHECK_THAT(float_refusal(triangle(1, 1e9)), Contains("smaller than the step between two of them") &&
+                                                  Contains("choose .ply, .obj, .off, .coff, .vtp or .vtu"));
   CHECK_THAT(float_refusal(triangle(1e-40, 0)), Contains("smaller than the step between two of them"));
 }
 

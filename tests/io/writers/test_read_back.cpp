@@ -13,6 +13,7 @@
 #include <string>
 
 #include "gvd/diagram.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
 #include "io/fixture.hpp"
 #include "io/writers/format_writers.hpp"
@@ -129,7 +130,7 @@ TEST_CASE("VTP reads back with the same bits, without the points of bisectors") 
       LabelledMesh written{mesh};
       if (with_diagram) written.diagram = &diagram;
       std::ostringstream out;
-      write_mesh(out, written, OutputFormat::vtp);
+      write_mesh(out, written, MeshFormat::vtp);
       const CheckedMesh back = build_mesh(parse_soup(out.str(), MeshFormat::vtp, "file"), DefectPolicy::error);
       REQUIRE(back.mesh.vertex_count() == mesh.vertex_count());
       REQUIRE(back.mesh.face_count() == mesh.face_count());
@@ -147,7 +148,7 @@ TEST_CASE("GLB reads back with the same faces, in their order") {
     LabelledMesh written{mesh};
     written.face_label = &label;
     std::ostringstream out;
-    write_mesh(out, written, OutputFormat::glb);
+    write_mesh(out, written, MeshFormat::glb);
     const PolygonSoup soup = parse_soup(out.str(), MeshFormat::glb, "file");
     REQUIRE(soup.polygon_count() == std::size_t(mesh.face_count()));
     std::map<std::array<double, 3>, VertexId> vertex_at;
@@ -177,7 +178,7 @@ TEST_CASE("OpenMesh finds the regions' colours in COFF and in an OBJ's materials
     INFO(file);
     const bool is_off = std::string_view(file) == "a.off";
     write_mesh(folder / file, labelled.view());
-    if (is_off) write_bytes(folder / file, to_bytes(labelled.view(), OutputFormat::coff));
+    if (is_off) write_bytes(folder / file, to_bytes(labelled.view(), MeshFormat::coff));
     std::array<int, 4> seen{};
     const Peer peer = read_peer(folder / file, true);
     for (const auto f : peer.faces()) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
 #include "io/fixture.hpp"
 #include "io/writers/format_writers.hpp"
@@ -49,7 +50,7 @@ TEST_CASE("a GLB far from the origin has its place as the translation of all nod
   IdVector<FaceId, GeneratorId> label;
   for (const FaceId f : mesh.faces()) label.push_back(diagram.vertex_label[mesh.vertices(f)[0]]);
   const LabelledMesh view = label_mesh(mesh, diagram, label);
-  const std::string bytes = to_bytes(view, OutputFormat::glb);
+  const std::string bytes = to_bytes(view, MeshFormat::glb);
   const nlohmann::json nodes = description(bytes)["nodes"];
   REQUIRE(nodes.size() == 2);
   CHECK(nodes[0]["translation"] == nodes[1]["translation"]);
@@ -68,7 +69,7 @@ TEST_CASE("a GLB far from the origin has its place as the translation of all nod
   double area = 0;
   for (const FaceId f : mesh.faces()) area += mesh.area(f);
   CHECK(area_of(soup) == Approx(area).epsilon(1e-6));
-  CHECK(!measure_position_loss(mesh, OutputFormat::glb).is_notable);
+  CHECK(!measure_position_loss(mesh, MeshFormat::glb).is_notable);
   // What was read is written with the same place.
   const Mesh again = build_mesh(soup, DefectPolicy::repair, "a.glb").mesh;
   CHECK(io::glb_translation(again) == io::glb_translation(mesh));
@@ -82,7 +83,7 @@ TEST_CASE("a GLB near the origin has no translation") {
   CHECK(io::glb_translation(triangle(-76)).isZero(0));
   CHECK(io::glb_translation(triangle(81)) == Vec3(80, 0, 0));
   CHECK(io::glb_translation(triangle(-90)) == Vec3(-92, 0, 0));
-  CHECK(!description(to_bytes(LabelledMesh{triangle(80)}, OutputFormat::glb))["nodes"][0].contains("translation"));
+  CHECK(!description(to_bytes(LabelledMesh{triangle(80)}, MeshFormat::glb))["nodes"][0].contains("translation"));
   for (const NamedMesh& named : small_family()) CHECK(io::glb_translation(named.mesh).isZero(0));
 }
 
@@ -132,7 +133,7 @@ TEST_CASE("the loss of 32-bit floats: how far vertices move, and the faces that 
     }
     collapsed += (at[1] - at[0]).cross(at[2] - at[0]).norm() == 0;
   }
-  for (const OutputFormat format : {OutputFormat::stl, OutputFormat::gifti_surface, OutputFormat::freesurfer_surface}) {
+  for (const MeshFormat format : {MeshFormat::stl, MeshFormat::gii, MeshFormat::fs}) {
     const PositionLoss loss = measure_position_loss(mesh, format);
     CHECK(loss.is_notable);
     CHECK(loss.farthest_move == Approx(moved));
@@ -145,12 +146,12 @@ TEST_CASE("the loss of 32-bit floats: how far vertices move, and the faces that 
 TEST_CASE("the loss of 32-bit floats is not told of ordinary meshes") {
   for (const NamedMesh& named : small_family()) {
     CAPTURE(named.name);
-    for (const OutputFormat format : {OutputFormat::stl, OutputFormat::glb, OutputFormat::gifti_surface}) {
+    for (const MeshFormat format : {MeshFormat::stl, MeshFormat::glb, MeshFormat::gii}) {
       CHECK(!measure_position_loss(named.mesh, format).is_notable);
     }
   }
   // A brain or a tooth in the coordinates of its scanner.
-  CHECK(!measure_position_loss(make_field({120, -300, 45}), OutputFormat::stl).is_notable);
+  CHECK(!measure_position_loss(make_field({120, -300, 45}), MeshFormat::stl).is_notable);
 }
 
 }  // namespace gvd::test_single_precision

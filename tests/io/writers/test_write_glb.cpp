@@ -58,7 +58,7 @@ using Corner = std::array<float, 3>;
 
 TEST_CASE("a labelled GLB is one primitive, whose vertices have the labels of their faces and the colours of these") {
   const Labelled labelled;
-  const Glb glb(to_bytes(labelled.view(), OutputFormat::glb));
+  const Glb glb(to_bytes(labelled.view(), MeshFormat::glb));
   CHECK(glb.json["asset"]["version"] == "2.0");
   CHECK(glb.json["scenes"][0]["nodes"] == Json({0, 1}));
   REQUIRE(glb.json["meshes"][0]["primitives"].size() == 1);
@@ -91,7 +91,7 @@ TEST_CASE("a labelled GLB is one primitive, whose vertices have the labels of th
 
 TEST_CASE("the vertices of a GLB lie within the bounds that it names, and all are used") {
   const Labelled labelled;
-  const Glb glb(to_bytes(labelled.view(), OutputFormat::glb));
+  const Glb glb(to_bytes(labelled.view(), MeshFormat::glb));
   const Json& primitive = glb.json["meshes"][0]["primitives"][0];
   const auto index = primitive["attributes"]["POSITION"].get<std::size_t>();
   const auto values = glb.get<float>(index);
@@ -117,7 +117,7 @@ TEST_CASE("a GLB of 2,000 regions has two primitives") {
   view.face_label = &label;
   view.diagram = &small.diagram;
   view.diagram_mesh = &small.mesh;
-  const Glb glb(to_bytes(view, OutputFormat::glb));
+  const Glb glb(to_bytes(view, MeshFormat::glb));
   std::size_t primitives = 0;
   for (const Json& item : glb.json["meshes"]) primitives += item["primitives"].size();
   CHECK(primitives == 2);
@@ -128,7 +128,7 @@ TEST_CASE("a GLB of 2,000 regions has two primitives") {
 
 TEST_CASE("the normals of a GLB have length 1 and point out of the surface") {
   const Labelled labelled;
-  const Glb glb(to_bytes(labelled.view(), OutputFormat::glb));
+  const Glb glb(to_bytes(labelled.view(), MeshFormat::glb));
   for (const Json& primitive : glb.json["meshes"][0]["primitives"]) {
     const auto normals = glb.get<float>(primitive["attributes"]["NORMAL"].get<std::size_t>());
     CHECK(normals.size() == glb.get<float>(primitive["attributes"]["POSITION"].get<std::size_t>()).size());
@@ -141,7 +141,7 @@ TEST_CASE("the normals of a GLB have length 1 and point out of the surface") {
 
 TEST_CASE("the bisectors of a GLB are line segments") {
   const Labelled labelled;
-  const Glb glb(to_bytes(labelled.view(), OutputFormat::glb));
+  const Glb glb(to_bytes(labelled.view(), MeshFormat::glb));
   const Json& primitive = glb.json["meshes"][1]["primitives"][0];
   CHECK(primitive["mode"] == 1);
   CHECK(glb.get<std::uint32_t>(primitive["indices"].get<std::size_t>()) ==
@@ -150,7 +150,7 @@ TEST_CASE("the bisectors of a GLB are line segments") {
 }
 
 TEST_CASE("a plain GLB is one grey surface") {
-  const Glb glb(to_bytes(LabelledMesh{make_sphere(1)}, OutputFormat::glb));
+  const Glb glb(to_bytes(LabelledMesh{make_sphere(1)}, MeshFormat::glb));
   CHECK(glb.json["meshes"].size() == 1);
   CHECK(glb.json["meshes"][0]["primitives"].size() == 1);
   CHECK(glb.json["materials"][0]["name"] == "surface");

@@ -29,7 +29,7 @@ TEST_CASE("an OBJ keeps doubles, and its bisectors come as lines with their own 
   const Labelled labelled;
   std::vector<Vec3> points;
   std::vector<std::vector<std::size_t>> lines;
-  for (const auto& words : read_words(to_bytes(labelled.view(), OutputFormat::obj))) {
+  for (const auto& words : read_words(to_bytes(labelled.view(), MeshFormat::obj))) {
     if (words[0] == "v") points.emplace_back(number(words.at(1)), number(words.at(2)), number(words.at(3)));
     if (words[0] != "l") continue;
     auto& line = lines.emplace_back();
@@ -45,7 +45,7 @@ TEST_CASE("an OBJ keeps doubles, and its bisectors come as lines with their own 
 }
 
 TEST_CASE("a stream's OBJ names groups, and no materials that it can't carry") {
-  const std::string text = to_bytes(Labelled().view(), OutputFormat::obj);
+  const std::string text = to_bytes(Labelled().view(), MeshFormat::obj);
   CHECK(text.find("g region_0\nf ") != std::string::npos);
   CHECK(text.find("mtl") == std::string::npos);
 }
@@ -56,7 +56,7 @@ TEST_CASE("a cut mesh draws the bisectors on the mesh that they belong to") {
   LabelledMesh view{other};
   view.diagram = &labelled.diagram;
   view.diagram_mesh = &labelled.mesh;
-  const auto words = read_words(to_bytes(view, OutputFormat::obj));
+  const auto words = read_words(to_bytes(view, MeshFormat::obj));
   const auto first = position(labelled.mesh, labelled.diagram.bisectors[BisectorId(0)].points[0]);
   CHECK(words.at(4) == std::vector<std::string>{"o", "bisectors"});
   CHECK(words.at(5) == std::vector<std::string>{"g", "bisectors"});

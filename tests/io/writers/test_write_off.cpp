@@ -11,8 +11,8 @@ using namespace test;
 
 TEST_CASE("an OFF has no colours, whatever labels there are") {
   const Labelled labelled;
-  const std::string text = to_bytes(labelled.view(), OutputFormat::off);
-  CHECK(text == to_bytes(LabelledMesh{labelled.mesh}, OutputFormat::off));
+  const std::string text = to_bytes(labelled.view(), MeshFormat::off);
+  CHECK(text == to_bytes(LabelledMesh{labelled.mesh}, MeshFormat::off));
   CHECK(text.starts_with("OFF\n20 24 "));
   CHECK(std::count(text.begin(), text.end(), '\n') == 2 + 20 + 24);
   CHECK(std::count(text.begin(), text.end(), ' ') == 2 + 20 * 2 + 24 * 3);
@@ -20,7 +20,7 @@ TEST_CASE("an OFF has no colours, whatever labels there are") {
 
 TEST_CASE("a coloured OFF has colours behind each vertex and face") {
   const Labelled labelled;
-  std::istringstream text(to_bytes(labelled.view(), OutputFormat::coff));
+  std::istringstream text(to_bytes(labelled.view(), MeshFormat::coff));
   std::string header;
   int vertices = 0, faces = 0, edges = 0;
   text >> header >> vertices >> faces >> edges;
@@ -54,7 +54,7 @@ TEST_CASE("without labels of vertices a coloured OFF takes those of a face besid
   const Labelled labelled;
   LabelledMesh view{labelled.mesh};
   view.face_label = &labelled.face_label;
-  std::istringstream text(to_bytes(view, OutputFormat::coff));
+  std::istringstream text(to_bytes(view, MeshFormat::coff));
   std::string line;
   for (int i = 0; i < 3; ++i) std::getline(text, line);
   const FaceId beside = Mesh::face(labelled.mesh.halfedge(VertexId(0)));

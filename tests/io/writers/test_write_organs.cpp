@@ -20,9 +20,9 @@ using Catch::Matchers::Contains;
 
 TEST_CASE("surfaces of GIFTI and FreeSurfer come back with the same faces and the nearest floats") {
   for (const auto& [name, mesh] : small_family()) {
-    for (const auto& [output, input] : {std::pair(OutputFormat::gifti_surface, MeshFormat::gii),
-                                        std::pair(OutputFormat::freesurfer_surface, MeshFormat::fs)}) {
-      INFO(name << " " << name_in(kMeshFormatNames, input));
+    for (const auto& [output, input] :
+         {std::pair(MeshFormat::gii, MeshFormat::gii), std::pair(MeshFormat::fs, MeshFormat::fs)}) {
+      INFO(name << " " << name_in(input_format_names(), input));
       const PolygonSoup soup = parse_soup(to_bytes(LabelledMesh{mesh}, output), input, "file");
       CHECK(soup.notes.empty());
       const CheckedMesh back = build_mesh(soup, DefectPolicy::error);
@@ -37,7 +37,7 @@ TEST_CASE("surfaces of GIFTI and FreeSurfer come back with the same faces and th
 
 TEST_CASE("the table of labels has the colours of the regions, and ??? for none") {
   const Labelled labelled;
-  const std::string gifti = to_bytes(labelled.view(), OutputFormat::gifti_labels);
+  const std::string gifti = to_bytes(labelled.view(), MeshFormat::label_gii);
   CHECK_THAT(gifti, Contains("<Label Key=\"0\"") && Contains("Alpha=\"0\"><![CDATA[???]]>"));
   const std::vector<Rgb> colors = region_colors(labelled.view());
   for (std::size_t label = 0; label < 3; ++label) {
@@ -57,7 +57,7 @@ TEST_CASE("an annotation has another colour for each region, near that of the re
   for (const VertexId v : mesh.vertices()) labels.push_back(GeneratorId(v.value() < kRegions ? v.value() : -1));
   LabelledMesh labelled{mesh};
   labelled.vertex_label = &labels;
-  const std::string bytes = to_bytes(labelled, OutputFormat::freesurfer_labels);
+  const std::string bytes = to_bytes(labelled, MeshFormat::annot);
   const auto number = [&](std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::uint8_t(bytes[at + i]);
@@ -89,31 +89,30 @@ TEST_CASE("a row of distances is an array of GIFTI") {
 
 TEST_CASE("formats of labels or distances need them, and floats must hold the mesh") {
   const Mesh mesh = make_grid(2, 2);
-  const auto refused = [&](OutputFormat format) { return refusal([&] { to_bytes(LabelledMesh{mesh}, format); }); };
-  CHECK(refused(OutputFormat::gifti_labels) ==
+  const auto refused = [&](MeshFormat format) { return refusal([&] { to_bytes(LabelledMesh{mesh}, format); }); };
+  CHECK(refused(MeshFormat::label_gii) ==
         ".label.gii holds labels of vertices, and there are none; choose another format");
-  CHECK_THAT(refused(OutputFormat::freesurfer_labels), Contains(".annot holds labels"));
-  CHECK_THAT(refused(OutputFormat::gifti_values), Contains(".shape.gii holds distances of vertices"));
-  CHECK_THAT(refused(OutputFormat::freesurfer_values), Contains(".curv holds distances of vertices"));
+  CHECK_THAT(refused(MeshFormat::annot), Contains(".annot holds labels"));
+  CHECK_THAT(refused(MeshFormat::shape_gii), Contains(".shape.gii holds distances of vertices"));
+  CHECK_THAT(refused(MeshFormat::curv), Contains(".curv holds distances of vertices"));
   std::vector<Vec3> far = mesh.positions();
   for (Vec3& p : far) p *= 1e39;
   std::vector<std::array<VertexId, 3>> faces;
   for (const FaceId f : mesh.faces()) faces.push_back(mesh.vertices(f));
   const Mesh distant(far, faces);
-  CHECK_THAT(
-      refusal([&] { to_bytes(LabelledMesh{distant}, OutputFormat::gifti_surface); }, ErrorCode::unwritable_output),
-      Contains("GIFTI holds 32-bit floats"));
+  CHECK_THAT(refusal([&] { to_bytes(LabelledMesh{distant}, MeshFormat::gii); }, ErrorCode::unwritable_output),
+             Contains(".surf.gii holds 32-bit floats"));
 }
 
 TEST_CASE("GIFTI's extensions have two parts") {
-  CHECK(output_format("a/lh.white.surf.gii") == OutputFormat::gifti_surface);
-  CHECK(output_format("lh.white.gii") == OutputFormat::gifti_surface);
-  CHECK(output_format("A.LABEL.GII") == OutputFormat::gifti_labels);
-  CHECK(output_format("a.shape.gii") == OutputFormat::gifti_values);
-  CHECK(output_format("a.func.gii") == OutputFormat::gifti_values);
-  CHECK(output_format("lh.annot") == OutputFormat::freesurfer_labels);
-  CHECK(output_format("lh.white.fs") == OutputFormat::freesurfer_surface);
-  CHECK(parse_output_format("gii") == OutputFormat::gifti_surface);
+  CHECK(output_format("a/lh.white.surf.gii") == MeshFormat::gii);
+  CHECK(output_format("lh.white.gii") == MeshFormat::gii);
+  CHECK(output_format("A.LABEL.GII") == MeshFormat::label_gii);
+  CHECK(output_format("a.shape.gii") == MeshFormat::shape_gii);
+  CHECK(output_format("a.func.gii") == MeshFormat::shape_gii);
+  CHECK(output_format("lh.annot") == MeshFormat::annot);
+  CHECK(output_format("lh.white.fs") == MeshFormat::fs);
+  CHECK(parse_output_format("gii") == MeshFormat::gii);
   CHECK(format_extension("a.ply.gii/b.obj") == "obj");
 }
 

@@ -31,7 +31,7 @@ GeneratorId take_label(const std::string& bytes, std::size_t& offset) {
 
 TEST_CASE("a labelled PLY has the contract's properties, bit for bit") {
   const Labelled labelled;
-  const std::string bytes = to_bytes(labelled.view(), OutputFormat::ply);
+  const std::string bytes = to_bytes(labelled.view(), MeshFormat::ply);
   std::size_t offset = 0;
   CHECK(read_header(bytes, offset) == std::vector<std::string>{"ply",
                                                                "format binary_little_endian 1.0",
@@ -74,7 +74,7 @@ TEST_CASE("what nothing reaches is -1 and infinite in a PLY") {
   LabelledMesh view{labelled.mesh};
   view.vertex_distance = &labelled.diagram.vertex_distance;
   view.vertex_label = &labelled.diagram.vertex_label;
-  const std::string bytes = to_bytes(view, OutputFormat::ply);
+  const std::string bytes = to_bytes(view, MeshFormat::ply);
   std::size_t offset = 0;
   read_header(bytes, offset);
   offset += 19 * 35 + 24;  // the last vertex, behind its coordinates
@@ -90,7 +90,7 @@ TEST_CASE("distances beyond a float's range are doubles in a PLY") {
     distance[VertexId(2)] = std::numeric_limits<double>::infinity();
     LabelledMesh view{labelled.mesh};
     view.vertex_distance = &distance;
-    const std::string bytes = to_bytes(view, OutputFormat::ply);
+    const std::string bytes = to_bytes(view, MeshFormat::ply);
     std::size_t offset = 0;
     CHECK(read_header(bytes, offset)[6] == "property double distance");
     offset += 24;
@@ -105,9 +105,9 @@ TEST_CASE("distances beyond a float's range are doubles in a PLY") {
 TEST_CASE("a PLY as text has the same numbers as the binary one") {
   const Labelled labelled;
   LabelledMesh view = labelled.view();
-  const std::string binary = to_bytes(view, OutputFormat::ply);
+  const std::string binary = to_bytes(view, MeshFormat::ply);
   view.ascii_ply = true;
-  const std::string text = to_bytes(view, OutputFormat::ply);
+  const std::string text = to_bytes(view, MeshFormat::ply);
   std::size_t offset = 0, text_offset = 0;
   std::vector<std::string> binary_header = read_header(binary, offset);
   binary_header[1] = "format ascii 1.0";

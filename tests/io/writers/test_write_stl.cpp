@@ -13,7 +13,7 @@ Vec3 take_vector(const std::string& bytes, std::size_t& offset) {
 
 TEST_CASE("a binary STL has the size, normals and colours that it should") {
   const Labelled labelled;
-  const std::string bytes = to_bytes(labelled.view(), OutputFormat::stl);
+  const std::string bytes = to_bytes(labelled.view(), MeshFormat::stl);
   CHECK_FALSE(bytes.starts_with("solid"));
   std::size_t offset = 80;
   CHECK(take<std::uint32_t>(bytes, offset) == 24);
@@ -38,7 +38,7 @@ TEST_CASE("tiny and flat faces get a finite normal") {
                   {{VertexId(0), VertexId(1), VertexId(2)},
                    {VertexId(1), VertexId(0), VertexId(3)},
                    {VertexId(4), VertexId(5), VertexId(6)}});
-  const std::string bytes = to_bytes(LabelledMesh{mesh}, OutputFormat::stl);
+  const std::string bytes = to_bytes(LabelledMesh{mesh}, MeshFormat::stl);
   std::size_t offset = 84;
   CHECK(take_vector(bytes, offset) == Vec3(0, 0, 1));
   offset = 84 + 50;

@@ -84,7 +84,7 @@ class Vtp {
 
 TEST_CASE("a labelled VTP carries faces, bisectors and their arrays") {
   const Labelled labelled;
-  const Vtp vtp(to_bytes(labelled.view(), OutputFormat::vtp));
+  const Vtp vtp(to_bytes(labelled.view(), MeshFormat::vtp));
   CHECK(vtp.attribute("VTKFile", "type") == "PolyData");
   CHECK(vtp.attribute("VTKFile", "header_type") == "UInt64");
   CHECK(vtp.attribute("Piece", "NumberOfPoints") == "29");
@@ -111,7 +111,7 @@ TEST_CASE("a labelled VTP carries faces, bisectors and their arrays") {
 
 TEST_CASE("points and distances of a VTP are doubles, bit for bit") {
   const Labelled labelled;
-  const Vtp vtp(to_bytes(labelled.view(), OutputFormat::vtp));
+  const Vtp vtp(to_bytes(labelled.view(), MeshFormat::vtp));
   const auto points = vtp.get<double>("Points/Points", "Float64");
   const auto distance = vtp.get<double>("PointData/Distance", "Float64");
   const auto label = vtp.get<std::int32_t>("PointData/Label", "Int32");
@@ -136,7 +136,7 @@ TEST_CASE("points and distances of a VTP are doubles, bit for bit") {
 }
 
 TEST_CASE("a plain VTP has neither data nor lines") {
-  const Vtp vtp(to_bytes(LabelledMesh{make_sphere(0)}, OutputFormat::vtp));
+  const Vtp vtp(to_bytes(LabelledMesh{make_sphere(0)}, MeshFormat::vtp));
   CHECK(vtp.attribute("Piece", "NumberOfLines") == "0");
   CHECK_FALSE(vtp.has("CellData/Label"));
   CHECK_FALSE(vtp.has("CellData/Left"));
@@ -146,7 +146,7 @@ TEST_CASE("a plain VTP has neither data nor lines") {
 
 TEST_CASE("a VTU has the faces first, then each segment of the bisectors as a cell") {
   const Labelled labelled;
-  const Vtp vtu(to_bytes(labelled.view(), OutputFormat::vtu));
+  const Vtp vtu(to_bytes(labelled.view(), MeshFormat::vtu));
   CHECK(vtu.attribute("VTKFile", "type") == "UnstructuredGrid");
   CHECK(vtu.attribute("Piece", "NumberOfPoints") == "29");
   CHECK(vtu.attribute("Piece", "NumberOfCells") == "30");
@@ -167,7 +167,7 @@ TEST_CASE("a VTU has the faces first, then each segment of the bisectors as a ce
   CHECK(std::vector(left.begin() + 22, left.end()) == std::vector<std::int32_t>{-1, -1, 0, 0, 1, 2, 2, 2});
   CHECK(std::vector(label.begin() + 24, label.end()) == std::vector<std::int32_t>(6, -1));
   // Points and what they carry are those of a VTP.
-  const Vtp vtp(to_bytes(labelled.view(), OutputFormat::vtp));
+  const Vtp vtp(to_bytes(labelled.view(), MeshFormat::vtp));
   CHECK(vtu.get<double>("Points/Points", "Float64") == vtp.get<double>("Points/Points", "Float64"));
   CHECK(vtu.get<std::int32_t>("PointData/Label", "Int32") == vtp.get<std::int32_t>("PointData/Label", "Int32"));
 }

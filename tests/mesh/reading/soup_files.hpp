@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "gvd/error.hpp"
+#include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
 #include "support/catch.hpp"
 

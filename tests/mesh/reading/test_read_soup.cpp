@@ -84,7 +84,7 @@ struct CommaNumbers : std::numpunct<char> {
 TEST_CASE("the format is detected by content first, then by extension") {
   for (const auto& [format, bytes] : samples()) {
     for (const std::string name : {"a.obj", "a.OFF", "a.ply", "a.stl", "a", "a.b/c", "a.txt"}) {
-      INFO(name << " " << name_in(kMeshFormatNames, format));
+      INFO(name << " " << name_in(input_format_names(), format));
       CHECK(detect_format(bytes, name) == format);
     }
   }
@@ -103,9 +103,8 @@ TEST_CASE("files are read whatever their extension, and refused with the reason"
   CHECK_THROWS_WITH(read_soup(file.path(), MeshFormat::off), Catch::Matchers::Contains("should be OFF, and is 'ply'"));
   require_file_refused(TemporaryFile("a.off", "").path(), "the file is empty");
   require_file_refused(TemporaryFile("a.txt", "hello\n").path(),
-                       "neither the name nor the content is that of an OBJ, PLY, OFF, STL, VTP, VTU, VTK, glTF, GIFTI, "
-                       "MNI or FreeSurfer "
-                       "file; name the format");
+                       "neither the name nor the content is that of a PLY, OBJ, OFF, STL, VTP, VTU, VTK, GLB, glTF, "
+                       "GIFTI, MNI or FreeSurfer file; name the format");
   for (const char* name : {"a.obj", "a.obj.gz", "gz"}) {
     require_file_refused(TemporaryFile(name, "\x1f\x8b\x08").path(), "gzip's data end after 0 unpacked bytes");
     require_file_refused(TemporaryFile(name, "PK\x03\x04").path(), "the file is compressed by zip; unpack it first");
@@ -146,7 +145,7 @@ TEST_CASE("numbers are the same in any locale") {
 TEST_CASE("a file cut off at any byte is read or refused") {
   for (const auto& [format, bytes] : samples()) {
     for (std::size_t size = 0; size < bytes.size(); ++size) {
-      INFO(name_in(kMeshFormatNames, format) << " cut off at " << size);
+      INFO(name_in(input_format_names(), format) << " cut off at " << size);
       read_anything(bytes.substr(0, size), format);
       // Formats with counts in the header notice every missing byte but the last line break.
       if (format != MeshFormat::obj && size + 1 < bytes.size() && size + 24 < bytes.size()) {
@@ -180,7 +179,7 @@ TEST_CASE("a file with changed bytes is read or refused") {
         }
         if (changed.empty()) changed.assign(1, ' ');
       }
-      INFO(name_in(kMeshFormatNames, format) << " " << changed);
+      INFO(name_in(input_format_names(), format) << " " << changed);
       read_anything(changed, format);
     }
   }
@@ -218,8 +217,8 @@ TEST_CASE("check_counts: as many vertices and polygons as 32-bit ids can count, 
 TEST_CASE("mesh format: names and extensions, upper or lower case") {
   for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off, MeshFormat::stl, MeshFormat::vtp,
                                   MeshFormat::vtu, MeshFormat::vtk, MeshFormat::glb, MeshFormat::gltf}) {
-    CHECK(format_from_extension(name_in(kMeshFormatNames, format)) == format);
-    CHECK(format_from_extension("a.b/model." + std::string(name_in(kMeshFormatNames, format))) == format);
+    CHECK(format_from_extension(name_in(input_format_names(), format)) == format);
+    CHECK(format_from_extension("a.b/model." + std::string(name_in(input_format_names(), format))) == format);
   }
   CHECK(format_from_extension("MODEL.OBJ") == MeshFormat::obj);
   CHECK(format_from_extension("model.obj.gz") == MeshFormat::obj);

@@ -37,7 +37,7 @@ TEST_CASE("gzip: every format is read through it, in one member or in several, w
                                       {MeshFormat::vtp, kVtp},
                                       {MeshFormat::vtk, kVtk},
                                       {MeshFormat::glb, glb_of(glb_description(1), glb_numbers())}}) {
-    INFO(name_in(kMeshFormatNames, format));
+    INFO(name_in(input_format_names(), format));
     require_tetrahedron(parse_soup(pack(bytes), format, "file"));
     const std::string parts = pack(bytes.substr(0, 50)) + pack("") + pack(bytes.substr(50)) + std::string(100, '\0');
     require_tetrahedron(parse_soup(parts, format, "file"));
@@ -102,7 +102,7 @@ TEST_CASE("utf-16: every text format is read and told apart in both orders of by
                                       {MeshFormat::mni, kMni},
                                       {MeshFormat::gii, replaced(kGifti, "UTF-8", "UTF-16")}}) {
     for (const bool big : {false, true}) {
-      INFO(name_in(kMeshFormatNames, format) << big);
+      INFO(name_in(input_format_names(), format) << big);
       const std::string wide = utf16(bytes, big);
       CHECK(detect_format(wide, "a.txt") == format);
       require_tetrahedron(parse_soup(wide, format, "file"));

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "gvd/read_soup.hpp"
 #include "mesh/reading/soup_files.hpp"
 #include "support/meshes.hpp"
 
@@ -82,7 +83,7 @@ TEST_CASE("without welding, a note counts the open edges that it would close") {
   CHECK(checked.defects.closable_edges == 2);
   CHECK(checked.defects.messages ==
         std::vector<std::string>{"2 boundary vertices are at the position of another one: not joined, the surface is "
-                                 "open there; welding would close 2 open edges"});
+                                 "open there; {option:weld} would close 2 open edges"});
 }
 
 TEST_CASE("a tolerance joins pairs up to it, and no others") {

@@ -31,7 +31,7 @@ typedef enum gvd_status {
   GVD_NO_VALID_RESULT = 5,   /* no valid result exists */
   GVD_UNWRITABLE_OUTPUT = 6, /* a file could not be written */
   GVD_INTERNAL_ERROR = 70,   /* a fault of the library */
-  GVD_INTERRUPTED = 130      /* the progress callback asked to stop */
+  GVD_INTERRUPTED = 130      /* the progress callback or the flag `cancel` asked to stop */
 } gvd_status;
 
 /* What went wrong in the last call of this thread that failed, where, and what to do; valid until the next one fails.
@@ -46,12 +46,71 @@ typedef struct gvd_run {
   /* Called by the calling thread with the name of a step and the fraction of it that is done; 0 cancels. May be NULL.
    */
   int (*progress)(void* data, const char* step, double fraction);
-  void* data; /* for `progress` */
+  void* data; /* for `progress` and `note` */
+  /* Cancels the call once it is not 0: any thread may set it. May be NULL. */
+  const int32_t* cancel;
+  /* Called by the calling thread with what users should not miss, a line each. May be NULL. */
+  void (*note)(void* data, const char* text);
 } gvd_run;
+
+/* ---- Objects, and operations on them ---- */
+
+/* A mesh, a diagram, or the result of an operation. It keeps alive what it was made of, and never changes. */
+typedef struct gvd_object gvd_object;
+
+/* Objects may be released in any order. NULL is released, too. */
+GVD_API void gvd_release(gvd_object* object);
+
+enum {
+  GVD_INT8 = 0,
+  GVD_UINT8 = 1,
+  GVD_INT16 = 2,
+  GVD_UINT16 = 3,
+  GVD_INT32 = 4,
+  GVD_UINT32 = 5,
+  GVD_INT64 = 6,
+  GVD_UINT64 = 7,
+  GVD_FLOAT32 = 8,
+  GVD_FLOAT64 = 9
+};
+typedef int32_t gvd_type; /* one of the constants above */
+
+/* Numbers in somebody's memory, in one or two dimensions. */
+typedef struct gvd_array {
+  const void* data;
+  gvd_type type;
+  int32_t dimensions; /* 1 or 2 */
+  int64_t shape[2];
+  int64_t strides[2]; /* bytes from one element to the next; may be negative */
+} gvd_array;
+
+/* The number of this interface. It changes where a program has to be compiled again. */
+#define GVD_ABI 1
+
+/* Runs an operation on a mesh, or on a diagram (gvd_describe() says which). `abi`: GVD_ABI. `options`: a JSON object,
+ * as {"count": 30, "density": {"array": 0}}, where
+ * {"array": 0} is the first one of `arrays`; NULL: none. Numbers may be strings: JSON has no infinity. `arrays`:
+ * `count` of them, which the call reads and does not keep; NULL where there is none. gvd_describe() has the operations
+ * and their options. */
+GVD_API gvd_status gvd_call(int32_t abi, const char* operation, const gvd_object* on, const char* options,
+                            const gvd_array* arrays, int32_t count, const gvd_run* run, gvd_object** result);
+/* An array of an object, by the name that gvd_describe() has. It lives as long as the object. What the object lacks is
+ * an array of length 0. Points are two arrays, NAME_faces and NAME_bary; curves have NAME_offsets, too: the place of
+ * the first point of each, and the number of all. */
+GVD_API gvd_status gvd_array_of(const gvd_object* object, const char* name, gvd_array* view);
+/* A part of an object, such as the diagram of a result; to be released by itself. */
+GVD_API gvd_status gvd_object_of(const gvd_object* object, const char* name, gvd_object** part);
+/* The figures of an object as JSON, and of a result its options and notes. Lives as long as the object. */
+GVD_API const char* gvd_figures(const gvd_object* object);
+/* Writes what an object is, as the command writes it with -o: by the extension of the file. */
+GVD_API gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* run);
+/* The operations with their options and results, the kinds of objects and the formats, as JSON. */
+GVD_API const char* gvd_describe(void);
 
 /* ---- Meshes ---- */
 
-typedef struct gvd_mesh gvd_mesh;
+/* A mesh is an object of its own kind. */
+typedef gvd_object gvd_mesh;
 
 /* Reads a mesh file. Defects are repaired if `repair` is not 0, where no part of the surface is lost by that; otherwise
  * they are refused with GVD_PRECONDITION. */
@@ -76,7 +135,7 @@ GVD_API int32_t gvd_mesh_vertex_of_input(const gvd_mesh* mesh, int64_t vertex);
 GVD_API void gvd_mesh_vertices(const gvd_mesh* mesh, double* vertices);
 /* faces: 3 x face_count */
 GVD_API void gvd_mesh_faces(const gvd_mesh* mesh, int32_t* faces);
-/* Writes the mesh in the format of the extension: ply, obj, off, stl, vtp, vtu, glb, surf.gii or fs. */
+/* Writes the mesh in the format of the extension: ply, obj, off, coff, stl, vtp, vtu, glb, surf.gii or fs. */
 GVD_API gvd_status gvd_mesh_write(const gvd_mesh* mesh, const char* path);
 
 /* ---- Points of a surface ---- */
@@ -120,7 +179,8 @@ GVD_API void gvd_path_points(const gvd_path* path, gvd_point* points);
 
 /* ---- Voronoi diagrams and segmentations ---- */
 
-typedef struct gvd_diagram gvd_diagram;
+/* A diagram is an object of its own kind. */
+typedef gvd_object gvd_diagram;
 
 enum { GVD_EXACT = 0, GVD_GBGVD = 1, GVD_PAPER = 2 };
 typedef int32_t gvd_method; /* one of the constants above; any other number is GVD_INVALID_OPTION */

@@ -8,7 +8,7 @@
 
 #include "gvd/exact_field.hpp"
 #include "gvd/ids.hpp"
-#include "gvd/io/mesh_writer.hpp"
+#include "gvd/io/labelled_mesh.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"

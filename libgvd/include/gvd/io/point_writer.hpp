@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "gvd/mesh.hpp"
+#include "gvd/names.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
 
 /// The file formats of points on a surface.
 enum class PointFormat { ply, xyz, npy };
+inline const Choices<PointFormat> kPointFormatNames{
+    {"ply", PointFormat::ply}, {"xyz", PointFormat::xyz}, {"npy", PointFormat::npy}};
 
 /// The format of an extension, with or without its dot, in upper or lower case.
 std::optional<PointFormat> parse_point_format(std::string_view extension);

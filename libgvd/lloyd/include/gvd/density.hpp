@@ -14,6 +14,8 @@
 
 namespace gvd {
 
+struct ElementValues;
+
 /// A positive weight of the points of a surface, linear in each face. Where it is larger, cells become smaller: the
 /// cells of a minimum of the energy have about equal shares of it, so that their sizes go with density^(-1/4).
 struct Density {
@@ -34,6 +36,10 @@ Density make_vertex_density(const Mesh& mesh, const std::vector<double>& values)
 
 /// The density with a value in each face. Throws as `make_vertex_density` does. Cost: O(n).
 Density make_face_density(const Mesh& mesh, const std::vector<double>& values);
+
+/// The density of numbers for the elements of the input or of its mesh. A midpoint of a split edge has the mean of all
+/// vertices. Throws what make_vertex_density throws, with the title of the numbers in front. Cost: O(n).
+Density make_density(const CheckedMesh& input, const ElementValues& given);
 
 /// The density that `name` stands for: a file with a number for each vertex, or for each polygon, of the input; else
 /// the property of that name of `mesh_file`, a PLY file from which `input` was made (empty: none). Nothing where there

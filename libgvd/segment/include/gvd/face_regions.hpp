@@ -9,7 +9,7 @@
 
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
-#include "gvd/io/mesh_writer.hpp"
+#include "gvd/io/labelled_mesh.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/segment.hpp"
@@ -18,6 +18,8 @@
 
 // Diagrams inside given regions: no cell crosses the border of a region, and distances are those of paths inside it.
 namespace gvd {
+
+struct ElementValues;
 
 /// The region of each face, by a number from 0 on. A face with a negative number is left out: no generator reaches it.
 using FaceRegions = IdVector<FaceId, std::int32_t>;
@@ -48,6 +50,9 @@ void update_numbers(const FaceRegions& regions, FaceRegions& given);
 /// `read_element_values` throws.
 std::optional<SoupProperty> read_region_numbers(const CheckedMesh& input, const std::string& name,
                                                 const std::filesystem::path& mesh_file);
+
+/// Numbers of the elements of the input, or of its mesh, for those of its mesh: see `read_region_numbers`.
+SoupProperty to_region_numbers(const CheckedMesh& input, const ElementValues& given);
 
 /// A mesh whose regions do not touch.
 struct SeparatedMesh {

@@ -158,9 +158,9 @@ void check_crossings(const LevelSets& sets) {
     crossings += double(std::abs(levels_below[to] - levels_below[from]));
   }
   if (crossings <= kMostCrossings) return;
-  throw Error(ErrorCode::invalid_option,
-              fmt::format("the curves would cross edges {:.2g} times, more than {:.2g}; give fewer levels", crossings,
-                          kMostCrossings));
+  throw Error(ErrorCode::invalid_option, fmt::format("the curves would cross edges {:.2g} times, more than {:.2g}; "
+                                                     "give fewer levels",
+                                                     crossings, kMostCrossings));
 }
 
 void find_crossings(LevelSets& sets, const ParallelChunks& parallel) {

@@ -12,13 +12,16 @@
 
 #include "gvd/appearance.hpp"
 #include "gvd/ids.hpp"
+#include "gvd/io/distance_writer.hpp"
 #include "gvd/io/label_color.hpp"
-#include "gvd/io/mesh_writer.hpp"
+#include "gvd/io/labelled_mesh.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/text.hpp"
 #include "gvd/vec.hpp"
 
-// The writers that have a file of their own, and the elements of an output that several formats share. `write_mesh` has
-// checked the lengths of the arrays. Each writer throws Error{unwritable_output}.
+// The writers of the formats, and the elements of an output that several formats share. `write_mesh` has checked the
+// lengths of the arrays. Each writer throws Error{unwritable_output}, and those of labels, distances or diagrams alone
+// throw Error{invalid_option} where the mesh has none.
 namespace gvd::io {
 
 /// A mesh to be written, with the colours of its labels.
@@ -32,6 +35,21 @@ struct ColoredMesh : LabelledMesh {
 /// PLY, binary or text: positions as doubles, distances as floats where these hold them, labels, and their colours.
 void write_ply(std::ostream& stream, const ColoredMesh& mesh);
 
+/// OBJ: a group for each region, its texture coordinates and materials, and the bisectors and curves as lines. With the
+/// library of the regions' materials, where it has one: `material_library` is the name of its file.
+void write_obj(std::ostream& stream, const ColoredMesh& mesh);
+void write_obj_with_library(std::ostream& stream, const LabelledMesh& mesh, const std::string& material_library);
+
+/// The .mtl of an OBJ: one material for each region.
+void write_materials(std::ostream& stream, const ColoredMesh& mesh);
+
+/// OFF; and OFF with colours of vertices and faces where there are labels.
+void write_off(std::ostream& stream, const ColoredMesh& mesh);
+void write_coff(std::ostream& stream, const ColoredMesh& mesh);
+
+/// Binary STL, with the colours of labelled faces in their attributes.
+void write_stl(std::ostream& stream, const ColoredMesh& mesh);
+
 /// VTK PolyData in XML, arrays in Base64: faces with labels, bisectors and curves as lines.
 void write_vtp(std::ostream& stream, const ColoredMesh& mesh);
 
@@ -43,14 +61,19 @@ void write_vtu(std::ostream& stream, const ColoredMesh& mesh);
 void write_glb(std::ostream& stream, const ColoredMesh& mesh);
 
 /// GIFTI, arrays in Base64: positions as 32-bit floats and triangles; or the labels of vertices, with a table of their
-/// names and colours.
+/// names and colours; or their distances.
 void write_gifti_surface(std::ostream& stream, const ColoredMesh& mesh);
 void write_gifti_labels(std::ostream& stream, const ColoredMesh& mesh);
+void write_gifti_distances(std::ostream& stream, const ColoredMesh& mesh);
 
-/// FreeSurfer's surfaces of triangles, with 32-bit floats; and its annotations, version 2: a colour for each vertex,
-/// and a table of the regions.
+/// FreeSurfer's surfaces of triangles, with 32-bit floats; its annotations, version 2: a colour for each vertex, and a
+/// table of the regions; and distances of vertices as its values.
 void write_freesurfer_surface(std::ostream& stream, const ColoredMesh& mesh);
 void write_annotation(std::ostream& stream, const ColoredMesh& mesh);
+void write_freesurfer_distances(std::ostream& stream, const ColoredMesh& mesh);
+
+/// The diagram of the mesh as `gvd-diagram/1`.
+void write_diagram(std::ostream& stream, const ColoredMesh& mesh);
 
 /// A label of vertices as GIFTI and FreeSurfer have it: its number, from 1; 0 stands for no label.
 struct NumberedLabel {
@@ -65,10 +88,16 @@ inline std::int32_t label_number(GeneratorId label) { return label.valid() ? lab
 /// the vertices have. Throws Error{invalid_option} where the vertices have no labels; `format` is for the message.
 std::vector<NumberedLabel> number_labels(const ColoredMesh& mesh, std::string_view format);
 
-/// Throws Error{unwritable_output} where 32-bit floats can't hold the mesh: a coordinate is too large for one, or the
-/// whole mesh lies between two of them, relative to `origin`. `format` is the name of the file format, for the message.
-/// Cost: O(n).
-void check_single_precision(const Mesh& mesh, std::string_view format, const Vec3& origin = Vec3::Zero());
+/// The distances of the vertices, for formats that hold nothing else. Throws Error{invalid_option} where there are
+/// none; `format` is for the message.
+DistanceTable require_distances(const ColoredMesh& mesh, std::string_view format);
+
+/// Why 32-bit floats can't hold the mesh: a coordinate is too large for one, or the whole mesh lies between two of
+/// them, relative to `origin`. Empty where they can. Cost: O(n).
+std::string why_not_floats(const Mesh& mesh, const Vec3& origin);
+
+/// What 32-bit floats do to the positions of a mesh, relative to `origin`. Cost: O(n).
+PositionLoss measure_float_loss(const Mesh& mesh, const Vec3& origin);
 
 /// The point that the positions of a GLB are relative to: 0, or a point with floats as coordinates near the centre of a
 /// mesh that is so far from the origin that floats would damage it. Cost: O(n).
@@ -91,7 +120,9 @@ std::array<double, 3> to_linear(const Rgb& color);
 std::string npy_header(std::string_view type, const std::vector<std::size_t>& shape);
 
 /// An extension without its dot, in lower case.
-std::string bare_extension(std::string_view extension);
+inline std::string bare_extension(std::string_view extension) {
+  return to_lower(extension.substr(extension.starts_with('.') ? 1 : 0));
+}
 
 /// The faces of one label.
 struct Region {

@@ -7,11 +7,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <utility>
 
+#include "gvd/error.hpp"
 #include "gvd/surface_point.hpp"
 #include "io/writers/format_writers.hpp"
 #include "mesh/vertex_ring.hpp"
@@ -177,6 +180,20 @@ std::vector<NumberedLabel> number_labels(const ColoredMesh& mesh, std::string_vi
     table.push_back({label_number(GeneratorId(i)), region_name(GeneratorId(i)), mesh.colors[i]});
   }
   return table;
+}
+
+std::array<double, 3> to_linear(const Rgb& color) {
+  const auto linear = [](std::uint8_t channel) {
+    const double c = channel / 255.0;
+    return std::round(1e4 * (c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4))) / 1e4;
+  };
+  return {linear(color.red), linear(color.green), linear(color.blue)};
+}
+
+DistanceTable require_distances(const ColoredMesh& mesh, std::string_view format) {
+  if (mesh.vertex_distance != nullptr) return {.rows = {mesh.vertex_distance->raw()}};
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("{} holds distances of vertices, and there are none; choose another format", format));
 }
 
 ShadingVertices split_shading_vertices(const LabelledMesh& mesh) { return Splitter(mesh).run(); }

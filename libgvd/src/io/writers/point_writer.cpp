@@ -61,10 +61,7 @@ void write_npy(ByteWriter& out, const Mesh& mesh, const std::vector<SurfaceSampl
 }  // namespace
 
 std::optional<PointFormat> parse_point_format(std::string_view extension) {
-  const std::string bare = io::bare_extension(extension);
-  if (bare == "ply") return PointFormat::ply;
-  if (bare == "xyz") return PointFormat::xyz;
-  return bare == "npy" ? std::optional(PointFormat::npy) : std::nullopt;
+  return value_in(kPointFormatNames, io::bare_extension(extension));
 }
 
 void write_points(std::ostream& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples, PointFormat format) {

@@ -13,7 +13,7 @@
 #include <set>
 #include <tuple>
 
-#include "gvd/io/mesh_writer.hpp"
+#include "gvd/io/labelled_mesh.hpp"
 
 namespace gvd::io {
 namespace {

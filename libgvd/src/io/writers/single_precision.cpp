@@ -13,8 +13,6 @@
 #include <cmath>
 #include <limits>
 
-#include "gvd/error.hpp"
-#include "gvd/io/mesh_writer.hpp"
 #include "io/writers/format_writers.hpp"
 
 namespace gvd::io {
@@ -46,11 +44,6 @@ Eigen::AlignedBox3d bounding_box(const Mesh& mesh) {
 
 bool is_far(const Mesh& mesh) { return mesh.largest_coordinate() > kFarDiagonals * mesh.bbox_diagonal(); }
 
-/// The origin of the positions in a format.
-Vec3 origin_in(const Mesh& mesh, OutputFormat format) {
-  return format == OutputFormat::glb ? glb_translation(mesh) : Vec3(Vec3::Zero());
-}
-
 }  // namespace
 
 Vec3 glb_translation(const Mesh& mesh) {
@@ -67,20 +60,15 @@ Vec3 glb_translation(const Mesh& mesh) {
   return translation;
 }
 
-void check_single_precision(const Mesh& mesh, std::string_view format, const Vec3& origin) {
+std::string why_not_floats(const Mesh& mesh, const Vec3& origin) {
   const double largest = mesh.largest_coordinate();
-  const auto refuse = [&](const std::string& why) {
-    throw Error(ErrorCode::unwritable_output,
-                fmt::format("{} holds 32-bit floats, and {}; choose PLY, OBJ, OFF or VTP", format, why));
-  };
-  if (largest > SingleLimits::max()) refuse(fmt::format("the coordinate {} is too large for one", largest));
+  if (largest > SingleLimits::max()) return fmt::format("the coordinate {} is too large for one", largest);
   // The distance of neighbouring floats at the largest coordinate: a smaller mesh would collapse.
   const double local = origin.isZero(0) ? largest : largest_local_coordinate(mesh, origin);
   const double step = std::max<double>(local * SingleLimits::epsilon(), SingleLimits::min());
-  if (mesh.bbox_diagonal() <= step) {
-    refuse(fmt::format("a mesh of size {} at the coordinate {} is smaller than the step between two of them",
-                       mesh.bbox_diagonal(), largest));
-  }
+  if (mesh.bbox_diagonal() > step) return "";
+  return fmt::format("a mesh of size {} at the coordinate {} is smaller than the step between two of them",
+                     mesh.bbox_diagonal(), largest);
 }
 
 double largest_local_coordinate(const Mesh& mesh, const Vec3& origin) {
@@ -89,17 +77,8 @@ double largest_local_coordinate(const Mesh& mesh, const Vec3& origin) {
   return largest;
 }
 
-}  // namespace gvd::io
-
-namespace gvd {
-
-PositionLoss measure_position_loss(const Mesh& mesh, OutputFormat format) {
-  using io::Vec3f;
-  constexpr std::array kSingle{OutputFormat::stl, OutputFormat::glb, OutputFormat::gifti_surface,
-                               OutputFormat::freesurfer_surface};
+PositionLoss measure_float_loss(const Mesh& mesh, const Vec3& origin) {
   PositionLoss loss;
-  if (std::ranges::find(kSingle, format) == kSingle.end()) return loss;
-  const Vec3 origin = io::origin_in(mesh, format);
   double area = 0, damaged = 0;
   for (const FaceId f : mesh.faces()) {
     std::array<Vec3f, 3> rounded;
@@ -114,10 +93,10 @@ PositionLoss measure_position_loss(const Mesh& mesh, OutputFormat format) {
     if (mesh.area(f) > 0 && u.cross(v).isZero(0)) ++loss.collapsed_faces;
     const auto& length = mesh.shape(f).length;
     area += mesh.area(f);
-    if (moved > io::kDamagedEdge * (length[0] + length[1] + length[2]) / 3) damaged += mesh.area(f);
+    if (moved > kDamagedEdge * (length[0] + length[1] + length[2]) / 3) damaged += mesh.area(f);
   }
-  loss.is_notable = damaged > io::kDamagedShare * area;
+  loss.is_notable = damaged > kDamagedShare * area;
   return loss;
 }
 
-}  // namespace gvd
+}  // namespace gvd::io

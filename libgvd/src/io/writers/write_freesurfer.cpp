@@ -86,6 +86,10 @@ void write_annotation(std::ostream& stream, const ColoredMesh& labelled) {
   out.finish();
 }
 
+void write_freesurfer_distances(std::ostream& stream, const ColoredMesh& labelled) {
+  write_distances_freesurfer(stream, require_distances(labelled, ".curv"), labelled.mesh.face_count());
+}
+
 }  // namespace gvd::io
 
 namespace gvd {

@@ -91,6 +91,10 @@ void write_gifti_labels(std::ostream& stream, const ColoredMesh& labelled) {
   close_gifti(out);
 }
 
+void write_gifti_distances(std::ostream& stream, const ColoredMesh& labelled) {
+  write_distances_gifti(stream, require_distances(labelled, ".shape.gii"));
+}
+
 }  // namespace gvd::io
 
 namespace gvd {

@@ -71,7 +71,8 @@ std::optional<double> parse_double(std::string_view token) {
   return error == std::errc::result_out_of_range ? out_of_range_value(token) : value;
 }
 
-std::optional<std::int64_t> parse_integer(std::string_view token) {
+// Inlined whole: as a call, the conversion costs an OBJ 4 % of the instructions of reading it.
+[[gnu::flatten]] std::optional<std::int64_t> parse_integer(std::string_view token) {
   return parse_number<std::int64_t>(without_plus(token));
 }
 
@@ -174,6 +175,23 @@ void TextReader::refuse(const std::string& message, std::int64_t element) const 
 void TextReader::refuse_end(const std::string& message, std::int64_t element) const {
   throw Error(ErrorCode::unreadable_input,
               fmt::format("{}: the file ends after line {}, {}", name_, line_number_, message), element);
+}
+
+std::string first_word(std::string_view bytes) {
+  TextReader text(bytes.substr(0, 1 << 20), "", true);
+  return text.next_content_line() ? std::string(text.token()) : std::string();
+}
+
+bool is_xml_of(std::string_view bytes, std::string_view element) {
+  constexpr std::size_t kSearched = 4096;
+  bytes = bytes.substr(0, kSearched);
+  const std::size_t first = bytes.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  return first != bytes.npos && bytes[first] == '<' && bytes.find(element) != bytes.npos;
+}
+
+bool is_json(std::string_view bytes) {
+  const std::size_t first = bytes.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  return first != bytes.npos && bytes[first] == '{';
 }
 
 }  // namespace gvd

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gvd/mesh_property.hpp"
-#include "gvd/read_soup.hpp"
+#include "gvd/polygon_soup.hpp"
 #include "gvd/vec.hpp"
 
 namespace gvd {
@@ -178,6 +178,12 @@ std::vector<double> parse_annotation(std::string_view bytes, std::string_view na
 
 /// Whether an XML document's first element is this one, given as "<NAME". It is looked for in the first kilobytes.
 bool is_xml_of(std::string_view bytes, std::string_view element);
+
+/// The first word of the first line that is neither blank nor a comment, within the first megabyte.
+std::string first_word(std::string_view bytes);
+
+/// Unpacks the bytes of a gzip file, and decodes text in UTF-16; leaves others as they are.
+void unpack(std::string& bytes, std::string_view name);
 
 /// All bytes of a file, unpacked if gzip packed them, and in UTF-8 if they are text in UTF-16. Throws
 /// Error{unreadable_input} where that is not possible.

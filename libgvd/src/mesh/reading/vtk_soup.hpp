@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gvd/read_soup.hpp"
+#include "gvd/polygon_soup.hpp"
 #include "mesh/reading/stored_numbers.hpp"
 
 namespace gvd {

@@ -421,7 +421,8 @@ void DefectLog::add_asked(DefectKind kind, std::int64_t count, std::int64_t firs
 void DefectLog::add(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& what,
                     const std::string& action) {
   if (count == 0) return;
-  if (policy_ == DefectPolicy::error) refuse_soup(what + ": repair the mesh, or allow its repair", first);
+  if (policy_ == DefectPolicy::error)
+    refuse_soup(what + ": repair the mesh, or allow its repair with {option:on_defect=repair}", first);
   add_asked(kind, count, first, what + ": " + action);
 }
 
@@ -462,7 +463,7 @@ CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy, std::string
     return build_repaired(soup, policy);
   } catch (const Error& error) {
     if (name.empty()) throw;
-    throw Error(error.code(), fmt::format("{}: {}", name, error.what()), error.element());
+    throw error.at(name);
   }
 }
 

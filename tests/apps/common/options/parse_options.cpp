@@ -1,23 +1,49 @@
 #include "apps/common/options/parse_options.hpp"
 
-#include "common/options/register_options.hpp"
+#include "common/options/command_line.hpp"
+#include "common/options/shared_options.hpp"
+#include "common/options/spelling.hpp"
+#include "gvd/diagram_options.hpp"
 
 namespace gvd::test {
 
-std::optional<std::string> parse_line(CLI::App& app, const std::vector<std::string>& arguments,
-                                      const std::vector<app::ValueRule>& rules) {
-  std::vector<const char*> argv{"gvd-test"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return app::parse_command_line(app, rules, static_cast<int>(argv.size()), argv.data());
+SharedLine::SharedLine() {
+  app::describe_input(list, options.input);
+  describe(list, options.generators);
+  app::describe_generators_format(list, options.input);
+  describe(list, options.diagram);
+  app::describe_resources(list, options.compute);
+  app::describe_verify(list, options.compute);
+  app::describe_output(list, options.output, kFormats, "ply");
+  app::describe_no_curves(list, options.output);
+  app::describe_diagram_output(list, options.output);
+  app::describe(list, options.general);
 }
 
-app::Options parse_options(const std::vector<std::string>& arguments) {
-  CLI::App line("A test.", "gvd-test");
-  app::Options options;
-  const std::vector<app::ValueRule> rules = app::register_options(line, options, kFormats);
-  app::register_general(line, options, "gvd-test 1");
-  parse_line(line, arguments, rules);
-  return options;
+std::optional<std::string> SharedLine::parse(const std::vector<std::string>& arguments) {
+  auto answer = app::parse_command_line({"gvd-test", "A test.", "The footer.\n", "1"}, list, given, arguments);
+  if (!options.input.paths.empty()) options.input.path = options.input.paths.front();
+  return answer;
+}
+
+SharedOptions parse_options(const std::vector<std::string>& arguments) {
+  SharedLine line;
+  line.parse(arguments);
+  return line.options;
+}
+
+void check_line(const std::vector<std::string>& arguments, const app::OutputFormats& formats) {
+  SharedLine line;
+  check_line(line, arguments, formats);
+}
+
+void check_line(SharedLine& line, const std::vector<std::string>& arguments, const app::OutputFormats& formats) {
+  line.parse(arguments);
+  line.options.list = &line.list;
+  line.options.given = &line.given;
+  app::check_inputs(line.options, formats);
+  if (const auto missing = line.list.find_missing(line.given)) app::refuse_option(line.list, line.given, *missing);
+  app::check_outputs(line.options, formats);
 }
 
 }  // namespace gvd::test

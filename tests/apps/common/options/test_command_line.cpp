@@ -1,9 +1,8 @@
 // A command line with an option of each kind: what it stores, what it refuses, and its help.
 
-#include "apps/common/options/parse_options.hpp"
 #include "apps/run_command.hpp"
 #include "common/options/command_line.hpp"
-#include "common/options/typed_options.hpp"
+#include "options/toy_options.hpp"
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
 
@@ -13,261 +12,187 @@ using namespace app;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
-using gvd::test::parse_line;
+using Texts = std::vector<std::string>;
 
-/// A command line with an option of each kind, and what it stored.
-struct Fixture {
-  Fixture() {
-    line.set_help_flag();
-    line.footer("The footer.");
-    line.add_option("INPUT", inputs, "The input")->required()->type_name("");
-    const auto store = [this](const std::string& text) {
-      even = text;
-      return (text.back() - '0') % 2 == 0 ? "" : "'" + text + "' is odd";
-    };
-    add_parsed(line, "--even", "N", store, "An even number")->group("Numbers");
-    line.add_option("--other", other, "A text")->type_name("TEXT")->excludes("--even");
-    line.add_option("-f,--file", files, "Some files")->type_name("FILE")->allow_extra_args(false);
-    add_flag(line, "--flag", flag, "A flag")->group("Numbers")->needs("--even");
-    line.add_flag_callback(
-            "-h", [] { throw CLI::CallForHelp(); }, "Show the main options")
-        ->configurable(false);
-    line.add_flag_callback(
-            "--help", [] { throw CLI::CallForAllHelp(); }, "Show all options")
-        ->configurable(false);
-    line.set_version_flag("--version", "gvd-test 1.2", "Show the version");
-    line.set_config("--config", "", "More options")->check(CLI::ExistingFile)->each([this](const std::string& file) {
-      config = file;
-    });
+/// A toy command, and what it understood.
+struct Line : test::Toy {
+  Line() { app::describe(list, general); }
+
+  std::optional<std::string> parse(const Texts& words) {
+    return parse_command_line({"gvd-test", "A test.", "The footer.\n", "1.2"}, list, given, words);
+  }
+  std::string refusal(const Texts& words) {
+    return test::refusal([&] { parse(words); });
   }
 
-  std::string refusal(const std::vector<std::string>& arguments) {
-    return test::refusal([&] { parse_line(line, arguments); });
-  }
-
-  CLI::App line{"A test.", "gvd-test"};
-  std::string even, other, config;
-  std::vector<std::string> inputs, files;
-  bool flag = false;
+  GeneralOptions general;
+  Given given;
 };
 
+std::string refusal(const Texts& words) { return Line().refusal(words); }
+
+constexpr const char* kHint = " (see gvd-test --help)";
+
 TEST_CASE("values, lists and flags are stored") {
-  Fixture fixture;
-  CHECK(!parse_line(fixture.line, {"-f", "a", "in", "--file", "b", "--even", "4", "--flag"}));
-  CHECK(fixture.inputs == std::vector<std::string>{"in"});
-  CHECK(fixture.even == "4");
-  CHECK(fixture.files == std::vector<std::string>{"a", "b"});
-  CHECK(fixture.flag);
+  Line line;
+  CHECK(!line.parse({"-o", "a", "in", "--output", "b", "--count", "4", "--table", "t.csv", "--cut", "--no-refine"}));
+  CHECK(line.options.inputs == Texts{"in"});
+  CHECK(line.options.count == 4);
+  CHECK(line.options.outputs == Texts{"a", "b"});
+  CHECK(line.options.cut);
+  CHECK(!line.options.refine);
+  for (const char* name : {"input", "output", "count", "cut", "refine", "table"}) CHECK(line.given.has(name));
+  CHECK(!line.given.has("seed"));
 }
 
-TEST_CASE("a usage error names the option, what is wrong with it, and where the help is") {
-  CHECK(Fixture().refusal({"in", "--even", "3"}) == "--even: '3' is odd (see gvd-test --help)");
-  CHECK_THAT(Fixture().refusal({}), Contains("INPUT") && EndsWith("(see gvd-test --help)"));
-  CHECK_THAT(Fixture().refusal({"in", "--unknown"}), Contains("--unknown"));
-  CHECK(Fixture().refusal({"in", "--even", "2", "--other", "x"}) == "--even excludes --other (see gvd-test --help)");
-  CHECK(Fixture().refusal({"in", "--even", "4", "--flag", "--fiel", "x"}) ==
-        "unknown option: --fiel (did you mean --file?) (see gvd-test --help)");
-  CHECK(Fixture().refusal({"in", "--flag", "--evne", "4"}) ==
-        "unknown option: --evne (did you mean --even?) (see gvd-test --help)");
-  CHECK_THAT(Fixture().refusal({"in", "--flag"}), Contains("--flag") && Contains("--even"));
-  CHECK_THAT(Fixture().refusal({"in", "--even"}), Contains("--even"));
-  CHECK_THAT(Fixture().refusal({"in", "--config", "/nonexistent.toml"}), Contains("/nonexistent.toml"));
+TEST_CASE("a value may stand behind an equals sign or a letter, and flags may stand together") {
+  Line line;
+  CHECK(!line.parse({"-n5", "--output=a", "-vo", "b", "in", "--table=t.csv", "--cut=true", "more"}));
+  CHECK(line.options.count == 5);
+  CHECK(line.options.outputs == Texts{"a", "b"});
+  CHECK(line.general.verbose);
+  CHECK(line.options.cut);
+  CHECK(line.options.inputs == Texts{"in", "more"});
+  Line joined;
+  joined.parse({"in", "-qn7"});
+  CHECK((joined.general.quiet && joined.options.count == 7));
 }
 
-TEST_CASE("a value that is missing, there twice or of a wrong kind is told as such") {
-  CHECK(Fixture().refusal({"in", "--even"}) == "--even: 1 required N missing (see gvd-test --help)");
-  CHECK(Fixture().refusal({"in", "--even", "2", "--even", "4"}) ==
-        "--even: At Most 1 required but received 2 (see gvd-test --help)");
-  CHECK_THAT(Fixture().refusal({"in", "--flag=maybe"}), StartsWith("--flag: 'maybe' is neither true nor false"));
-  Fixture fixture;
-  CHECK(!parse_line(fixture.line, {"in", "--file=a"}));
-  CHECK(fixture.files == std::vector<std::string>{"a"});
+TEST_CASE("a value may begin with a dash, unless it is the name of an option") {
+  Line line;
+  CHECK(!line.parse({"in", "-o", "-", "--density", "-x", "-n", "3"}));
+  CHECK(line.options.outputs == Texts{"-"});
+  CHECK(line.options.density.name == "-x");
+  CHECK(refusal({"in", "--density", "-o", "eq.ply"}) ==
+        std::string("--density: its value is missing; write --density area|FILE|PROPERTY") + kHint);
+  CHECK(refusal({"in", "--density", "--output=eq.ply"}) ==
+        std::string("--density: its value is missing; write --density area|FILE|PROPERTY") + kHint);
+  CHECK(refusal({"in", "-n", "-1"}) == std::string("-n: '-1' is not a whole number from 1 to 2147483647") + kHint);
+  CHECK(refusal({"in", "--from", "-1"}) ==
+        std::string("--from: '-1' is not a vertex index; write indices from 0, as in 3,17,99") + kHint);
+}
+
+TEST_CASE("a name that may stand alone takes only what is surely its value") {
+  const auto weld = [](const Texts& words) {
+    Line line;
+    line.parse(words);
+    return std::pair(line.options.weld, line.options.inputs);
+  };
+  CHECK(weld({"--weld", "in"}) == std::pair(std::optional(0.0), Texts{"in"}));
+  CHECK(weld({"--weld", "0.5", "in"}) == std::pair(std::optional(0.5), Texts{"in"}));
+  CHECK(weld({"in", "--weld=0.5"}) == std::pair(std::optional(0.5), Texts{"in"}));
+  const auto page = [](const Texts& words) {
+    Line line;
+    line.parse(words);
+    return std::pair(line.options.unnamed_page ? "alone" : line.options.page, line.options.inputs);
+  };
+  CHECK(page({"in", "--page", "a.html"}) == std::pair(std::string("a.html"), Texts{"in"}));
+  CHECK(page({"--page", "a.html", "in"}) == std::pair(std::string("a.html"), Texts{"in"}));
+  CHECK(page({"--page", "in"}) == std::pair(std::string("alone"), Texts{"in"}));
+  CHECK(page({"in", "--page", "-q"}) == std::pair(std::string("alone"), Texts{"in"}));
+  CHECK(page({"in", "--page"}) == std::pair(std::string("alone"), Texts{"in"}));
+}
+
+TEST_CASE("a usage error names the option as it was typed, what is wrong with it, and where the help is") {
+  CHECK(refusal({"in", "-n", "2.5"}) == std::string("-n: '2.5' is not a whole number from 1 to 2147483647") + kHint);
+  CHECK(refusal({"in", "--count", "2.5"}) ==
+        std::string("--count: '2.5' is not a whole number from 1 to 2147483647") + kHint);
+  CHECK(refusal({"-n", "3"}) == std::string("INPUT is required") + kHint);
+  CHECK(refusal({"in", "-n", "2", "--radius", "1"}) == "-n and --radius exclude each other: keep one");
+  CHECK(refusal({"in", "--cut"}) == "--cut needs --table: add it, or leave --cut out");
+  CHECK(refusal({"in", "--colour", "red", "--front", "red"}) ==
+        "--front does nothing here: add --colour green, or leave --front out");
+  CHECK(refusal({"in", "--no-refine=maybe"}) == std::string("--no-refine: 'maybe' is neither true nor false") + kHint);
+}
+
+TEST_CASE("a value that is missing or there twice is told as such") {
+  CHECK(refusal({"in", "--table"}) == std::string("--table: its value is missing; write --table FILE.csv") + kHint);
+  CHECK(refusal({"in", "-n"}) == std::string("-n: its value is missing; write -n N") + kHint);
+  CHECK(refusal({"in", "-n", "2", "--count", "4"}) == std::string("-n: given twice; keep one") + kHint);
+  CHECK(refusal({"in", "--config"}) == std::string("--config: its value is missing; write --config FILE.toml") + kHint);
+  CHECK_THAT(refusal({"in", "--config", "/nonexistent.toml"}),
+             StartsWith("--config /nonexistent.toml: there is no such file that can be read"));
+  CHECK(refusal({"--print-completion"}) ==
+        std::string("--print-completion: its value is missing; write --print-completion bash|zsh|fish") + kHint);
+  CHECK(refusal({"--print-completion", "ksh"}) ==
+        std::string("--print-completion: 'ksh' is not one of bash|zsh|fish; did you mean zsh?") + kHint);
+}
+
+TEST_CASE("a flag that is turned off is as good as not given") {
+  Line off;
+  CHECK(!off.parse({"in", "--cut=false", "--no-refine=false"}));
+  CHECK((!off.options.cut && off.options.refine));
+  CHECK((!off.given.has("cut") && !off.given.has("refine")));
+  Line last;
+  CHECK(!last.parse({"in", "--cut", "--cut=no"}));
+  CHECK(!last.options.cut);
 }
 
 TEST_CASE("the name of a positional argument that is given as an option needs none") {
-  CHECK(Fixture().refusal({"--input", "in"}) ==
-        "unknown option: --input (INPUT needs no option in front) (see gvd-test --help)");
+  CHECK(refusal({"--input", "in"}) == std::string("unknown option: --input (INPUT needs no option in front)") + kHint);
 }
 
-TEST_CASE("unknown options are named in the order typed, each with the one that it may stand for") {
-  CHECK(Fixture().refusal({"in", "--evne", "2"}) ==
-        "unknown option: --evne (did you mean --even?) (see gvd-test --help)");
-  CHECK(
-      Fixture().refusal({"in", "--zzz", "--oter", "x", "--fiel=3"}) ==
-      "unknown options: --zzz, --oter (did you mean --other?), --fiel=3 (did you mean --file?) (see gvd-test --help)");
-  Fixture fixture;
-  CHECK(!parse_line(fixture.line, {"in", "more", "still"}));
-  CHECK(fixture.inputs == std::vector<std::string>{"in", "more", "still"});
+TEST_CASE("unknown options are named in the order typed, before all else that is wrong") {
+  CHECK(refusal({"in", "--cuont", "2"}) == std::string("unknown option: --cuont (did you mean --count?)") + kHint);
+  CHECK(refusal({"-n", "x", "--zzz", "--sed", "x", "--outptu=3"}) ==
+        std::string("unknown options: --zzz, --sed (did you mean --seed?), --outptu=3 (did you mean --output?)") +
+            kHint);
+  CHECK(refusal({"in", "-x"}) == std::string("unknown option: -x") + kHint);
 }
 
 TEST_CASE("after two dashes an argument may begin with a dash") {
-  Fixture fixture;
-  CHECK(!parse_line(fixture.line, {"--even", "4", "--", "-in"}));
-  CHECK(fixture.inputs == std::vector<std::string>{"-in"});
-  CHECK(!parse_line(fixture.line, {"--", "in", "--more"}));
-  CHECK(fixture.inputs == std::vector<std::string>{"in", "--more"});
+  Line line;
+  CHECK(!line.parse({"-n", "4", "--", "-in", "--more"}));
+  CHECK(line.options.inputs == Texts{"-in", "--more"});
 }
 
-TEST_CASE("help and version are answers, even where a required argument is missing") {
-  Fixture fixture;
-  CHECK(parse_line(fixture.line, {"--version"}) == "gvd-test 1.2\n");
-  const auto help = parse_line(fixture.line, {"--help"});
-  REQUIRE(help);
-  for (const char* part : {"A test.", "The footer.", "Usage: gvd-test [OPTIONS] INPUT...", "--even N",
-                           "-f, --file FILE", "Numbers:", "Some files"}) {
-    CHECK_THAT(*help, Contains(part));
-  }
-  const auto main = parse_line(fixture.line, {"-h"});
-  REQUIRE(main);
-  CHECK_THAT(*main, Contains("Usage: gvd-test [OPTIONS] INPUT...") &&
-                        Contains("All options, and examples: gvd-test --help") && !Contains("--even"));
+TEST_CASE("a question is answered whatever else is wrong") {
+  CHECK(*Line().parse({"-n", "x", "--version", "--nonsense"}) == "gvd-test 1.2\n");
+  CHECK_THAT(*Line().parse({"--help"}), StartsWith("A test.\n\nUsage: gvd-test [OPTIONS] INPUT...\n") &&
+                                            EndsWith("The footer.\n") && Contains("\nOutput:\n"));
+  CHECK_THAT(*Line().parse({"-h", "--help"}), EndsWith("All options, and examples: gvd-test --help\n"));
+  CHECK_THAT(*Line().parse({"--print-options"}), StartsWith("{\n \"options\": [\n  {\n   \"name\": \"input\""));
 }
 
-/// A fixture that has read a file of options, and the refusal of one that it can't read.
-struct ConfigFixture : Fixture {
-  explicit ConfigFixture(const std::string& text) { test::write_text(path, text); }
-
-  Fixture& parsed(std::vector<std::string> arguments) {
-    arguments.insert(arguments.end(), {"--config", path});
-    parse_line(line, arguments);
-    return *this;
-  }
-  /// Without the path of the file.
-  std::string refused(std::vector<std::string> arguments) {
-    arguments.insert(arguments.end(), {"--config", path});
-    const std::string message = refusal(arguments);
-    return message.rfind(path, 0) == 0 ? message.substr(path.size()) : message;
-  }
-
-  test::ScratchFolder scratch;
-  std::string path = scratch / "a.toml";
-};
-
-TEST_CASE("a configuration file gives what the command line does not, the input too") {
-  const std::string text = "even = 8\nfile = [\"x\", \"y\"]\nflag = true\ninput = 'a b'\n";
-  ConfigFixture from_file(text), overridden(text);
-  from_file.parsed({});
-  CHECK(from_file.config == from_file.path);
-  CHECK(from_file.inputs == std::vector<std::string>{"a b"});
-  CHECK(from_file.even == "8");
-  CHECK(from_file.files == std::vector<std::string>{"x", "y"});
-  CHECK(from_file.flag);
-  overridden.parsed({"in", "--even", "2", "-f", "z", "--flag=false"});
-  CHECK(overridden.inputs == std::vector<std::string>{"in"});
-  CHECK(overridden.even == "2");
-  CHECK(overridden.files == std::vector<std::string>{"z"});
-  CHECK(!overridden.flag);
-}
-
-TEST_CASE("an option of the command line takes the place of those of the file that it excludes") {
-  ConfigFixture fixture("even = 8\nflag = true\n");
-  fixture.parsed({"in", "--other", "x"});
-  CHECK(fixture.even.empty());
-  CHECK(!fixture.flag);  // it needs --even
-  CHECK(fixture.other == "x");
-}
-
-TEST_CASE("an error in a configuration file has line, column, key and what was expected") {
-  const auto refused = [](const std::string& text) { return ConfigFixture(text).refused({"in"}); };
-  CHECK_THAT(refused("\nodd = 8\n"), StartsWith(":2:1: odd: is not an option"));
-  CHECK(refused("evne = 8\n") == ":1:1: evne: is not an option; did you mean even?");
-  CHECK(refused("even = \"8\"\n") == ":1:8: even: expected a whole number, found a string");
-  CHECK(refused("flag = 1\n") == ":1:8: flag: expected true or false, found a whole number");
-  CHECK(refused("other = true\n") == ":1:9: other: expected a string in quotes, found a boolean");
-  CHECK(refused("file = [\"x\", 3]\n") ==
-        ":1:14: file: expected a string, or an array of strings, found a whole number");
-  CHECK(refused("even = 7\n") == ":1:1: even: '7' is odd");
-  CHECK(refused("f = \"x\"\nfile = \"y\"\n") == ":2:1: file: is the same option as f above");
-  CHECK(refused("flag = true\n") == ":1:1: flag requires --even");
-  CHECK(refused("even = 2\nother = \"x\"\n") == ":2:1: even excludes other");
-  CHECK_THAT(refused("even = [ 12\n"), StartsWith(":") && Contains("not valid TOML"));
-}
-
-TEST_CASE("words wrap before the width, and a longer word stands alone") {
-  CHECK(wrap("one two three", 7, 2) == "one two\n  three");
-  CHECK(wrap("one two three", 6, 0) == "one\ntwo\nthree");
-  CHECK(wrap("a verylongword b", 5, 1) == "a\n verylongword\n b");
-  CHECK(wrap("  ", 5, 1).empty());
-}
-
-TEST_CASE("options are listed in groups, in the order in which each comes first") {
-  CLI::App line("A test that has a description of so many words that they do not fit into one line of the help.", "x");
-  line.set_help_flag();
-  std::string text;
-  std::vector<std::string> texts;
-  line.add_option("INPUT", texts, "The mesh")->group("Input")->type_name("");
-  line.add_option("--output-with-a-long-name", text, "Write it")->group("Output")->type_name("FILE");
-  line.add_option("--input-format", text, "Its format")->group("Input")->type_name("F");
-  bool quiet = false;
-  add_flag(line, "-q,--quiet", quiet, "Say nothing but errors")->group("General");
-  line.footer("\nThe end.\n");
-  line.formatter(std::make_shared<HelpFormatter>());
-  CHECK(line.help("", CLI::AppFormatMode::All) ==
-        "A test that has a description of so many words that they do not fit into one\n"
-        "line of the help.\n"
-        "\nUsage: x [OPTIONS] [INPUT...]\n"
-        "\nInput:\n"
-        "  INPUT                   The mesh\n"
-        "  --input-format F        Its format\n"
-        "\nOutput:\n"
-        "  --output-with-a-long-name FILE\n"
-        "                          Write it\n"
-        "\nGeneral:\n"
-        "  -q, --quiet             Say nothing but errors\n"
-        "\nThe end.\n");
-}
-
-const std::vector<std::string> kNames{"-n",     "--count", "--sampling",      "--seed",   "--generators",
-                                      "--view", "-o",      "--output-format", "--output", "--radius",
-                                      "--cut",  "-h",      "--help",          "--method", "--threads"};
-
-TEST_CASE("a misspelt option is told from few letters that differ") {
-  CHECK(suggest_name("--smapling", kNames) == "--sampling");  // a swap
-  CHECK(suggest_name("--samplin", kNames) == "--sampling");
-  CHECK(suggest_name("--samplings", kNames) == "--sampling");
-  CHECK(suggest_name("--sanplimg=random", kNames) == "--sampling");
-  CHECK(suggest_name("-sampling", kNames) == "--sampling");
-  CHECK(suggest_name("--generater", kNames) == "--generators");
-  CHECK(suggest_name("--cat", kNames) == "--cut");
-  CHECK(suggest_name("--n", kNames) == "-n");
-}
-
-TEST_CASE("the beginning of an option stands for the shortest that begins so") {
-  CHECK(suggest_name("--out", kNames) == "--output");
-  CHECK(suggest_name("--gen", kNames) == "--generators");
-  CHECK(suggest_name("--output-f", kNames) == "--output-format");
-}
-
-TEST_CASE("beginnings of an option's words stand for it, with dashes between them or not") {
-  CHECK(suggest_name("--out-f", kNames) == "--output-format");
-  CHECK(suggest_name("--outform", kNames) == "--output-format");
-  CHECK(suggest_name("--outputformat", kNames) == "--output-format");
-  CHECK(!suggest_name("--format", kNames));
-}
-
-TEST_CASE("capitals do not count, and the same name goes before a longer one") {
-  CHECK(suggest_name("--OUTPUT", kNames) == "--output");
-  CHECK(suggest_name("--Samplign", kNames) == "--sampling");
-  CHECK(suggest_name("-N", kNames) == "-n");
-}
-
-TEST_CASE("the name of what is not an option is known from its first letter on") {
-  std::vector<std::string> names = kNames;
-  names.insert(names.end(), {"INPUT", "--input-format"});
-  for (const char* wrong : {"-i", "--in", "--input", "--Input", "--input=a.obj"}) {
-    CAPTURE(wrong);
-    CHECK(suggest_name(wrong, names) == "INPUT");
-  }
-  CHECK(suggest_name("--input-f", names) == "--input-format");
-}
-
-TEST_CASE("what is like no option gets no suggestion") {
-  for (const char* wrong : {"--nonsense", "--x", "-x", "-", "--", "--=3", "--qq"}) {
-    CAPTURE(wrong);
-    CHECK(!suggest_name(wrong, kNames));
-  }
-  CHECK(!suggest_name("--seed", {}));
-  CHECK(!suggest_name(std::string(1 << 24, 's'), kNames));  // at once
+TEST_CASE("a file of options goes behind the command line") {
+  const test::ScratchFolder scratch;
+  const std::string path = scratch / "o.toml";
+  const auto with = [&](const std::string& text, Texts words) {
+    test::write_text(path, text);
+    words.insert(words.end(), {"--config", path});
+    return words;
+  };
+  const std::string text =
+      "count = 8\noutput = [\"x\", \"y\"]\ncut = true\ntable = 't.csv'\ninput = 'a b'\nno-refine = true\n";
+  Line file, both;
+  CHECK(!file.parse(with(text, {})));
+  CHECK(file.general.config == path);
+  CHECK(file.options.inputs == Texts{"a b"});
+  CHECK(file.options.count == 8);
+  CHECK(file.options.outputs == Texts{"x", "y"});
+  CHECK((file.options.cut && !file.options.refine));
+  CHECK(!both.parse(with(text, {"in", "-n", "2", "-o", "z", "--cut=false"})));
+  CHECK(both.options.inputs == Texts{"in"});
+  CHECK(both.options.count == 2);
+  CHECK(both.options.outputs == Texts{"z"});
+  CHECK(!both.options.cut);
+  Line radius;
+  CHECK(!radius.parse(with(text, {"--radius", "2"})));
+  CHECK(!radius.options.count);
+  Line red;
+  CHECK(!red.parse(with("front = 'red'\n", {"in", "--colour", "red"})));
+  CHECK(!red.options.front);
+  CHECK(!red.given.has("front"));
+  const auto refused = [&](const std::string& toml, const Texts& words) {
+    const std::string message = refusal(with(toml, words));
+    CHECK_THAT(message, StartsWith(path));
+    return message.substr(std::min(path.size(), message.size()));
+  };
+  CHECK(refused("count = 0\n", {"in"}) == ":1:1: count: '0' is not a whole number from 1 to 2147483647");
+  CHECK(refused("seed = 1\ncut = true\n", {"in"}) == ":2:1: cut needs table: add it, or leave cut out");
+  CHECK(refused("n = 2\nradius = 1.0\n", {"in"}) == ":2:1: n and radius exclude each other: keep one");
+  CHECK(refused("front = 'red'\ncolour = 'red'\n", {"in"}) ==
+        ":1:1: front does nothing here: add colour = \"green\", or leave front out");
 }
 
 }  // namespace gvd::test_command_line

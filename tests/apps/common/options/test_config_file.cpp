@@ -7,8 +7,8 @@
 #include "apps/common/options/parse_options.hpp"
 #include "apps/run_command.hpp"
 #include "common/options/config_file.hpp"
-#include "common/options/typed_options.hpp"
 #include "gvd/error.hpp"
+#include "options/toy_options.hpp"
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
 
@@ -20,78 +20,63 @@ using Catch::Matchers::StartsWith;
 using gvd::test::parse_options;
 using Texts = std::vector<std::string>;
 
-std::string keep(const std::string&) { return ""; }
-
-/// A command with an option of each kind, whose file is called f.
-struct Fixture {
-  Fixture() {
-    line.set_help_flag("--help")->configurable(false);
-    line.add_option("INPUT", input)->type_name("");
-    add_parsed(line, "-n,--count", "N", keep, "");
-    add_parsed(line, "--radius", "NUMBER", keep, "")->excludes("--count");
-    add_parsed(line, "--vertices", "LIST", keep, "")->expected(1, 100)->excludes("--count");
-    add_parsed(line, "--input-format", "TEXT", keep, "");
-    add_parsed(line, "--max-memory", "SIZE", keep, "");
-    add_parsed(line, "--view", "FILE", keep, "")->excludes("--input-format");
-    add_parsed(line, "--up", "AXIS", keep, "")->needs("--view");
-    add_flag(line, "--cut", cut, "");
-    line.set_config("--config")->add_result("f");
-  }
-
-  std::vector<CLI::ConfigItem> read(const std::string& toml) {
+/// What a file gives, beside what a command line has.
+struct Fixture : test::Toy {
+  std::vector<GivenTexts> read(const std::string& toml) {
     std::istringstream stream(toml);
-    return ConfigFile(line).from_config(stream);
+    return read_config_file(list, stream, "f");
   }
 
-  /// What is left of the file beside an option of the command line.
-  Texts left(const std::string& name, const std::string& value, const std::string& toml) {
-    line.get_option(name)->add_result(value);
+  /// The options of the file that an option of the command line leaves.
+  Texts left(const std::string& name, const Texts& texts, const std::string& toml) {
+    const std::vector<GivenTexts> typed{{list.find(name), {"--" + name, ""}, texts}};
     Texts names;
-    for (const CLI::ConfigItem& item : read(toml)) names.push_back(item.name);
-    line.get_option(name)->clear();
+    for (const GivenTexts& given : read(toml)) {
+      if (!is_overridden(list, *given.option, typed)) names.push_back(given.option->name);
+    }
     return names;
   }
-
-  CLI::App line{"A test.", "gvd-test"};
-  Texts input;
-  bool cut = false;
 };
 
-std::vector<CLI::ConfigItem> read(const std::string& toml) { return Fixture().read(toml); }
-
-Texts values(const std::string& toml) { return read(toml).at(0).inputs; }
+Texts values(const std::string& toml) { return Fixture().read(toml).at(0).texts; }
 
 std::string refusal(const std::string& toml) {
-  return test::refusal([&] { read(toml); });
+  return test::refusal([&] { Fixture().read(toml); });
 }
 
-TEST_CASE("entries have names and texts, in the order of the file") {
-  const auto items = read("n = 12 # a comment\nradius = 0.1\n\n  cut = true\ninput-format = 'a\\b'\n");
-  REQUIRE(items.size() == 4);
-  const auto check = [&](std::size_t i, const std::string& name, const std::string& text) {
+TEST_CASE("entries have names, texts and places, in the order of the file") {
+  Fixture fixture;
+  const auto entries = fixture.read("n = 12 # a comment\nradius = 0.1\n\n  cut = true\ndensity = 'a\\b'\n");
+  REQUIRE(entries.size() == 4);
+  const auto check = [&](std::size_t i, const std::string& name, const std::string& place, const std::string& text) {
     CAPTURE(name);
-    CHECK(items[i].name == name);
-    CHECK(items[i].inputs == Texts{text});
+    CHECK(entries[i].option->name == name);
+    CHECK(entries[i].source.place == place);
+    CHECK(entries[i].texts == Texts{text});
   };
-  check(0, "count", "12");
-  check(1, "radius", "0.1");
-  check(2, "cut", "true");
-  check(3, "input-format", "a\\b");
+  check(0, "count", "f:1:1", "12");
+  check(1, "radius", "f:2:1", "0.1");
+  check(2, "cut", "f:4:3", "true");
+  check(3, "density", "f:5:1", "a\\b");
+  CHECK(entries[0].source.spelling == "n");
   CHECK(refusal("radius = 0.1\n  cut = 1") == "f:2:9: cut: expected true or false, found a whole number");
   CHECK(refusal("input = ['x', 3]") ==
         "f:1:15: input: expected a string, or an array of strings, found a whole number");
-  CHECK(read("").empty());
+  CHECK(fixture.read("").empty());
 }
 
 TEST_CASE("a key is any name of an option without its dashes") {
-  CHECK(read("n = 3").at(0).name == "count");
+  CHECK(values("n = 3") == Texts{"3"});
   CHECK(values("count = 3") == Texts{"3"});
-  CHECK(read("input = '-'").at(0).name == "INPUT");
-  CHECK(read("input-format = 'off'").at(0).name == "input-format");
-  for (const char* wrong :
-       {"INPUT = 'a'", "input_format = 'off'", "-n = 3", "\"--count\" = 3", "N = 3", "help = true", "config = 'a'"}) {
+  CHECK(values("input = '-'") == Texts{"-"});
+  CHECK(values("output-format = 'obj'") == Texts{"obj"});
+  CHECK(values("no-refine = true") == Texts{"false"});
+  for (const char* wrong : {"INPUT = 'a'", "output_format = 'obj'", "-n = 3", "\"--count\" = 3", "N = 3", "help = true",
+                            "config = 'a'", "refine = true"}) {
+    CAPTURE(wrong);
     CHECK_THAT(refusal(wrong), StartsWith("f:1:1: ") && Contains("is not an option"));
   }
+  CHECK(refusal("cuont = 3") == "f:1:1: cuont: is not an option; did you mean count?");
 }
 
 TEST_CASE("each option takes values of its type only") {
@@ -100,13 +85,21 @@ TEST_CASE("each option takes values of its type only") {
   CHECK(values("vertices = '3,17'") == Texts{"3,17"});
   CHECK(values("vertices = 3") == Texts{"3"});
   CHECK(values("vertices = [3, 17]") == Texts{"3", "17"});
-  CHECK(values("max-memory = '2G'") == Texts{"2G"});
-  CHECK(values("max-memory = 1000000000") == Texts{"1000000000"});
+  CHECK(values("levels = [3, 17]") == Texts{"3", "17"});
+  CHECK(values("memory = '2G'") == Texts{"2G"});
+  CHECK(values("memory = 1000000000") == Texts{"1000000000"});
   CHECK(values("cut = false") == Texts{"false"});
+  CHECK(values("weld = true") == Texts{"true"});
+  CHECK(values("weld = 0.5") == Texts{"0.5"});
+  CHECK(values("relax = 3") == Texts{"3"});
+  CHECK(values("relax = 'none'") == Texts{"none"});
+  CHECK(values("relocate = true") == Texts{"true"});
+  CHECK(values("features = 30") == Texts{"30"});
+  CHECK(values("error = '3%'") == Texts{"3%"});
   CHECK(values("input = ['a', 'b']") == Texts{"a", "b"});
   for (const char* wrong : {"n = 3.0", "n = '3'", "n = [3]", "n = true", "radius = '1'", "vertices = 1.5",
-                            "vertices = []", "vertices = [[1]]", "input = 3", "input-format = ['a']", "cut = 1",
-                            "cut = 'true'", "cut.a = 1", "max-memory = true", "view = 2020-01-01"}) {
+                            "vertices = []", "vertices = [[1]]", "input = 3", "colour = ['a']", "cut = 1",
+                            "cut = 'true'", "cut.a = 1", "memory = true", "page = 2020-01-01"}) {
     CAPTURE(wrong);
     CHECK_THAT(refusal(wrong), StartsWith("f:1:") && Contains(": expected ") && Contains(", found a"));
   }
@@ -119,14 +112,14 @@ TEST_CASE("a table is not an option, and two keys of one option are refused") {
 
 TEST_CASE("the line overrides the same option, what it excludes, and what needs that") {
   Fixture fixture;
-  const std::string file = "n = 3\ninput-format = 'a'\ncut = true\n";
-  CHECK(fixture.left("--count", "9", file) == Texts{"input-format", "cut"});
-  CHECK(fixture.left("--radius", "9", file) == Texts{"input-format", "cut"});
-  CHECK(fixture.left("--cut", "false", file) == Texts{"count", "input-format"});
-  CHECK(fixture.left("--view", "a", file) == Texts{"count", "cut"});
-  CHECK(fixture.left("--input-format", "off", "view = 'a'\nup = 'x'\n").empty());
-  CHECK(fixture.left("--input-format", "off", "up = 'x'\n").empty());
-  CHECK(fixture.left("--view", "a", "up = 'x'\n") == Texts{"up"});
+  fixture.list.excludes("table", {"folder"});
+  const std::string file = "n = 3\ntable = 'a.csv'\ncut = true\n";
+  CHECK(fixture.left("count", {"9"}, file) == Texts{"table", "cut"});
+  CHECK(fixture.left("radius", {"9"}, file) == Texts{"table", "cut"});
+  CHECK(fixture.left("cut", {"false"}, file) == Texts{"count", "table"});
+  CHECK(fixture.left("folder", {"a"}, file) == Texts{"count"});
+  CHECK(fixture.left("folder", {"a"}, "cut = true\n").empty());
+  CHECK(fixture.left("table", {"a"}, "cut = true\n") == Texts{"cut"});
 }
 
 TEST_CASE("a value of the line overrides what does nothing beside it") {
@@ -135,17 +128,17 @@ TEST_CASE("a value of the line overrides what does nothing beside it") {
   const auto computed = [&](const std::string& toml, Texts arguments) {
     test::write_text(path, toml);
     arguments.insert(arguments.end(), {"a.obj", "-n", "3", "--config", path});
-    return parse_options(arguments).compute;
+    return parse_options(arguments).diagram;
   };
   const std::string fast = "method = \"gbgvd\"\nfront = \"planar\"\n";
   CHECK(computed(fast, {"--method", "exact"}).front == std::nullopt);
   CHECK(computed(fast, {"--method", "paper"}).front == Front::planar);
   CHECK(computed(fast, {"--chord-tolerance", "1"}).method == Method::exact);
   CHECK(computed(fast, {"--chord-tolerance", "1"}).front == std::nullopt);
-  CHECK(computed("chord-tolerance = 1\n", {"--method", "gbgvd"}).chord_tolerance == std::nullopt);
-  CHECK_THROWS_WITH(computed("front = \"planar\"\n", {}), Contains("o.toml:1:1: --front does nothing here: add"));
+  CHECK(computed("chord-tolerance = 1\n", {"--method", "gbgvd"}).chord_tolerance == 1e-4);
+  CHECK_THROWS_WITH(computed("front = \"planar\"\n", {}), Contains("o.toml:1:1: front does nothing here: add"));
   CHECK_THROWS_WITH(computed("method = \"paper\"\nchord-tolerance = 1\n", {}),
-                    Contains("o.toml:1:1: --method paper and --chord-tolerance exclude each other"));
+                    Contains("o.toml:1:1: method = \"paper\" and chord-tolerance exclude each other"));
 }
 
 TEST_CASE("what is no TOML is refused with its place") {
@@ -203,10 +196,10 @@ TEST_CASE("a file that can't be read is refused by its name") {
   const test::ScratchFolder scratch;
   const auto with = [](const std::string& file) { return parse_options({"a.obj", "--config", file}); };
   CHECK_THROWS_WITH(with(scratch / "none.toml"), Contains("none.toml"));
-  CHECK_THROWS_WITH(with(scratch / ""), Contains("is actually a directory"));
+  CHECK_THROWS_WITH(with(scratch / ""), Contains("is a directory; name a TOML file"));
   test::write_text(scratch / "a.toml", "n = 3\n");
   CHECK(with(scratch / "a.toml").generators.count == 3);
-  CHECK(with(scratch / "a.toml").config == scratch / "a.toml");
+  CHECK(with(scratch / "a.toml").general.config == scratch / "a.toml");
 }
 
 }  // namespace gvd::test_config_file

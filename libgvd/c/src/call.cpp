@@ -1,0 +1,140 @@
+// Operations by their names, with options as JSON, and what their results consist of.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gvd/operation.hpp"
+#include "gvd/option_text.hpp"
+#include "gvd/text.hpp"
+#include "handles.hpp"
+
+namespace {
+
+using namespace gvd;
+using namespace gvd::c;
+
+using Json = nlohmann::ordered_json;
+
+const Operation& find(const char* name) {
+  const Operation* const found = find_operation(&given(name, "operation"));
+  if (found != nullptr) return *found;
+  std::vector<std::string> names;
+  for (const Operation& operation : operations()) names.emplace_back(operation.name);
+  const auto meant = suggest_name(name, names);
+  refuse(fmt::format("there is no operation {}{}", gvd::quoted(name),
+                     meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+}
+
+std::vector<ArrayView> to_views(const gvd_array* arrays, std::int32_t count) {
+  if (count < 0) refuse(fmt::format("count is {}; give 0 or more", count));
+  std::vector<ArrayView> views;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const gvd_array& array = (&given(arrays, "arrays"))[i];
+    views.push_back({array.data,
+                     static_cast<ArrayType>(array.type),
+                     array.dimensions,
+                     {array.shape[0], array.shape[1]},
+                     {array.strides[0], array.strides[1]}});
+  }
+  return views;
+}
+
+/// "a", "b" and "c" for a message.
+template <class Map>
+[[noreturn]] void refuse_name(const char* kind, const char* name, const Map& known) {
+  std::vector<std::string> names;
+  for (const auto& [one, value] : known) names.push_back(one);
+  const auto meant = suggest_name(name, names);
+  refuse(fmt::format("there is no {} {}{}", kind, gvd::quoted(name),
+                     meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+}
+
+}  // namespace
+
+gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const char* options, const gvd_array* arrays,
+                    int32_t count, const gvd_run* run, gvd_object** result) {
+  return guarded([&] {
+    if (abi != GVD_ABI) {
+      refuse(
+          fmt::format("this program was compiled for interface {}, and the library has {}: compile it with the "
+                      "library's gvd.h",
+                      abi, GVD_ABI));
+    }
+    const Operation& operation = find(name);
+    const auto& object = given(on, "the object").object;
+    const MeshPtr& mesh = mesh_of(*object);
+    given(result, "result");
+    const std::vector<ArrayView> views = to_views(arrays, count);
+    RunObserver observer(run);
+    const auto call = operation.call();
+    OptionList list;
+    call->describe(list);
+    const Given names = read_json_options(list, *mesh, options == nullptr ? "{}" : options, views);
+    auto made = [&] {
+      try {
+        return std::make_unique<gvd_object>(call->run(object, observer));
+      } catch (const Error& error) {
+        throw Error(error.code(), spell_for_json(error.text(), &names), error.element());
+      }
+    }();
+    Json figures = Json::parse(made->figures);
+    figures["options"] = Json::parse(options_json(list, names));
+    figures["notes"] = observer.notes();
+    made->figures = figures.dump(-1, ' ', false, Json::error_handler_t::replace);
+    *result = made.release();
+  });
+}
+
+gvd_status gvd_array_of(const gvd_object* object, const char* name, gvd_array* view) {
+  return guarded([&] {
+    const auto& arrays = given(object, "object").arrays;
+    const auto found = arrays.find(std::string_view(&given(name, "name")));
+    if (found == arrays.end()) refuse_name("array", name, arrays);
+    const ArrayView& of = found->second;
+    given(view, "view") = {of.data,
+                           static_cast<gvd_type>(of.type),
+                           of.dimensions,
+                           {of.shape[0], of.shape[1]},
+                           {of.strides[0], of.strides[1]}};
+  });
+}
+
+gvd_status gvd_object_of(const gvd_object* object, const char* name, gvd_object** part) {
+  return guarded([&] {
+    const auto& parts = given(object, "object").parts;
+    const auto found = parts.find(std::string_view(&given(name, "name")));
+    if (found == parts.end()) refuse_name("part", name, parts);
+    given(part, "part") = new gvd_object(found->second);
+  });
+}
+
+const char* gvd_figures(const gvd_object* object) { return object == nullptr ? "null" : object->figures.c_str(); }
+
+const char* gvd_describe(void) {
+  const std::string* text = nullptr;
+  guarded([&] {
+    static const std::string kText = [] {
+      Json described{{"abi", GVD_ABI}};
+      described.update(Json::parse(describe_operations()));
+      return described.dump();
+    }();
+    text = &kText;
+  });
+  return text == nullptr ? "null" : text->c_str();
+}
+
+gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* run) {
+  return guarded([&] {
+    const Object& written = *given(object, "object").object;
+    const std::string name = &given(path, "path");
+    RunObserver observer(run);
+    write_object(name, written, progress_of(observer));
+  });
+}
+
+void gvd_release(gvd_object* object) { delete object; }

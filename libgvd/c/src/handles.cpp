@@ -1,0 +1,147 @@
+// Handles of the C interface: views of what objects consist of, errors, and what a run tells.
+//
+// Views are made once, with the handle: most refer to the object's own memory; lists of several curves are joined.
+
+#include "handles.hpp"
+
+#include <array>
+#include <utility>
+
+namespace {
+
+using namespace gvd;
+
+thread_local std::string last_error;
+
+/// Of each ErrorCode, in their order.
+constexpr std::array<gvd_status, 7> kStatuses{GVD_INVALID_OPTION,  GVD_UNREADABLE_INPUT,  GVD_PRECONDITION,
+                                              GVD_NO_VALID_RESULT, GVD_UNWRITABLE_OUTPUT, GVD_UNWRITABLE_OUTPUT,
+                                              GVD_INTERRUPTED};
+static_assert(std::size_t(ErrorCode::interrupted) + 1 == kStatuses.size());
+
+/// Fills in the views of a handle. Lists of numbers among the figures are arrays, too.
+class ViewCollector : public ObjectVisitor {
+ public:
+  explicit ViewCollector(gvd_object& handle) : handle_(handle) {}
+
+  void figure(const Meaning& meaning, const Figure& value) override {
+    if (const auto* const numbers = std::get_if<std::vector<double>>(&value)) {
+      array(meaning, view(handle_.numbers.emplace_back(*numbers)));
+    } else if (const auto* const whole = std::get_if<std::vector<std::int64_t>>(&value)) {
+      array(meaning, view(handle_.whole_numbers.emplace_back(*whole)));
+    }
+  }
+  void array(const Meaning& meaning, const ArrayView& values) override {
+    handle_.arrays.insert_or_assign(std::string(meaning.name), values);
+  }
+  void points(const Meaning& meaning, const PointsView& points) override {
+    handle_.arrays.insert_or_assign(std::string(meaning.name) + "_faces", points.faces());
+    handle_.arrays.insert_or_assign(std::string(meaning.name) + "_bary", points.bary());
+  }
+  void curves(const Meaning& meaning, const PointLists& lists) override {
+    std::vector<std::int64_t>& offsets = handle_.whole_numbers.emplace_back(1, 0);
+    std::vector<SurfacePoint>& joined = handle_.points.emplace_back();
+    for (std::int64_t i = 0; i < lists.count; ++i) {
+      const auto list = lists.list(i);
+      joined.insert(joined.end(), list.begin(), list.end());
+      offsets.push_back(std::ssize(joined));
+    }
+    handle_.arrays.insert_or_assign(std::string(meaning.name) + "_offsets", view(offsets));
+    points(meaning, joined);
+  }
+  void rows(const Meaning& meaning, const std::vector<std::vector<double>>& rows) override {
+    std::vector<double>& joined = handle_.numbers.emplace_back();
+    for (const std::vector<double>& row : rows) joined.insert(joined.end(), row.begin(), row.end());
+    const std::int64_t columns = rows.empty() ? 0 : std::ssize(rows.front());
+    const std::int64_t stride = sizeof(double);
+    array(meaning, {joined.data(), ArrayType::float64, 2, {std::ssize(rows), columns}, {stride * columns, stride}});
+  }
+  void table(const Meaning& meaning, const Table& table) override {
+    for (const Column& column : table) figure({std::string(meaning.name) + '.' + column.name, "", ""}, column.values);
+  }
+  void part(const Meaning& meaning, std::string_view, const PartMaker& make) override {
+    if (auto made = make()) handle_.parts.insert_or_assign(std::string(meaning.name), std::move(made));
+  }
+
+ private:
+  gvd_object& handle_;
+};
+
+}  // namespace
+
+gvd_object::gvd_object(std::shared_ptr<const gvd::Object> made)
+    : object(std::move(made)), figures(figures_json(*object)) {
+  ViewCollector views(*this);
+  object->visit(views);
+  if (const auto* const surface = dynamic_cast<const MeshObject*>(object.get())) {
+    for (const std::string& line : surface->mesh()->defects.messages) repairs += spell_for_json(line) + '\n';
+  }
+}
+
+const MeshPtr& gvd_object::checked() const {
+  const auto* const surface = dynamic_cast<const MeshObject*>(object.get());
+  if (surface == nullptr) c::refuse("this takes a mesh, and the object is a " + std::string(object->kind()));
+  return surface->mesh();
+}
+
+const DiagramObject& gvd_object::diagram_object() const {
+  const auto* const diagram = dynamic_cast<const DiagramObject*>(object.get());
+  if (diagram == nullptr) c::refuse("this takes a diagram, and the object is a " + std::string(object->kind()));
+  return *diagram;
+}
+
+const ClosestPointTree& gvd_object::closest() const {
+  const Mesh& surface = mesh();
+  std::call_once(tree_made_, [&] { tree_ = std::make_unique<ClosestPointTree>(surface); });
+  return *tree_;
+}
+
+const char* gvd_last_error(void) { return last_error.c_str(); }
+
+namespace gvd::c {
+
+gvd_status fail(gvd_status status, const char* message) noexcept {
+  try {
+    last_error = message;
+  } catch (...) {
+    last_error.clear();
+  }
+  return status;
+}
+
+gvd_status fail(const Error& error) noexcept {
+  const gvd_status status = kStatuses[std::size_t(error.code())];
+  try {
+    return fail(status, spell_for_json(error.text()).c_str());
+  } catch (...) {
+    return fail(status, error.what());
+  }
+}
+
+void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+
+RunObserver::RunObserver(const gvd_run* run) {
+  if (run != nullptr) run_ = *run;
+  if (run_.threads < 0) refuse("threads is " + std::to_string(run_.threads) + "; give 0 for one a core, or more");
+  threads = run_.threads;
+}
+
+bool RunObserver::is_cancelled() const {
+  return run_.cancel != nullptr && __atomic_load_n(run_.cancel, __ATOMIC_RELAXED) != 0;
+}
+
+bool RunObserver::progress(std::string_view step, double fraction) {
+  if (is_cancelled()) return false;
+  return run_.progress == nullptr || run_.progress(run_.data, std::string(step).c_str(), fraction) != 0;
+}
+
+void RunObserver::enter(std::string_view step) {
+  if (is_cancelled()) throw Error(ErrorCode::interrupted, "interrupted before " + std::string(step));
+}
+
+void RunObserver::note(const std::string& text) {
+  notes_.push_back(spell_for_json(text));
+  if (run_.note != nullptr) run_.note(run_.data, notes_.back().c_str());
+}
+
+}  // namespace gvd::c

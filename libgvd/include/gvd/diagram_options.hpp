@@ -1,0 +1,17 @@
+#pragma once
+
+#include "gvd/diagram.hpp"
+#include "gvd/option_list.hpp"
+
+namespace gvd {
+
+/// Describes the method, the chord tolerance and the front. The options must outlive the list.
+void describe(OptionList& list, DiagramOptions& options);
+
+/// Describes a number of threads, 0 for all cores.
+void describe_threads(OptionList& list, int& threads);
+
+/// Stores what the options leave to their method.
+void resolve(DiagramOptions& options);
+
+}  // namespace gvd

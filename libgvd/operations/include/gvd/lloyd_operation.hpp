@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gvd/balance.hpp"
+#include "gvd/generator_options.hpp"
+#include "gvd/lloyd.hpp"
+#include "gvd/mesh_objects.hpp"
+#include "gvd/observer.hpp"
+#include "gvd/option_list.hpp"
+#include "gvd/relaxation_parts.hpp"
+
+namespace gvd {
+
+/// The options of the operation `lloyd`.
+struct LloydCall {
+  GeneratorOptions generators;
+  DiagramOptions diagram;
+  LloydOptions relaxation;
+  RelaxationStartOptions start;
+  GivenConstraints constraints;
+  GivenNumbers balance;  ///< what cells share in the end: "area" or numbers; none: as they come
+};
+
+void describe(OptionList& list, LloydCall& call);
+
+/// The step in which generators move.
+inline constexpr const char* kRelaxationStep = "relaxation";
+
+/// Relaxed generators with their diagram.
+class LloydOutcome : public Object {
+ public:
+  std::string_view kind() const override { return "lloyd"; }
+  void visit(ObjectVisitor& visitor) const override;
+  std::optional<LabelledMesh> labelled() const override { return diagram().labelled(); }
+  OwnWriters own_writers() const override { return list_writers(input->mesh, relaxed->generators); }
+  DiagramObject diagram() const { return {input, std::shared_ptr<const Diagram>(relaxed, &relaxed->diagram)}; }
+
+  MeshPtr input = std::make_shared<CheckedMesh>();
+  std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();  ///< with balanced cells at the end
+  std::optional<BalancedRelaxation> balanced;                                    ///< without its diagram
+  /// Of the generators, from where they were given; nothing for those that are somewhere else now.
+  std::vector<std::optional<double>> snap_distance;
+};
+
+/// Relaxes generators and, where that is asked for, balances their cells. Options become what they stand for. Throws
+/// what choose_generators, start_relaxation, relax_generators and relax_balanced throw.
+std::shared_ptr<const LloydOutcome> run(const MeshPtr& input, LloydCall& call, Observer& observer);
+
+}  // namespace gvd

@@ -1,0 +1,170 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/io/mesh_writer.hpp"
+#include "gvd/progress.hpp"
+#include "gvd/surface_point.hpp"
+#include "gvd/vec.hpp"
+
+// What operations take and give: objects that name what they consist of, so that every door reads them alike.
+namespace gvd {
+
+enum class ArrayType : std::int32_t { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+
+/// The type of numbers in memory; a typed id is the number that it has.
+template <class T>
+constexpr ArrayType array_type() {
+  if constexpr (std::is_same_v<T, double>) {
+    return ArrayType::float64;
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return ArrayType::uint8;
+  } else if constexpr (std::is_same_v<T, std::int64_t>) {
+    return ArrayType::int64;
+  } else {
+    static_assert(sizeof(T) == sizeof(std::int32_t) && !std::is_floating_point_v<T> && std::is_trivially_copyable_v<T>);
+    return ArrayType::int32;
+  }
+}
+
+/// Numbers that somebody else owns: of one type, in one or two dimensions.
+struct ArrayView {
+  const void* data = nullptr;
+  ArrayType type = ArrayType::float64;
+  std::int32_t dimensions = 1;
+  std::array<std::int64_t, 2> shape{0, 1};
+  std::array<std::int64_t, 2> strides{0, 0};  ///< bytes from one element to the next
+};
+
+template <class T>
+ArrayView view(const std::vector<T>& values) {
+  return {values.data(), array_type<T>(), 1, {std::ssize(values), 1}, {sizeof(T), 0}};
+}
+/// A row of numbers for each element.
+template <class T, std::size_t N>
+ArrayView view(const std::vector<std::array<T, N>>& rows) {
+  return {rows.data(), array_type<T>(), 2, {std::ssize(rows), N}, {sizeof(T) * N, sizeof(T)}};
+}
+inline ArrayView view(const std::vector<Vec3>& positions) {
+  return {positions.data(), ArrayType::float64, 2, {std::ssize(positions), 3}, {sizeof(Vec3), sizeof(double)}};
+}
+template <class IdType, class T>
+ArrayView view(const IdVector<IdType, T>& values) {
+  return view(values.raw());
+}
+/// One member of each of some structures.
+template <class S, class T>
+ArrayView view(const std::vector<S>& values, T S::*member) {
+  const void* const first = values.empty() ? nullptr : &(values.front().*member);
+  return {first, array_type<T>(), 1, {std::ssize(values), 1}, {sizeof(S), 0}};
+}
+template <class S, class T, std::size_t N>
+ArrayView view(const std::vector<S>& values, std::array<T, N> S::*member) {
+  const void* const first = values.empty() ? nullptr : &(values.front().*member);
+  return {first, array_type<T>(), 2, {std::ssize(values), N}, {sizeof(S), sizeof(T)}};
+}
+
+/// Points that somebody else owns, at equal distances in memory.
+struct PointsView {
+  PointsView(const std::vector<SurfacePoint>& points)  // NOLINT(google-explicit-constructor): as views of strings are
+      : first(points.data()), count(std::ssize(points)), stride(sizeof(SurfacePoint)) {}
+  template <class S>
+  PointsView(const std::vector<S>& values, SurfacePoint S::*member)
+      : first(values.empty() ? nullptr : &(values.front().*member)), count(std::ssize(values)), stride(sizeof(S)) {}
+
+  ArrayView faces() const {
+    return {first == nullptr ? nullptr : &first->face, ArrayType::int32, 1, {count, 1}, {stride, 0}};
+  }
+  ArrayView bary() const {
+    const void* const numbers = first == nullptr ? nullptr : first->bary.data();
+    return {numbers, ArrayType::float64, 2, {count, 3}, {stride, sizeof(double)}};
+  }
+
+  const SurfacePoint* first;
+  std::int64_t count, stride;
+};
+
+/// What a door tells of a part of an object: its name, in which a dot parts the levels, its unit, and what it is.
+struct Meaning {
+  std::string_view name;
+  std::string_view unit;  ///< empty: none
+  std::string_view text;
+};
+
+/// A value that is no array: nothing where there is none.
+using Figure = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
+                            std::vector<std::int64_t>, std::vector<std::string>, std::vector<std::vector<std::int64_t>>,
+                            std::vector<std::vector<double>>, std::vector<bool>>;
+
+/// Columns of equal length, with a name each; a list without elements is left out of its row.
+struct Column {
+  std::string name;
+  Figure values;  ///< a list of numbers, or of lists of numbers
+};
+using Table = std::vector<Column>;
+
+/// Several lists of points, such as curves.
+struct PointLists {
+  std::int64_t count = 0;
+  std::function<std::span<const SurfacePoint>(std::int64_t)> list;
+};
+
+/// Writers of formats by extension, without the dot.
+using OwnWriters = std::map<std::string, std::function<void(std::ostream&)>, std::less<>>;
+
+class Object;
+using PartMaker = std::function<std::shared_ptr<const Object>()>;
+
+/// Reads what an object consists of, in the order of the documents.
+class ObjectVisitor {
+ public:
+  virtual ~ObjectVisitor() = default;
+  virtual void figure(const Meaning&, const Figure&) {}
+  virtual void array(const Meaning&, const ArrayView&) {}
+  virtual void points(const Meaning&, const PointsView&) {}
+  virtual void curves(const Meaning&, const PointLists&) {}
+  /// Rows of equal length.
+  virtual void rows(const Meaning&, const std::vector<std::vector<double>>&) {}
+  virtual void table(const Meaning&, const Table&) {}
+  /// `kind`: of the part. `make` gives it, or null where there is none.
+  virtual void part(const Meaning&, std::string_view /*kind*/, const PartMaker& /*make*/) {}
+};
+
+/// A mesh, a diagram or the result of an operation. It is complete once it is made, and keeps alive what it refers to.
+///
+/// Every object of a kind visits the same names; what one lacks is an empty array, an empty figure or a null part. So
+/// an object that was made of nothing describes its kind.
+class Object {
+ public:
+  virtual ~Object() = default;
+  virtual std::string_view kind() const = 0;  ///< "mesh", "diagram", or the name of the operation
+  virtual void visit(ObjectVisitor& visitor) const = 0;
+
+  // What files hold of it. Both refer to the object, which must outlive them.
+
+  /// The mesh that formats of meshes have; nothing where there is none.
+  virtual std::optional<LabelledMesh> labelled() const { return std::nullopt; }
+  /// Formats of its own, by extension, which go before those of meshes.
+  virtual OwnWriters own_writers() const { return {}; }
+};
+
+/// Writes a complete file or none, in the format of its extension. Throws Error{invalid_option} for another extension,
+/// and what write_mesh and write_file throw.
+void write_object(const std::filesystem::path& path, const Object& object, const Progress& progress = {});
+
+}  // namespace gvd

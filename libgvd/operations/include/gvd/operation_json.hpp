@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "gvd/object.hpp"
+#include "gvd/option_list.hpp"
+#include "gvd/soup.hpp"
+
+// Options, figures and descriptions of operations as JSON, for doors that programs use.
+namespace gvd {
+
+/// Stores the options of a JSON object, and returns which ones it has. The numbers of `arrays` are options' values
+/// where the JSON has {"array": 0} for the first one. Numbers may be strings; null is as if the option were not there.
+///
+/// Points are an array of vertices, of positions in three columns, or of faces and barycentric coordinates in four; or
+/// a list as in JSON files of generators. Curves are {"points": ..., "offsets": ...}, where an offset is the place of
+/// the first point of a curve and the last one the number of points, with "closed": true for loops.
+/// Throws Error{invalid_option} with one line for the first mistake. Cost: O(length and numbers).
+Given read_json_options(const OptionList& list, const CheckedMesh& input, std::string_view json,
+                        std::span<const ArrayView> arrays);
+
+/// A text with each placeholder as JSON has the option: "count", or "count": 30. `given`: the options of the call; null
+/// where there is none.
+std::string spell_for_json(const std::string& text, const Given* given = nullptr);
+
+/// The value of an option, and what kind of values it takes.
+std::string value_json(const Field& field);
+std::string kind_json(const Field& field);
+
+/// Every option with its value; null where it is not set or does nothing. Of values that are no names, the number.
+std::string options_json(const OptionList& list, const Given& given);
+
+/// The figures of an object, nested at the dots of their names.
+std::string figures_json(const Object& object);
+
+/// The table of formats: an array of objects with `name`, `title`, `extensions`, `input_extensions`, `is_read`,
+/// `is_written`, `is_binary` and `carries`.
+std::string formats_json();
+
+/// Operations with their options and results, formats, and error codes.
+std::string describe_operations();
+
+}  // namespace gvd

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gvd/balance.hpp"
+#include "gvd/charts.hpp"
+#include "gvd/face_regions.hpp"
+#include "gvd/generator_options.hpp"
+#include "gvd/given_regions.hpp"
+#include "gvd/io/mesh_writer.hpp"
+#include "gvd/mesh_objects.hpp"
+#include "gvd/observer.hpp"
+#include "gvd/option_list.hpp"
+#include "gvd/segment.hpp"
+
+namespace gvd {
+
+/// Weights of the generators: given ones, and those by which the cells have their shares.
+struct GivenWeights {
+  GivenNumbers balance;  ///< "area", or a number for each vertex or face; none: cells as they come
+  GivenNumbers shares;   ///< of the generators; none: equal ones
+  GivenNumbers weights;  ///< of the generators, for `balance` to start from
+};
+
+/// The options of the operation `label`, which works on a diagram.
+struct LabelCall {
+  SegmentOptions segmentation;
+  bool cut = false;            ///< split faces along the bisectors
+  std::optional<ChartMap> uv;  ///< of the texture coordinates, which are those of cut faces; none: no coordinates
+};
+
+void describe(OptionList& list, LabelCall& call);
+
+/// The options of the operation `segment`.
+struct SegmentCall : LabelCall {
+  GeneratorOptions generators;
+  DiagramOptions diagram;
+  GivenRegions regions;
+  std::optional<std::int32_t> per_region;  ///< generators of each region, >= 1
+  std::vector<std::int32_t> levels;        ///< numbers of generators, ascending; empty: one level
+  GivenWeights weights;
+  bool disc = false;  ///< generators are added until every cell is a disc
+
+  /// Stores what follows from options: the number of generators, and that texture coordinates are those of cut faces.
+  void complete();
+};
+
+void describe(OptionList& list, SegmentCall& call);
+
+/// The regions that a segmentation keeps to. A diagram on the separated mesh respects them by itself.
+struct PartedMesh {
+  FaceRegions regions;               ///< empty: all faces are one
+  SeparatedMesh separated;           ///< where there are regions
+  std::vector<FaceNumbers> numbers;  ///< of the input's faces: the region, and the labels of coarser levels
+  RegionSamples samples;             ///< without points; figures of what was sampled
+
+  bool is_parted() const { return !regions.empty(); }
+  bool is_left_out(FaceId f) const { return is_parted() && regions[f] < 0; }
+};
+
+/// A segmented mesh: its own faces with labels, or pieces of them.
+class SegmentOutcome : public Object {
+ public:
+  std::string_view kind() const override { return "segment"; }
+  void visit(ObjectVisitor& visitor) const override;
+
+  /// The mesh of `diagram`, which has the input's faces, with the vertices on borders of regions doubled.
+  const Mesh& surface() const { return parted.is_parted() ? parted.separated.mesh : input->mesh; }
+  /// What files hold: the input, or its pieces, with labels and distances.
+  std::optional<LabelledMesh> labelled() const override;
+  OwnWriters own_writers() const override;
+  const IdVector<FaceId, GeneratorId>& face_labels() const;
+  /// The numbers of the labelled mesh's faces beside their labels.
+  const std::vector<FaceNumbers>& numbers() const { return cut ? cut->numbers : whole_numbers; }
+  /// The edges between two regions, or beside faces that are left out.
+  std::vector<std::vector<Vec3>> borders() const;
+
+  MeshPtr input = std::make_shared<CheckedMesh>();
+  PartedMesh parted;
+  std::vector<std::optional<double>> snap_distance;  ///< of the generators, from where they were given; or empty
+  std::shared_ptr<const Diagram> diagram = std::make_shared<Diagram>();   ///< of the surface
+  std::shared_ptr<const Diagram> on_input = std::make_shared<Diagram>();  ///< with the vertices of the input alone
+  std::optional<BalancedDiagram> balanced;                                ///< without its diagram
+  std::optional<Segmentation> whole;                                      ///< of the input's faces
+  std::vector<FaceNumbers> whole_numbers;
+  std::shared_ptr<const CutMesh> cut;  ///< null where whole faces are labelled
+  CutVertices cut_vertices;
+  Appearance appearance;         ///< of the pieces
+  std::optional<Charts> charts;  ///< without their texture, which the appearance has
+  ChartMap chart_map{};
+  std::int64_t unreached_faces = 0;
+  double border_length = 0;  ///< of whole faces
+  struct Discs {
+    std::int64_t added = 0, rounds = 0;
+    bool search_cut_short = false;
+  };
+  std::optional<Discs> discs;
+};
+
+/// Labels or cuts the faces of a diagram's mesh. Throws what segment_faces, cut_faces and make_charts throw.
+std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& call, Observer& observer);
+
+/// Chooses generators, computes their diagram, and labels or cuts the faces. Options become what they stand for. Throws
+/// what its steps throw.
+std::shared_ptr<const SegmentOutcome> run(const MeshPtr& input, SegmentCall& call, Observer& observer);
+
+}  // namespace gvd

@@ -1,0 +1,132 @@
+// What lies between faces that no path joins, told by their components.
+//
+// Sheets that met at a non-manifold edge or vertex of the input have copies of its vertices since the repair. Copies
+// are told by the vertex of the input that they stand for. Components that share an edge or a vertex of the input
+// belonged together before.
+
+#include "gvd/barriers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace gvd {
+namespace {
+
+/// Sets of components, each known by its smallest one.
+class ComponentSets {
+ public:
+  explicit ComponentSets(std::size_t components) : parent_(components) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  std::int32_t find(std::int32_t component) {
+    while (parent_[component] != component) component = parent_[component] = parent_[parent_[component]];
+    return component;
+  }
+  void unite(std::int32_t a, std::int32_t b) {
+    const auto [first, second] = std::minmax({find(a), find(b)});
+    parent_[second] = first;
+  }
+  std::vector<std::int32_t> list() {
+    std::vector<std::int32_t> sets;
+    for (std::size_t i = 0; i < parent_.size(); ++i) sets.push_back(find(std::int32_t(i)));
+    return sets;
+  }
+
+ private:
+  std::vector<std::int32_t> parent_;
+};
+
+/// Unites the components that have equal keys, each at its neighbours in the sorted list.
+template <class Key>
+void unite_equal(std::vector<std::pair<Key, std::int32_t>> keyed, ComponentSets& sets) {
+  std::sort(keyed.begin(), keyed.end());
+  for (std::size_t i = 1; i < keyed.size(); ++i) {
+    if (keyed[i - 1].first == keyed[i].first) sets.unite(keyed[i - 1].second, keyed[i].second);
+  }
+}
+
+/// Whether each vertex of the mesh is one of several that stand for the same vertex of the input.
+IdVector<VertexId, char> find_copies(const CheckedMesh& input) {
+  std::vector<std::int32_t> count(input.mesh_vertex.size());
+  for (const std::int32_t of_input : input.input_vertex) count[std::size_t(std::max(of_input, 0))] += of_input >= 0;
+  IdVector<VertexId, char> is_copy;
+  for (const std::int32_t of_input : input.input_vertex) {
+    is_copy.push_back(of_input >= 0 && count[std::size_t(of_input)] > 1 ? 1 : 0);
+  }
+  return is_copy;
+}
+
+}  // namespace
+
+Barriers::Barriers(const CheckedMesh& input) : component_(compute_face_components(input.mesh)) {
+  const Mesh& mesh = input.mesh;
+  const auto components =
+      std::size_t(component_.empty() ? 0 : 1 + *std::max_element(component_.begin(), component_.end()));
+  const IdVector<VertexId, char> is_copy = find_copies(input);
+  std::vector<std::pair<std::pair<std::int32_t, std::int32_t>, std::int32_t>> edges;
+  std::vector<std::pair<std::int32_t, std::int32_t>> points;
+  for (const HalfedgeId h : mesh.halfedges()) {
+    const VertexId a = mesh.from(h), b = mesh.to(h);
+    if (!is_copy[a]) continue;
+    points.emplace_back(input.input_vertex[a], component_[Mesh::face(h)]);
+    if (!is_copy[b]) continue;
+    edges.emplace_back(std::minmax({input.input_vertex[a], input.input_vertex[b]}), component_[Mesh::face(h)]);
+  }
+  ComponentSets sets(components);
+  unite_equal(std::move(edges), sets);
+  by_edges_ = sets.list();
+  unite_equal(std::move(points), sets);
+  by_points_ = sets.list();
+}
+
+Barriers::Origin Barriers::from(const std::vector<FaceId>& faces) const {
+  const std::vector<char> none(by_edges_.size(), 0);
+  Origin origin{none, none, none};
+  for (const FaceId f : faces) {
+    const auto component = std::size_t(component_[f]);
+    origin.components[component] = 1;
+    origin.by_edges[std::size_t(by_edges_[component])] = 1;
+    origin.by_points[std::size_t(by_points_[component])] = 1;
+  }
+  return origin;
+}
+
+Barrier Barriers::between(const Origin& origin, FaceId f) const {
+  const auto component = std::size_t(component_[f]);
+  if (origin.components[component]) return Barrier::inside;
+  if (origin.by_edges[std::size_t(by_edges_[component])]) return Barrier::cut_edge;
+  if (origin.by_points[std::size_t(by_points_[component])]) return Barrier::cut_vertex;
+  return Barrier::component;
+}
+
+std::string describe(Barrier barrier, const std::string& inside) {
+  switch (barrier) {
+    case Barrier::no_face:
+      return "in no face";
+    case Barrier::left_out:
+      return "left out by {option:within} or {option:mask}";
+    case Barrier::inside:
+      return inside;
+    case Barrier::cut_edge:
+      return "beyond a non-manifold edge, where sheets were cut apart";
+    case Barrier::cut_vertex:
+      return "beyond a non-manifold vertex, where sheets were cut apart";
+    case Barrier::component:
+      return "in another component";
+  }
+  return "";
+}
+
+std::string BarrierCounts::describe(const std::string& inside) const {
+  std::vector<std::string> numbered, words;
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    if (counts_[i] == 0) continue;
+    words.push_back(gvd::describe(static_cast<Barrier>(i), inside));
+    numbered.push_back(fmt::format("{} {}", counts_[i], words.back()));
+  }
+  return words.size() == 1 ? words.front() : fmt::format("{}", fmt::join(numbered, "; "));
+}
+
+}  // namespace gvd

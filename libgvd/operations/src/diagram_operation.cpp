@@ -1,0 +1,65 @@
+// The operations `sample` and `diagram`.
+
+#include "gvd/diagram_operation.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "gvd/diagram_options.hpp"
+#include "gvd/diagram_parts.hpp"
+#include "weighted_diagram.hpp"
+
+namespace gvd {
+
+void describe(OptionList& list, SampleCall& call) { describe(list, call.generators); }
+
+void SampleOutcome::visit(ObjectVisitor& visitor) const {
+  std::vector<double> snapped;
+  for (const auto& distance : found.snap_distance) {
+    snapped.push_back(distance.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  visitor.figure({"count", "", "number of points"}, std::ssize(found.points));
+  visitor.figure({"merged", "", "points that were merged with earlier ones"}, std::int64_t(found.merged));
+  visitor.figure({"snap_distances", "mesh units", "from where each point was given; none for others"}, snapped);
+  visitor.points({"points", "", "in the order of the list, or as they were sampled"}, found.points);
+  visitor.array({"vertices", "", "of the input, that the points were given as; -1: none"}, view(found.vertex));
+}
+
+std::shared_ptr<const SampleOutcome> run(const MeshPtr& input, SampleCall& call, Observer& observer) {
+  auto outcome = std::make_shared<SampleOutcome>();
+  outcome->input = input;
+  outcome->found = choose_generators(*input, call.generators, {}, observer);
+  return outcome;
+}
+
+void describe(OptionList& list, DiagramCall& call) {
+  describe(list, call.generators, {"curves"});
+  describe_curves(list, call.generators);
+  describe(list, call.diagram);
+  describe(list, call.weights, call.diagram);
+  list.excludes("curves", {"sampling", "seed", "merge_coincident", "balance", "weights"});
+  list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
+               return call.diagram.method == Method::exact ? "" : "{option:curves} needs {option:method=exact}";
+             }});
+}
+
+void DiagramOutcome::visit(ObjectVisitor& visitor) const {
+  DiagramObject::visit(visitor);
+  visit_balance(visitor, balanced_ ? &*balanced_ : nullptr);
+}
+
+std::shared_ptr<const DiagramOutcome> run(const MeshPtr& input, DiagramCall& call, Observer& observer) {
+  call.diagram.threads = observer.threads;
+  std::optional<BalancedDiagram> balanced;
+  Diagram made;
+  if (call.generators.curves.is_given()) {
+    made = compute_of_curves(*input, call.generators, call.diagram, observer);
+  } else {
+    const ResolvedGenerators found = choose_generators(*input, call.generators, call.diagram, observer);
+    made = compute_weighted(*input, input->mesh, found.points, call.weights, call.diagram, observer, balanced);
+  }
+  resolve(call.diagram);
+  return std::make_shared<DiagramOutcome>(input, std::make_shared<const Diagram>(std::move(made)), std::move(balanced));
+}
+
+}  // namespace gvd

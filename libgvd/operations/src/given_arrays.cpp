@@ -1,0 +1,203 @@
+// Values of options that come as arrays beside JSON.
+//
+// Any type of numbers serves for anything: languages differ in what they make of a list of numbers. Shapes tell what is
+// meant. Entries become those of files, which resolve_generators and resolve_curves check as they check files.
+
+#include "given_arrays.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+#include "gvd/error.hpp"
+#include "gvd/text.hpp"
+
+namespace gvd {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void refuse_array(const std::string& text) { throw Error(ErrorCode::invalid_option, text); }
+
+template <class T>
+double load(const std::byte* place) {
+  T value;
+  std::memcpy(&value, place, sizeof value);
+  return static_cast<double>(value);
+}
+
+constexpr std::array<double (*)(const std::byte*), 10> kLoad{
+    load<std::int8_t>,   load<std::uint8_t>, load<std::int16_t>,  load<std::uint16_t>, load<std::int32_t>,
+    load<std::uint32_t>, load<std::int64_t>, load<std::uint64_t>, load<float>,         load<double>};
+static_assert(std::size_t(ArrayType::float64) + 1 == kLoad.size());
+
+/// An array that may be read: its type and shape are right.
+const ArrayView& checked(const ArrayView& view, std::size_t place) {
+  const auto type = static_cast<std::int32_t>(view.type);
+  if (type < 0 || std::size_t(type) >= kLoad.size())
+    refuse_array(fmt::format("array {} has no known type: {}", place, type));
+  if (view.dimensions < 1 || view.dimensions > 2) {
+    refuse_array(fmt::format("array {} has {} dimensions; give 1 or 2", place, view.dimensions));
+  }
+  if (view.shape[0] < 0 || (view.dimensions == 2 && view.shape[1] < 0)) {
+    refuse_array(fmt::format("array {} has a negative length", place));
+  }
+  if (std::max(view.shape[0], view.dimensions == 2 ? view.shape[1] : 0) > std::numeric_limits<std::int32_t>::max()) {
+    refuse_array(fmt::format("array {} has more elements than a mesh can have", place));
+  }
+  if (view.data == nullptr && view.shape[0] > 0) refuse_array(fmt::format("array {} is NULL", place));
+  return view;
+}
+
+double number_at(const ArrayView& view, std::int64_t row, std::int64_t column) {
+  const auto* const first = static_cast<const std::byte*>(view.data);
+  const std::int64_t offset = row * view.strides[0] + (view.dimensions == 2 ? column * view.strides[1] : 0);
+  return kLoad[std::size_t(view.type)](first + offset);
+}
+
+const ArrayView& find_array(const Json& value, const Arrays& arrays) {
+  const Json& place = value.at("array");
+  const std::int64_t count = std::ssize(arrays.views);
+  if (!place.is_number_integer() || place.get<std::int64_t>() < 0 || place.get<std::int64_t>() >= count) {
+    refuse_array(fmt::format("there is no array {}; {} given", place.dump(), counted(count, "array is", "arrays are")));
+  }
+  return checked(arrays.views[place.get<std::size_t>()], place.get<std::size_t>());
+}
+
+std::int64_t columns_of(const ArrayView& view) { return view.dimensions == 2 ? view.shape[1] : 1; }
+
+std::int64_t to_index(double value, std::int64_t row) {
+  if (value >= 0 && value == std::floor(value) && value <= 0x1p53) return static_cast<std::int64_t>(value);
+  refuse_array(fmt::format("element {} is {}; give whole numbers from 0 on", row, value));
+}
+
+GeneratorEntry make_entry(const ArrayView& view, std::int64_t row) {
+  const auto at = [&](std::int64_t column) { return number_at(view, row, column); };
+  switch (columns_of(view)) {
+    case 1:
+      return {GeneratorEntry::Kind::vertex, to_index(at(0), row), {}, 0};
+    case 3:
+      return {GeneratorEntry::Kind::position, 0, {at(0), at(1), at(2)}, 0};
+    default:
+      return {GeneratorEntry::Kind::face, to_index(at(0), row), {at(1), at(2), at(3)}, 0};
+  }
+}
+
+GeneratorList to_list(const ArrayView& view, const std::string& name) {
+  const std::int64_t columns = columns_of(view);
+  if (columns != 1 && columns != 3 && columns != 4) {
+    refuse_array(fmt::format(
+        "points have {} columns; give vertices, positions in 3 columns, or faces and barycentric coordinates in 4",
+        columns));
+  }
+  GeneratorList list{name, {}};
+  for (std::int64_t row = 0; row < view.shape[0]; ++row) list.entries.push_back(make_entry(view, row));
+  if (list.entries.empty()) refuse_array("there is no point");
+  return list;
+}
+
+/// Numbers of JSON, which may be strings: it has no infinity.
+double to_number(const Json& value) {
+  if (value.is_number()) return value.get<double>();
+  const auto parsed = value.is_string() ? parse_number<double>(value.get_ref<const std::string&>()) : std::nullopt;
+  if (!parsed) refuse_array(fmt::format("{} is no number", gvd::quoted(value.dump())));
+  return *parsed;
+}
+
+std::vector<double> to_numbers(const Json& value, const Arrays& arrays) {
+  std::vector<double> numbers;
+  if (is_array_reference(value)) {
+    const ArrayView& view = find_array(value, arrays);
+    if (columns_of(view) != 1)
+      refuse_array(fmt::format("the array has {} columns; give one number each", columns_of(view)));
+    for (std::int64_t row = 0; row < view.shape[0]; ++row) numbers.push_back(number_at(view, row, 0));
+    return numbers;
+  }
+  if (!value.is_array())
+    refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
+  for (const Json& one : value) numbers.push_back(to_number(one));
+  return numbers;
+}
+
+}  // namespace
+
+bool is_array_reference(const Json& value) { return value.is_object() && value.size() == 1 && value.contains("array"); }
+
+std::vector<std::int64_t> read_indices(const Json& value, const Arrays& arrays) {
+  std::vector<std::int64_t> indices;
+  for (const double number : to_numbers(value, arrays)) indices.push_back(to_index(number, std::ssize(indices)));
+  return indices;
+}
+
+GeneratorList read_points(const Json& value, const Arrays& arrays, const std::string& name) {
+  if (is_array_reference(value)) return to_list(find_array(value, arrays), name);
+  if (!value.is_array() || value.empty()) {
+    refuse_array(fmt::format("{} is no list of points; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
+  }
+  if (std::all_of(value.begin(), value.end(), [](const Json& one) { return one.is_number(); })) {
+    GeneratorList list{name, {}};
+    for (const std::int64_t vertex : read_indices(value, arrays)) {
+      list.entries.push_back({GeneratorEntry::Kind::vertex, vertex, {}, 0});
+    }
+    return list;
+  }
+  return parse_generators(Json{{"generators", value}}.dump(), GeneratorFormat::json, name);
+}
+
+CurveList read_curves(const Json& value, const Arrays& arrays, const std::string& name) {
+  if (!value.is_object() || !value.contains("points")) {
+    refuse_array(fmt::format("{} is neither boundary, creases, creases:ANGLE nor {{\"points\": ..., \"offsets\": ...}}",
+                             gvd::quoted(value.dump())));
+  }
+  for (const auto& [key, part] : value.items()) {
+    if (key != "points" && key != "offsets" && key != "closed")
+      refuse_array(fmt::format("curves have no {}", gvd::quoted(key)));
+  }
+  CurveList list;
+  list.points = read_points(value.at("points"), arrays, name);
+  const std::int64_t count = std::ssize(list.points.entries);
+  std::vector<std::int64_t> offsets{0, count};
+  if (value.contains("offsets")) offsets = read_indices(value.at("offsets"), arrays);
+  const Json closing = value.value("closed", Json(false));
+  if (!closing.is_boolean())
+    refuse_array(fmt::format("\"closed\": {} is neither true nor false", gvd::quoted(closing.dump())));
+  const bool closed = closing.get<bool>();
+  if (offsets.size() < 2 || offsets.front() != 0 || offsets.back() != count) {
+    refuse_array(fmt::format("the offsets of curves begin with 0 and end with the number of points, {}", count));
+  }
+  for (std::size_t c = 0; c + 1 < offsets.size(); ++c) {
+    const std::int64_t first = offsets[c], end = offsets[c + 1];
+    if (end <= first) refuse_array(fmt::format("curve {} has no point", c));
+    list.curve.resize(std::size_t(end), std::int32_t(c));
+    for (std::int64_t i = first + 1; i < end; ++i) list.segments.push_back({std::int32_t(i - 1), std::int32_t(i)});
+    if (closed && end - first > 2) list.segments.push_back({std::int32_t(end - 1), std::int32_t(first)});
+  }
+  return list;
+}
+
+ElementValues read_numbers(const Json& value, const Arrays& arrays, ValueSource::Of of, const std::string& name) {
+  ElementValues given{name, {true, to_numbers(value, arrays)}, true};
+  const std::int64_t count = std::ssize(given.soup.values);
+  const Mesh& mesh = arrays.input.mesh;
+  if (of == ValueSource::Of::generators) return given;
+  const bool fits_vertices = count == mesh.vertex_count(), fits_faces = count == mesh.face_count();
+  if (fits_vertices || fits_faces) {
+    given.soup.of_vertices = of == ValueSource::Of::faces ? !fits_faces : fits_vertices;
+    return given;
+  }
+  if (count != std::ssize(arrays.input.mesh_vertex)) {
+    refuse_array(fmt::format("{}; give one for each vertex ({}) or face ({})", counted(count, "number", "numbers"),
+                             mesh.vertex_count(), mesh.face_count()));
+  }
+  given.of_mesh = false;  // a number for each vertex of the file
+  return given;
+}
+
+}  // namespace gvd

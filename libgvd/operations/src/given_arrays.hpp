@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gvd/curve_list.hpp"
+#include "gvd/generator_list.hpp"
+#include "gvd/object.hpp"
+#include "gvd/option_list.hpp"
+#include "gvd/read_values.hpp"
+#include "gvd/soup.hpp"
+
+// Values of options that come as arrays beside JSON, or as lists in it.
+namespace gvd {
+
+/// What JSON refers to.
+struct Arrays {
+  std::span<const ArrayView> views;
+  const CheckedMesh& input;
+};
+
+// Each of these throws Error{invalid_option} whose text begins with what is wrong, without the name of the option.
+
+/// `name`: what later messages call the points.
+GeneratorList read_points(const nlohmann::ordered_json& value, const Arrays& arrays, const std::string& name);
+CurveList read_curves(const nlohmann::ordered_json& value, const Arrays& arrays, const std::string& name);
+ElementValues read_numbers(const nlohmann::ordered_json& value, const Arrays& arrays, ValueSource::Of of,
+                           const std::string& name);
+/// Whole numbers from 0 on.
+std::vector<std::int64_t> read_indices(const nlohmann::ordered_json& value, const Arrays& arrays);
+
+/// Whether a value is {"array": N}.
+bool is_array_reference(const nlohmann::ordered_json& value);
+
+}  // namespace gvd

@@ -1,0 +1,186 @@
+// The operation `lloyd`: generators, their relaxation and, where that is asked for, cells with equal shares.
+//
+// Each iteration moves the generators towards the centroids of their cells, and lowers the energy (gvd/lloyd.hpp).
+
+#include "gvd/lloyd_operation.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "gvd/diagram_options.hpp"
+#include "gvd/diagram_parts.hpp"
+#include "gvd/lloyd_options.hpp"
+#include "gvd/lloyd_words.hpp"
+#include "gvd/text.hpp"
+
+namespace gvd {
+namespace {
+
+const char* describe(LloydStop stop) {
+  constexpr std::array<const char*, 6> kSentences{
+      "every generator is at its centroid", "the energy falls by less than the tolerance",
+      "no step lowers the energy any more", "hardly any decrease of the energy is left",
+      "the iterations are used up",         "the time is over"};
+  return kSentences[static_cast<std::size_t>(stop)];
+}
+
+/// Standard deviation of the cells' areas, divided by their mean; 0 where they have none.
+double area_variation(const IdVector<GeneratorId, Cell>& cells) {
+  double sum = 0, squares = 0;
+  for (const Cell& cell : cells) sum += cell.area;
+  const double mean = sum / static_cast<double>(cells.size());
+  if (!(mean > 0)) return 0;
+  for (const Cell& cell : cells) squares += (cell.area / mean - 1) * (cell.area / mean - 1);
+  return std::sqrt(squares / static_cast<double>(cells.size()));
+}
+
+RelaxationStart start(const CheckedMesh& input, LloydCall& call, ResolvedGenerators& listed, Observer& observer) {
+  call.start.copy = copy_options(call.relaxation, call.start.copy);
+  RelaxationStartOptions options =
+      make_start_options(input, call.generators, call.diagram, call.constraints, call.start, listed, observer);
+  RelaxationStart made;
+  {
+    Step step(observer, "generators");
+    options.on_step = [&step](std::string_view name) { step.next(name); };
+    made = start_relaxation(input.mesh, options);
+  }
+  tell_start(observer, input.mesh, made, options, call.generators.are_listed());
+  return made;
+}
+
+LloydResult relax(const Mesh& mesh, const RelaxationStart& start, const LloydCall& call, Observer& observer) {
+  LloydOptions options = call.relaxation;
+  options.diagram = call.diagram;
+  options.progress = progress_of(observer);
+  options.on_iteration = [&](std::int64_t iterations, double energy, const std::vector<SurfacePoint>& generators) {
+    if (call.relaxation.on_iteration) call.relaxation.on_iteration(iterations, energy, generators);
+    show_iteration(observer, iterations, energy);
+  };
+  LloydResult result = as_step(observer, kRelaxationStep, [&] { return relax_generators(mesh, start, options); });
+  observer.status("");
+  tell_copy(observer, result.copy, start, options.ends_on_copy);
+  observer.note(fmt::format("{}, energy {:.6g} -> {:.6g} mesh units^4: {}",
+                            counted(std::ssize(result.iterations), "iteration", "iterations"), result.initial_energy,
+                            result.final_energy, describe(result.stop)));
+  observer.note(
+      fmt::format("areas of the cells: coefficient of variation {:.3g}", area_variation(result.diagram.cells)));
+  return result;
+}
+
+/// Makes the cells of a relaxation equal, and takes what that changes into its result.
+BalancedRelaxation balance(const CheckedMesh& input, const RelaxationStart& start, const LloydCall& call,
+                           LloydResult& relaxed, Observer& observer) {
+  BalancedRelaxationOptions options;
+  options.balance.density = find_density(input, call.balance);
+  options.balance.diagram = call.diagram;
+  options.balance.diagram.progress = progress_of(observer);
+  options.density = start.density;
+  options.freedom = start.freedom;
+  options.creases = start.creases;
+  BalancedRelaxation found =
+      as_step(observer, "balance", [&] { return relax_balanced(input.mesh, relaxed.generators, options); });
+  relaxed.generators = found.balanced.diagram.generators;
+  relaxed.moments = std::move(found.moments);
+  relaxed.final_energy = 0;
+  for (const CellMoments& cell : relaxed.moments) relaxed.final_energy += cell.energy;
+  relaxed.residual = found.residual;
+  relaxed.mean_cell_radius = found.mean_cell_radius;
+  observer.note(fmt::format("{} of balancing, generators at most {:.2g} mean cell radii from their centroids",
+                            counted(found.rounds, "round", "rounds"), found.residual / found.mean_cell_radius));
+  tell_balance(observer, found.balanced);
+  relaxed.diagram = std::exchange(found.balanced.diagram, {});
+  return found;
+}
+
+/// A list for each figure of the iterations. The first energy is that of the given generators.
+void visit_iterations(ObjectVisitor& visitor, const LloydResult& result) {
+  std::vector<double> energies;
+  if (!result.generators.empty()) energies.push_back(result.initial_energy);
+  for (const LloydIteration& i : result.iterations) energies.push_back(i.energy);
+  visitor.figure({"energies", "mesh units to the fourth", "at the start and after each iteration"}, energies);
+  const auto list = [&]<class T>(const Meaning& meaning, const auto& figure, T) {
+    std::vector<T> values;
+    for (const LloydIteration& i : result.iterations) values.push_back(T(std::invoke(figure, i)));
+    visitor.figure(meaning, std::move(values));
+  };
+  list({"steps", "", "how each step was found"}, step_name, std::string());
+  list({"relocated_generators", "", "that left their places for distant ones"}, &LloydIteration::relocated,
+       std::int64_t());
+  list({"methods", "", "of the diagram that each energy was measured with"}, measure_name, std::string());
+  list({"largest_moves", "mesh units", "longest path of a generator"}, &LloydIteration::largest_move, double());
+  list({"mean_moves", "mesh units", "mean length of the paths"}, &LloydIteration::mean_move, double());
+  list({"step_scales", "", "factor of all steps"}, &LloydIteration::scale, double());
+  list({"held_generators", "", "that did not move: they would collide"}, &LloydIteration::held, std::int64_t());
+}
+
+}  // namespace
+
+std::string_view measure_name(const LloydIteration& iteration) {
+  return iteration.is_sampled ? "sampled" : name_in(kMethodNames, iteration.method);
+}
+
+std::string_view step_name(const LloydIteration& iteration) {
+  if (iteration.relocated > 0) return "relocation";
+  return iteration.by == Acceleration::none ? "lloyd" : name_in(kAccelerationNames, iteration.by);
+}
+
+void describe(OptionList& list, LloydCall& call) {
+  describe(list, call.generators);
+  describe(list, call.diagram);
+  describe(list, call.relaxation);
+  describe(list, call.constraints);
+  describe(list, call.start);
+  list.group("Relaxation");
+  list.option(
+      "balance", ValueSource{&call.balance, {"area"}},
+      {.help = "In the end, make all cells equal and keep the generators near their centroids",
+       .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
+               "the input"});
+}
+
+void LloydOutcome::visit(ObjectVisitor& visitor) const {
+  const LloydResult& result = *relaxed;
+  const std::vector<CellMoments>& moments = result.moments.raw();
+  visitor.figure({"iterations", "", "number of iterations"}, std::int64_t(result.iterations.size()));
+  visitor.figure({"stop", "", "why the relaxation ended"}, std::string(name_in(kLloydStopNames, result.stop)));
+  visit_iterations(visitor, result);
+  visit_copy(visitor, result.copy);
+  visitor.figure({"residual", "mesh units", "largest distance from a generator to its centroid"}, result.residual);
+  visitor.figure({"mean_cell_radius", "mesh units", "sqrt(area / (pi cells))"}, result.mean_cell_radius);
+  visitor.figure({"diagrams", "", "that were computed"}, result.diagrams);
+  visitor.figure({"area_variation", "", "standard deviation of the cells' areas by their mean"},
+                 area_variation(result.diagram.cells));
+  visitor.figure({"final_energy", "mesh units to the fourth", "of the diagram"}, result.final_energy);
+  visit_balance(visitor, balanced ? &balanced->balanced : nullptr);
+  visitor.figure({"balance.rounds", "", "moves of all generators"},
+                 balanced ? Figure(std::int64_t(balanced->rounds)) : Figure());
+  visitor.figure({"weights", "mesh units", "of the generators, by which the cells are equal"},
+                 balanced ? Figure(result.diagram.weights) : Figure());
+  visitor.points({"generators", "", "relaxed ones"}, result.generators);
+  visitor.array({"areas", "square mesh units", "of the cells"}, view(moments, &CellMoments::area));
+  visitor.array({"cell_energies", "mesh units to the fourth", "of the cells"}, view(moments, &CellMoments::energy));
+  visitor.part({"diagram", "", "of the generators"}, "diagram",
+               [this] { return std::make_shared<DiagramObject>(diagram()); });
+}
+
+std::shared_ptr<const LloydOutcome> run(const MeshPtr& input, LloydCall& call, Observer& observer) {
+  call.diagram.threads = observer.threads;
+  auto outcome = std::make_shared<LloydOutcome>();
+  outcome->input = input;
+  ResolvedGenerators listed;
+  const RelaxationStart made = start(*input, call, listed, observer);
+  LloydResult relaxed = relax(input->mesh, made, call, observer);
+  if (call.balance.is_given()) outcome->balanced = balance(*input, made, call, relaxed, observer);
+  tell_diagram(observer, relaxed.diagram);
+  outcome->snap_distance = snaps_of_unmoved(listed, relaxed.generators);
+  outcome->relaxed = std::make_shared<const LloydResult>(std::move(relaxed));
+  resolve(call.diagram);
+  resolve(call.relaxation);
+  return outcome;
+}
+
+}  // namespace gvd

@@ -1,0 +1,116 @@
+// Meshes and diagrams as objects.
+#include "gvd/mesh_objects.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include "gvd/generator_list.hpp"
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+namespace {
+
+std::int64_t count_disc_cells(const Diagram& diagram) {
+  return std::count_if(diagram.cells.begin(), diagram.cells.end(),
+                       [](const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; });
+}
+
+void visit_report(ObjectVisitor& visitor, const Diagram& diagram) {
+  const DiagramReport& report = diagram.report;
+  visitor.figure({"branch_points", "", "points of three or more cells"}, std::int64_t(diagram.branch_points.count()));
+  visitor.figure({"bisectors", "", "curves between two cells"}, std::int64_t(diagram.bisectors.count()));
+  visitor.figure({"length", "mesh units", "of all bisectors"}, diagram.length);
+  visitor.figure({"cells", "", "generators"}, std::int64_t(diagram.cells.count()));
+  visitor.figure({"disc_cells", "", "cells that are discs"}, count_disc_cells(diagram));
+  visitor.figure({"trivial_faces", "", "faces whose corners have one nearest generator"}, report.face_classes.trivial);
+  visitor.figure({"ordinary_faces", "", "faces whose corners have two"}, report.face_classes.ordinary);
+  visitor.figure({"branching_faces", "", "faces whose corners have three"}, report.face_classes.branching);
+  visitor.figure({"gaps", "", "connected sets of faces with three or more generators"}, report.gaps);
+  visitor.figure({"gaps_grown", "", "gaps that growth closed"}, report.gaps_grown);
+  visitor.figure({"gaps_assembled", "", "gaps that were closed from the crossings of edges"}, report.gaps_assembled);
+  visitor.figure({"unresolved_ends", "", "ends of bisectors at no branch point and not on the boundary"},
+                 report.unresolved_ends);
+  visitor.figure({"relabelled_vertices", "", "vertices with another label than the nearest generator"},
+                 report.relabelled_vertices);
+  visitor.figure({"straightened_faces", "", "faces in which bisectors are straightened"}, report.straightened_faces);
+  visitor.figure({"straightened_error", "mesh units", "largest difference of the two distances there"},
+                 report.straightened_error);
+}
+
+}  // namespace
+
+void MeshObject::visit(ObjectVisitor& visitor) const {
+  const Mesh& mesh = mesh_->mesh;
+  const MeshSummary summary = compute_mesh_summary(mesh);
+  visitor.figure({"vertices", "", "number of vertices"}, summary.vertices);
+  visitor.figure({"faces", "", "number of triangles"}, summary.faces);
+  visitor.figure({"components", "", "connected parts"}, summary.components);
+  visitor.figure({"boundary_loops", "", "loops of boundary edges"}, summary.boundary_loops);
+  visitor.figure({"euler_characteristic", "", "vertices - edges + faces"}, summary.euler_characteristic);
+  visitor.figure({"area", "square mesh units", "of all faces"}, summary.area);
+  visitor.figure({"bbox_diagonal", "mesh units", "diagonal of the bounding box"}, summary.bbox_diagonal);
+  visitor.figure({"repairs", "", "what was repaired, a line each"}, mesh_->defects.messages);
+  visitor.array({"vertex_positions", "mesh units", "x, y and z of each vertex"}, view(mesh.positions()));
+  visitor.array({"face_vertices", "", "the vertices of each face"}, view(mesh.face_vertices()));
+  visitor.array({"vertex_of_input", "", "the vertex that each vertex of the input became; -1: none"},
+                view(mesh_->mesh_vertex));
+  visitor.array({"input_vertex", "", "the vertex of the input that each vertex was; -1: the middle of a split edge"},
+                view(mesh_->input_vertex));
+  visitor.array({"input_polygon", "", "the polygon of the input that each face was part of"},
+                view(mesh_->input_polygon));
+}
+
+void DiagramObject::visit(ObjectVisitor& visitor) const {
+  const Diagram& diagram = *diagram_;
+  const auto& bisectors = diagram.bisectors.raw();
+  visit_report(visitor, diagram);
+  visitor.points({"generators", "", "the generators; of a curve its first point"}, diagram.generators);
+  visitor.array({"weights", "mesh units", "of the generators; empty: 0 for all"}, view(diagram.weights));
+  visitor.array({"vertex_labels", "", "the nearest generator of each vertex; -1: none"}, view(diagram.vertex_label));
+  visitor.array({"vertex_distances", "mesh units", "the distance from it"}, view(diagram.vertex_distance));
+  visitor.array({"face_labels", "", "the generator of each whole face; -1: cut, or reached by none"},
+                view(diagram.face_label));
+  visitor.array({"cell_areas", "square mesh units", "of the cell of each generator"},
+                view(diagram.cells.raw(), &Cell::area));
+  visitor.array({"cell_euler_characteristics", "", "1 for a disc, 0 for an annulus"},
+                view(diagram.cells.raw(), &Cell::euler_characteristic));
+  visitor.array({"cell_components", "", "1 for a cell that is connected"},
+                view(diagram.cells.raw(), &Cell::components));
+  visitor.points({"branch_point", "", "points of three or more cells"},
+                 {diagram.branch_points.raw(), &BranchPoint::point});
+  visitor.array({"branch_point_distances", "mesh units", "their distances from the generators"},
+                view(diagram.branch_points.raw(), &BranchPoint::distance));
+  visitor.array({"bisector_left", "", "the cell on the left of each bisector, seen from outside"},
+                view(bisectors, &Bisector::left));
+  visitor.array({"bisector_right", "", "the cell on its right"}, view(bisectors, &Bisector::right));
+  visitor.array({"bisector_closed", "", "1 for a loop"}, view(bisectors, &Bisector::closed));
+  visitor.array({"bisector_ends", "", "the branch points at both ends; -1 on the boundary, and of a loop"},
+                view(bisectors, &Bisector::ends));
+  visitor.curves({"bisector", "", "the points of each bisector, both ends included"},
+                 {std::ssize(bisectors), [&bisectors](std::int64_t i) {
+                    return std::span<const SurfacePoint>(bisectors[std::size_t(i)].points);
+                  }});
+}
+
+OwnWriters list_writers(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  const auto list = [&](GeneratorFormat format) {
+    return [&mesh, &points, format](std::ostream& out) { out << format_generators(mesh, points, format); };
+  };
+  return {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}};
+}
+
+std::optional<LabelledMesh> MeshObject::labelled() const {
+  LabelledMesh mesh{mesh_->mesh};
+  mesh.appearance = &mesh_->appearance;
+  return mesh;
+}
+
+std::optional<LabelledMesh> DiagramObject::labelled() const {
+  LabelledMesh mesh = label_mesh(mesh_->mesh, *diagram_, diagram_->face_label);
+  mesh.appearance = &mesh_->appearance;
+  return mesh;
+}
+
+OwnWriters DiagramObject::own_writers() const { return list_writers(mesh_->mesh, diagram_->generators); }
+
+}  // namespace gvd

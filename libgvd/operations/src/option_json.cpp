@@ -1,0 +1,133 @@
+// Options as JSON: their values, and the kinds of values that they take.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "gvd/curve_list.hpp"
+#include "gvd/generator_list.hpp"
+#include "gvd/operation_json.hpp"
+#include "gvd/option_text.hpp"
+#include "gvd/read_values.hpp"
+
+namespace gvd {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+Json value_of(const Field& field) {
+  const auto plain = [](const auto* value) { return Json(*value); };
+  return std::visit(
+      Overload{[](const Flag& flag) { return Json(*flag.value == flag.given_as); },
+               [](const Switch& on_off) { return or_null(*on_off.value); },
+               [&](const Number& number) {
+                 return std::visit(Overload{plain, [](const std::optional<std::int32_t>* v) { return or_null(*v); },
+                                            [](const std::optional<std::int64_t>* v) { return or_null(*v); },
+                                            [](const std::optional<double>* v) { return or_null(*v); }},
+                                   number.value);
+               },
+               [](const Choice& choice) {
+                 const auto place = choice.get();
+                 return place ? Json(choice.names[*place]) : Json();
+               },
+               [](const ChoiceList& list) { return Json(*list.value); },
+               [](const File& file) {
+                 return std::visit(Overload{[](const std::string* name) { return or_null(*name); },
+                                            [](const std::vector<std::string>* names) { return Json(*names); }},
+                                   file.value);
+               },
+               [](const PointList& list) {
+                 const auto& [vertices, file, given] = *list.value;
+                 if (vertices) return Json(*vertices);
+                 return given && file.empty() ? Json{{"points", given->entries.size()}} : or_null(file);
+               },
+               [](const Curves& curves) {
+                 const auto& [name, given] = *curves.value;
+                 return given && name.empty() ? Json{{"points", given->points.entries.size()}} : or_null(name);
+               },
+               [](const Counts& counts) { return counts.value->empty() ? Json() : Json(*counts.value); },
+               [](const ValueSource& values) {
+                 const auto& [name, given] = *values.value;
+                 return given && name.empty() ? Json{{"numbers", given->soup.values.size()}} : or_null(name);
+               },
+               [](const ByteSize& size) { return or_null(*size.value); },
+               [](const SizeOrPercent& size) {
+                 if (!*size.value) return Json();
+                 const ErrorBound& bound = **size.value;
+                 return bound.in_diagonals ? Json(fmt::format("{:.15g}%", bound.value * 100)) : Json(bound.value);
+               },
+               [](const CreaseAngle& angle) { return *angle.automatic ? Json("auto") : or_null(*angle.value); }},
+      field);
+}
+
+Json describe_number(const Number& number) {
+  Json kind{{"kind", is_real(number) ? "number" : "whole number"}, {"range", describe_range(number)}};
+  const Range& range = number.range;
+  if (std::isfinite(range.least)) kind[range.above_least ? "above" : "least"] = range.least;
+  if (std::isfinite(range.most)) kind[range.below_most ? "below" : "most"] = range.most;
+  if (!number.words.empty()) kind["choices"] = names_in(number.words);
+  return kind;
+}
+
+/// The name of a kind, and what it takes.
+Json describe_kind(const Field& field) {
+  const auto named = [](const char* kind) { return Json{{"kind", kind}}; };
+  return std::visit(
+      Overload{[&](const Flag&) { return named("flag"); }, [&](const Switch&) { return named("switch"); },
+               [](const Number& number) { return describe_number(number); },
+               [](const Choice& choice) {
+                 return Json{{"kind", "choice"}, {"choices", choice.names}};
+               },
+               [](const ChoiceList& list) {
+                 return Json{{"kind", "choices"}, {"choices", list.names}};
+               },
+               [](const File& file) {
+                 const bool is_folder = file.use == File::Use::folder;
+                 Json kind{{"kind", is_folder ? "folder" : file.use == File::Use::read ? "input file" : "output file"}};
+                 if (!file.extensions.empty()) kind["extensions"] = file.extensions;
+                 return kind;
+               },
+               [&](const PointList& list) {
+                 using Named = PointList::Named;
+                 return named(list.named == Named::vertices ? "vertices"
+                              : list.named == Named::file   ? "input file"
+                                                            : "points");
+               },
+               [&](const Curves&) { return named("curves"); }, [&](const Counts&) { return named("counts"); },
+               [](const ValueSource& values) {
+                 Json kind{{"kind", "values"}};
+                 if (!values.words.empty()) kind["choices"] = values.words;
+                 return kind;
+               },
+               [&](const ByteSize&) { return named("bytes"); }, [&](const SizeOrPercent&) { return named("bound"); },
+               [&](const CreaseAngle&) { return named("crease angle"); }},
+      field);
+}
+
+}  // namespace
+
+std::string value_json(const Field& field) {
+  return value_of(field).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string kind_json(const Field& field) { return describe_kind(field).dump(); }
+
+std::string options_json(const OptionList& list, const Given& given) {
+  Json values = Json::object();
+  for (const Option* const option : list.options()) {
+    const bool is_question = option->spec.shown == Shown::answered || option->spec.shown == Shown::hidden;
+    if (is_question) continue;
+    const bool is_used = !takes_value(option->field) || list.why_idle(*option, given).empty();
+    values[option->name] = is_used ? value_of(option->field) : Json();
+  }
+  return values.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace gvd

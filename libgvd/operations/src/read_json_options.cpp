@@ -1,0 +1,172 @@
+// Options from JSON.
+//
+// A scalar is read as its text, so that this door and the command line accept and refuse the same; arrays and lists are
+// read by given_arrays.hpp. Every mistake has one line, with the name of the option in front.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "given_arrays.hpp"
+#include "gvd/error.hpp"
+#include "gvd/operation_json.hpp"
+#include "gvd/option_text.hpp"
+#include "gvd/text.hpp"
+
+namespace gvd {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void refuse_json(const std::string& text) { throw Error(ErrorCode::invalid_option, text); }
+
+/// No option has lists in lists in lists. Deep ones would overflow the stack of whoever shows or frees them.
+constexpr int kDeepest = 8;
+
+/// A name that stands twice in an object would lose its first value in silence.
+class CheckedWhileRead {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+    if (depth > kDeepest) refuse_json(fmt::format("options: lists and objects are nested more than {} deep", kDeepest));
+    if (event == Json::parse_event_t::key && depth == 1 && !names_.insert(parsed.get<std::string>()).second) {
+      refuse_json(fmt::format("\"{}\" is given twice; keep one", printable(parsed.get_ref<const std::string&>())));
+    }
+    return true;
+  }
+
+ private:
+  std::set<std::string> names_;
+};
+
+std::string describe_place(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
+  const std::size_t line = std::size_t(std::count(before.begin(), before.end(), '\n')) + 1;
+  const std::size_t start = before.rfind('\n');
+  return fmt::format("line {}, column {}", line, before.size() - (start == before.npos ? 0 : start + 1) + 1);
+}
+
+Json parse(std::string_view text) {
+  try {
+    const Json parsed = Json::parse(text, CheckedWhileRead());
+    if (!parsed.is_object()) refuse_json("options: the JSON is no object; write one, such as {\"count\": 30}");
+    return parsed;
+  } catch (const Json::parse_error& error) {
+    refuse_json(fmt::format("options: not valid JSON at {}", describe_place(text, error.byte)));
+  } catch (const Json::out_of_range&) {
+    refuse_json("options: the JSON has a number that is too large for a double");
+  }
+}
+
+/// The text that a command line has for a value; nothing for lists and objects.
+std::optional<std::string> to_text(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number() || value.is_boolean()) return value.dump();
+  return std::nullopt;
+}
+
+/// The texts of a value, or of the elements of a list.
+std::vector<std::string> to_texts(const Json& value) {
+  std::vector<std::string> texts;
+  if (value.is_array()) {
+    for (const Json& one : value) texts.push_back(to_text(one).value_or(one.dump()));
+  } else {
+    texts.push_back(to_text(value).value_or(value.dump()));
+  }
+  return texts;
+}
+
+/// Reads one option. Returns what is wrong; empty where nothing is.
+std::string read_value(const Option& option, const Json& value, const Arrays& arrays) {
+  const std::string name = fmt::format("{{option:{}}}", option.name);
+  const auto as_text = [&] { return read_option(option, {to_text(value).value_or(value.dump())}); };
+  return std::visit(
+      Overload{[&](const PointList& list) -> std::string {
+                 if (list.named == PointList::Named::vertices) {
+                   *list.value = {read_indices(value, arrays), {}, nullptr};
+                 } else {
+                   *list.value = {{}, {}, std::make_shared<GeneratorList>(read_points(value, arrays, name))};
+                 }
+                 return "";
+               },
+               [&](const Curves& curves) {
+                 const std::string word = value.is_string() ? value.get<std::string>() : "";
+                 if (word == "boundary" || word == "creases" || word.starts_with("creases:")) return as_text();
+                 if (value.is_string()) {
+                   return gvd::quoted(word) + " is none of boundary, creases and creases:ANGLE; or give points";
+                 }
+                 *curves.value = {{}, std::make_shared<CurveList>(read_curves(value, arrays, name))};
+                 return std::string();
+               },
+               [&](const ValueSource& values) -> std::string {
+                 const std::string word = value.is_string() ? value.get<std::string>() : "";
+                 if (std::find(values.words.begin(), values.words.end(), word) != values.words.end()) return as_text();
+                 if (value.is_string() && !values.words.empty()) {
+                   return fmt::format("{} (numbers serve, too)", describe_unknown(word, values.words));
+                 }
+                 *values.value = {{}, std::make_shared<ElementValues>(read_numbers(value, arrays, values.of, name))};
+                 return "";
+               },
+               [&](const Flag&) -> std::string {
+                 return value.is_boolean() ? as_text() : gvd::quoted(value.dump()) + " is neither true nor false";
+               },
+               [&](const Switch&) -> std::string {
+                 return value.is_boolean() || value.is_string()
+                            ? as_text()
+                            : gvd::quoted(value.dump()) + " is neither true nor false";
+               },
+               [&](const Counts&) { return read_option(option, to_texts(value)); },
+               [&](const ChoiceList&) { return read_option(option, to_texts(value)); },
+               [&](const auto&) { return as_text(); }},
+      option.field);
+}
+
+[[noreturn]] void refuse_name(const OptionList& list, const std::string& wrong) {
+  std::vector<std::string> names;
+  for (const Option* const option : list.options()) names.push_back(option->name);
+  const auto meant = suggest_name(wrong, names);
+  refuse_json(fmt::format("there is no option \"{}\"{}", printable(wrong),
+                          meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+}
+
+}  // namespace
+
+Given read_json_options(const OptionList& list, const CheckedMesh& input, std::string_view json,
+                        std::span<const ArrayView> arrays) {
+  Given given;
+  const Json parsed = parse(json);
+  for (const auto& [name, value] : parsed.items()) {
+    const Option* const option = list.find(name);
+    if (option == nullptr) refuse_name(list, name);
+    if (value.is_null()) continue;
+    std::string wrong;
+    try {
+      wrong = read_value(*option, value, {arrays, input});
+    } catch (const Error& error) {
+      wrong = error.text();
+    }
+    if (!wrong.empty()) refuse_json(fmt::format("{{option:{}}}: {}", name, wrong));
+    // A flag with its default says nothing, as --cut=false of a command.
+    const bool is_set = !std::holds_alternative<Flag>(option->field) || value.get<bool>() != option->is_on;
+    if (is_set) given.add(name, {fmt::format("\"{}\"", name), "", 0});
+  }
+  if (const auto problem = list.find_problem(given)) refuse_json(problem->text);
+  if (const auto missing = list.find_missing(given)) refuse_json(missing->text);
+  return given;
+}
+
+std::string spell_for_json(const std::string& text, const Given* given) {
+  OptionSpelling spelling{.spell = [](std::string_view name, std::string_view value) {
+    if (value.empty()) return fmt::format("\"{}\"", name);
+    const bool is_bare = parse_number<double>(value) || value == "true" || value == "false";
+    return is_bare ? fmt::format("\"{}\": {}", name, value) : fmt::format("\"{}\": \"{}\"", name, value);
+  }};
+  if (given != nullptr) spelling.is_given = [given](std::string_view name) { return given->has(name); };
+  return spell_options(text, spelling);
+}
+
+}  // namespace gvd

@@ -1,0 +1,328 @@
+// What a remesh consists of: figures, arrays, and notes.
+//
+// The figures tell everything; notes have those that users should not miss: what was added and why, creases that edges
+// do not follow, intersections, and the distance from the input in percent of the diagonal.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "gvd/quality.hpp"
+#include "gvd/remesh_operation.hpp"
+#include "gvd/sampling.hpp"
+#include "gvd/text.hpp"
+
+namespace gvd {
+namespace {
+
+/// Gives figures whose names begin with the same words.
+class FigureGroup {
+ public:
+  FigureGroup(ObjectVisitor& visitor, std::string name) : visitor_(visitor), name_(std::move(name)) {}
+  FigureGroup inside(const std::string& name) const { return {visitor_, name_ + '.' + name}; }
+  void figure(const char* name, const char* unit, const char* text, const Figure& value) const {
+    const std::string whole = name_ + '.' + name;
+    visitor_.figure({whole, unit, text}, value);
+  }
+
+ private:
+  ObjectVisitor& visitor_;
+  std::string name_;
+};
+
+void visit(const FigureGroup& group, const TriangleQuality& q) {
+  group.figure("q_min", "", "least Q of a triangle: 1 for an equilateral one", q.q_min);
+  group.figure("q_average", "", "mean Q", q.q_average);
+  group.figure("angle_min", "degrees", "least angle", q.angle_min);
+  group.figure("angle_min_average", "degrees", "mean of the triangles' least angles", q.angle_min_average);
+  group.figure("percent_below_30", "percent", "of the triangles have an angle below 30 degrees", q.percent_below_30);
+}
+
+void visit(const FigureGroup& group, const Valences& v) {
+  group.figure("least", "", "edges at a vertex", std::int64_t(v.least));
+  group.figure("largest", "", "edges at a vertex", std::int64_t(v.largest));
+  group.figure("percent_regular", "percent", "of the vertices have six edges, or four on the boundary",
+               v.percent_regular);
+}
+
+void visit(const FigureGroup& group, const RemeshCertificate& c) {
+  group.figure("manifold", "", "whether the remesh is", c.manifold);
+  group.figure("closed_as_input", "", "whether it is closed where the input is", c.closed_as_input);
+  group.figure("same_euler_characteristic", "", "as the input has", c.same_euler_characteristic);
+  group.figure("same_components", "", "as the input has", c.same_components);
+  group.figure("same_boundary_loops", "", "as the input has", c.same_boundary_loops);
+  group.figure("same_in_each_component", "", "whether this holds for each component", c.same_in_each_component);
+  group.figure("flipped_faces", "", "number of flipped triangles", std::int64_t(c.flipped_faces));
+  group.figure("unused_generators", "", "without a triangle", std::int64_t(c.unused_generators));
+  group.figure("self_intersections", "", "pairs of triangles that intersect", std::ssize(c.self_intersections));
+  group.figure("inherited_intersections", "", "pairs that do so where the input does", c.inherited_intersections);
+  group.figure("intersections_allowed", "", "whether others are accepted", c.intersections_allowed);
+}
+
+void visit(const FigureGroup& group, const SurfaceDistance& d) {
+  group.figure("hausdorff", "mesh units", "largest distance that was measured", d.hausdorff);
+  group.figure("hausdorff_bound", "mesh units", "no distance is larger", d.hausdorff_bound);
+  group.figure("rms", "mesh units", "root mean square distance", d.rms);
+}
+
+void visit(const FigureGroup& group, const MeshSummary& mesh) {
+  group.figure("vertices", "", "number of vertices", std::int64_t(mesh.vertices));
+  group.figure("faces", "", "number of triangles", std::int64_t(mesh.faces));
+  group.figure("components", "", "connected parts", std::int64_t(mesh.components));
+  group.figure("boundary_loops", "", "loops of boundary edges", std::int64_t(mesh.boundary_loops));
+  group.figure("euler_characteristic", "", "vertices - edges + faces", std::int64_t(mesh.euler_characteristic));
+  group.figure("area", "square mesh units", "of all faces", mesh.area);
+}
+
+/// Words for one defect of a property and for several, in the order of the properties.
+struct DefectWords {
+  const char* one;
+  const char* several;
+};
+constexpr std::array<DefectWords, 11> kDefectWords{{
+    {"component of the mesh has no generator", "components of the mesh have no generator"},
+    {"cell is not a disc", "cells are not discs"},
+    {"cell touches the mesh's boundary in several arcs", "cells touch the mesh's boundary in several arcs"},
+    {"bisector has no branch point", "bisectors have no branch point"},
+    {"pair of cells shares several bisectors", "pairs of cells share several bisectors"},
+    {"set of cells shares several branch points", "sets of cells share several branch points"},
+    {"cell has too few neighbours", "cells have too few neighbours"},
+    {"branch point touches a cell twice", "branch points touch a cell twice"},
+    {"branch point can't be cut into triangles", "branch points can't be cut into triangles"},
+    {"triangle is flipped or has an edge of length 0", "triangles are flipped or have an edge of length 0"},
+    {"triangle intersects another one", "triangles intersect others"},
+}};
+
+/// The defects in words, one part for each property: "3 cells are not discs, 1 triangle is flipped ..."
+std::string describe_defects(const std::vector<DualDefect>& defects) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < kDefectWords.size(); ++i) {
+    const auto has_property = [i](const DualDefect& d) { return static_cast<std::size_t>(d.property) == i + 1; };
+    const auto count = std::count_if(defects.begin(), defects.end(), has_property);
+    const DefectWords& words = kDefectWords[i];
+    if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? words.one : words.several));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// Advice that lets the edges follow more of the creases.
+const char* following_advice(const RemeshResult& result, const RemeshOptions& options) {
+  if (!options.refine || options.vertex_count)
+    return "without {option:refine=false} and {option:exact_count}, generators are added there";
+  if (result.creases_lack_added) return "raise {option:max_added}";
+  return "give more generators";
+}
+
+/// Generators that were added, and why.
+void describe_added(const RemeshResult& result, std::vector<std::string>& lines) {
+  if (result.added_on_creases > 0) {
+    lines.push_back(fmt::format("{} added on creases and boundaries{}",
+                                counted(result.added_on_creases, "generator was", "generators were"),
+                                result.crease_gap_length > 0 ? "" : ", which the edges then follow"));
+  }
+  const std::int64_t repairs = result.added - result.added_on_creases;
+  if (repairs <= 0) return;
+  const std::string added = counted(repairs, "generator was", "generators were");
+  lines.push_back(result.given_defects.empty()
+                      ? fmt::format("{} added to repair the mesh", added)
+                      : fmt::format("{} added: with the given {}, {}", added,
+                                    std::ssize(result.generators) - result.added + result.left_out,
+                                    describe_defects(result.given_defects)));
+}
+
+void describe_searches(const RemeshResult& result, std::vector<std::string>& lines) {
+  if (result.left_out > 0) {
+    lines.push_back(counted(result.left_out, "generator was", "generators were") +
+                    " left out for them, where the mesh can do without");
+  }
+  if (result.search_cut_short) {
+    lines.push_back(
+        "the search for fewer vertices ended at its limit, a third of the run's other diagrams; fewer may do");
+  }
+}
+
+/// How many triangles are nearly flat lines, and the worst of them.
+void describe_slivers(const RemeshResult& result, std::vector<std::string>& lines) {
+  if (result.slivers.empty()) return;
+  const auto corner = [&](FaceId f, int i) { return result.mesh.position(result.mesh.vertices(f)[i]); };
+  const auto q = [&](FaceId f) { return compute_q(corner(f, 0), corner(f, 1), corner(f, 2)); };
+  const FaceId worst =
+      *std::min_element(result.slivers.begin(), result.slivers.end(), [&](FaceId f, FaceId g) { return q(f) < q(g); });
+  const Vec3 at = (corner(worst, 0) + corner(worst, 1) + corner(worst, 2)) / 3;
+  lines.push_back(fmt::format("{} a Q below {}; the least is {:.3g}, near ({:.6g}, {:.6g}, {:.6g})",
+                              counted(std::ssize(result.slivers), "triangle has", "triangles have"), kSliverQ, q(worst),
+                              at.x(), at.y(), at.z()));
+}
+
+void describe_intersections(const RemeshCertificate& certificate, std::vector<std::string>& lines) {
+  const std::int64_t inherited = certificate.inherited_intersections;
+  const std::int64_t own = std::ssize(certificate.self_intersections) - inherited;
+  if (own > 0) lines.push_back(counted(own, "pair of triangles intersects", "pairs of triangles intersect"));
+  if (inherited > 0) {
+    lines.push_back(counted(inherited, "pair of triangles intersects where the input does",
+                            "pairs of triangles intersect where the input does"));
+  }
+}
+
+/// A remesh whose Hausdorff distance exceeds this many spacings of its vertices is far from its input. An even
+/// triangulation has no point farther than 1 / sqrt(3) of a spacing from a vertex: beyond a whole one, a part of the
+/// input has no vertices. Measured with 100 generators: at most .80 (cow) and .46 on 100 closed and open models, and
+/// 4.3 where 80 of 100 were on small holes.
+constexpr double kFarSpacings = 1;
+
+/// The larger Hausdorff distance, and the side of the triangles that as many even vertices would have; mesh units.
+struct Nearness {
+  double hausdorff;
+  double spacing;
+  bool is_far() const { return hausdorff > kFarSpacings * spacing; }
+};
+
+Nearness nearness_of(const RemeshResult& result) {
+  return {std::max(result.input_to_output.hausdorff, result.output_to_input.hausdorff),
+          even_spacing(result.certificate.input.area, result.mesh.vertex_count())};
+}
+
+void describe_distance(const RemeshResult& result, std::vector<std::string>& lines) {
+  const double diagonal = result.certificate.input.bbox_diagonal;
+  if (!(diagonal > 0)) return;
+  const SurfaceDistance &there = result.input_to_output, &back = result.output_to_input;
+  if (const Nearness nearness = nearness_of(result); nearness.is_far()) {
+    std::string advice = "give more generators";
+    if (result.crease_length > 0) advice += ", or compare {option:features=none}";
+    if (result.crease_length > 0 && result.certificate.input.boundary_loops > 0)
+      advice += " and {option:loose_boundary}";
+    lines.push_back(
+        fmt::format("part of the input has too few vertices: its distance is {:.3g} times that between "
+                    "vertices, where at most {} is usual; {}",
+                    nearness.hausdorff / nearness.spacing, kFarSpacings, advice));
+  }
+  lines.push_back(fmt::format("distance from the input, in % of the diagonal: {:.3g} at most, {:.3g} RMS",
+                              100 * std::max(there.hausdorff, back.hausdorff) / diagonal,
+                              100 * std::max(there.rms, back.rms) / diagonal));
+}
+
+void visit_relaxation(ObjectVisitor& visitor, const SurfaceRemesh& made) {
+  const FigureGroup group(visitor, "relaxation");
+  const LloydResult none;
+  const LloydResult& relaxed = made.relaxation ? *made.relaxation : none;
+  const auto figure = [&](const char* name, const char* unit, const char* text, Figure value) {
+    group.figure(name, unit, text, made.relaxation ? std::move(value) : Figure());
+  };
+  figure("iterations", "", "that moved the generators", std::ssize(relaxed.iterations));
+  figure("stop", "", "why they ended", std::string(name_in(kLloydStopNames, relaxed.stop)));
+  figure("initial_energy", "mesh units to the fourth", "before them", relaxed.initial_energy);
+  figure("final_energy", "mesh units to the fourth", "after them", relaxed.final_energy);
+  figure("extremities", "", "generators that went to ends of limbs", std::ssize(relaxed.extremities));
+  figure("diagrams", "", "that were computed", relaxed.diagrams);
+  visit_copy(visitor, relaxed.copy, "relaxation.coarse");
+}
+
+void visit_search(ObjectVisitor& visitor, const RemeshOutcome& outcome) {
+  visitor.figure({"search.hausdorff", "mesh units", "the distance that was asked for"},
+                 outcome.search ? Figure(outcome.search_distance) : Figure());
+  std::vector<std::int64_t> counts;
+  std::vector<double> errors;
+  for (const CountTrial& trial : outcome.search ? outcome.search->trials : std::vector<CountTrial>()) {
+    counts.push_back(trial.count);
+    errors.push_back(trial.error);
+  }
+  visitor.table({"search.trials", "", "numbers of generators that were tried"},
+                {{"n", std::move(counts)}, {"hausdorff", std::move(errors)}});
+}
+
+void visit_map(ObjectVisitor& visitor, const RemeshMap* found) {
+  const FigureGroup group(visitor, "map");
+  const RemeshMap none;
+  const RemeshMap& map = found == nullptr ? none : *found;
+  const auto figure = [&](const char* name, const char* unit, const char* text, Figure value) {
+    group.figure(name, unit, text, found == nullptr ? Figure() : std::move(value));
+  };
+  figure("one_to_one", "", "whether the map is", map.one_to_one);
+  figure("obstacle", "", "what is in the way", map.one_to_one ? Figure() : Figure(map.obstacle));
+  figure("kept_faces", "", "of the input, whose image is oriented as the remesh", map.kept_faces);
+  figure("reversed_faces", "", "whose image is turned round", map.reversed_faces);
+  figure("collapsed_faces", "", "whose image has no area", map.collapsed_faces);
+  figure("largest_move", "mesh units", "from a vertex to its point", map.largest_move);
+  figure("mean_move", "mesh units", "mean of these", map.mean_move);
+}
+
+}  // namespace
+
+void RemeshOutcome::visit(ObjectVisitor& visitor) const {
+  const auto group = [&](const char* name) { return FigureGroup(visitor, name); };
+  visit_relaxation(visitor, *made);
+  const RemeshResult& result = made->result;
+  visitor.figure({"added_generators", "", "beside the given ones"}, result.added);
+  visitor.figure({"left_out_generators", "", "of the given ones"}, result.left_out);
+  visitor.figure({"rounds", "", "diagrams, before a search for fewer generators"}, std::int64_t(result.rounds));
+  visitor.figure({"search_cut_short", "", "whether fewer generators may do"}, result.search_cut_short);
+  visitor.figure({"slivers", "", "triangles that are nearly flat lines"}, std::ssize(result.slivers));
+  group("creases").figure("length", "mesh units", "of creases and boundary to follow", result.crease_length);
+  group("creases").figure("followed", "mesh units", "that edges follow",
+                          result.crease_length - result.crease_gap_length);
+  group("creases").figure("added_generators", "", "on them", result.added_on_creases);
+  gvd::visit(group("output"), result.certificate.output);
+  gvd::visit(group("certificate"), result.certificate);
+  gvd::visit(group("quality.input"), result.input_quality);
+  gvd::visit(group("quality.output"), result.output_quality);
+  gvd::visit(group("valences.input"), compute_valences(input->mesh));
+  gvd::visit(group("valences.output"), compute_valences(result.mesh));
+  const Nearness nearness = nearness_of(result);
+  gvd::visit(group("distance.input_to_output"), result.input_to_output);
+  gvd::visit(group("distance.output_to_input"), result.output_to_input);
+  group("distance").figure("vertex_spacing", "mesh units", "of as many even vertices", nearness.spacing);
+  group("distance").figure("is_far", "", "whether a part of the input has too few vertices", nearness.is_far());
+  visit_search(visitor, *this);
+  visit_map(visitor, map ? &*map : nullptr);
+
+  visitor.points({"generators", "", "of each vertex of the remesh, on the input"}, result.generators);
+  visitor.points({"face_points", "", "the branch point of each face, on the input"}, result.face_points);
+  static const std::vector<SurfacePoint> kNone;
+  visitor.points({"map_points", "", "of each vertex of the input, on the remesh; empty without map"},
+                 map ? map->points.raw() : kNone);
+  visitor.points({"map_origins", "", "of each vertex of the remesh, on the input; empty without map"},
+                 map ? map->origins.raw() : kNone);
+  visitor.part({"mesh", "", "the coarse mesh"}, "mesh", [this]() -> std::shared_ptr<const Object> {
+    auto coarse = std::make_shared<CheckedMesh>(as_input(made->result.mesh));
+    coarse->appearance = appearance;
+    return std::make_shared<MeshObject>(std::move(coarse));
+  });
+  visitor.part({"diagram", "", "of all generators"}, "diagram", [this] {
+    return std::make_shared<DiagramObject>(input, std::shared_ptr<const Diagram>(made, &made->result.diagram));
+  });
+}
+
+std::optional<LabelledMesh> RemeshOutcome::labelled() const {
+  LabelledMesh coarse{made->result.mesh};
+  coarse.properties = &properties;
+  coarse.appearance = &appearance;
+  return coarse;
+}
+
+OwnWriters RemeshOutcome::own_writers() const {
+  return {{"json", [this](std::ostream& out) { write_remesh_json(out, input->mesh, made->result); }}};
+}
+
+std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options) {
+  std::vector<std::string> lines{fmt::format("{}, {}: manifold, with the input's topology",
+                                             counted(result.mesh.vertex_count(), "vertex", "vertices"),
+                                             counted(result.mesh.face_count(), "face", "faces"))};
+  describe_added(result, lines);
+  if (result.crease_gap_length > 0) {
+    lines.push_back(fmt::format("creases and boundaries: edges do not follow {:.3g} % of their length; {}",
+                                100 * result.crease_gap_length / result.crease_length,
+                                following_advice(result, options)));
+  }
+  describe_searches(result, lines);
+  describe_intersections(result.certificate, lines);
+  describe_slivers(result, lines);
+  describe_distance(result, lines);
+  return lines;
+}
+
+}  // namespace gvd

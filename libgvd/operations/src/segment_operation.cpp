@@ -1,0 +1,342 @@
+// The operation `segment`: regions to keep to, a diagram inside them, and its cells as labels of faces or as pieces.
+//
+// Whole faces get the label of the generator whose cell has them, so that borders run along edges; or the faces are
+// split along the bisectors, and each new face knows its parent (gvd/segment.hpp). Each level but the last labels whole
+// faces, and its labels are the regions of the next one. Given regions are the first level's; a mask takes faces out of
+// them, or out of the whole surface. All results have the input's faces or pieces of them, and its vertices.
+
+#include "gvd/segment_operation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "gvd/barriers.hpp"
+#include "gvd/diagram_options.hpp"
+#include "gvd/diagram_parts.hpp"
+#include "gvd/disc_cells.hpp"
+#include "gvd/error.hpp"
+#include "gvd/io/format.hpp"
+#include "gvd/segment_options.hpp"
+#include "gvd/text.hpp"
+#include "weighted_diagram.hpp"
+
+namespace gvd {
+namespace {
+
+/// A note names this many generators or regions.
+constexpr std::size_t kNamed = 8;
+
+/// Borders of a greater multiple of the bisectors' length get a note. Of 509 runs on 77 meshes with 50 or more faces
+/// for each generator, 491 stay below it; with fewer the mesh is too coarse.
+constexpr double kUsualBorderRatio = 1.14;
+
+/// The first ids, and "..." where there are more.
+std::string name_some(const std::vector<GeneratorId>& ids) {
+  std::vector<std::int32_t> named;
+  for (std::size_t i = 0; i < std::min(kNamed, ids.size()); ++i) named.push_back(ids[i].value());
+  return fmt::format("{}{}", fmt::join(named, ", "), named.size() < ids.size() ? ", ..." : "");
+}
+
+// ---- the regions
+
+// A level needs no figures of its own: a segmentation with its number of generators has the same ones.
+void label_levels(const Mesh& mesh, const SegmentCall& call, Observer& observer, PartedMesh& parted) {
+  LevelOptions level;
+  level.generators.sampling = make_sampling_options(call.generators, call.diagram, observer);
+  level.diagram = call.diagram;
+  level.diagram.progress = progress_of(observer);
+  level.labels = {call.segmentation.labels, progress_of(observer)};
+  for (std::size_t i = 0; i + 1 < call.levels.size(); ++i) {
+    level.generators.sampling.count = call.levels[i];
+    const std::string name = level_name(i + 1);
+    const auto found = as_step(observer, name, [&] { return label_level(mesh, parted.regions, level); });
+    parted.regions = to_regions(found);
+    parted.numbers.push_back({name, parted.regions});
+  }
+}
+
+PartedMesh part(const CheckedMesh& input, const SegmentCall& call, Observer& observer) {
+  PartedMesh parted;
+  if (call.regions.are_given()) {
+    FoundRegions found = as_step(observer, "regions", [&] { return find_regions(input, call.regions, observer); });
+    if (!found.given.empty()) parted.numbers.push_back({kRegionName, std::move(found.given)});
+    parted.regions = std::move(found.regions);
+  }
+  label_levels(input.mesh, call, observer, parted);
+  if (parted.is_parted()) {
+    parted.separated = as_step(observer, "separate", [&] { return separate_regions(input.mesh, parted.regions); });
+  }
+  return parted;
+}
+
+void tell_samples(Observer& observer, const PartedMesh& parted, bool each_region) {
+  const RegionSamples& samples = parted.samples;
+  const auto left_out = std::ranges::count_if(parted.regions, [](std::int32_t region) { return region < 0; });
+  observer.note(
+      fmt::format("inside {} of {}{}", counted(samples.regions, "region", "regions"),
+                  counted(samples.parts, "connected part", "connected parts"),
+                  left_out == 0 ? "" : fmt::format("; {} left out", counted(left_out, "face is", "faces are"))));
+  if (samples.empty_parts == 0) return;
+  observer.note(fmt::format("{} no generator, because there are too few; {}",
+                            counted(samples.empty_parts, "part of a region has", "parts of regions have"),
+                            each_region ? "raise {option:per_region}" : fmt::format("{} reach all", samples.parts)));
+}
+
+// ---- the generators and their diagram
+
+// Listed points are resolved on the input, which may see a point on a border from any face beside it; so these are
+// moved into a region.
+std::vector<SurfacePoint> choose(const CheckedMesh& input, const SegmentCall& call, Observer& observer,
+                                 SegmentOutcome& outcome) {
+  PartedMesh& parted = outcome.parted;
+  if (!parted.is_parted() || call.generators.are_listed()) {
+    ResolvedGenerators found = choose_generators(input, call.generators, call.diagram, observer);
+    if (parted.is_parted()) move_into_regions(input.mesh, parted.regions, found.points);
+    outcome.snap_distance = std::move(found.snap_distance);
+    return std::move(found.points);
+  }
+  const Step step(observer, "generators");
+  const RegionSamplingOptions options{make_sampling_options(call.generators, call.diagram, observer),
+                                      call.per_region.has_value()};
+  parted.samples = sample_regions(parted.separated, parted.regions, options);
+  tell_samples(observer, parted, options.each_region);
+  observer.detail(counted(std::ssize(parted.samples.points), "generator", "generators"));
+  return std::exchange(parted.samples.points, {});
+}
+
+Diagram make_cells_discs(const SegmentCall& call, Observer& observer, const Diagram& diagram, SegmentOutcome& outcome) {
+  DiscOptions options;
+  options.diagram = call.diagram;
+  options.diagram.progress = progress_of(observer);
+  DiscCells made = as_step(observer, "discs", [&] { return make_discs(outcome.surface(), diagram, options); });
+  outcome.discs = {made.added, made.rounds, made.search_cut_short};
+  if (made.added > 0) {
+    outcome.snap_distance.resize(made.diagram.generators.size());
+    observer.note(fmt::format("{} added, so that every cell is a disc{}",
+                              counted(made.added, "generator was", "generators were"),
+                              made.search_cut_short ? "; fewer may do" : ""));
+    tell_diagram(observer, made.diagram);
+  }
+  return std::move(made.diagram);
+}
+
+// ---- the faces
+
+void note_non_discs(Observer& observer, const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, const char* why) {
+  const std::vector<GeneratorId> regions = find_non_disc_regions(mesh, label);
+  if (regions.empty()) return;
+  observer.note(fmt::format("{}: {}; {}",
+                            counted(std::ssize(regions), "region is no disc although its cell is",
+                                    "regions are no discs although their cells are"),
+                            name_some(regions), why));
+}
+
+/// Notes the faces that no generator reaches, and why. Returns their number.
+std::int64_t note_unreached(Observer& observer, const SegmentOutcome& outcome) {
+  const IdVector<FaceId, GeneratorId>& label = outcome.face_labels();
+  std::vector<FaceId> reached, unreached;  // faces of the input
+  for (const FaceId f : label.ids()) {
+    const FaceId whole = outcome.cut ? outcome.cut->parent[f] : f;
+    if (!outcome.parted.is_left_out(whole)) (label[f].valid() ? reached : unreached).push_back(whole);
+  }
+  if (unreached.empty()) return 0;
+  const Barriers barriers(*outcome.input);
+  const Barriers::Origin origin = barriers.from(reached);
+  BarrierCounts counts;
+  for (const FaceId f : unreached) counts.add(barriers.between(origin, f));
+  observer.note(fmt::format("{} reached by no generator and {} label -1: {}",
+                            counted(std::ssize(unreached), "face is", "faces are"),
+                            unreached.size() == 1 ? "gets" : "get", counts.describe("in another region")));
+  return std::ssize(unreached);
+}
+
+/// Notes generators without a face. Returns the length of the borders by that of the bisectors; 0 without bisectors.
+double tell_segmentation(Observer& observer, const SegmentOutcome& outcome) {
+  const std::vector<GeneratorId>& without = outcome.whole->without_face;
+  if (!without.empty()) {
+    observer.note(fmt::format("{} inside faces of other regions: {}",
+                              counted(std::ssize(without), "generator owns no face, its cell lies",
+                                      "generators own no face, their cells lie"),
+                              name_some(without)));
+  }
+  const double bisectors = outcome.diagram->length;
+  if (!(bisectors > 0)) return 0;
+  const double ratio = outcome.border_length / bisectors;
+  observer.detail(
+      fmt::format("borders of length {:.6g}, {:.3f} times that of the bisectors", outcome.border_length, ratio));
+  return ratio;
+}
+
+/// Notes smooth borders that are longer than usual.
+void note_long_borders(Observer& observer, double ratio) {
+  if (ratio <= kUsualBorderRatio) return;
+  observer.note(
+      fmt::format("borders are {:.2f} times as long as the bisectors (usually at most {}): no shorter ones were found "
+                  "along edges near these; {{option:cut}} follows the bisectors",
+                  ratio, kUsualBorderRatio));
+}
+
+/// With levels, adds the labels of the last one.
+void add_labels(const SegmentCall& call, const IdVector<FaceId, GeneratorId>& labels,
+                std::vector<FaceNumbers>& numbers) {
+  if (!call.levels.empty()) numbers.push_back({level_name(call.levels.size()), to_regions(labels)});
+}
+
+void label_whole_faces(const SegmentCall& call, Observer& observer, SegmentOutcome& outcome) {
+  const SegmentOptions options{call.segmentation.labels, progress_of(observer)};
+  const Mesh& surface = outcome.surface();
+  outcome.whole = as_step(observer, "segment", [&] { return segment_faces(surface, *outcome.diagram, options); });
+  const IdVector<FaceId, GeneratorId>& labels = outcome.whole->face_label;
+  outcome.border_length = compute_border_length(surface, labels);
+  outcome.whole_numbers = outcome.parted.numbers;
+  add_labels(call, labels, outcome.whole_numbers);
+  const double ratio = tell_segmentation(observer, outcome);
+  outcome.unreached_faces = note_unreached(observer, outcome);
+  if (options.labels == FaceLabels::smooth) note_long_borders(observer, ratio);
+  if (!call.disc) return;
+  note_non_discs(observer, outcome.input->mesh, labels,
+                 "whole faces join or touch there; {option:cut} follows the cells");
+}
+
+void tell_charts(Observer& observer, const Charts& charts, ChartMap map) {
+  const auto percent = [&](double Chart::*area_of) { return fmt::format("{:.3g} %", 100 * charts.share(area_of)); };
+  const auto has = [&](double Chart::*area_of) { return charts.share(area_of) > 0; };
+  const bool is_flat = map == ChartMap::flat;
+  observer.note(fmt::format("{} {:.3g} % of the texture{}",
+                            counted(std::ssize(charts.charts), "chart covers", "charts cover"), 100 * charts.covered,
+                            is_flat && !has(&Chart::flipped_area) ? "; no face is flipped" : ""));
+  if (has(&Chart::flipped_area)) {
+    observer.note(fmt::format("{} of the area is flipped{}", percent(&Chart::flipped_area),
+                              is_flat ? ": limbs too long for double precision; give more generators"
+                                      : " where shortest paths meet, or flat behind saddles; {option:uv=flat} flips "
+                                        "none"));
+  }
+  if (has(&Chart::torn_area)) {
+    observer.note(fmt::format("{} of the area is torn off its chart, where shortest paths come from two sides",
+                              percent(&Chart::torn_area)));
+  }
+  if (has(&Chart::unplaced_area)) {
+    observer.note(fmt::format("{} of the area has no texture coordinates: no path to its generator was found",
+                              percent(&Chart::unplaced_area)));
+  }
+}
+
+Charts chart(const SegmentCall& call, Observer& observer, const SegmentOutcome& outcome, const CutMesh& cut) {
+  const ChartOptions options{*call.uv, observer.threads, progress_of(observer)};
+  Charts charts =
+      as_step(observer, "charts", [&] { return make_charts(outcome.surface(), *outcome.diagram, cut, options); });
+  tell_charts(observer, charts, *call.uv);
+  return charts;
+}
+
+/// Cuts the input and not the diagram's surface: both sides of a border keep their vertices in common.
+void cut_along_bisectors(const SegmentCall& call, Observer& observer, SegmentOutcome& outcome) {
+  const Mesh& input = outcome.input->mesh;
+  auto cut = std::make_shared<CutMesh>(
+      as_step(observer, "cut", [&] { return cut_faces(input, *outcome.diagram, progress_of(observer)); }));
+  outcome.cut_vertices = carry_to_cut_vertices(outcome.surface(), *outcome.diagram, *cut);
+  cut->numbers = carry_to_cut_faces(outcome.parted.numbers, *cut);
+  outcome.appearance = carry_to_cut_faces(input, outcome.input->appearance, *cut);
+  add_labels(call, cut->label, cut->numbers);
+  if (cut->uncut_faces > 0) {
+    observer.note(fmt::format("{} could not be cut", counted(cut->uncut_faces, "face", "faces")));
+  }
+  outcome.cut = cut;
+  outcome.unreached_faces = note_unreached(observer, outcome);
+  if (call.disc) note_non_discs(observer, cut->mesh, cut->label, "the given regions touch themselves there");
+  if (!call.uv) return;
+  outcome.charts = chart(call, observer, outcome, *cut);
+  outcome.chart_map = *call.uv;
+  replace_texture(std::exchange(outcome.charts->texture, {}), outcome.appearance);
+}
+
+// ---- words for users
+
+void describe_regions(OptionList& list, SegmentCall& call) {
+  describe(list, call.regions, "regions and distances");
+  list.option("per_region", Number{&call.per_region, {.least = 1}},
+              {.help = "Number of generators to sample in each region of {option:within}"});
+  list.option(
+      "levels", Counts{&call.levels},
+      {.help = "Segment several times, each inside the regions of the time before",
+       .more = ": the numbers of generators, as in 10,100,1000; {option:cut} cuts along those of the last level"});
+  list.needs("per_region", "within");
+}
+
+}  // namespace
+
+void SegmentCall::complete() {
+  generators.implied_count = levels.empty() ? per_region : levels.back();
+  cut = cut || uv.has_value();
+}
+
+void describe(OptionList& list, LabelCall& call) {
+  list.group("Regions");
+  list.option("cut", Flag{&call.cut},
+              {.help = "Split faces along the bisectors instead of labelling whole faces", .shown = Shown::main});
+  describe(list, call.segmentation);
+  list.option(
+      "uv", choice(call.uv, kChartMapNames),
+      {.help = "Give each region texture coordinates, in a file that holds them",
+       .more = ": distance and direction from its generator, or a map that flips no face and needs discs (implies "
+               "{option:cut})"});
+  list.excludes("cut", {"labels"});
+  list.excludes("uv", {"labels"});
+  list.rule({"labels", {"cut", "uv"}, [&call](const Given&) -> std::string {
+               return call.cut || call.uv ? "{option:labels}: no whole face is labelled; leave it out" : "";
+             }});
+}
+
+void describe(OptionList& list, SegmentCall& call) {
+  describe(list, call.generators, {"curves", "per_region", "levels"});
+  describe(list, call.diagram);
+  describe(list, static_cast<LabelCall&>(call));
+  describe_regions(list, call);
+  describe(list, call.weights, call.diagram);
+  list.option("disc", Flag{&call.disc}, {.help = "Add generators, as few as are found, until every region is a disc"});
+  describe_curves(list, call.generators);
+  list.excludes("disc", {"balance", "weights"});
+  list.excludes("curves",
+                {"sampling", "seed", "merge_coincident", "within", "mask", "balance", "weights", "disc", "uv"});
+  list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
+               return call.diagram.method == Method::exact ? "" : "{option:curves} needs {option:method=exact}";
+             }});
+}
+
+std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& call, Observer& observer) {
+  SegmentCall whole;  // without regions and levels
+  static_cast<LabelCall&>(whole) = call;
+  whole.complete();
+  call.cut = whole.cut;
+  auto outcome = std::make_shared<SegmentOutcome>();
+  outcome->input = on.mesh();
+  outcome->diagram = outcome->on_input = on.shared();
+  call.cut ? cut_along_bisectors(whole, observer, *outcome) : label_whole_faces(whole, observer, *outcome);
+  return outcome;
+}
+
+std::shared_ptr<const SegmentOutcome> run(const MeshPtr& input, SegmentCall& call, Observer& observer) {
+  call.diagram.threads = observer.threads;
+  call.complete();
+  auto outcome = std::make_shared<SegmentOutcome>();
+  outcome->input = input;
+  outcome->parted = part(*input, call, observer);
+  Diagram diagram = call.generators.curves.is_given()
+                        ? compute_of_curves(*input, call.generators, call.diagram, observer)
+                        : compute_weighted(*input, outcome->surface(), choose(*input, call, observer, *outcome),
+                                           call.weights, call.diagram, observer, outcome->balanced);
+  if (call.disc) diagram = make_cells_discs(call, observer, diagram, *outcome);
+  outcome->diagram = outcome->on_input = std::make_shared<const Diagram>(std::move(diagram));
+  if (outcome->parted.is_parted()) {
+    outcome->on_input =
+        std::make_shared<const Diagram>(restrict_to_input(outcome->parted.separated, *outcome->diagram));
+  }
+  call.cut ? cut_along_bisectors(call, observer, *outcome) : label_whole_faces(call, observer, *outcome);
+  resolve(call.diagram);
+  return outcome;
+}
+
+}  // namespace gvd

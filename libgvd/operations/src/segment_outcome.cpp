@@ -1,0 +1,199 @@
+// What a segmentation consists of: figures, tables of its regions and charts, arrays, and what files hold of it.
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <set>
+#include <utility>
+
+#include "gvd/diagram_parts.hpp"
+#include "gvd/segment_operation.hpp"
+
+namespace gvd {
+namespace {
+
+void visit_parted(ObjectVisitor& visitor, const PartedMesh& parted) {
+  const std::set<std::int32_t> numbers(parted.regions.begin(), parted.regions.end());
+  const auto is_region = [](std::int32_t region) { return region >= 0; };
+  const auto figure = [&](const Meaning& meaning, std::int64_t value) {
+    visitor.figure(meaning, parted.is_parted() ? Figure(value) : Figure());
+  };
+  figure({"within.regions", "", "that the cells keep to"}, std::ranges::count_if(numbers, is_region));
+  figure({"within.left_out_faces", "", "in no region"},
+         std::ssize(parted.regions.raw()) - std::ranges::count_if(parted.regions, is_region));
+  const RegionSamples& samples = parted.samples;
+  const auto sampled = [&](std::int64_t value) { return samples.regions > 0 ? Figure(value) : Figure(); };
+  visitor.figure({"within.parts", "", "connected parts of regions, where generators are sampled"},
+                 sampled(samples.parts));
+  visitor.figure({"within.parts_without_generator", "", "of these"}, sampled(samples.empty_parts));
+}
+
+/// The figures of whole faces.
+void visit_whole(ObjectVisitor& visitor, const SegmentOutcome& made) {
+  const auto figure = [&](const Meaning& meaning, Figure value) {
+    visitor.figure(meaning, made.whole ? std::move(value) : Figure());
+  };
+  const Segmentation none;
+  const Segmentation& whole = made.whole ? *made.whole : none;
+  std::vector<std::int64_t> without;
+  for (const GeneratorId g : whole.without_face) without.push_back(g.value());
+  figure({"generators_without_face", "", "whose cells lie inside faces of others"}, without);
+  figure({"moved_faces", "", "labelled with a cell that has not the largest share, to connect regions"},
+         std::int64_t(whole.moved_faces));
+  figure({"given_faces", "", "given to generators that would own none"}, std::int64_t(whole.given_faces));
+  figure({"smoothed_faces", "", "with another label than the nearest one has"}, std::int64_t(whole.smoothed_faces));
+  figure({"border_length", "mesh units", "of the edges between regions"}, made.border_length);
+  const double bisectors = made.diagram->length;
+  figure({"border_ratio", "", "that length by that of the bisectors"},
+         bisectors > 0 ? Figure(made.border_length / bisectors) : Figure());
+}
+
+Table list_regions(const SegmentOutcome& made) {
+  std::vector<std::int64_t> labels, faces;
+  std::vector<double> areas;
+  const std::vector<SurfacePoint>& generators = made.diagram->generators;
+  const Mesh& mesh = made.cut ? made.cut->mesh : made.input->mesh;
+  const IdVector<GeneratorId, RegionSize> sizes = measure_regions(mesh, made.face_labels(), generators.size());
+  for (const GeneratorId g : sizes.ids()) {
+    labels.push_back(g.value());
+    faces.push_back(sizes[g].faces);
+    areas.push_back(sizes[g].area);
+  }
+  Table table{{"label", labels}};
+  for (const FaceNumbers& numbers : made.parted.numbers) {
+    std::vector<std::int64_t> values;
+    for (const SurfacePoint& point : generators) values.push_back(numbers.values[point.face]);
+    table.push_back({numbers.name, std::move(values)});
+  }
+  table.push_back({"faces", std::move(faces)});
+  table.push_back({"area", std::move(areas)});
+  return table;
+}
+
+Table list_charts(const Charts& charts, ChartMap map) {
+  std::vector<std::int64_t> labels, faces;
+  std::vector<double> areas, flipped, torn, stretch;
+  std::vector<std::vector<double>> boxes, origins;
+  for (const Chart& chart : charts.charts) {
+    const auto share = [&](double part) { return chart.area > 0 ? part / chart.area : 0; };
+    const auto& [least, most] = std::pair(chart.box.min(), chart.box.max());
+    labels.push_back(chart.generator.value());
+    faces.push_back(chart.faces);
+    areas.push_back(chart.area);
+    flipped.push_back(share(chart.flipped_area));
+    stretch.push_back(chart.stretch);
+    boxes.push_back(chart.box.isEmpty() ? std::vector<double>()
+                                        : std::vector<double>{least.x(), least.y(), most.x(), most.y()});
+    torn.push_back(share(chart.torn_area));
+    origins.push_back({chart.origin.x(), chart.origin.y()});
+  }
+  Table table{{"label", labels},          {"faces", faces},     {"area", areas},
+              {"flipped_share", flipped}, {"stretch", stretch}, {"box", boxes}};
+  if (map == ChartMap::flat) return table;
+  table.push_back({"torn_share", torn});
+  table.push_back({"origin", origins});
+  return table;
+}
+
+void visit_charts(ObjectVisitor& visitor, const SegmentOutcome& made) {
+  const Charts none;
+  const Charts& charts = made.charts ? *made.charts : none;
+  const auto figure = [&](const Meaning& meaning, double value) {
+    visitor.figure(meaning, made.charts ? Figure(value) : Figure());
+  };
+  figure({"charts.scale", "texture units per mesh unit", "of all charts"}, charts.scale);
+  figure({"charts.covered_share", "", "of the texture"}, charts.covered);
+  figure({"charts.flipped_share", "", "of the area: faces that are flipped"}, charts.share(&Chart::flipped_area));
+  figure({"charts.torn_share", "", "of the area: faces that are torn off"}, charts.share(&Chart::torn_area));
+  figure({"charts.unplaced_share", "", "of the area: faces without texture coordinates"},
+         charts.share(&Chart::unplaced_area));
+  visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts, made.chart_map));
+}
+
+}  // namespace
+
+const IdVector<FaceId, GeneratorId>& SegmentOutcome::face_labels() const {
+  static const IdVector<FaceId, GeneratorId> kNone;
+  return cut ? cut->label : whole ? whole->face_label : kNone;
+}
+
+std::optional<LabelledMesh> SegmentOutcome::labelled() const {
+  if (!cut) {
+    LabelledMesh mesh = label_mesh(input->mesh, *on_input, whole->face_label);
+    mesh.diagram = diagram.get();
+    mesh.diagram_mesh = &surface();
+    mesh.face_numbers = &whole_numbers;
+    mesh.appearance = &input->appearance;
+    return mesh;
+  }
+  LabelledMesh mesh{cut->mesh,     &cut->label, &cut->parent, &cut_vertices.label, &cut_vertices.distance,
+                    diagram.get(), &surface()};
+  mesh.face_numbers = &cut->numbers;
+  mesh.appearance = &appearance;
+  return mesh;
+}
+
+std::vector<std::vector<Vec3>> SegmentOutcome::borders() const {
+  std::vector<std::vector<Vec3>> borders;
+  const Mesh& mesh = input->mesh;
+  if (!parted.is_parted()) return borders;
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e), twin = mesh.twin(h);
+    if (!twin.valid() || parted.regions[Mesh::face(h)] == parted.regions[Mesh::face(twin)]) continue;
+    borders.push_back({mesh.position(mesh.from(h)), mesh.position(mesh.to(h))});
+  }
+  return borders;
+}
+
+OwnWriters SegmentOutcome::own_writers() const {
+  return {{"json", [this](std::ostream& out) {
+             if (cut) return write_cut_json(out, input->mesh, *on_input, *cut, cut_vertices);
+             write_segmentation_json(out, input->mesh, *on_input, *whole, whole_numbers);
+           }}};
+}
+
+void SegmentOutcome::visit(ObjectVisitor& visitor) const {
+  const Mesh& mesh = cut ? cut->mesh : input->mesh;
+  visit_parted(visitor, parted);
+  visit_balance(visitor, balanced ? &*balanced : nullptr);
+  visitor.figure({"weights", "mesh units", "of the generators, where there are any"},
+                 diagram->weights.empty() ? Figure() : Figure(diagram->weights));
+  const auto disc = [&](std::int64_t Discs::*value) { return discs ? Figure((*discs).*value) : Figure(); };
+  visitor.figure({"disc.added", "", "generators, so that every cell is a disc"}, disc(&Discs::added));
+  visitor.figure({"disc.rounds", "", "diagrams to which generators were added"}, disc(&Discs::rounds));
+  visitor.figure({"disc.search_cut_short", "", "whether fewer may do"},
+                 discs ? Figure(discs->search_cut_short) : Figure());
+  visitor.figure({"uncut_faces", "", "that could not be cut"}, cut ? Figure(std::int64_t(cut->uncut_faces)) : Figure());
+  visit_whole(visitor, *this);
+  visitor.figure({"faces", "", "of the labelled mesh"}, std::int64_t(mesh.face_count()));
+  visitor.figure({"unreached_faces", "", "that no generator reaches"}, unreached_faces);
+  visitor.table({"regions", "", "faces and area of each label"}, list_regions(*this));
+  visit_charts(visitor, *this);
+
+  visitor.points({"generators", "", "by their labels"}, diagram->generators);
+  visitor.array({"face_labels", "", "the region of each face, or of each piece; -1: none"}, view(face_labels()));
+  const IdVector<FaceId, FaceId> no_parents;
+  visitor.array({"face_parents", "", "the face of the input that each piece is of; empty without cut"},
+                view(cut ? cut->parent : no_parents));
+  visitor.array({"vertex_labels", "", "the nearest generator of each vertex; -1: none"},
+                view(cut ? cut_vertices.label : on_input->vertex_label));
+  visitor.array({"vertex_distances", "mesh units", "the distance from it"},
+                view(cut ? cut_vertices.distance : on_input->vertex_distance));
+  for (const FaceNumbers& numbers : this->numbers()) {
+    visitor.array({numbers.name, "", "of each face: its region, or its label at that level"}, view(numbers.values));
+  }
+  static const std::vector<Uv> kNone;
+  visitor.array({"texture", "", "u and v of the three corners of each piece; empty without uv"},
+                view(charts ? appearance.texture : kNone));
+  visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram",
+               [this] { return std::make_shared<DiagramObject>(input, on_input); });
+  visitor.part({"cut_mesh", "", "the pieces of the faces, with cut"}, "mesh",
+               [this]() -> std::shared_ptr<const Object> {
+                 if (!cut) return nullptr;
+                 auto pieces = std::make_shared<CheckedMesh>(as_input(cut->mesh));
+                 pieces->appearance = appearance;
+                 return std::make_shared<MeshObject>(std::move(pieces));
+               });
+}
+
+}  // namespace gvd

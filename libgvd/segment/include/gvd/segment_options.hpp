@@ -1,0 +1,11 @@
+#pragma once
+
+#include "gvd/option_list.hpp"
+#include "gvd/segment.hpp"
+
+namespace gvd {
+
+/// Describes how faces are labelled. The options must outlive the list.
+void describe(OptionList& list, SegmentOptions& options);
+
+}  // namespace gvd

@@ -1,0 +1,148 @@
+// Wavefront's OBJ, and the materials of its regions.
+//
+// A region is a group with a material, unless the faces have materials of their own, whose names then stay. Bisectors
+// are lines, whose vertices follow those of the mesh, so the numbers of the mesh's vertices are those of the input,
+// with and without bisectors, groups and texture. OBJ counts from 1, and shares texture coordinates between faces by
+// number.
+// Source: Wavefront's Advanced Visualizer manual, appendix B1, for the statements v, vt, f, l, g, mtllib and usemtl.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/writers/byte_writer.hpp"
+#include "io/writers/format_writers.hpp"
+
+namespace gvd::io {
+namespace {
+
+void print_vertex(ByteWriter& out, const Vec3& p) { out.print("v {} {} {}\n", p.x(), p.y(), p.z()); }
+
+/// Texture coordinates of a vertex that another one is compared with, the last ones: the tip of a cone may have many.
+constexpr std::ptrdiff_t kComparedTexture = 64;
+
+/// Writes the coordinates of corners, equal ones of a vertex once. Gives their number for each corner, from 1; none
+/// without a texture.
+std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh) {
+  std::vector<std::size_t> numbers;
+  if (!mesh.has_texture()) return numbers;
+  using Numbered = std::pair<Uv, std::size_t>;
+  IdVector<VertexId, std::vector<Numbered>> known(mesh.mesh.vertex_count());
+  std::size_t count = 0;
+  for (const HalfedgeId h : mesh.mesh.halfedges()) {
+    const Uv& uv = mesh.appearance->texture[h.index()];
+    std::vector<Numbered>& at = known[mesh.mesh.from(h)];
+    auto found = std::find_if(at.end() - std::min(std::ssize(at), kComparedTexture), at.end(),
+                              [&](const Numbered& n) { return n.first == uv; });
+    if (found == at.end() && std::isfinite(uv[0]) && std::isfinite(uv[1])) {
+      out.print("vt {} {}\n", uv[0], uv[1]);
+      found = at.insert(at.end(), {uv, ++count});
+    }
+    numbers.push_back(found == at.end() ? 0 : found->second);
+  }
+  return numbers;
+}
+
+/// Prints the faces, with the numbers of their texture coordinates and the names of their materials.
+class FacePrinter {
+ public:
+  /// `texture`: what print_texture gave.
+  FacePrinter(ByteWriter& out, const LabelledMesh& mesh, std::vector<std::size_t> texture)
+      : out_(out), mesh_(mesh), texture_(std::move(texture)) {}
+
+  /// In the order of the faces.
+  void print_all() {
+    for (const FaceId f : mesh_.mesh.faces()) print(f);
+  }
+
+  /// Group by group. `with_materials`: each region has one of its own, and the faces have none.
+  void print_regions(bool with_materials) {
+    for (const Region& region : collect_regions(mesh_)) {
+      const std::string name = region_name(region.label);
+      out_.print("g {}\n", name);
+      if (with_materials) out_.print("usemtl {}\n", name);
+      for (const FaceId f : region.faces) print(f);
+    }
+  }
+
+ private:
+  void print(FaceId f) {
+    if (mesh_.names_materials()) use_material(mesh_.appearance->material[f.index()]);
+    const auto& [a, b, c] = mesh_.mesh.vertices(f);
+    const std::size_t* t = texture_.empty() ? nullptr : texture_.data() + 3 * f.index();
+    if (t == nullptr || t[0] == 0 || t[1] == 0 || t[2] == 0) {
+      out_.print("f {} {} {}\n", a.value() + 1, b.value() + 1, c.value() + 1);
+    } else {
+      out_.print("f {}/{} {}/{} {}/{}\n", a.value() + 1, t[0], b.value() + 1, t[1], c.value() + 1, t[2]);
+    }
+  }
+
+  /// A statement holds for all faces up to the next one.
+  void use_material(std::int32_t material) {
+    if (material == material_) return;
+    material_ = material;
+    out_.print("usemtl {}\n", material < 0 ? kNoMaterial : std::string_view(mesh_.appearance->materials[material]));
+  }
+
+  ByteWriter& out_;
+  const LabelledMesh& mesh_;
+  std::vector<std::size_t> texture_;
+  std::int32_t material_ = -1;  // that of the last statement; faces before the first one have none
+};
+
+/// The line through the vertices from number `first` on, one `l` for each segment: Blender keeps one edge of a longer
+/// `l`.
+/// Returns the number after the last vertex.
+std::size_t print_line(ByteWriter& out, const OutputLine& line, std::size_t first) {
+  if (line.left.valid()) out.print("# left {} right {}\n", line.left.value(), line.right.value());
+  for (const Vec3& p : line.points) print_vertex(out, p);
+  const std::size_t last = first + line.points.size() - 1;
+  for (std::size_t i = first; i < last; ++i) out.print("l {} {}\n", i, i + 1);
+  return last + 1;
+}
+
+/// The vertices of the lines follow those of the mesh, whose numbers do not change. Bisectors and curves are objects
+/// of their own: Blender would add them to the mesh as loose edges.
+void print_lines(ByteWriter& out, const LabelledMesh& mesh) {
+  std::size_t index = mesh.mesh.positions().size() + 1;
+  std::string object, group;
+  for (const OutputLine& line : collect_lines(mesh)) {
+    const char* const kind = line.left.valid() ? "bisectors" : "curves";
+    if (kind != object) out.print("o {}\n", object = kind);
+    if (line.group != group) out.print("g {}\n", group = line.group);
+    index = print_line(out, line, index);
+  }
+}
+
+}  // namespace
+
+void write_obj_with_library(std::ostream& stream, const LabelledMesh& mesh, const std::string& material_library) {
+  ByteWriter out(stream);
+  if (!material_library.empty()) out.print("mtllib {}\n", material_library);
+  if (mesh.names_materials()) {
+    for (const std::string& file : mesh.appearance->material_files) out.print("mtllib {}\n", file);
+  }
+  for (const Vec3& p : mesh.mesh.positions()) print_vertex(out, p);
+  FacePrinter faces(out, mesh, print_texture(out, mesh));
+  mesh.face_label != nullptr ? faces.print_regions(!material_library.empty()) : faces.print_all();
+  print_lines(out, mesh);
+  out.finish();
+}
+
+void write_obj(std::ostream& stream, const ColoredMesh& mesh) { write_obj_with_library(stream, mesh, ""); }
+
+void write_materials(std::ostream& stream, const ColoredMesh& mesh) {
+  ByteWriter out(stream);
+  for (const Region& region : collect_regions(mesh)) {
+    const std::array<double, 3> color = to_linear(mesh.color(region.label));
+    out.print("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\n", region_name(region.label), color[0], color[1], color[2]);
+  }
+  out.finish();
+}
+
+}  // namespace gvd::io

@@ -1,0 +1,216 @@
+// The list of options, and the rules on which of them go together.
+//
+// Rules are by name, so that parts of a list can be described apart. A name that is wrong would make a rule that never
+// holds: find_unknown_names, which the tests call for every list, tells them.
+
+#include "gvd/option_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "gvd/option_text.hpp"
+
+namespace gvd {
+namespace {
+
+template <class T>
+std::function<void()> restore(T* field) {
+  return [field, initial = *field] { *field = initial; };
+}
+
+/// Stores the values that the fields of an option have now.
+std::function<void()> make_reset(const Field& field) {
+  const auto any_pointer = [](auto* value) { return restore(value); };
+  const auto both = [](std::function<void()> first, std::function<void()> second) {
+    return [first = std::move(first), second = std::move(second)] {
+      first();
+      second();
+    };
+  };
+  return std::visit(Overload{[](const Flag& flag) { return restore(flag.value); },
+                             [](const Switch& on_off) { return restore(on_off.value); },
+                             [&](const Number& number) { return std::visit(any_pointer, number.value); },
+                             [](const Choice& choice) {
+                               return std::function<void()>([choice, initial = choice.get()] { choice.set(initial); });
+                             },
+                             [](const ChoiceList& list) { return restore(list.value); },
+                             [&](const File& file) {
+                               std::function<void()> reset = std::visit(any_pointer, file.value);
+                               return file.unnamed == nullptr ? reset : both(std::move(reset), restore(file.unnamed));
+                             },
+                             [](const PointList& list) { return restore(list.value); },
+                             [](const Curves& curves) { return restore(curves.value); },
+                             [](const Counts& counts) { return restore(counts.value); },
+                             [](const ValueSource& values) { return restore(values.value); },
+                             [](const ByteSize& size) { return restore(size.value); },
+                             [](const SizeOrPercent& size) { return restore(size.value); },
+                             [&](const CreaseAngle& angle) {
+                               return std::function<void()>(both(restore(angle.value), restore(angle.automatic)));
+                             }},
+                    field);
+}
+
+/// The default of a number or a name, in words.
+std::string default_of(const Field& field) {
+  const auto text = [&] {
+    const auto texts = write_option(field);
+    return texts ? fmt::format("{}", fmt::join(*texts, ",")) : std::string();
+  };
+  const auto none = [](const auto&) { return std::string(); };
+  return std::visit(Overload{[&](const Number&) { return text(); }, [&](const Choice&) { return text(); },
+                             [&](const ChoiceList&) { return text(); },
+                             [&](const CreaseAngle&) {
+                               const std::string angle = text();
+                               return angle.empty() ? std::string("none") : angle;
+                             },
+                             none},
+                    field);
+}
+
+/// Their placeholders, as in "A, B or C".
+std::string list_placeholders(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += i == 0 ? "" : i + 1 < names.size() ? ", " : " or ";
+    text += "{option:" + names[i] + '}';
+  }
+  return text;
+}
+
+/// Two given options that exclude each other.
+std::optional<Problem> find_exclusion(const OptionList& list, const Given& given) {
+  const std::vector<const Option*> all = list.options();
+  for (auto a = all.begin(); a != all.end(); ++a) {
+    for (auto b = a + 1; given.has((*a)->name) && b != all.end(); ++b) {
+      if (!given.has((*b)->name) || !list.exclude_each_other((*a)->name, (*b)->name)) continue;
+      // The later one is to blame: options of a file come behind those of the command line.
+      const bool is_first_later = given.find((*a)->name)->order > given.find((*b)->name)->order;
+      const std::string& blamed = is_first_later ? (*a)->name : (*b)->name;
+      return Problem{
+          blamed, fmt::format("{{option:{}}} and {{option:{}}} exclude each other: keep one", (*a)->name, (*b)->name)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void OptionList::group(const std::string& title) {
+  if (std::find(groups_.begin(), groups_.end(), title) == groups_.end()) groups_.push_back(title);
+  group_ = title;
+}
+
+void OptionList::option(const std::string& name, Field field, Spec spec) {
+  const auto* const flag = std::get_if<Flag>(&field);
+  const bool is_on = flag != nullptr && *flag->value == flag->given_as;
+  if (spec.usual.empty()) spec.usual = default_of(field);
+  std::function<void()> reset = make_reset(field);
+  options_.push_back({name, group_, std::move(field), std::move(spec), std::move(reset), is_on});
+}
+
+void OptionList::excludes(const std::string& name, const std::vector<std::string>& others) {
+  for (const std::string& other : others) excluded_.emplace_back(name, other);
+}
+
+void OptionList::needs(const std::string& name, const std::string& other) { needed_.emplace_back(name, other); }
+
+void OptionList::one_of(OneOf set) { sets_.push_back(std::move(set)); }
+
+void OptionList::rule(ValueRule rule) { rules_.push_back(std::move(rule)); }
+
+std::vector<const Option*> OptionList::options() const {
+  std::vector<const Option*> ordered;
+  for (const std::string& title : groups_) {
+    for (const Option& option : options_) {
+      if (option.group == title) ordered.push_back(&option);
+    }
+  }
+  return ordered;
+}
+
+const Option* OptionList::find(std::string_view name) const {
+  const auto found = std::find_if(options_.begin(), options_.end(), [&](const Option& o) { return o.name == name; });
+  return found == options_.end() ? nullptr : &*found;
+}
+
+bool OptionList::exclude_each_other(const std::string& a, const std::string& b) const {
+  if (a == b) return false;
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  return std::any_of(excluded_.begin(), excluded_.end(),
+                     [&](const auto& pair) { return pair == std::pair(a, b) || pair == std::pair(b, a); }) ||
+         std::any_of(sets_.begin(), sets_.end(),
+                     [&](const OneOf& set) { return has(set.options, a) && has(set.options, b); });
+}
+
+std::vector<std::string> OptionList::needed_by(const std::string& name) const {
+  std::vector<std::string> needed;
+  for (const auto& [option, other] : needed_) {
+    if (option == name) needed.push_back(other);
+  }
+  return needed;
+}
+
+std::string OptionList::why_idle(const Option& option, const Given& given) const {
+  for (const ValueRule& rule : rules_) {
+    if (rule.option != option.name) continue;
+    if (std::string reason = rule.why_idle(given); !reason.empty()) return reason;
+  }
+  return "";
+}
+
+std::optional<Problem> OptionList::find_problem(const Given& given) const {
+  if (auto exclusion = find_exclusion(*this, given)) return exclusion;
+  for (const auto& [name, other] : needed_) {
+    if (!given.has(name) || given.has(other)) continue;
+    return Problem{
+        name, fmt::format("{{option:{0}}} needs {{option:{1}}}: add it, or leave {{option:{0}}} out", name, other)};
+  }
+  for (const ValueRule& rule : rules_) {
+    if (!given.has(rule.option)) continue;
+    if (std::string reason = rule.why_idle(given); !reason.empty()) return Problem{rule.option, std::move(reason)};
+  }
+  return std::nullopt;
+}
+
+std::optional<Problem> OptionList::find_missing(const Given& given) const {
+  for (const OneOf& set : sets_) {
+    if (std::any_of(set.options.begin(), set.options.end(), [&](const auto& name) { return given.has(name); })) {
+      continue;
+    }
+    return Problem{"", fmt::format("{}: give {}{}", set.missing, set.options.size() > 2 ? "one of " : "",
+                                   list_placeholders(set.options))};
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> OptionList::find_unknown_names() const {
+  std::set<std::string> named;
+  const auto read = [&](const std::string& text) {
+    spell_options(text, {.spell = [&](std::string_view name, std::string_view) {
+                    return *named.insert(std::string(name)).first;
+                  }});
+  };
+  for (const auto* const pairs : {&excluded_, &needed_}) {
+    for (const auto& [a, b] : *pairs) named.insert({a, b});
+  }
+  for (const OneOf& set : sets_) named.insert(set.options.begin(), set.options.end());
+  for (const ValueRule& rule : rules_) {
+    named.insert(rule.option);
+    named.insert(rule.depends_on.begin(), rule.depends_on.end());
+  }
+  for (const std::string& title : groups_) read(title);
+  for (const Option& option : options_) {
+    for (const std::string* text : {&option.spec.help, &option.spec.more, &option.spec.usual}) read(*text);
+  }
+  std::vector<std::string> unknown;
+  for (const std::string& name : named) {
+    if (find(name) == nullptr) unknown.push_back(name);
+  }
+  return unknown;
+}
+
+}  // namespace gvd

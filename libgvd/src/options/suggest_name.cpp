@@ -1,0 +1,73 @@
+// What a misspelt name may have been meant for.
+
+#include <algorithm>
+#include <string_view>
+
+#include "gvd/option_text.hpp"
+#include "gvd/text.hpp"
+
+namespace gvd {
+namespace {
+
+/// A shorter beginning fits too many options. Of what is no option, and written in capitals, there is one at most.
+std::size_t least_beginning(const std::string& name) { return name.front() >= 'A' && name.front() <= 'Z' ? 1 : 3; }
+
+/// "--Sampling=random" as "sampling".
+std::string bare_name(const std::string& text) {
+  const std::size_t first = text.find_first_not_of('-');
+  return first == text.npos ? "" : to_lower(text.substr(first, text.find('=') - first));
+}
+
+/// Whether `typed` has the beginnings of words of `name`, in their order and with its first one, with or without the
+/// dashes between them: "outdir" or "out-d" for "output-dir".
+bool abbreviates(std::string_view typed, std::string_view name) {
+  if (typed.empty()) return true;
+  if (!name.empty() && typed.front() == name.front() && abbreviates(typed.substr(1), name.substr(1))) return true;
+  const std::size_t dash = name.find('-');
+  if (dash == name.npos || dash + 1 == name.size()) return false;
+  const std::string_view next = name.substr(dash + 1), rest = typed.substr(typed.front() == '-' ? 1 : 0);
+  return !rest.empty() && rest.front() == next.front() && abbreviates(rest.substr(1), next.substr(1));
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours that lead from one text to the other: the distance of
+/// Damerau and Levenshtein, with no letter changed twice.
+std::size_t count_edits(const std::string& from, const std::string& to) {
+  std::vector<std::size_t> before, last, now(to.size() + 1);
+  for (std::size_t j = 0; j <= to.size(); ++j) now[j] = j;
+  for (std::size_t i = 1; i <= from.size(); ++i) {
+    before = std::move(last);
+    last = now;
+    now[0] = i;
+    for (std::size_t j = 1; j <= to.size(); ++j) {
+      now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (from[i - 1] != to[j - 1])});
+      const bool swapped = i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1];
+      if (swapped) now[j] = std::min(now[j], before[j - 2] + 1);
+    }
+  }
+  return now[to.size()];
+}
+
+}  // namespace
+
+std::optional<std::string> suggest_name(const std::string& wrong, const std::vector<std::string>& names) {
+  const std::string typed = bare_name(wrong);
+  std::optional<std::string> nearest, longer;
+  std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
+  for (const std::string& name : names) {
+    const std::string bare = bare_name(name);
+    // So many letters at least have to be inserted or deleted.
+    const std::size_t fewest = std::max(typed.size(), bare.size()) - std::min(typed.size(), bare.size());
+    const std::size_t edits = fewest < least ? count_edits(typed, bare) : least;
+    // An option of one letter is nobody's misspelling.
+    if (edits < least && (bare.size() > 1 || edits == 0)) {
+      least = edits;
+      nearest = name;
+    }
+    const bool begins = typed.size() >= least_beginning(name) && typed.size() <= bare.size() &&
+                        typed.front() == bare.front() && abbreviates(typed, bare);
+    if (begins && (!longer || name.size() < longer->size())) longer = name;
+  }
+  return longer && least > 0 ? longer : nearest;
+}
+
+}  // namespace gvd

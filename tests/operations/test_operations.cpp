@@ -1,0 +1,164 @@
+// Every operation by its table: described in full, run with options as JSON, cancelled.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "gvd/error.hpp"
+#include "gvd/io/format.hpp"
+#include "gvd/operation.hpp"
+#include "gvd/operation_json.hpp"
+#include "operations/recorder.hpp"
+#include "support/catch.hpp"
+#include "support/meshes.hpp"
+
+namespace gvd::test_operations {
+
+using Catch::Matchers::Contains;
+using gvd::test::Recorder;
+using Json = nlohmann::ordered_json;
+
+const MeshPtr kBall = std::make_shared<const CheckedMesh>(as_input(test::make_sphere(2)));
+
+const auto kBallObject = std::make_shared<const MeshObject>(kBall);
+
+std::shared_ptr<const Object> diagram_of_ball() {
+  Recorder told;
+  const auto call = find_operation("diagram")->call();
+  OptionList list;
+  call->describe(list);
+  read_json_options(list, *kBall, R"({"count": 8})", {});
+  return call->run(kBallObject, told);
+}
+
+std::string usual_options(std::string_view operation) {
+  return operation == "distances" ? R"({"from": [0]})" : operation == "label" ? "{}" : R"({"count": 8})";
+}
+
+std::shared_ptr<const Object> call(const Operation& operation, const std::string& options, Recorder& told) {
+  const auto made = operation.call();
+  OptionList list;
+  made->describe(list);
+  read_json_options(list, *kBall, options, {});
+  return made->run(operation.on == "mesh" ? kBallObject : diagram_of_ball(), told);
+}
+
+/// The names of all parts of an object, and whether each figure has a value.
+struct Names : ObjectVisitor {
+  void figure(const Meaning& meaning, const Figure&) override { add(meaning); }
+  void array(const Meaning& meaning, const ArrayView&) override { add(meaning); }
+  void points(const Meaning& meaning, const PointsView&) override { add(meaning); }
+  void curves(const Meaning& meaning, const PointLists&) override { add(meaning); }
+  void rows(const Meaning& meaning, const std::vector<std::vector<double>>&) override { add(meaning); }
+  void table(const Meaning& meaning, const Table&) override { add(meaning); }
+  void part(const Meaning& meaning, std::string_view, const PartMaker&) override { add(meaning); }
+  void add(const Meaning& meaning) {
+    CHECK(!meaning.text.empty());
+    names.emplace_back(meaning.name);
+  }
+  std::vector<std::string> names;
+};
+
+std::vector<std::string> names_of(const Object& object) {
+  Names names;
+  object.visit(names);
+  return names.names;
+}
+
+TEST_CASE("operations: no rule and no text names an option that is not there") {
+  for (const Operation& operation : operations()) {
+    const auto made = operation.call();
+    OptionList list;
+    made->describe(list);
+    CAPTURE(operation.name);
+    CHECK(list.find_unknown_names().empty());
+  }
+}
+
+TEST_CASE("operations: each result has the parts that an empty one describes") {
+  for (const Operation& operation : operations()) {
+    CAPTURE(operation.name);
+    Recorder told;
+    const auto made = call(operation, usual_options(operation.name), told);
+    CHECK(made->kind() == operation.no_result()->kind());
+    CHECK(names_of(*made) == names_of(*operation.no_result()));
+    CHECK(told.depth == 0);
+    CHECK(!told.steps.empty());
+    CHECK(Json::parse(figures_json(*made)).is_object());
+  }
+}
+
+TEST_CASE("operations: a progress that says stop cancels each one, and its steps end") {
+  for (const Operation& operation : operations()) {
+    CAPTURE(operation.name);
+    Recorder told;
+    told.cancels = true;
+    try {
+      call(operation, usual_options(operation.name), told);
+      FAIL("it ran to its end");
+    } catch (const Error& error) {
+      CHECK(error.code() == ErrorCode::interrupted);
+    }
+    CHECK(told.depth == 0);
+  }
+}
+
+TEST_CASE("figures are nested at the dots of their names, and a level without any is null") {
+  Recorder told;
+  const Json plain = Json::parse(figures_json(*call(*find_operation("lloyd"), R"({"count": 8})", told)));
+  CHECK(plain["balance"].is_null());
+  CHECK(plain["coarse"].is_null());
+  CHECK(plain["energies"].size() == plain["iterations"].get<std::size_t>() + 1);
+  const Json equal =
+      Json::parse(figures_json(*call(*find_operation("lloyd"), R"({"count": 8, "balance": "area"})", told)));
+  CHECK(equal["balance"]["masses"].size() == 8);
+}
+
+/// What is wrong with the options of an operation; empty where they are accepted.
+std::string refusal_of(const char* operation, const std::string& options) {
+  const auto made = find_operation(operation)->call();
+  OptionList list;
+  made->describe(list);
+  try {
+    read_json_options(list, *kBall, options, {});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_CASE("a flag with its default is as if it were not there") {
+  CHECK(refusal_of("segment", R"({"count": 5, "merge_coincident": false})").empty());
+  CHECK(refusal_of("remesh", R"({"count": 5, "exact_count": false, "refine": true})").empty());
+  CHECK_THAT(refusal_of("segment", R"({"count": 5, "merge_coincident": true})"), Contains("exclude each other"));
+}
+
+TEST_CASE("JSON that is nested deeply is refused before it fills the stack") {
+  const std::string deep = "{\"vertices\": " + std::string(1'000'000, '[') + std::string(1'000'000, ']') + "}";
+  CHECK_THAT(refusal_of("segment", deep), Contains("nested more than 8 deep"));
+}
+
+TEST_CASE("curves are the words for them, or points") {
+  CHECK(refusal_of("segment", R"({"curves": "creases:30"})").empty());
+  CHECK_THAT(refusal_of("segment", R"({"curves": "creasesx"})"), Contains("is none of boundary, creases"));
+  CHECK_THAT(refusal_of("segment", R"({"curves": "creases:x"})"), Contains("creases"));
+}
+
+TEST_CASE("texts are spelled as JSON has options") {
+  CHECK(spell_for_json("{option:count} or {option:features=none}") == R"("count" or "features": "none")");
+  CHECK(spell_for_json("{option:count=30}; {option:refine=false}") == R"("count": 30; "refine": false)");
+}
+
+TEST_CASE("the description has every operation, object and format") {
+  const Json described = Json::parse(describe_operations());
+  CHECK(described["operations"].size() == operations().size());
+  CHECK(described["objects"].contains("mesh"));
+  CHECK(described["formats"].size() == formats().size());
+  for (const Json& operation : described["operations"]) {
+    for (const Json& option : operation["options"]) {
+      CAPTURE(option.dump());
+      CHECK_THAT(option["help"].get<std::string>(), !Contains("{option"));
+    }
+  }
+}
+
+}  // namespace gvd::test_operations
