@@ -93,22 +93,24 @@ void check_content(const Options& options, const DistancesCall& own) {
   const bool has_targets = own.targets.are_listed(), has_curves = own.paths || own.isolines;
   constexpr Content kDistances = Content::distances | Content::rows;
   if (const Format* const lines = find_written(output, Content::curves, kDistances); lines != nullptr && !has_curves) {
-    refuse_use(has_targets ? fmt::format("{} holds no distances; add --paths for the shortest paths, or write {}",
-                                         named(output, *lines), list_formats(Content::targets))
-                           : fmt::format("{} holds no distances; write {}, or add --isolines", named(output, *lines),
-                                         list_formats(kDistances)));
+    refuse_use(has_targets
+                   ? fmt::format("{} holds no distances; add {{option:paths}} for the shortest paths, or write {}",
+                                 named(output, *lines), list_formats(Content::targets))
+                   : fmt::format("{} holds no distances; write {}, or add {{option:isolines}}", named(output, *lines),
+                                 list_formats(kDistances)));
   }
   const bool has_report = !output.report.empty() || !output.view.empty();
   const Format* const mesh = find_written(output, Content::distances, Content::targets);
   if (has_targets && !has_curves && !has_report && mesh != nullptr && !writes(output, Content::targets)) {
     refuse_use(
-        fmt::format("{} has the distances of all vertices, for which --to does nothing; {}write {}, or leave --to out",
-                    named(output, *mesh), has_any(mesh->carries, Content::curves) ? "add --paths, " : "",
+        fmt::format("{} has the distances of all vertices, for which {{option:to}} does nothing; {}write {}, or leave "
+                    "{{option:to}} out",
+                    named(output, *mesh), has_any(mesh->carries, Content::curves) ? "add {option:paths}, " : "",
                     list_formats(Content::targets)));
   }
   if (own.paths && !has_report && !writes(output, kPaths)) {
-    refuse_use(fmt::format("--paths: {} paths; write one of them or leave --paths out",
-                           only_formats(kPaths, {"--view", "--report"})));
+    refuse_use(fmt::format("{{option:paths}}: {} paths; write one of them or leave {{option:paths}} out",
+                           only_formats(kPaths, {"{option:view}", "{option:report}"})));
   }
 }
 
@@ -116,23 +118,24 @@ void check_content(const Options& options, const DistancesCall& own) {
 void check(const Options& options, const DistancesCall& own) {
   const OutputOptions& output = options.output;
   const bool has_targets = own.targets.are_listed(), has_view = !output.view.empty();
-  if (own.each && has_view) refuse_use("--each and --view exclude each other: the page shows the nearest source");
+  if (own.each && has_view)
+    refuse_use("{option:each} and {option:view} exclude each other: the page shows the nearest source");
   const Format* const values = find_written(output, Content::distances, Content::surface);
   if (has_targets && values != nullptr) {
-    refuse_use(fmt::format("--to: {} hold a distance for each vertex; write {}, or leave --to out",
+    refuse_use(fmt::format("{{option:to}}: {} hold a distance for each vertex; write {}, or leave {{option:to}} out",
                            list_extensions(output_extensions(Content::distances, Content::surface), "and"),
                            list_formats(Content::targets)));
   }
   const Format* const single = find_written(output, Content::distances, Content::rows);
   if (own.each && single != nullptr && !(own.paths && has_any(single->carries, Content::surface))) {
-    refuse_use(fmt::format("--each: {} hold one distance for each vertex; write {}{}",
-                           list_extensions(output_extensions(Content::distances, Content::rows), "and"),
-                           list_formats(Content::rows),
-                           has_any(single->carries, Content::surface) ? ", or add --to and --paths" : ""));
+    refuse_use(fmt::format(
+        "{{option:each}}: {} hold one distance for each vertex; write {}{}",
+        list_extensions(output_extensions(Content::distances, Content::rows), "and"), list_formats(Content::rows),
+        has_any(single->carries, Content::surface) ? ", or add {option:to} and {option:paths}" : ""));
   }
   if (own.isolines && !has_view && output.report.empty() && !writes(output, kIsolines)) {
-    refuse_use(fmt::format("--isolines: {} curves; write one of them or leave --isolines out",
-                           only_formats(kIsolines, {"--view", "--report"})));
+    refuse_use(fmt::format("{{option:isolines}}: {} curves; write one of them or leave {{option:isolines}} out",
+                           only_formats(kIsolines, {"{option:view}", "{option:report}"})));
   }
   check_content(options, own);
 }
