@@ -170,7 +170,8 @@ Answer answer(const std::vector<std::string>& words) {
   if (words.empty()) return {make_overview(), kUsage};  // as git does
   const std::string& first = words[0];
   const std::string option = first.substr(0, first.find('='));
-  if (asks_for_help(first) && words.size() == 1) return {make_overview()};
+  const bool is_alone = words.size() == 1 || asks_for_help(words[1]);  // "gvd help help", too
+  if (asks_for_help(first) && is_alone) return {make_overview()};
   if (asks_for_help(first)) refuse_word(words[1]);
   if (first == "version" || first == "--version") return {fmt::format("gvd {}\n", version())};
   if (option == "--completion" || option == "--print-completion") return {make_all_completions(read_shell(words))};

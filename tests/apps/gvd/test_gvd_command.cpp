@@ -125,7 +125,8 @@ TEST_CASE("gvd: alone, and asked for help, it says which command does what") {
     CHECK_THAT(words, Contains(description));  // the command's own words
     CHECK_THAT(help.out, Contains("\n  gvd " + command.name + " bunny.obj "));
   }
-  for (const char* question : {"-h", "help"}) CHECK(run_command("gvd", question).out == help.out);
+  for (const char* question : {"-h", "help", "help help", "help -h"})
+    CHECK(run_command("gvd", question).out == help.out);
   const CommandResult alone = run_command("gvd", "");
   CHECK(alone.out == help.out);
   CHECK(alone.exit_code == 2);  // nothing was done
