@@ -121,7 +121,7 @@ void check_referred_files(const std::vector<Options>& runs) {
   for (const Options& run : runs) {
     const std::string& mesh = run.input.path;
     if (is_read_once(mesh)) continue;
-    // What can't be read is an error of its own run, which says so.
+    // The run of an input that can't be read says so.
     run_guarded([&] {
       for (const fs::path& file : list_referred_files(mesh, run.input.format)) referred.add(mesh, file);
     });

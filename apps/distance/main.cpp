@@ -49,7 +49,6 @@ void describe_own(OptionList& list, OwnOptions& own) {
   own.output.prints = true;
   describe_input(list, own.input);
   describe(list, own.call);
-  list.group("Computing");
   describe_resources(list, own.compute);
   describe_output(list, own.output, kFormats, "npy");
 }

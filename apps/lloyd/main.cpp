@@ -55,7 +55,6 @@ void describe_own(OptionList& list, OwnOptions& own) {
   describe_input(list, own.input);
   describe(list, own.call);
   describe_generators_format(list, own.input);
-  list.group("Computing");
   describe_resources(list, own.compute);
   describe_verify(list, own.compute);
   list.group("Relaxation");

@@ -61,7 +61,6 @@ void describe_own(OptionList& list, OwnOptions& own) {
                         fmt::format("{{option:carry}}: {} what is carried over; write one, such as "
                                     "{{option:output=FILE.ply}}",
                                     only_formats(kCarried))));
-  list.group("Computing");
   describe_resources(list, own.compute);
   describe_verify(list, own.compute);
   describe_output(list, own.output, kFormats, "ply");

@@ -79,7 +79,6 @@ void describe_own(OptionList& list, OwnOptions& own) {
   describe_input(list, own.input);
   describe(list, own.call);
   describe_generators_format(list, own.input);
-  list.group("Computing");
   describe_resources(list, own.compute);
   describe_verify(list, own.compute);
   describe_output(list, own.output, kFormats, "ply");

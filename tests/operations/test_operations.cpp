@@ -113,7 +113,7 @@ TEST_CASE("figures are nested at the dots of their names, and a level without an
   CHECK(equal["balance"]["masses"].size() == 8);
 }
 
-/// What is wrong with the options of an operation; empty where they are accepted.
+/// Returns what an operation says against options; empty where it accepts them.
 std::string refusal_of(const char* operation, const std::string& options) {
   const auto made = find_operation(operation)->call();
   OptionList list;

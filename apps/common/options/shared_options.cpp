@@ -106,6 +106,7 @@ void describe_resources(OptionList& list, ComputeOptions& compute) {
 }
 
 void describe_verify(OptionList& list, ComputeOptions& compute) {
+  list.group(kComputingGroup);
   list.option("verify", Flag{&compute.verify},
               {.help = "After the run, measure the error of the diagram against exact distances"});
 }

@@ -73,7 +73,7 @@ void copy_points(const std::vector<SurfacePoint>& points, gvd_point* out) {
 
 Progress progress_of(const gvd_run* run) {
   if (run == nullptr) return {};
-  return [observer = std::make_shared<RunObserver>(run)](std::string_view step, double fraction) {
+  return [observer = std::make_shared<CallObserver>(run)](std::string_view step, double fraction) {
     return observer->progress(step, fraction);
   };
 }
@@ -378,7 +378,7 @@ gvd_status gvd_segment_write(const gvd_diagram* diagram, const char* path, const
     const DiagramObject& of = given(diagram, "diagram").diagram_object();
     const std::string name = &given(path, "path");
     LabelCall call;
-    RunObserver observer(run);
+    CallObserver observer(run);
     write_object(name, *gvd::run(of, call, observer), progress_of(observer));
   });
 }
@@ -399,7 +399,7 @@ gvd_status gvd_lloyd(const gvd_mesh* mesh, const gvd_point* listed, int32_t coun
     if (!(asked.tolerance < 0)) call.relaxation.energy_tolerance = asked.tolerance;
     if (!(asked.crease_angle <= 0)) call.start.constraints.crease_angle = asked.crease_angle;
     call.start.constraints.keep_boundary = asked.keep_boundary != 0;
-    RunObserver observer(run);
+    CallObserver observer(run);
     const auto outcome = gvd::run(input, call, observer);
     const LloydResult& result = *outcome->relaxed;
     copy_points(result.generators, relaxed);
@@ -427,7 +427,7 @@ gvd_status gvd_remesh(const gvd_mesh* mesh, const gvd_point* listed, int32_t cou
     constraints.crease_angle.reset();
     if (asked.crease_angle < 0) constraints.crease_angle = kUsualCreaseAngle;
     if (!(asked.crease_angle <= 0)) constraints.crease_angle = asked.crease_angle;
-    RunObserver observer(run);
+    CallObserver observer(run);
     const auto outcome = gvd::run(input, call, observer);
     const RemeshResult& result = outcome->result();
     auto handle = make_handle(as_input(result.mesh));

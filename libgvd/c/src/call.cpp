@@ -70,7 +70,7 @@ gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const c
     const MeshPtr& mesh = mesh_of(*object);
     given(result, "result");
     const std::vector<ArrayView> views = to_views(arrays, count);
-    RunObserver observer(run);
+    CallObserver observer(run);
     const auto call = operation.call();
     OptionList list;
     call->describe(list);
@@ -132,7 +132,7 @@ gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* 
   return guarded([&] {
     const Object& written = *given(object, "object").object;
     const std::string name = &given(path, "path");
-    RunObserver observer(run);
+    CallObserver observer(run);
     write_object(name, written, progress_of(observer));
   });
 }

@@ -120,26 +120,26 @@ gvd_status fail(const Error& error) noexcept {
 
 void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
 
-RunObserver::RunObserver(const gvd_run* run) {
+CallObserver::CallObserver(const gvd_run* run) {
   if (run != nullptr) run_ = *run;
   if (run_.threads < 0) refuse("threads is " + std::to_string(run_.threads) + "; give 0 for one a core, or more");
   threads = run_.threads;
 }
 
-bool RunObserver::is_cancelled() const {
+bool CallObserver::is_cancelled() const {
   return run_.cancel != nullptr && __atomic_load_n(run_.cancel, __ATOMIC_RELAXED) != 0;
 }
 
-bool RunObserver::progress(std::string_view step, double fraction) {
+bool CallObserver::progress(std::string_view step, double fraction) {
   if (is_cancelled()) return false;
   return run_.progress == nullptr || run_.progress(run_.data, std::string(step).c_str(), fraction) != 0;
 }
 
-void RunObserver::enter(std::string_view step) {
+void CallObserver::enter(std::string_view step) {
   if (is_cancelled()) throw Error(ErrorCode::interrupted, "interrupted before " + std::string(step));
 }
 
-void RunObserver::note(const std::string& text) {
+void CallObserver::note(const std::string& text) {
   notes_.push_back(spell_for_json(text));
   if (run_.note != nullptr) run_.note(run_.data, notes_.back().c_str());
 }

@@ -37,7 +37,7 @@ struct gvd_object {
   /// Throws Error{invalid_option} where this is no diagram.
   const gvd::DiagramObject& diagram_object() const;
   const gvd::Diagram& diagram() const { return diagram_object().diagram(); }
-  /// Of a mesh. The first call builds it.
+  /// The tree of a mesh, which the first call builds.
   const gvd::ClosestPointTree& closest() const;
 
   std::shared_ptr<const gvd::Object> object;
@@ -97,9 +97,9 @@ T& given(T* argument, const char* name) {
 }
 
 /// What an operation tells, for the functions and the flag of a run.
-class RunObserver : public Observer {
+class CallObserver : public Observer {
  public:
-  explicit RunObserver(const gvd_run* run);
+  explicit CallObserver(const gvd_run* run);
   bool progress(std::string_view step, double fraction) override;
   void enter(std::string_view step) override;
   void note(const std::string& text) override;

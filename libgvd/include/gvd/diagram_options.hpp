@@ -5,6 +5,9 @@
 
 namespace gvd {
 
+/// The heading of the options that say how something is computed.
+inline constexpr const char* kComputingGroup = "Computing";
+
 /// Describes the method, the chord tolerance and the front. The options must outlive the list.
 void describe(OptionList& list, DiagramOptions& options);
 

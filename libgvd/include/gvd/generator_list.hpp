@@ -47,7 +47,7 @@ inline std::string_view generator_extension(GeneratorFormat format) {
   return format == GeneratorFormat::text ? "txt" : name_in(kGeneratorFormatNames, format);
 }
 
-/// Those of all lists, in the order of the formats.
+/// The extensions of all lists, in the order of the formats.
 std::vector<std::string> generator_extensions();
 
 /// The format that a list is written in. PLY begins with `ply`, JSON with a brace or bracket. A line of CSV that holds

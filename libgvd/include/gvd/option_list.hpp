@@ -160,7 +160,7 @@ Choice choice(T& field, const Choices<T>& choices) {
   return made;
 }
 
-/// Of a field that may have no value.
+/// The same for a field that may have no value.
 template <class T>
 Choice choice(std::optional<T>& field, const Choices<T>& choices) {
   Choice made;
@@ -246,7 +246,7 @@ struct OneOf {
   std::string missing;  ///< what a user lacks without any of them: "no generators"
 };
 
-/// What is wrong with an option: a text with placeholders.
+/// An option that was given wrongly, and a text with placeholders that says why.
 struct Problem {
   std::string option;
   std::string text;

@@ -37,7 +37,7 @@ std::optional<bool> parse_flag(const std::string& text);
 /// The angle that "creases", for `usual` degrees, or "creases:ANGLE" asks for; nothing where the text is neither.
 std::optional<double> parse_creases(const std::string& text, double usual);
 
-/// What is wrong with a name that is none of these, with the one that it may stand for.
+/// Says that a name is none of these, and which one it may stand for.
 std::string describe_unknown(const std::string& text, const std::vector<std::string>& names);
 
 /// The name that `wrong` most likely stands for, or nothing. Dashes in front, a value behind "=", and capitals don't

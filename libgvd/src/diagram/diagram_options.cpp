@@ -30,7 +30,7 @@ void describe_rules(OptionList& list, const DiagramOptions& options) {
 }  // namespace
 
 void describe(OptionList& list, DiagramOptions& options) {
-  list.group("Computing");
+  list.group(kComputingGroup);
   list.option("method", choice(options.method, kMethodNames),
               {.help = "How to build the diagram",
                .more = ": from exact distances, by growth with fast marching, or by the paper's steps as written"});
@@ -45,7 +45,7 @@ void describe(OptionList& list, DiagramOptions& options) {
 }
 
 void describe_threads(OptionList& list, int& threads) {
-  list.group("Computing");
+  list.group(kComputingGroup);
   list.option("threads", Number{&threads, {.least = 1, .most = kMostThreads}},
               {.help = "Number of threads", .more = "; it does not change the result", .usual = "all cores"});
 }

@@ -153,7 +153,7 @@ TEST_CASE("of several inputs the line names the one") {
         "gvd-test: error: a.obj: unexpected: ended without an exception; please report it\n");
 }
 
-/// Of a command with two options, of which --no-refine is given on the command line, or in a file.
+/// A command with two options, which a test gives on the command line, or in a file.
 struct Command : Options {
   bool refine = true;
   double snap = 1;

@@ -40,7 +40,7 @@ class LloydOutcome : public Object {
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();  ///< with balanced cells at the end
   std::optional<BalancedRelaxation> balanced;                                    ///< without its diagram
-  /// Of the generators, from where they were given; nothing for those that are somewhere else now.
+  /// How far each generator is from where it was given; nothing for one that is somewhere else now.
   std::vector<std::optional<double>> snap_distance;
 };
 

@@ -50,7 +50,7 @@ class RemeshOutcome : public Object {
   std::optional<RemeshMap> map;          ///< where it was asked for
   std::vector<MeshProperty> properties;  ///< carried over
   Appearance appearance;                 ///< carried over
-  /// Of the generators, from where they were given; nothing for those that are somewhere else now.
+  /// How far each generator is from where it was given; nothing for one that is somewhere else now.
   std::vector<std::optional<double>> snap_distance;
 };
 

@@ -16,7 +16,7 @@ inline const std::vector<std::string> kFormats{"ply", "obj", "json"};
 
 inline const app::OutputFormats kOutputFormats{kFormats};
 
-/// Those of a command with diagrams.
+/// The options of a command with diagrams.
 struct SharedOptions : app::Options {
   GeneratorOptions generators;
   DiagramOptions diagram;
