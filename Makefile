@@ -10,7 +10,7 @@ SANITIZE    ?= build-sanitize
 THREADS     ?= build-threads
 JOBS        ?= $(shell nproc 2>/dev/null || echo 2)
 # Tests of pages and pipes wait for much of their time.
-TEST_JOBS   ?= $(shell expr $(JOBS) + 1)
+TEST_JOBS   ?= $(shell expr $(JOBS) + 2)
 PREFIX      ?= /usr/local
 DEMO_OUTPUT ?= demo-output
 
