@@ -145,7 +145,7 @@ TEST_CASE("what is wrong is said with what is expected, and the field stays") {
   CHECK(refusal("levels", {"x"}) == "'x' is not a whole number from 1 to 2147483647");
   CHECK(refusal("density", {""}) == "the name is empty; name a file");
   CHECK(refusal("count", {"1", "2"}) == "given twice; keep one");
-  CHECK(refusal("count", {}) == "its value is missing; write {option:count=N}");
+  CHECK(refusal("count", {}) == "its value is missing; write \1count=N\2");
   CHECK_THAT(refusal("table", {std::string(500, 'x') + "\n"}), Contains("xxx...': the extension"));
   Toy toy;
   read(toy, "step", {"7"});
@@ -233,6 +233,7 @@ TEST_CASE("what is written is read again as the same value") {
                                                                               {"memory", {"1024"}},
                                                                               {"error", {"3%"}},
                                                                               {"features", {"auto"}},
+                                                                              {"features", {"none"}},
                                                                               {"features", {"12.5"}}}) {
     CAPTURE(name);
     Toy toy;
@@ -240,10 +241,18 @@ TEST_CASE("what is written is read again as the same value") {
     CHECK(write_option(toy.list.find(name)->field) == texts);
   }
   const Toy toy;
-  for (const char* none : {"count", "front", "output", "vertices", "curves", "memory", "features"}) {
+  for (const char* none : {"count", "front", "output", "vertices", "curves", "memory"}) {
     CAPTURE(none);
     CHECK(!write_option(toy.list.find(none)->field));
   }
+}
+
+TEST_CASE("texts of the user's are printable and short in messages, and keep their letters whole") {
+  CHECK(user_text("-n") == "-n");
+  CHECK(user_text(std::string("a\n\0\x1b", 4) + "\x7f") == "a    ");
+  CHECK(user_text(std::string(61, 'a')) == std::string(60, 'a') + "...");
+  CHECK(user_text("k\u00e4se", 3) == "k\u00e4...");
+  CHECK(user_text("k\u00e4se", 2) == "k...");
 }
 
 }  // namespace gvd::test_option_text

@@ -40,12 +40,18 @@ bool writes(const OutputOptions& output, Content any) {
   });
 }
 
+std::string name_of(const Target& target) {
+  return target.has_materials ? "the materials of " + placeholder(target.option) + ' ' + target.path
+                              : placeholder(target.option, target.path);
+}
+
 std::vector<Target> list_targets(const OutputOptions& output) {
   std::vector<Target> targets;
-  for (const std::string& file : output.files) targets.push_back({output.folder.empty() ? "-o" : "--output-dir", file});
-  targets.push_back({"--report", output.report});
-  targets.push_back({"--diagram", output.diagram});
-  targets.push_back({"--view", output.view});
+  for (const std::string& file : output.files)
+    targets.push_back({output.folder.empty() ? "output" : "output_dir", file});
+  targets.push_back({"report", output.report});
+  targets.push_back({"diagram", output.diagram});
+  targets.push_back({"view", output.view});
   for (const auto& [option, file] : output.own) targets.push_back({option, *file});
   std::erase_if(targets, [](const Target& target) { return target.path.empty(); });
   return targets;
@@ -69,15 +75,6 @@ std::string file_extension(const std::string& path) { return format_extension(pa
 
 bool contains(const std::vector<std::string>& texts, const std::string& text) {
   return std::find(texts.begin(), texts.end(), text) != texts.end();
-}
-
-std::string printable(std::string text, std::size_t longest) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, ' ');
-  if (text.size() <= longest) return text;
-  std::size_t end = longest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // no half character of UTF-8
-  return text.substr(0, end) + "...";
 }
 
 }  // namespace gvd::app

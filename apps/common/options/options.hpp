@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,7 +48,7 @@ struct OutputOptions {
   bool ascii_ply = false;         ///< PLY as text
   bool prints = false;            ///< to standard output, where no file is named
   bool region_materials = false;  ///< in OBJ, a material for each region, not those of the input
-  /// Further files of the command by the option, such as "--stats"; empty texts where not given.
+  /// Further files of the command by the name of the option, such as "stats"; empty texts where not given.
   std::map<std::string, const std::string*> own;
 };
 
@@ -95,19 +94,17 @@ bool writes(const OutputOptions& output, Content any);
 /// A file that a run writes, or "-" for standard output.
 struct Target {
   std::string option, path;
+  bool has_materials = false;  ///< it is not the file of the option, but has the materials beside it
 };
+
+/// The option with its file, for messages: with placeholders.
+std::string name_of(const Target& target);
 
 /// The files of a run, of all its options but --summary, which is the last run's.
 std::vector<Target> list_targets(const OutputOptions& output);
 
 /// Whether a file or folder is named that gets a result.
 bool names_file(const OutputOptions& output);
-
-/// A value for the report; null where it is not given, or a text is empty.
-template <class T, class Json = nlohmann::ordered_json>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
 
 /// Whether a name stands for what can be read only once: "-", which is standard input, a pipe or a device.
 bool is_read_once(const std::string& file);
@@ -116,8 +113,5 @@ bool is_read_once(const std::string& file);
 std::string file_extension(const std::string& path);
 
 bool contains(const std::vector<std::string>& texts, const std::string& text);
-
-/// A text of the user's for a message: blanks for control characters, and "..." after `longest` bytes.
-std::string printable(std::string text, std::size_t longest = 60);
 
 }  // namespace gvd::app

@@ -67,7 +67,7 @@ gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const c
     }
     const Operation& operation = find(name);
     const auto& object = given(on, "the object").object;
-    const MeshPtr& mesh = mesh_of(*object);
+    const MeshPtr& mesh = mesh_of(operation, *object);
     given(result, "result");
     const std::vector<ArrayView> views = to_views(arrays, count);
     CallObserver observer(run);
@@ -109,7 +109,8 @@ gvd_status gvd_object_of(const gvd_object* object, const char* name, gvd_object*
     const auto& parts = given(object, "object").parts;
     const auto found = parts.find(std::string_view(&given(name, "name")));
     if (found == parts.end()) refuse_name("part", name, parts);
-    given(part, "part") = new gvd_object(found->second);
+    if (found->second.object == nullptr) refuse(fmt::format("there is no {} here: {}", name, found->second.text));
+    given(part, "part") = new gvd_object(found->second.object);
   });
 }
 

@@ -44,7 +44,11 @@ struct gvd_object {
   std::string figures;  ///< JSON
   std::string repairs;  ///< of a mesh, one line each
   std::map<std::string, gvd::ArrayView, std::less<>> arrays;
-  std::map<std::string, std::shared_ptr<const gvd::Object>, std::less<>> parts;
+  struct Part {
+    std::shared_ptr<const gvd::Object> object;  ///< null: this object has none
+    std::string text;                           ///< what it is
+  };
+  std::map<std::string, Part, std::less<>> parts;
   std::optional<std::vector<gvd::SurfacePoint>> generators;  ///< of the vertices of a remesh
 
   // What no object owns in one piece.

@@ -39,7 +39,7 @@ void describe(OptionList& list, DiagramCall& call) {
   describe(list, call.weights, call.diagram);
   list.excludes("curves", {"sampling", "seed", "merge_coincident", "balance", "weights"});
   list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
-               return call.diagram.method == Method::exact ? "" : "{option:curves} needs {option:method=exact}";
+               return call.diagram.method == Method::exact ? "" : "\1curves\2 needs \1method=exact\2";
              }});
 }
 

@@ -187,7 +187,7 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
                 view(charts ? appearance.texture : kNone));
   visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram",
                [this] { return std::make_shared<DiagramObject>(input, on_input); });
-  visitor.part({"cut_mesh", "", "the pieces of the faces, with cut"}, "mesh",
+  visitor.part({"cut_mesh", "", "the pieces of the faces, made with cut"}, "mesh",
                [this]() -> std::shared_ptr<const Object> {
                  if (!cut) return nullptr;
                  auto pieces = std::make_shared<CheckedMesh>(as_input(cut->mesh));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <vector>
 
 #include "gvd/error.hpp"
 #include "gvd/io/format.hpp"
@@ -13,21 +12,22 @@
 namespace gvd {
 
 void write_object(const std::filesystem::path& path, const Object& object, const Progress& progress) {
-  const std::string extension = format_extension(path);
-  const OwnWriters own = object.own_writers();
-  if (const auto writer = own.find(extension); writer != own.end()) return write_file(path, writer->second, progress);
-  const std::optional<LabelledMesh> mesh = object.labelled();
-  const Format* const format = find_output(extension);
-  if (mesh && format != nullptr && format->write != nullptr) return write_mesh(path, *mesh, progress);
-  std::vector<std::string> known;
-  for (const auto& [name, writer] : own) known.push_back(name);
-  for (const Format& row : formats()) {
-    if (mesh && row.write != nullptr && !own.contains(row.extensions.front())) known.push_back(row.extensions.front());
+  const std::string name = path.string();
+  const Content content = object.content();
+  if (content == Content::nothing) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("{}: a {} has no file; write what it consists of", name, object.kind()));
   }
-  throw Error(ErrorCode::invalid_option,
-              known.empty()
-                  ? fmt::format("{}: a {} has no file; write what it consists of", path.string(), object.kind())
-                  : fmt::format("{}: the extension must be one of .{}", path.string(), fmt::join(known, ", .")));
+  const Format* const format = find_output(format_extension(path));
+  if (format == nullptr || !has_any(format->carries, content)) {
+    throw Error(ErrorCode::invalid_option, fmt::format("{}: the extension must be one of {}", name,
+                                                       list_extensions(output_extensions(content), "or")));
+  }
+  object.check_file({name, format});
+  const OwnWriters own = object.own_writers();
+  const auto writer = own.find(format->extensions.front());
+  writer != own.end() ? write_file(path, writer->second, progress)
+                      : write_mesh(path, object.labelled().value(), progress);
 }
 
 }  // namespace gvd

@@ -22,9 +22,11 @@ OwnWriters list_writers(const Mesh& mesh, const std::vector<SurfacePoint>& point
 class MeshObject : public Object {
  public:
   MeshObject() = default;
+  static constexpr Content kContent = Content::surface;
   explicit MeshObject(MeshPtr mesh) : mesh_(std::move(mesh)) {}
   const MeshPtr& mesh() const { return mesh_; }
   std::string_view kind() const override { return "mesh"; }
+  Content content() const override { return kContent; }
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override;
 
@@ -34,6 +36,8 @@ class MeshObject : public Object {
 
 class DiagramObject : public Object {
  public:
+  static constexpr Content kContent =
+      Content::surface | Content::vertex_labels | Content::distances | Content::diagram | Content::generators;
   DiagramObject() = default;
   DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram)
       : mesh_(std::move(mesh)), diagram_(std::move(diagram)) {}
@@ -41,6 +45,7 @@ class DiagramObject : public Object {
   const Diagram& diagram() const { return *diagram_; }
   const std::shared_ptr<const Diagram>& shared() const { return diagram_; }
   std::string_view kind() const override { return "diagram"; }
+  Content content() const override { return kContent; }
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;
