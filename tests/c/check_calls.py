@@ -35,7 +35,8 @@ NOTE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_char_p)
 
 class Run(ctypes.Structure):
     _fields_ = [("threads", ctypes.c_int), ("progress", PROGRESS), ("data", ctypes.c_void_p),
-                ("cancel", ctypes.POINTER(ctypes.c_int32)), ("note", NOTE)]
+                ("cancel", ctypes.POINTER(ctypes.c_int32)), ("note", NOTE), ("due", ctypes.POINTER(ctypes.c_int32)),
+                ("door", ctypes.c_int32)]
 
 
 def array(rows, kind=ctypes.c_double):

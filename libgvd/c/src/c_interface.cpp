@@ -379,7 +379,7 @@ gvd_status gvd_segment_write(const gvd_diagram* diagram, const char* path, const
     const std::string name = &given(path, "path");
     LabelCall call;
     CallObserver observer(run);
-    write_object(name, *gvd::run(of, call, observer), progress_of(observer));
+    write_object(name, *gvd::run(of, call, observer), {}, progress_of(observer));
   });
 }
 

@@ -11,7 +11,12 @@
 
 namespace gvd {
 
-void describe(OptionList& list, SampleCall& call) { describe(list, call.generators); }
+void describe(OptionList& list, SampleCall& call) {
+  describe(list, call.generators, {"points"});
+  list.option("points", PointList{&call.points},
+              {.help = "Points to move to the surface, in place of generators; they may be in the same place"});
+  list.excludes("points", {"sampling", "seed", "merge_coincident"});
+}
 
 void SampleOutcome::visit(ObjectVisitor& visitor) const {
   std::vector<double> snapped;
@@ -28,7 +33,12 @@ void SampleOutcome::visit(ObjectVisitor& visitor) const {
 std::shared_ptr<const SampleOutcome> run(const MeshPtr& input, SampleCall& call, Observer& observer) {
   auto outcome = std::make_shared<SampleOutcome>();
   outcome->input = input;
-  outcome->found = choose_generators(*input, call.generators, {}, observer);
+  if (call.points.is_given()) {
+    call.generators.points = call.points;
+    outcome->found = resolve_listed(*input, call.generators, observer, true);
+  } else {
+    outcome->found = choose_generators(*input, call.generators, {}, observer);
+  }
   return outcome;
 }
 

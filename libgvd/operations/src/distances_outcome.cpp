@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gvd/distances_operation.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd {
 namespace {
@@ -138,6 +139,18 @@ std::optional<LabelledMesh> DistancesOutcome::labelled() const {
   mesh.vertex_label = &label;
   mesh.vertex_distance = &distance;
   return mesh;
+}
+
+OwnWriters DistancesOutcome::part_writers(std::string_view part) const {
+  constexpr std::string_view kPath = "path ";
+  const auto place = part.starts_with(kPath) ? parse_number<std::int64_t>(part.substr(kPath.size())) : std::nullopt;
+  if (!place || *place < 0 || *place >= std::ssize(table.paths)) return {};
+  DistanceTable one;
+  one.paths = {table.paths[std::size_t(*place)]};
+  one.source_vertices = table.source_vertices;
+  one.target_vertices = {table.target_vertex(std::size_t(one.paths.front().target))};
+  one.paths.front().target = 0;
+  return {{"csv", [one = std::move(one)](std::ostream& out) { write_paths_csv(out, one); }}};
 }
 
 OwnWriters DistancesOutcome::own_writers() const {

@@ -143,7 +143,7 @@ GeneratorList list_points(const GivenPoints& points, const std::string& name) {
 
 void note_far_entry(Observer& observer, const ResolvedGenerators& resolved, double diagonal) {
   if (!(resolved.longest_snap.value_or(0) > kFarSnap * diagonal)) return;
-  observer.note(fmt::format("{} is {:.4g} from the surface, and the model's diagonal is {:.4g}: check its units",
+  observer.warn(fmt::format("{} is {:.4g} from the surface, and the model's diagonal is {:.4g}: check its units",
                             resolved.farthest, *resolved.longest_snap, diagonal));
 }
 

@@ -13,6 +13,7 @@
 
 #include "gvd/diagram_options.hpp"
 #include "gvd/diagram_parts.hpp"
+#include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd_options.hpp"
 #include "gvd/lloyd_words.hpp"
 #include "gvd/text.hpp"
@@ -165,6 +166,22 @@ void LloydOutcome::visit(ObjectVisitor& visitor) const {
   visitor.array({"cell_energies", "mesh units to the fourth", "of the cells"}, view(moments, &CellMoments::energy));
   visitor.part({"diagram", "", "of the generators"}, "diagram",
                [this] { return std::make_shared<DiagramObject>(diagram()); });
+}
+
+OwnWriters LloydOutcome::part_writers(std::string_view part) const {
+  OwnWriters writers;
+  if (part != "points") return writers;
+  for (const auto& [name, format] : kPointFormatNames) {
+    writers[std::string(name)] = [this, format](std::ostream& out) {
+      std::vector<SurfaceSample> samples;
+      for (const GeneratorId g : relaxed->moments.ids()) {
+        const CellMoments& moments = relaxed->moments[g];
+        samples.push_back({relaxed->generators[g.index()], moments.area, moments.energy});
+      }
+      write_points(out, input->mesh, samples, format);
+    };
+  }
+  return writers;
 }
 
 std::shared_ptr<const LloydOutcome> run(const MeshPtr& input, LloydCall& call, Observer& observer) {

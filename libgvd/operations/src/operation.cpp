@@ -9,6 +9,7 @@
 #include "gvd/diagram_operation.hpp"
 #include "gvd/distances_operation.hpp"
 #include "gvd/error.hpp"
+#include "gvd/given_objects.hpp"
 #include "gvd/lloyd_operation.hpp"
 #include "gvd/remesh_operation.hpp"
 #include "gvd/segment_operation.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 /// What an operation works on.
 template <class Kind>
-const Kind& take(const Object& object, std::string_view wanted) {
+const Kind& cast(const Object& object, std::string_view wanted) {
   const auto* const taken = dynamic_cast<const Kind*>(&object);
   if (taken != nullptr) return *taken;
   throw Error(ErrorCode::invalid_option, fmt::format("this takes a {}, and the object is a {}", wanted, object.kind()));
@@ -32,11 +33,16 @@ class CallWith : public Call {
     gvd::describe(list, options_);
     if constexpr (requires { describe_for_programs(list, options_); }) describe_for_programs(list, options_);
   }
+  void take(std::span<const ArrayView> arrays) override {
+    if constexpr (requires { options_.arrays; }) options_.arrays.assign(arrays.begin(), arrays.end());
+  }
   std::shared_ptr<const Object> run(const std::shared_ptr<const Object>& on, Observer& observer) override {
-    if constexpr (std::is_same_v<Kind, MeshObject>) {
-      return gvd::run(take<MeshObject>(*on, "mesh").mesh(), options_, observer);
+    if constexpr (std::is_void_v<Kind>) {
+      return gvd::run(options_, observer);
+    } else if constexpr (std::is_same_v<Kind, MeshObject>) {
+      return gvd::run(cast<MeshObject>(*on, "mesh").mesh(), options_, observer);
     } else {
-      return gvd::run(take<Kind>(*on, "diagram"), options_, observer);
+      return gvd::run(cast<Kind>(*on, Kind().kind()), options_, observer);
     }
   }
 
@@ -46,7 +52,9 @@ class CallWith : public Call {
 
 template <class Options, class Outcome, class Kind = MeshObject>
 Operation make_operation(std::string_view name, std::string_view summary) {
-  return {name, summary, std::is_same_v<Kind, MeshObject> ? "mesh" : "diagram",
+  std::string_view on;
+  if constexpr (!std::is_void_v<Kind>) on = Kind().kind();  // a text that lives as long as the program
+  return {name, summary, on,
           []() -> std::unique_ptr<Call> { return std::make_unique<CallWith<Options, Kind>>(); },
           []() -> std::shared_ptr<const Object> { return std::make_shared<Outcome>(); }};
 }
@@ -68,13 +76,21 @@ const std::vector<Operation>& operations() {
           "lloyd", "Moves generators to the geodesic centroids of their cells until they stop moving"),
       make_operation<RemeshCall, RemeshOutcome>(
           "remesh", "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point"),
+      make_operation<MapCall, RemeshOutcome, RemeshOutcome>("map", "Maps the vertices of a mesh to its remesh, and back"),
+      make_operation<CheckCall, CheckOutcome, DiagramObject>("check", "Tests every invariant of a diagram"),
+      make_operation<CurvesCall, CurvesOutcome>("curves", "Finds or makes the curves of a mesh that serve as generators"),
+      make_operation<MeshCall, MeshObject, void>("mesh", "Makes a mesh of two arrays or of a file"),
+      make_operation<SavedMeshCall, MeshObject, void>("saved_mesh", "Makes a mesh of all arrays that a mesh has"),
+      make_operation<ValuesCall, NumbersObject, void>("values", "Reads the numbers that a file has for vertices or faces"),
+      make_operation<PropertiesCall, NumbersObject, void>("properties", "Reads the properties of a file of a mesh"),
   };
   return kOperations;
 }
 
 const MeshPtr& mesh_of(const Object& object) {
-  const auto* const diagram = dynamic_cast<const DiagramObject*>(&object);
-  return diagram != nullptr ? diagram->mesh() : take<MeshObject>(object, "mesh").mesh();
+  if (const auto* const diagram = dynamic_cast<const DiagramObject*>(&object)) return diagram->mesh();
+  if (const auto* const remesh = dynamic_cast<const RemeshOutcome*>(&object)) return remesh->input;
+  return cast<MeshObject>(object, "mesh").mesh();
 }
 
 const Operation* find_operation(std::string_view name) {

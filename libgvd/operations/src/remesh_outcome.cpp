@@ -13,7 +13,9 @@
 #include <utility>
 
 #include "gvd/quality.hpp"
+#include "gvd/io/view.hpp"
 #include "gvd/remesh_operation.hpp"
+#include "gvd/remesh_scenes.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 
@@ -306,6 +308,26 @@ std::optional<LabelledMesh> RemeshOutcome::labelled() const {
 
 OwnWriters RemeshOutcome::own_writers() const {
   return {{"json", [this](std::ostream& out) { write_remesh_json(out, input->mesh, made->result); }}};
+}
+
+OwnWriters RemeshOutcome::part_writers(std::string_view part) const {
+  if (part != "map" || !map) return {};
+  return {{"json", [this](std::ostream& out) { write_map_json(out, *input, *map); }}};
+}
+
+std::string RemeshOutcome::page(const FileOptions& options) const {
+  ViewOptions view;
+  view.title = options.title;
+  const Mesh unplaced = make_unplaced(input->mesh, made->result);
+  return make_view_page(make_remesh_scenes(input->mesh, made->result, unplaced, options.threads), view);
+}
+
+std::shared_ptr<const RemeshOutcome> run(const RemeshOutcome& on, MapCall&, Observer& observer) {
+  auto mapped = std::make_shared<RemeshOutcome>(on);
+  mapped->map = as_step(observer, "map", [&] {
+    return map_to_remesh(on.input->mesh, on.made->result, observer.threads, progress_of(observer));
+  });
+  return mapped;
 }
 
 std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options) {

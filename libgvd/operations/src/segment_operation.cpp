@@ -60,6 +60,7 @@ void label_levels(const Mesh& mesh, const SegmentCall& call, Observer& observer,
 
 PartedMesh part(const CheckedMesh& input, const SegmentCall& call, Observer& observer) {
   PartedMesh parted;
+  parted.levels = call.levels.size();
   if (call.regions.are_given()) {
     FoundRegions found = as_step(observer, "regions", [&] { return find_regions(input, call.regions, observer); });
     if (!found.given.empty()) parted.numbers.push_back({kRegionName, std::move(found.given)});
@@ -180,9 +181,9 @@ void note_long_borders(Observer& observer, double ratio) {
 }
 
 /// With levels, adds the labels of the last one.
-void add_labels(const SegmentCall& call, const IdVector<FaceId, GeneratorId>& labels,
+void add_labels(const PartedMesh& parted, const IdVector<FaceId, GeneratorId>& labels,
                 std::vector<FaceNumbers>& numbers) {
-  if (!call.levels.empty()) numbers.push_back({level_name(call.levels.size()), to_regions(labels)});
+  if (parted.levels > 0) numbers.push_back({level_name(parted.levels), to_regions(labels)});
 }
 
 void label_whole_faces(const SegmentCall& call, Observer& observer, SegmentOutcome& outcome) {
@@ -192,7 +193,7 @@ void label_whole_faces(const SegmentCall& call, Observer& observer, SegmentOutco
   const IdVector<FaceId, GeneratorId>& labels = outcome.whole->face_label;
   outcome.border_length = compute_border_length(surface, labels);
   outcome.whole_numbers = outcome.parted.numbers;
-  add_labels(call, labels, outcome.whole_numbers);
+  add_labels(outcome.parted, labels, outcome.whole_numbers);
   const double ratio = tell_segmentation(observer, outcome);
   outcome.unreached_faces = note_unreached(observer, outcome);
   if (options.labels == FaceLabels::smooth) note_long_borders(observer, ratio);
@@ -240,7 +241,7 @@ void cut_along_bisectors(const SegmentCall& call, Observer& observer, SegmentOut
   outcome.cut_vertices = carry_to_cut_vertices(outcome.surface(), *outcome.diagram, *cut);
   cut->numbers = carry_to_cut_faces(outcome.parted.numbers, *cut);
   outcome.appearance = carry_to_cut_faces(input, outcome.input->appearance, *cut);
-  add_labels(call, cut->label, cut->numbers);
+  add_labels(outcome.parted, cut->label, cut->numbers);
   if (cut->uncut_faces > 0) {
     observer.note(fmt::format("{} could not be cut", counted(cut->uncut_faces, "face", "faces")));
   }
@@ -307,13 +308,17 @@ void describe(OptionList& list, SegmentCall& call) {
 }
 
 std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& call, Observer& observer) {
-  SegmentCall whole;  // without regions and levels
+  SegmentCall whole;  // regions and levels are those of the diagram
   static_cast<LabelCall&>(whole) = call;
   whole.complete();
   call.cut = whole.cut;
   auto outcome = std::make_shared<SegmentOutcome>();
   outcome->input = on.mesh();
   outcome->diagram = outcome->on_input = on.shared();
+  if (on.parted().mesh) {
+    outcome->parted = *on.parted().mesh;
+    outcome->diagram = on.parted().diagram;
+  }
   call.cut ? cut_along_bisectors(whole, observer, *outcome) : label_whole_faces(whole, observer, *outcome);
   return outcome;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gvd/diagram_parts.hpp"
+#include "gvd/io/label_color.hpp"
 #include "gvd/segment_operation.hpp"
 
 namespace gvd {
@@ -110,6 +111,20 @@ void visit_charts(ObjectVisitor& visitor, const SegmentOutcome& made) {
   visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts, made.chart_map));
 }
 
+/// Colours in sRGB, 0 to 255.
+class ColorsObject : public Object {
+ public:
+  explicit ColorsObject(std::vector<Rgb> colors) : colors_(std::move(colors)) { colors_.push_back(kUnlabelledColor); }
+  std::string_view kind() const override { return "colors"; }
+  void visit(ObjectVisitor& visitor) const override {
+    visitor.array({"colors", "", "red, green and blue"},
+                  {colors_.data(), ArrayType::uint8, 2, {std::ssize(colors_), 3}, {sizeof(Rgb), 1}});
+  }
+
+ private:
+  std::vector<Rgb> colors_;
+};
+
 }  // namespace
 
 const IdVector<FaceId, GeneratorId>& SegmentOutcome::face_labels() const {
@@ -186,7 +201,16 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
   visitor.array({"texture", "", "u and v of the three corners of each piece; empty without uv"},
                 view(charts ? appearance.texture : kNone));
   visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram",
-               [this] { return std::make_shared<DiagramObject>(input, on_input); });
+               [this] {
+                 PartedDiagram made;
+                 if (parted.is_parted() || parted.levels > 0) made = {std::make_shared<PartedMesh>(parted), diagram};
+                 return std::make_shared<DiagramObject>(input, on_input, std::move(made));
+               });
+  visitor.part({"colors", "", "of the labels, as in files and on pages; that of no label follows"}, "colors",
+               [this]() -> std::shared_ptr<const Object> {
+                 if (const auto shown = labelled()) return std::make_shared<ColorsObject>(region_colors(*shown));
+                 return nullptr;
+               });
   visitor.part({"cut_mesh", "", "the pieces of the faces, with cut"}, "mesh",
                [this]() -> std::shared_ptr<const Object> {
                  if (!cut) return nullptr;

@@ -19,6 +19,7 @@ namespace gvd {
 /// The options of the operation `sample`.
 struct SampleCall {
   GeneratorOptions generators;
+  GivenPoints points;  ///< to move to the surface, in place of generators; they may be in the same place
 };
 
 void describe(OptionList& list, SampleCall& call);

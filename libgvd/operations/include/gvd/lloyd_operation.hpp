@@ -35,6 +35,7 @@ class LloydOutcome : public Object {
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override { return diagram().labelled(); }
   OwnWriters own_writers() const override { return list_writers(input->mesh, relaxed->generators); }
+  OwnWriters part_writers(std::string_view part) const override;
   DiagramObject diagram() const { return {input, std::shared_ptr<const Diagram>(relaxed, &relaxed->diagram)}; }
 
   MeshPtr input = std::make_shared<CheckedMesh>();

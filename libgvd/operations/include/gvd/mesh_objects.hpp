@@ -32,12 +32,25 @@ class MeshObject : public Object {
   MeshPtr mesh_ = std::make_shared<CheckedMesh>();
 };
 
+struct PartedMesh;
+
+/// What a diagram was made on that keeps to regions.
+struct PartedDiagram {
+  std::shared_ptr<const PartedMesh> mesh;
+  std::shared_ptr<const Diagram> diagram;  ///< of the separated mesh
+};
+
 class DiagramObject : public Object {
  public:
   DiagramObject() = default;
-  DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram)
-      : mesh_(std::move(mesh)), diagram_(std::move(diagram)) {}
+  DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram, PartedDiagram parted = {})
+      : mesh_(std::move(mesh)), diagram_(std::move(diagram)), parted_(std::move(parted)) {}
   const MeshPtr& mesh() const { return mesh_; }
+  /// Null where the diagram keeps to no regions.
+  const PartedDiagram& parted() const { return parted_; }
+  /// The mesh and the diagram that has all of its vertices; other ones inside regions.
+  const Mesh& surface() const;
+  const Diagram& surface_diagram() const { return parted_.diagram ? *parted_.diagram : *diagram_; }
   const Diagram& diagram() const { return *diagram_; }
   const std::shared_ptr<const Diagram>& shared() const { return diagram_; }
   std::string_view kind() const override { return "diagram"; }
@@ -48,6 +61,7 @@ class DiagramObject : public Object {
  private:
   MeshPtr mesh_ = std::make_shared<CheckedMesh>();
   std::shared_ptr<const Diagram> diagram_ = std::make_shared<Diagram>();
+  PartedDiagram parted_;
 };
 
 }  // namespace gvd

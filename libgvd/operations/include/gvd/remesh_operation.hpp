@@ -42,6 +42,9 @@ class RemeshOutcome : public Object {
   const RemeshResult& result() const { return made->result; }
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;
+  /// "map": that of the vertices.
+  OwnWriters part_writers(std::string_view part) const override;
+  std::string page(const FileOptions& options) const override;
 
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const SurfaceRemesh> made = std::make_shared<SurfaceRemesh>();
@@ -53,6 +56,13 @@ class RemeshOutcome : public Object {
   /// How far each generator is from where it was given; nothing for one that is somewhere else now.
   std::vector<std::optional<double>> snap_distance;
 };
+
+/// The options of the operation `map`: there are none.
+struct MapCall {};
+inline void describe(OptionList&, MapCall&) {}
+
+/// A remesh with its map.
+std::shared_ptr<const RemeshOutcome> run(const RemeshOutcome& on, MapCall& call, Observer& observer);
 
 /// The notes on a remesh, one line each. `options`: those that gave the result.
 std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options);

@@ -57,8 +57,11 @@ struct PartedMesh {
   SeparatedMesh separated;           ///< where there are regions
   std::vector<FaceNumbers> numbers;  ///< of the input's faces: the region, and the labels of coarser levels
   RegionSamples samples;             ///< without points; figures of what was sampled
+  std::size_t levels = 0;            ///< of which the last one's labels are among the numbers of a result
 
   bool is_parted() const { return !regions.empty(); }
+  /// The mesh of a diagram that keeps to them.
+  const Mesh& surface(const CheckedMesh& input) const { return is_parted() ? separated.mesh : input.mesh; }
   bool is_left_out(FaceId f) const { return is_parted() && regions[f] < 0; }
 };
 
@@ -69,7 +72,7 @@ class SegmentOutcome : public Object {
   void visit(ObjectVisitor& visitor) const override;
 
   /// The mesh of `diagram`, which has the input's faces, with the vertices on borders of regions doubled.
-  const Mesh& surface() const { return parted.is_parted() ? parted.separated.mesh : input->mesh; }
+  const Mesh& surface() const { return parted.surface(*input); }
   /// What files hold: the input, or its pieces, with labels and distances.
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;
