@@ -43,7 +43,7 @@ class Balance(unittest.TestCase):
             self.assertEqual(ours.read_bytes(), theirs.read_bytes())
 
     def test_refusals(self):
-        with self.assertRaisesRegex(gvd.Error, "the shares are 2 and the generators 12; give one for each"):
+        with self.assertRaisesRegex(gvd.Error, "shares: 2 numbers for 12 generators; shares takes one for each"):
             self.mesh.balance(self.points, shares=[1, 2])
         with self.assertRaisesRegex(gvd.Error, "weights: a list of numbers is needed"):
             self.mesh.voronoi(self.points, weights=[[1.0] * 12])

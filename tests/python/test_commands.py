@@ -229,7 +229,7 @@ class SameBytes(unittest.TestCase):
         torus = gvd.read(meshes.TORUS)
         self.run_command("gvd-remesh", meshes.TORUS, "--target-edge", 0.4, "--place", "fit", "--shape", 0.8, "--relax", 5,
                          "--features", "none", "--coarse", "off", "-o", "s.json")
-        self.assert_same_files(torus.remesh(target_edge=0.4, place="fit", shape=0.8, relax=5, features="none", coarse=0),
+        self.assert_same_files(torus.remesh(target_edge=0.4, place="fit", shape=0.8, relax=5, features="none", coarse="off"),
                                "s", ["json"])
         self.run_command("gvd-remesh", meshes.TORUS, "--error", 0.05, "--loose-boundary", "-o", "t.json")
         self.assert_same_files(torus.remesh(error=0.05, loose_boundary=True), "t", ["json"])

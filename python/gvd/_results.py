@@ -1,0 +1,736 @@
+"""What calls give: diagrams, labelled and cut faces, relaxed generators, coarse meshes, paths and isolines."""
+from __future__ import annotations
+
+import contextlib
+import functools
+import html
+import os
+import pathlib
+import sys
+import tempfile
+import warnings
+import webbrowser
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+
+import numpy
+from numpy.typing import NDArray
+
+from . import _described, _library, _vtk
+from ._error import Error, refuse
+from ._library import Handle
+from ._options import described, real, text, to_json, whole
+from ._points import Points
+from ._progress import reporting
+
+if TYPE_CHECKING:
+    from ._mesh import Mesh
+
+Floats = NDArray[numpy.float64]
+Ids = NDArray[numpy.int32]
+PathLike = Union[str, bytes, "os.PathLike[str]"]
+
+_MOST_THREADS = (1 << 31) - 1
+_HEIGHT = 600
+"""Height of the page in a notebook, in pixels."""
+
+
+class Object:
+    """An object of the library: its handle, and how to make it again.
+
+    Pickled, it is its mesh, options and arrays. What else is asked of it then, such as a file, makes it again first, which
+    takes as long as the call did.
+    """
+
+    _kind = ""
+
+    def __init__(self, handle: Optional[Handle], recipe: tuple[Any, ...], saved: Optional[dict[str, Any]] = None) -> None:
+        self._handle, self._recipe = handle, recipe
+        self._saved: dict[str, Any] = saved or {}
+
+    @property
+    def _native(self) -> Handle:
+        if self._handle is None:
+            self._handle = _make_again(*self._recipe)
+        return self._handle
+
+    def _array(self, name: str) -> NDArray[Any]:
+        """A view of an array of the library."""
+        if name not in self._saved:
+            self._saved[name] = self._native.array(name)
+        found: NDArray[Any] = self._saved[name]
+        return found
+
+    def _points(self, name: str, mesh: Mesh) -> Points:
+        return Points(self._array(f"{name}_faces"), self._array(f"{name}_bary"), mesh)
+
+    @property
+    def figures(self) -> dict[str, Any]:
+        """What was measured, by its names in the reports of the commands; of a result with its `options` and `notes`."""
+        if "{figures}" not in self._saved:
+            self._saved["{figures}"] = self._native.figures()
+        found: dict[str, Any] = self._saved["{figures}"]
+        return found
+
+    def _names_to_save(self) -> list[str]:
+        return list(_described.ARRAYS[self._kind])
+
+    def __reduce__(self) -> Any:
+        for name in self._names_to_save():
+            self._array(name)
+        arrays = {name: numpy.array(value) for name, value in self._saved.items() if isinstance(value, numpy.ndarray)}
+        return _unpickle, (type(self), self._recipe, {**arrays, "{figures}": self.figures})
+
+
+def _make_again(operation: str, on: Any, options: Mapping[str, Any], arrays: Sequence[NDArray[Any]]) -> Handle:
+    return on._native.part(options["part"]) if operation == "part" else _library.call(operation, on._native, options, arrays)
+
+
+def _unpickle(kind: type[Object], recipe: tuple[Any, ...], saved: dict[str, Any]) -> Object:
+    for array in saved.values():
+        if isinstance(array, numpy.ndarray):
+            array.flags.writeable = False
+    made = kind.__new__(kind)
+    Object.__init__(made, None, recipe, saved)
+    return made
+
+
+RUN = ("threads", "progress", "time_limit")
+"""Options of calls, which are no options of operations."""
+
+
+def run(operation: str, on: Object, mesh: Mesh, options: Mapping[str, Any], more: Mapping[str, Any] = {}) -> tuple[Handle, tuple[Any, ...]]:
+    """Runs an operation with options of the user's; `more` are JSON already. Returns what makes a result of it."""
+    arrays: list[NDArray[Any]] = []
+    given = {**to_json(mesh, operation, {name: value for name, value in options.items() if name not in RUN}, arrays), **more}
+    return run_json(operation, on, given, arrays, {name: options.get(name) for name in RUN}), (operation, on, given, arrays)
+
+
+def run_json(operation: str, on: Optional[Object], options: Mapping[str, Any], arrays: Sequence[NDArray[Any]],
+             how: Mapping[str, Any]) -> Handle:
+    """Runs an operation with JSON. What the commands warn of is a warning of the line that called."""
+    threads, limit = how.get("threads"), how.get("time_limit")
+    with reporting(how.get("progress")) as callback:
+        made = _library.call(operation, None if on is None else on._native, options, arrays,
+                             threads=0 if threads is None else _threads(threads), progress=callback,
+                             time_limit=None if limit is None else float(real("time_limit", limit)))
+    if any(array.ndim == 2 and array.shape[1] == 3 for array in arrays):  # positions may be far away
+        for line in made.figures()["warnings"]:
+            warn(line)
+    return made
+
+
+def _threads(given: Any) -> int:
+    threads = whole("threads", given)
+    if abs(threads) > _MOST_THREADS:
+        refuse(f"threads: {threads} is too large")
+    return threads
+
+
+def warn(line: str) -> None:
+    """Warns of the line outside of the package that called it."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(line, stacklevel=level)
+
+
+@contextlib.contextmanager
+def complete_file(name: str) -> Iterator[Any]:
+    """A file that is there once it is complete, or not at all."""
+    part = f"{name}.part"
+    try:
+        with open(part, "wb") as out:
+            yield out
+        os.replace(part, name)
+    except OSError as error:
+        raise Error(f"{name}: {error.strerror}", "unwritable_output") from error
+    finally:
+        with contextlib.suppress(OSError):
+            os.remove(part)
+
+
+class Writable(Object):
+    """A result with a file for each extension and a page."""
+
+    @described("file_options", without="part", runs=False)
+    def to_file(self, path: PathLike, **options: Any) -> None:
+        """Writes a complete file or none, in the format of its extension, as the commands do.
+
+        .ply, .obj, .off, .coff, .stl, .vtp, .vtu, .glb, .surf.gii and .fs (FreeSurfer) hold meshes, .label.gii and
+        .annot labels of vertices, .shape.gii and .curv their distances, .html is the page.
+        """
+        self._write(path, **options)
+
+    def _write(self, path: PathLike, **options: Any) -> None:
+        for name in ("title", "part"):
+            if name in options:
+                text(name, options[name])
+        _library.write(self._native, path, to_json(None, "file_options", options, []))
+
+    def to_html(self, *, title: str = "gvd") -> str:
+        """The page as text: one file that any browser opens, without network."""
+        text("title", title)
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder, "page.html")
+            self._write(page, title=title)
+            return page.read_text(encoding="utf-8")
+
+    def show(self, *, title: str = "gvd") -> None:
+        """Opens the page in the browser."""
+        text("title", title)
+        with tempfile.NamedTemporaryFile(suffix=".html", delete=False) as file:
+            pass
+        self._write(file.name, title=title)
+        webbrowser.open(pathlib.Path(file.name).as_uri())
+
+    def _repr_html_(self) -> Optional[str]:
+        try:
+            page = html.escape(self.to_html())
+        except Error as error:
+            if error.code == "invalid_option":  # built without the page: a notebook then prints the object
+                return None
+            raise
+        return f'<iframe srcdoc="{page}" style="width: 100%; height: {_HEIGHT}px; border: 0"></iframe>'
+
+
+class Bisector(NamedTuple):
+    """The polyline between two cells.
+
+    `left` and `right` are the cells beside it, seen from outside along `points`. `ends` are the branch points at its
+    ends, -1 for an end on the boundary. A `closed` one has no ends and does not repeat its first point.
+    """
+
+    left: int
+    right: int
+    closed: bool
+    ends: tuple[int, int]
+    points: Points
+
+    @property
+    def positions(self) -> Floats:
+        """Positions of the points (k, 3)."""
+        return self.points.position
+
+    def __repr__(self) -> str:
+        return f"gvd.Bisector({self.left} | {self.right}, {len(self.points)} points)"
+
+
+class BranchPoints(NamedTuple):
+    """The n points of three and more cells: `positions` (n, 3), `distances` (n) to their generators, and the generators of
+    point i, counter-clockwise: `generator_array[offsets[i]:offsets[i + 1]]`."""
+
+    points: Points
+    positions: Floats
+    distances: Floats
+    generator_array: Ids
+    offsets: NDArray[numpy.int64]
+
+    @property
+    def generators(self) -> list[tuple[int, ...]]:
+        """The generators of each, as a tuple."""
+        return _tuples(self.generator_array, self.offsets)
+
+    def __repr__(self) -> str:
+        return f"gvd.BranchPoints({len(self.distances)})"
+
+
+class Cell(NamedTuple):
+    """The points that are nearest to one generator. `area` is in square mesh units; the Euler characteristic is 1 for a
+    disc; `neighbours` are the cells with a bisector in common, ascending."""
+
+    generator: int
+    area: float
+    euler_characteristic: int
+    components: int
+    boundary_loops: int
+    neighbours: tuple[int, ...]
+
+
+class Cells(Sequence[Cell]):
+    """The cells of a diagram: an index gives one, and their numbers are arrays: `area`, `euler_characteristic`,
+    `components`, `boundary_loops`, and `neighbour_array[offsets[i]:offsets[i + 1]]` for the neighbours of cell i."""
+
+    def __init__(self, diagram: Diagram) -> None:
+        self.area: Floats = diagram._array("cell_areas")
+        self.euler_characteristic: Ids = diagram._array("cell_euler_characteristics")
+        self.components: Ids = diagram._array("cell_components")
+        self.boundary_loops: Ids = diagram._array("cell_boundary_loops")
+        self.neighbour_array: Ids = diagram._array("cell_neighbours")
+        self.offsets: NDArray[numpy.int64] = diagram._array("cell_neighbours_offsets")
+
+    def __len__(self) -> int:
+        return len(self.area)
+
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        i = range(len(self))[index]
+        neighbours = self.neighbour_array[self.offsets[i]:self.offsets[i + 1]]
+        return Cell(i, float(self.area[i]), int(self.euler_characteristic[i]), int(self.components[i]), int(self.boundary_loops[i]),
+                    tuple(neighbours.tolist()))
+
+    def __repr__(self) -> str:
+        return f"gvd.Cells({len(self)})"
+
+
+def _tuples(values: Ids, offsets: NDArray[numpy.int64]) -> list[tuple[int, ...]]:
+    return [tuple(values[begin:end].tolist()) for begin, end in zip(offsets[:-1], offsets[1:])]
+
+
+class Diagram(Writable):
+    """A geodesic Voronoi diagram. Ids of generators are their places in the list that it was made of.
+
+    `to_file` writes what gvd-lloyd writes with -o: also .json (everything), and .txt and .csv (the generators).
+    """
+
+    _kind = "diagram"
+
+    def __init__(self, mesh: Mesh, handle: Optional[Handle], recipe: tuple[Any, ...]) -> None:
+        super().__init__(handle, recipe)
+        self._mesh: Optional[Mesh] = mesh
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh that it is on."""
+        mesh: Mesh = mesh_of(self)
+        return mesh
+
+    def __repr__(self) -> str:
+        return (f"gvd.Diagram({len(self._array('cell_areas'))} cells, {len(self._array('branch_point_distances'))} branch points, "
+                f"{len(self._array('bisector_left'))} bisectors)")
+
+    @property
+    def labels(self) -> Ids:
+        """The nearest generator of each vertex (n), -1 where none reaches; a view."""
+        return self._array("vertex_labels")
+
+    @property
+    def distances(self) -> Floats:
+        """The distance of each vertex to its generator (n), infinite where none reaches; a view."""
+        return self._array("vertex_distances")
+
+    @property
+    def face_labels(self) -> Ids:
+        """The generator of each face that lies in one cell (m), -1 for faces that bisectors cut; a view."""
+        return self._array("face_labels")
+
+    @property
+    def weights(self) -> Floats:
+        """The weights of the generators, mesh units; empty without; a view."""
+        return self._array("weights")
+
+    @property
+    def areas(self) -> Floats:
+        """The area of each cell, square mesh units; a view."""
+        return self._array("cell_areas")
+
+    @property
+    def length(self) -> float:
+        """Length of all bisectors, mesh units."""
+        return float(self.figures["length"])
+
+    @property
+    def generators(self) -> Points:
+        """The generators; views."""
+        return self._points("generators", self.mesh)
+
+    @functools.cached_property
+    def branch_points(self) -> BranchPoints:
+        """The points where three or more cells meet; views."""
+        return BranchPoints(self._points("branch_point", self.mesh), self._array("branch_point_positions"),
+                            self._array("branch_point_distances"), self._array("branch_point_generators"),
+                            self._array("branch_point_generators_offsets"))
+
+    @functools.cached_property
+    def bisectors(self) -> list[Bisector]:
+        """The curves between cells."""
+        points, offsets = self._points("bisector", self.mesh), self._array("bisector_offsets").tolist()
+        sides = zip(self._array("bisector_left").tolist(), self._array("bisector_right").tolist(),
+                    self._array("bisector_closed").tolist(), self._array("bisector_ends").tolist())
+        return [Bisector(left, right, bool(closed), (ends[0], ends[1]), points[offsets[i]:offsets[i + 1]])
+                for i, (left, right, closed, ends) in enumerate(sides)]
+
+    @property
+    def cells(self) -> Cells:
+        """A cell for each generator."""
+        return Cells(self)
+
+    def check(self) -> list[str]:
+        """What violates the invariants of a diagram, one line each: normally nothing (see gvd/check.hpp)."""
+        violations: list[str] = run("check", self, self.mesh, {})[0].figures()["violations"]
+        return violations
+
+    @described("label", without="cut uv")
+    def segment(self, **options: Any) -> Segmentation:
+        """A label for every face: see Mesh.segment."""
+        return Segmentation(self.mesh, *run("label", self, self.mesh, options), self)
+
+    @described("label", without="cut labels")
+    def cut(self, **options: Any) -> Cut:
+        """The mesh with its faces split along the bisectors, so that each lies in one cell.
+
+        With `uv`, .charts are those of the regions. "flat" needs cells that are discs. An .obj then has the regions' own
+        materials: the images of the mesh's do not fit.
+        """
+        return Cut(self.mesh, *run("label", self, self.mesh, options, {"cut": True}), self)
+
+    def to_vtk(self) -> Any:
+        """The surface as vtkPolyData, with Label and Distance of its vertices."""
+        return _vtk.surface(self.mesh.vertices, self.mesh.faces, points={"Label": self.labels, "Distance": self.distances})
+
+    def bisectors_to_vtk(self) -> Any:
+        """The bisectors as polylines of vtkPolyData, with Left and Right."""
+        curves = [numpy.concatenate([b.positions, b.positions[:1]]) if b.closed else b.positions for b in self.bisectors]
+        return _vtk.lines(curves, cells={"Left": self._array("bisector_left"), "Right": self._array("bisector_right")})
+
+
+class Balanced(NamedTuple):
+    """A diagram whose weights give each cell its share: `masses` and `targets` of the cells, and `tied` sets of cells
+    that have their targets together, but not each for itself. `converged`: all others have theirs."""
+
+    diagram: Diagram
+    masses: Floats
+    targets: Floats
+    tied: list[tuple[int, ...]]
+    converged: bool
+
+    def __repr__(self) -> str:
+        return f"gvd.Balanced({len(self.masses)} cells, {'converged' if self.converged else 'not converged'})"
+
+
+def mesh_of(made: Any) -> Any:
+    """The mesh that an object was made of."""
+    if getattr(made, "_mesh", None) is None:
+        on = made._recipe[1]
+        made._mesh = on if on._kind == "mesh" else mesh_of(on)
+    return made._mesh
+
+
+class Result(Writable):
+    """A result that has a mesh, a diagram and labels of regions."""
+
+    def __init__(self, mesh: Mesh, handle: Optional[Handle], recipe: tuple[Any, ...], diagram: Optional[Diagram] = None) -> None:
+        super().__init__(handle, recipe)
+        self._mesh: Optional[Mesh] = mesh
+        if diagram is not None:
+            self.__dict__["diagram"] = diagram
+
+    @functools.cached_property
+    def diagram(self) -> Diagram:
+        """The diagram of the generators."""
+        native = None if self._handle is None else self._handle.part("diagram")
+        return Diagram(mesh_of(self), native, ("part", self, {"part": "diagram"}, []))
+
+    @property
+    def generators(self) -> Points:
+        """The generators; views."""
+        return self._points("generators", mesh_of(self))
+
+
+class Segmentation(Result):
+    """A label for every face of a mesh. `to_file` writes what gvd-segment writes with -o, .json included."""
+
+    _kind = "segment"
+
+    def __repr__(self) -> str:
+        return f"gvd.Segmentation({len(self._array('generators_faces'))} regions, {len(self.labels)} faces)"
+
+    @property
+    def labels(self) -> Ids:
+        """The label of each face (m), -1 where no generator reaches; a view."""
+        return self._array("face_labels")
+
+    @property
+    def without_face(self) -> Ids:
+        """Generators that own no face, because their cells lie inside faces of others."""
+        return numpy.array(self.figures["generators_without_face"] or [], numpy.int32)
+
+    @property
+    def border_length(self) -> float:
+        """Length of the edges between labels, mesh units; of those inside regions, where these were given."""
+        return float(self.figures["border_length"])
+
+    @property
+    def areas(self) -> Floats:
+        """The area of the faces of each label, square mesh units; a view."""
+        return self._array("regions.area")
+
+    @property
+    def regions(self) -> Ids:
+        """The region of each face as `within` gave it (m), negative where it is left out; without `within` 0; a view."""
+        if "within" in (self._recipe[2] or {}):
+            return self._array("region")
+        return numpy.zeros(len(self.labels), numpy.int32)
+
+    @property
+    def levels(self) -> list[Ids]:
+        """The labels of the faces at each level of `levels`, from the coarsest to `labels`; views."""
+        return [self._array(f"label_{i + 1}") for i in range(len((self._recipe[2] or {}).get("levels", [])))]
+
+    @property
+    def colors(self) -> Floats:
+        """The colour of each face (m, 4) for matplotlib, as in files and on the page: red, green, blue, alpha."""
+        return _colors(self)
+
+    def _names_to_save(self) -> list[str]:
+        levels = [f"label_{i + 1}" for i in range(len((self._recipe[2] or {}).get("levels", [])))]
+        return [*super()._names_to_save(), "regions.area", *levels] + (["region"] if "within" in (self._recipe[2] or {}) else [])
+
+    def to_vtk(self) -> Any:
+        """The surface as vtkPolyData, with Label of its faces and Distance of its vertices."""
+        mesh = mesh_of(self)
+        return _vtk.surface(mesh.vertices, mesh.faces, points={"Distance": self._array("vertex_distances")}, cells={"Label": self.labels})
+
+
+def _colors(made: Union[Segmentation, Cut]) -> Floats:
+    """Colours of the labels of faces; the last one of the palette is that of faces without a label."""
+    palette = made._native.part("colors").array("colors")
+    return numpy.column_stack([palette[made.labels] / 255.0, numpy.ones(len(made.labels))])
+
+
+class Chart(NamedTuple):
+    """A connected part of a region in the unit square. Shares are those of its area on the surface."""
+
+    label: int
+    faces: int
+    area: float
+    flipped_share: float
+    stretch: float
+    box: tuple[float, ...]
+    torn_share: float = 0.0
+    origin: tuple[float, ...] = ()
+
+
+class Cut(Result):
+    """A mesh that was split along bisectors. `to_file` writes what gvd-segment --cut writes, .json included."""
+
+    _kind = "segment"
+
+    def __repr__(self) -> str:
+        return f"gvd.Cut({len(self.labels)} faces)"
+
+    @functools.cached_property
+    def mesh(self) -> Mesh:
+        """The mesh: first the vertices of the input, in their order."""
+        from ._mesh import Mesh
+
+        return Mesh._wrap(self._native.part("cut_mesh"))
+
+    @property
+    def labels(self) -> Ids:
+        """The label of each face, -1 where no generator reaches; a view."""
+        return self._array("face_labels")
+
+    @property
+    def parents(self) -> Ids:
+        """The face of the input that each face is a part of; a view."""
+        return self._array("face_parents")
+
+    @property
+    def vertex_labels(self) -> Ids:
+        """A nearest generator of each vertex; a view."""
+        return self._array("vertex_labels")
+
+    @property
+    def distances(self) -> Floats:
+        """The distance of each vertex to its generator, mesh units; a view."""
+        return self._array("vertex_distances")
+
+    @property
+    def colors(self) -> Floats:
+        """The colour of each face (m, 4) for matplotlib, as in files and on the page: red, green, blue, alpha."""
+        return _colors(self)
+
+    @property
+    def scale(self) -> float:
+        """Texture units per mesh unit, the same for all charts; 0 without `uv`."""
+        return float((self.figures["charts"] or {"scale": 0})["scale"])
+
+    @property
+    def charts(self) -> list[Chart]:
+        """The charts whose texture coordinates `mesh` has, by their first face (see gvd/charts.hpp); none without `uv`."""
+        rows = (self.figures["charts"] or {"charts": []})["charts"]
+        return [Chart(**{name: tuple(value) if isinstance(value, list) else value for name, value in {"box": (), **row}.items()})
+                for row in rows]
+
+    def to_vtk(self) -> Any:
+        """The mesh as vtkPolyData, with Label and Parent of its faces and Distance of its vertices."""
+        return _vtk.surface(self.mesh.vertices, self.mesh.faces, points={"Distance": self.distances},
+                            cells={"Label": self.labels, "Parent": self.parents})
+
+
+class Relaxation(Result):
+    """Generators at the centroids of their cells. `to_file` writes what gvd-lloyd writes with -o, .txt and .csv (the
+    generators) and .json included."""
+
+    _kind = "lloyd"
+
+    def __repr__(self) -> str:
+        return f"gvd.Relaxation({len(self.generators)} generators, energy {self.energies[-1]:.6g})"
+
+    @property
+    def energies(self) -> Floats:
+        """The energy at the start and after each iteration, mesh units to the fourth; a view."""
+        return self._array("energies")
+
+    @property
+    def areas(self) -> Floats:
+        """The area of each cell, square mesh units; a view."""
+        return self._array("areas")
+
+    @property
+    def cell_energies(self) -> Floats:
+        """The squared distance over each cell, integrated; mesh units to the fourth; a view."""
+        return self._array("cell_energies")
+
+    @property
+    def residual(self) -> float:
+        """The largest distance of a generator from its centroid, mesh units."""
+        return float(self.figures["residual"])
+
+    @property
+    def stop(self) -> str:
+        """Why it ended: "centroids", "energy", "no descent", "prediction" or "iterations"."""
+        return str(self.figures["stop"])
+
+    def _names_to_save(self) -> list[str]:
+        return [*super()._names_to_save(), "energies"]
+
+    def points_to_file(self, path: PathLike) -> None:
+        """Writes the generators with normals, areas and energies (.ply, .xyz, .npy), as gvd-lloyd --points does."""
+        self._write(path, part="points")
+
+    def to_vtk(self) -> Any:
+        """The surface as vtkPolyData, with Label and Distance of its vertices."""
+        return self.diagram.to_vtk()
+
+
+class Remesh(Result):
+    """A coarse mesh: a vertex for each generator, a triangle for each branch point. `to_file` writes what gvd-remesh
+    writes with -o, .json included."""
+
+    _kind = "remesh"
+
+    def __repr__(self) -> str:
+        return f"gvd.Remesh({len(self.mesh.vertices)} vertices, {len(self.mesh.faces)} faces)"
+
+    @property
+    def surface(self) -> Mesh:
+        """The mesh that it was made of."""
+        mesh: Mesh = mesh_of(self)
+        return mesh
+
+    @functools.cached_property
+    def mesh(self) -> Mesh:
+        """The coarse mesh."""
+        from ._mesh import Mesh
+
+        return Mesh._wrap(self._native.part("mesh"))
+
+    @described("map")
+    def map(self, **options: Any) -> RemeshMap:
+        """The map between the surface and the coarse mesh."""
+        return RemeshMap(self.surface, *run("map", self, self.surface, options), self)
+
+    def to_vtk(self) -> Any:
+        """The coarse mesh as vtkPolyData."""
+        return self.mesh.to_vtk()
+
+
+class RemeshMap(Object):
+    """Where the vertices of a surface are on its remesh, and where those of the remesh come from."""
+
+    _kind = "remesh"
+
+    def __init__(self, surface: Mesh, handle: Optional[Handle], recipe: tuple[Any, ...], remesh: Remesh) -> None:
+        super().__init__(handle, recipe)
+        self._mesh: Optional[Mesh] = surface
+
+    def __repr__(self) -> str:
+        return f"gvd.RemeshMap({len(self.points)} vertices to {len(self.origins)})"
+
+    @property
+    def points(self) -> Points:
+        """For each vertex of the surface its point of the remesh; views."""
+        return self._points("map_points", self._recipe[1].mesh)
+
+    @property
+    def origins(self) -> Points:
+        """For each vertex of the remesh its point of the surface; views."""
+        return self._points("map_origins", mesh_of(self))
+
+    @property
+    def one_to_one(self) -> bool:
+        """Whether both come from a map that was checked to be one-to-one."""
+        return bool(self.figures["map"]["one_to_one"])
+
+    def to_file(self, path: PathLike) -> None:
+        """Writes what gvd-remesh --map writes (JSON)."""
+        _library.write(self._native, path, {"part": "map"})
+
+
+class Distances(Writable):
+    """Distances with paths and isolines: what gvd-distance computes. `to_file` writes what it writes with -o."""
+
+    _kind = "distances"
+
+
+class Path:
+    """A shortest path on a surface.
+
+    `points` and `positions` (k, 3) run from start to end; `length` is in mesh units. `complete` is False where rounding
+    ended the points at a vertex before the end; `length` is right nevertheless. `end` is the index of the end that was
+    nearest, -1 where there is none: then the path has no points and its length is infinite.
+    """
+
+    def __init__(self, of: Distances, place: int, points: Points, length: float, complete: bool, end: int) -> None:
+        self._of, self._place = of, place
+        self.points: Points = points
+        self.length: float = length
+        self.complete: bool = complete
+        self.end: int = end
+
+    def __repr__(self) -> str:
+        return f"gvd.Path({len(self.points)} points, length {self.length:.6g})"
+
+    @property
+    def positions(self) -> Floats:
+        """Positions (k, 3) of the points."""
+        return self.points.position
+
+    def to_vtk(self) -> Any:
+        """The path as a polyline of vtkPolyData."""
+        return _vtk.lines([self.positions])
+
+    def to_file(self, path: PathLike) -> None:
+        """Writes .npy or .obj (the positions, as one polyline) or .csv (as gvd-distance --paths does).
+
+        A complete file or none, as the other results do. A path of one point has no line in .obj."""
+        name = os.fsdecode(path)
+        if name.endswith(".csv"):
+            return self._of._write(name, part=f"path {self._place}")
+        if not name.endswith((".npy", ".obj")):
+            refuse(f"{name}: a path is written as .npy, .csv or .obj")
+        with complete_file(name) as out:
+            if name.endswith(".npy"):
+                return numpy.save(out, self.positions)
+            numpy.savetxt(out, self.positions, fmt="v %.17g %.17g %.17g")
+            if len(self.points) > 1:
+                out.write(b"l " + b" ".join(b"%d" % (i + 1) for i in range(len(self.points))) + b"\n")
+
+
+class Isoline(NamedTuple):
+    """A curve of equal distance, `level` from the sources. A `closed` one does not repeat its first point."""
+
+    level: float
+    closed: bool
+    points: Points
+
+    @property
+    def positions(self) -> Floats:
+        """Positions (k, 3) of the points."""
+        return self.points.position
+
+    def __repr__(self) -> str:
+        return f"gvd.Isoline({self.level:.6g}, {len(self.points)} points)"
