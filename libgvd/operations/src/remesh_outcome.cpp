@@ -293,7 +293,7 @@ void RemeshOutcome::visit(ObjectVisitor& visitor) const {
     return std::make_shared<MeshObject>(std::move(coarse));
   });
   visitor.part({"diagram", "", "of all generators"}, "diagram", [this] {
-    return std::make_shared<DiagramObject>(input, std::shared_ptr<const Diagram>(made, &made->result.diagram));
+    return std::make_shared<DiagramObject>(input, std::shared_ptr<const Diagram>(made, &made->result.diagram), options);
   });
 }
 

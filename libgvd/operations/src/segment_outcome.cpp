@@ -186,7 +186,7 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
   visitor.array({"texture", "", "u and v of the three corners of each piece; empty without uv"},
                 view(charts ? appearance.texture : kNone));
   visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram",
-               [this] { return std::make_shared<DiagramObject>(input, on_input); });
+               [this] { return std::make_shared<DiagramObject>(input, on_input, options); });
   visitor.part({"cut_mesh", "", "the pieces of the faces, with cut"}, "mesh",
                [this]() -> std::shared_ptr<const Object> {
                  if (!cut) return nullptr;
