@@ -123,6 +123,8 @@ DESCRIBED = json.loads(gvd.gvd_describe())
 def good_value(option):
     """A value that the option takes."""
     kind, name = option["kind"], option["name"]
+    if name in ("to", "add", "move"):
+        return 3 if kind == "whole number" else [5]
     if "choices" in option and kind != "values":
         return [option["choices"][0]] if kind == "choices" else option["choices"][0]
     if kind == "number":
@@ -149,7 +151,7 @@ def check_described_options():
         for name, option in options.items():
             given = {need: good_value(options[need]) for need in option["needs"]}
             given[name] = good_value(option)
-            sources = ("count", "vertices", "generators", "from")
+            sources = ("count", "vertices", "generators", "from", "add", "move", "remove")
             if not any(n in given for n in sources):
                 fitting = [s for s in sources if s in options and s not in option["excludes"]]
                 if fitting:
@@ -170,7 +172,7 @@ def check_described_results():
     """What the description says of results is what they have."""
     ball = make_ball()
     for operation in DESCRIBED["operations"]:
-        options = {"distances": {"from": [0]}, "segment": {"count": 4, "cut": True}, "label": {"cut": True}}.get(operation["name"], {"count": 4})
+        options = {"distances": {"from": [0]}, "segment": {"count": 4, "cut": True}, "label": {"cut": True}, "edit": {"remove": 0}}.get(operation["name"], {"count": 4})
         made = result(operation["name"], subject(operation, ball), options)
         described = operation["result"]
         for one in described["arrays"]:
@@ -313,6 +315,65 @@ def check_distances():
     release(made, ball)
 
 
+def diagram_parts(diagram):
+    """All arrays and figures of a diagram."""
+    described = DESCRIBED["objects"]["diagram"]
+    return ({one["name"]: numbers(diagram, one["name"]) for one in described["arrays"]},
+            {one["name"]: figures(diagram)[one["name"]] for one in described["figures"]})
+
+
+def check_edits():
+    """Edits give new diagrams with the bits of those that are computed at once; earlier ones stay. Handles in any order."""
+    mesh = read("figure.obj")
+    first = result("diagram", mesh, {"count": 50, "editable": True})
+    before = diagram_parts(first)
+    points = list(zip(numbers(first, "generators_faces"), *zip(*numbers(first, "generators_bary"))))
+
+    def check(edited, expected):
+        made = result("diagram", mesh, {"generators": {"array": 0}}, array(expected))
+        assert diagram_parts(edited) == diagram_parts(made)
+        assert list(zip(numbers(edited, "generators_faces"), *zip(*numbers(edited, "generators_bary")))) == expected
+        release(made)
+
+    moved = result("edit", first, {"move": 7, "to": {"array": 0}}, array([(100, 0.25, 0.25, 0.5)]))
+    points[7] = (100, 0.25, 0.25, 0.5)
+    check(moved, points)
+    assert 0 < figures(moved)["propagated"] < 50 and figures(moved)["options"]["move"] == 7
+    assert diagram_parts(first) == before
+    release(first)
+    added = result("edit", moved, {"add": [{"face": 9, "bary": [0.5, 0.25, 0.25]}]})
+    release(moved)
+    check(added, points + [(9, 0.5, 0.25, 0.25)])
+    removed = result("edit", added, {"remove": 3})  # the last generator gets its number
+    check(removed, points[:3] + [(9, 0.5, 0.25, 0.25)] + points[4:])
+    again = result("edit", added, {"remove": 50})  # of a diagram whose editor went on
+    check(again, points)
+    release(added)
+    assert refused("edit", removed, {"move": 50, "to": [0]}, status=PRECONDITION) == \
+        "there is no generator 50 among 50 generators"
+    assert refused("edit", removed, {"move": -1, "to": [0]}).startswith("\"move\": '-1' is not a whole number from 0")
+    assert refused("edit", removed, {"move": 1, "to": [0, 1]}) == 'one point is needed in "to", and there are 2 points'
+    assert refused("edit", removed, {}) == 'no change: give one of "move", "add" or "remove"'
+    assert refused("edit", removed, {"remove": 1, "to": [0]}) == '"to" needs "move": add it, or leave "to" out'
+    assert refused("edit", removed, {"add": [{"position": [0, 0, 99]}], "max_snap": 0.5}, status=PRECONDITION)
+    assert refused("edit", mesh, {"remove": 0}) == "this takes a diagram, and the object is a mesh"
+    status, message = call("edit", removed, {"remove": 0}, run=Run(0, PROGRESS(lambda *_: 0), None, None, NOTE()))
+    assert status == INTERRUPTED, message
+    edited = result("edit", removed, {"move": 3, "to": [8]})
+    release(removed, mesh)
+    labels = result("label", edited, {})
+    release(edited)
+    assert set(numbers(labels, "face_labels")) == set(range(50))
+    release(labels, again)
+    mesh = read("figure.obj")
+    for options, message in (({"method": "gbgvd"}, "only diagrams of the exact method can be edited"),
+                             ({"weights": [0, 0.01, 0]}, "a diagram with weights can't be edited")):
+        diagram = result("diagram", mesh, {"vertices": [0, 900, 1800], **options})
+        assert refused("edit", diagram, {"remove": 0}) == message
+        release(diagram)
+    release(mesh)
+
+
 def check_runs():
     """Notes as they happen; a function and a flag that cancel."""
     mesh, notes, steps = read("figure.obj"), [], set()
@@ -397,6 +458,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_values()
     check_parts()
     check_distances()
+    check_edits()
     check_runs()
     check_described_options()
     check_described_results()

@@ -31,7 +31,10 @@ std::shared_ptr<const Object> diagram_of_ball() {
 }
 
 std::string usual_options(std::string_view operation) {
-  return operation == "distances" ? R"({"from": [0]})" : operation == "label" ? "{}" : R"({"count": 8})";
+  return operation == "distances" ? R"({"from": [0]})"
+         : operation == "label"   ? "{}"
+         : operation == "edit"    ? R"({"remove": 0})"
+                                  : R"({"count": 8})";
 }
 
 std::shared_ptr<const Object> call(const Operation& operation, const std::string& options, Recorder& told) {

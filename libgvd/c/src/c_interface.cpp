@@ -295,7 +295,7 @@ gvd_status gvd_diagram_compute(const gvd_mesh* mesh, const gvd_point* generators
     options.method = kMethods[std::size_t(method)];
     Diagram made = compute_diagram(surface, to_points(surface, generators, count), options);
     *diagram = new gvd_object(
-        std::make_shared<DiagramObject>(mesh->checked(), std::make_shared<const Diagram>(std::move(made))));
+        std::make_shared<DiagramObject>(mesh->checked(), std::make_shared<const Diagram>(std::move(made)), options));
   });
 }
 

@@ -196,6 +196,7 @@ std::shared_ptr<const LloydOutcome> run(const MeshPtr& input, LloydCall& call, O
   outcome->snap_distance = snaps_of_unmoved(listed, relaxed.generators);
   outcome->relaxed = std::make_shared<const LloydResult>(std::move(relaxed));
   resolve(call.diagram);
+  outcome->options = call.diagram;
   resolve(call.relaxation);
   return outcome;
 }

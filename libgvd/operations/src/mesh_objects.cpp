@@ -2,8 +2,10 @@
 #include "gvd/mesh_objects.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <ostream>
 
+#include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/mesh.hpp"
@@ -40,6 +42,44 @@ void visit_report(ObjectVisitor& visitor, const Diagram& diagram) {
 }
 
 }  // namespace
+
+struct DiagramObject::KeptEditor {
+  std::mutex mutex;
+  std::unique_ptr<DiagramEditor> editor;  // refers to the mesh
+};
+
+DiagramObject::DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram,
+                             std::optional<DiagramOptions> options, PartedDiagram parted)
+    : mesh_(std::move(mesh)),
+      diagram_(std::move(diagram)),
+      options_(std::move(options)),
+      parted_(std::move(parted)),
+      kept_(std::make_shared<KeptEditor>()) {}
+
+std::unique_ptr<DiagramEditor> DiagramObject::take_editor(Observer& observer) const {
+  std::unique_ptr<DiagramEditor> editor;
+  {
+    const std::lock_guard lock(kept_->mutex);
+    editor = std::move(kept_->editor);
+  }
+  if (editor) {
+    editor->run_with(observer.threads, progress_of(observer));
+    return editor;
+  }
+  if (!options_) throw Error(ErrorCode::invalid_option, "a diagram inside regions can't be edited");
+  if (!diagram_->curves.empty()) throw Error(ErrorCode::invalid_option, "a diagram of curves can't be edited");
+  DiagramOptions options = *options_;
+  options.weights = diagram_->weights;
+  options.threads = observer.threads;
+  options.progress = progress_of(observer);
+  return std::make_unique<DiagramEditor>(mesh_->mesh, diagram_->generators, std::move(options));
+}
+
+void DiagramObject::keep(std::unique_ptr<DiagramEditor> editor) const {
+  editor->run_with(0, {});  // an observer lives as long as its call
+  const std::lock_guard lock(kept_->mutex);
+  kept_->editor = std::move(editor);
+}
 
 void MeshObject::visit(ObjectVisitor& visitor) const {
   const Mesh& mesh = mesh_->mesh;

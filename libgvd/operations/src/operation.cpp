@@ -8,6 +8,7 @@
 
 #include "gvd/diagram_operation.hpp"
 #include "gvd/distances_operation.hpp"
+#include "gvd/edit_operation.hpp"
 #include "gvd/error.hpp"
 #include "gvd/given_objects.hpp"
 #include "gvd/lloyd_operation.hpp"
@@ -68,6 +69,8 @@ const std::vector<Operation>& operations() {
       make_operation<SampleCall, SampleOutcome>("sample",
                                                 "Spreads points over the surface, or moves those of a list to it"),
       make_operation<DiagramCall, DiagramOutcome>("diagram", "Computes the Voronoi diagram of points or curves"),
+      make_operation<EditCall, EditOutcome, DiagramObject>(
+          "edit", "Moves, adds or removes a generator of a diagram, and computes what changes with it"),
       make_operation<LabelCall, SegmentOutcome, DiagramObject>(
           "label", "Labels the faces of a mesh by the cells of its diagram, or cuts them along the bisectors"),
       make_operation<SegmentCall, SegmentOutcome>(

@@ -295,7 +295,7 @@ void RemeshOutcome::visit(ObjectVisitor& visitor) const {
     return std::make_shared<MeshObject>(std::move(coarse));
   });
   visitor.part({"diagram", "", "of all generators"}, "diagram", [this] {
-    return std::make_shared<DiagramObject>(input, std::shared_ptr<const Diagram>(made, &made->result.diagram));
+    return std::make_shared<DiagramObject>(input, std::shared_ptr<const Diagram>(made, &made->result.diagram), options);
   });
 }
 
@@ -315,11 +315,11 @@ OwnWriters RemeshOutcome::part_writers(std::string_view part) const {
   return {{"json", [this](std::ostream& out) { write_map_json(out, *input, *map); }}};
 }
 
-std::string RemeshOutcome::page(const FileOptions& options) const {
+std::string RemeshOutcome::page(const FileOptions& how) const {
   ViewOptions view;
-  view.title = options.title;
+  view.title = how.title;
   const Mesh unplaced = make_unplaced(input->mesh, made->result);
-  return make_view_page(make_remesh_scenes(input->mesh, made->result, unplaced, options.threads), view);
+  return make_view_page(make_remesh_scenes(input->mesh, made->result, unplaced, how.threads), view);
 }
 
 std::shared_ptr<const RemeshOutcome> run(const RemeshOutcome& on, MapCall&, Observer& observer) {

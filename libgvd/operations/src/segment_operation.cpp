@@ -341,6 +341,7 @@ std::shared_ptr<const SegmentOutcome> run(const MeshPtr& input, SegmentCall& cal
   }
   call.cut ? cut_along_bisectors(call, observer, *outcome) : label_whole_faces(call, observer, *outcome);
   resolve(call.diagram);
+  if (!outcome->parted.is_parted()) outcome->options = call.diagram;
   return outcome;
 }
 

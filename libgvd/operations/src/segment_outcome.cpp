@@ -204,7 +204,7 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
                [this] {
                  PartedDiagram made;
                  if (parted.is_parted() || parted.levels > 0) made = {std::make_shared<PartedMesh>(parted), diagram};
-                 return std::make_shared<DiagramObject>(input, on_input, std::move(made));
+                 return std::make_shared<DiagramObject>(input, on_input, options, std::move(made));
                });
   visitor.part({"colors", "", "of the labels, as in files and on pages; that of no label follows"}, "colors",
                [this]() -> std::shared_ptr<const Object> {

@@ -42,6 +42,7 @@ struct DiagramCall {
   GeneratorOptions generators;  ///< points or curves
   DiagramOptions diagram;
   GivenWeights weights;
+  bool editable = false;  ///< keep what edits need
 };
 
 void describe(OptionList& list, DiagramCall& call);
@@ -50,8 +51,9 @@ void describe(OptionList& list, DiagramCall& call);
 class DiagramOutcome : public DiagramObject {
  public:
   DiagramOutcome() = default;
-  DiagramOutcome(MeshPtr mesh, std::shared_ptr<const Diagram> diagram, std::optional<BalancedDiagram> balanced)
-      : DiagramObject(std::move(mesh), std::move(diagram)), balanced_(std::move(balanced)) {}
+  DiagramOutcome(MeshPtr mesh, std::shared_ptr<const Diagram> diagram, std::optional<DiagramOptions> options,
+                 std::optional<BalancedDiagram> balanced)
+      : DiagramObject(std::move(mesh), std::move(diagram), std::move(options)), balanced_(std::move(balanced)) {}
   void visit(ObjectVisitor& visitor) const override;
 
  private:

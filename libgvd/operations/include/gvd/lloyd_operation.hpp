@@ -36,10 +36,11 @@ class LloydOutcome : public Object {
   std::optional<LabelledMesh> labelled() const override { return diagram().labelled(); }
   OwnWriters own_writers() const override { return list_writers(input->mesh, relaxed->generators); }
   OwnWriters part_writers(std::string_view part) const override;
-  DiagramObject diagram() const { return {input, std::shared_ptr<const Diagram>(relaxed, &relaxed->diagram)}; }
+  DiagramObject diagram() const { return {input, std::shared_ptr<const Diagram>(relaxed, &relaxed->diagram), options}; }
 
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();  ///< with balanced cells at the end
+  DiagramOptions options;                                                        ///< of the diagram
   std::optional<BalancedRelaxation> balanced;                                    ///< without its diagram
   /// How far each generator is from where it was given; nothing for one that is somewhere else now.
   std::vector<std::optional<double>> snap_distance;

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "gvd/diagram.hpp"
+#include "gvd/diagram_editor.hpp"
 #include "gvd/object.hpp"
+#include "gvd/observer.hpp"
 #include "gvd/soup.hpp"
 
 // Meshes and diagrams as objects.
@@ -42,9 +44,10 @@ struct PartedDiagram {
 
 class DiagramObject : public Object {
  public:
-  DiagramObject() = default;
-  DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram, PartedDiagram parted = {})
-      : mesh_(std::move(mesh)), diagram_(std::move(diagram)), parted_(std::move(parted)) {}
+  DiagramObject() : DiagramObject(std::make_shared<CheckedMesh>(), std::make_shared<Diagram>(), {}) {}
+  /// `options`: those that made the diagram; none for one that keeps to regions of the mesh.
+  DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram, std::optional<DiagramOptions> options,
+                PartedDiagram parted = {});
   const MeshPtr& mesh() const { return mesh_; }
   /// Null where the diagram keeps to no regions.
   const PartedDiagram& parted() const { return parted_; }
@@ -53,15 +56,26 @@ class DiagramObject : public Object {
   const Diagram& surface_diagram() const { return parted_.diagram ? *parted_.diagram : *diagram_; }
   const Diagram& diagram() const { return *diagram_; }
   const std::shared_ptr<const Diagram>& shared() const { return diagram_; }
+  const std::optional<DiagramOptions>& options() const { return options_; }
   std::string_view kind() const override { return "diagram"; }
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;
 
+  /// An editor of the diagram, which is the caller's then: that of `keep`, or a new one, which computes the diagram
+  /// again. Throws what DiagramEditor throws, and Error{invalid_option} for diagrams of curves and inside regions.
+  std::unique_ptr<DiagramEditor> take_editor(Observer& observer) const;
+  /// Keeps an editor for the next one who takes it. Several threads may take and keep at once.
+  void keep(std::unique_ptr<DiagramEditor> editor) const;
+
  private:
-  MeshPtr mesh_ = std::make_shared<CheckedMesh>();
-  std::shared_ptr<const Diagram> diagram_ = std::make_shared<Diagram>();
+  struct KeptEditor;
+
+  MeshPtr mesh_;
+  std::shared_ptr<const Diagram> diagram_;
+  std::optional<DiagramOptions> options_;
   PartedDiagram parted_;
+  std::shared_ptr<KeptEditor> kept_;
 };
 
 }  // namespace gvd

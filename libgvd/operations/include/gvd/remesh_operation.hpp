@@ -48,6 +48,7 @@ class RemeshOutcome : public Object {
 
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const SurfaceRemesh> made = std::make_shared<SurfaceRemesh>();
+  DiagramOptions options;                ///< of the diagram
   std::optional<Fewest> search;          ///< for the fewest generators
   double search_distance = 0;            ///< that was asked for, mesh units
   std::optional<RemeshMap> map;          ///< where it was asked for
