@@ -13,12 +13,13 @@ from ._interpreter import check_interpreter
 check_interpreter()
 
 from ._described import VERSION as __version__  # noqa: E402
+from ._editor import DiagramEditor  # noqa: E402
 from ._error import Error  # noqa: E402
 from ._mesh import Mesh, read, read_properties, read_values  # noqa: E402
 from ._points import Curves, Point, Points  # noqa: E402
 from ._results import (Balanced, Bisector, BranchPoints, Cell, Cells, Chart, Cut, Diagram, Isoline, Path, Relaxation,  # noqa: E402
                        Remesh, RemeshMap, Segmentation)
 
-__all__ = ["Balanced", "Bisector", "BranchPoints", "Cell", "Cells", "Chart", "Curves", "Cut", "Diagram", "Error", "Isoline",
+__all__ = ["Balanced", "Bisector", "BranchPoints", "Cell", "Cells", "Chart", "Curves", "Cut", "Diagram", "DiagramEditor", "Error", "Isoline",
            "Mesh", "Path", "Point", "Points", "Relaxation", "Remesh", "RemeshMap", "Segmentation", "__version__", "read",
            "read_properties", "read_values"]

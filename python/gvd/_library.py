@@ -44,7 +44,7 @@ class _Run(ctypes.Structure):
 
 def _load() -> ctypes.CDLL:
     """The library beside this file or, without one, the system's. Its interface is that of one version."""
-    beside = pathlib.Path(__file__).resolve().parent / "libgvd_c.so"
+    beside = pathlib.Path(__file__).resolve().parent / _described.SONAME
     name = str(beside) if beside.exists() else _described.SONAME
     try:
         library = ctypes.CDLL(name)
@@ -190,7 +190,7 @@ def _keep_going(data: Any, step: bytes, fraction: float) -> int:
 
 
 _KEEP_GOING = _PROGRESS(_keep_going)
-_NO_PROGRESS = _PROGRESS()
+_NO_PROGRESS: Any = _PROGRESS()  # type: ignore[call-overload]
 
 
 class _Signals:
@@ -199,7 +199,8 @@ class _Signals:
     __slots__ = ("flags", "before", "caught")
 
     def __init__(self, flags: _Flags) -> None:
-        self.flags, self.caught = flags, None
+        self.flags = flags
+        self.caught: Any = None
         self.before: Any = None
         if threading.get_ident() == threading.main_thread().ident:
             before = signal.getsignal(signal.SIGINT)
@@ -263,7 +264,7 @@ def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[
     made = ctypes.c_void_p()
     name, text = operation.encode(), json.dumps(options).encode() if options else None
     address = None if on is None else on.address
-    _run(lambda run: _library.gvd_call(_ABI, name, address, text, given, len(views), run, ctypes.byref(made)), threads, progress,
+    _run(lambda run: int(_library.gvd_call(_ABI, name, address, text, given, len(views), run, ctypes.byref(made))), threads, progress,
          time_limit)
     return Handle(made.value)
 
@@ -271,6 +272,6 @@ def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[
 def write(handle: Handle, path: Any, options: Mapping[str, Any], threads: int = 0) -> None:
     """Writes a complete file or none."""
     text = json.dumps(options).encode()
-    _run(lambda run: _library.gvd_write_as(handle.address, os.fsencode(path), text, run), threads, None, None)
+    _run(lambda run: int(_library.gvd_write_as(handle.address, os.fsencode(path), text, run)), threads, None, None)
 
 

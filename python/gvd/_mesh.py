@@ -213,7 +213,7 @@ class Mesh(Writable):
 
     def _measure(self, points: Any, options: dict[str, Any]) -> tuple[Handle, tuple[Any, ...]]:
         """The operation `distances` from points or curves."""
-        source = {"curves": points} if isinstance(points, Curves) else {"from": points, "keep_coincident": True}
+        source: dict[str, Any] = {"curves": points} if isinstance(points, Curves) else {"from": points, "keep_coincident": True}
         return run("distances", self, self, {**source, **options})
 
     @described("distances", without="from curves merge_coincident keep_coincident mesh_vertices paths isolines logarithm")

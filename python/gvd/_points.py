@@ -24,6 +24,10 @@ class Point(NamedTuple):
     bary: tuple[float, float, float]
 
 
+def _point(face: int, bary: list[float]) -> Point:
+    return Point(face, (bary[0], bary[1], bary[2]))
+
+
 class Points(Sequence[Point]):
     """Points of a mesh: `face` (n), int32, and `bary` (n, 3), float64, barycentric coordinates in these faces.
 
@@ -56,11 +60,11 @@ class Points(Sequence[Point]):
     def __getitem__(self, index: Any) -> Union[Point, Points]:
         face, bary = self.face[index], self.bary[index]
         if face.ndim == 0:
-            return Point(int(face), tuple(bary.tolist()))
+            return _point(int(face), bary.tolist())
         return Points(face, bary, self._mesh)
 
     def __iter__(self) -> Iterator[Point]:
-        return (Point(face, tuple(bary)) for face, bary in zip(self.face.tolist(), self.bary.tolist()))
+        return (_point(face, bary) for face, bary in zip(self.face.tolist(), self.bary.tolist()))
 
     def __repr__(self) -> str:
         return f"gvd.Points({len(self)})"

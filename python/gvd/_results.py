@@ -78,12 +78,13 @@ class Object:
     def __reduce__(self) -> Any:
         for name in self._names_to_save():
             self._array(name)
-        arrays = {name: numpy.array(value) for name, value in self._saved.items() if isinstance(value, numpy.ndarray)}
+        arrays: dict[str, Any] = {name: numpy.array(value) for name, value in self._saved.items() if isinstance(value, numpy.ndarray)}
         return _unpickle, (type(self), self._recipe, {**arrays, "{figures}": self.figures})
 
 
 def _make_again(operation: str, on: Any, options: Mapping[str, Any], arrays: Sequence[NDArray[Any]]) -> Handle:
-    return on._native.part(options["part"]) if operation == "part" else _library.call(operation, on._native, options, arrays)
+    native: Handle = on._native
+    return native.part(options["part"]) if operation == "part" else _library.call(operation, native, options, arrays)
 
 
 def _unpickle(kind: type[Object], recipe: tuple[Any, ...], saved: dict[str, Any]) -> Object:
@@ -490,16 +491,21 @@ def _colors(made: Union[Segmentation, Cut]) -> Floats:
 
 
 class Chart(NamedTuple):
-    """A connected part of a region in the unit square. Shares are those of its area on the surface."""
+    """A connected part of a region in the unit square: its share that is flipped or torn off, its largest stretch, the least
+    and the largest corner of its `box`, and the place of its generator."""
 
     label: int
     faces: int
     area: float
     flipped_share: float
+    torn_share: float
     stretch: float
-    box: tuple[float, ...]
-    torn_share: float = 0.0
-    origin: tuple[float, ...] = ()
+    box: tuple[tuple[float, ...], tuple[float, ...]]
+    origin: tuple[float, ...]
+
+
+def _corners(box: Optional[list[float]]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    return (tuple(box[:2]), tuple(box[2:])) if box else ((), ())
 
 
 class Cut(Result):
@@ -551,8 +557,8 @@ class Cut(Result):
     def charts(self) -> list[Chart]:
         """The charts whose texture coordinates `mesh` has, by their first face (see gvd/charts.hpp); none without `uv`."""
         rows = (self.figures["charts"] or {"charts": []})["charts"]
-        return [Chart(**{name: tuple(value) if isinstance(value, list) else value for name, value in {"box": (), **row}.items()})
-                for row in rows]
+        return [Chart(row["label"], row["faces"], row["area"], row["flipped_share"], row.get("torn_share", 0.0), row["stretch"],
+                      _corners(row.get("box")), tuple(row.get("origin", (0.0, 0.0)))) for row in rows]
 
     def to_vtk(self) -> Any:
         """The mesh as vtkPolyData, with Label and Parent of its faces and Distance of its vertices."""

@@ -178,7 +178,7 @@ class PointsOfAMesh(unittest.TestCase):
         for call, words in ((lambda: self.mesh.voronoi([0, 1], threads=1.5), "threads: a whole number"),
                             (lambda: self.mesh.voronoi([0, 1], threads=True), "threads: a whole number"),
                             (lambda: self.mesh.voronoi([0, 1], threads=2**40), "threads: .* is too large"),
-                            (lambda: self.mesh.voronoi([0, 1], method=None), "method: a text"),
+                            (lambda: self.mesh.voronoi([0, 1], method=3), "method: a text"),
                             (lambda: self.mesh.segment(radius="x"), "radius: a number"),
                             (lambda: self.mesh.points(V[3] * 1.0, max_snap=numpy.nan), "max_snap: a number"),
                             (lambda: self.mesh.voronoi([0, 1], chord_tolerance=numpy.nan), "chord_tolerance: a number"),
@@ -190,7 +190,7 @@ class PointsOfAMesh(unittest.TestCase):
                             (lambda: self.mesh.lloyd("5"), "count: a whole number"),
                             (lambda: self.mesh.segment(3).to_html(title=3), "title: a text"),
                             (lambda: gvd.read("a.obj", on_defect=2), "on_defect: a text")):
-            with self.assertRaisesRegex(gvd.Error, words) as caught:
+            with self.subTest(words), self.assertRaisesRegex(gvd.Error, words) as caught:
                 call()
             self.assertNotIn("\n", str(caught.exception))
             self.assertEqual(caught.exception.code, "invalid_option")
