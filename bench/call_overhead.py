@@ -68,9 +68,9 @@ diagram = mesh.voronoi([0, 3])
 with tempfile.TemporaryDirectory() as folder:
     (pathlib.Path(folder) / "call.c").write_text(PROGRAM)
     mesh.to_file(f"{folder}/mesh.ply")
-    (pathlib.Path(folder) / _described.SONAME).symlink_to(PACKAGE / "gvd/libgvd_c.so")
+    (pathlib.Path(folder) / _described.SONAME).symlink_to(PACKAGE / "gvd" / _described.SONAME)
     subprocess.run(["cc", "-O2", f"-DROUNDS={ROUNDS}", f"-DCALLS={CALLS}", f"-I{ROOT}/libgvd/c/include", f"{folder}/call.c",
-                    str(PACKAGE / "gvd/libgvd_c.so"), f"-Wl,-rpath,{folder}", "-o", f"{folder}/call"], check=True)
+                    f"{folder}/{_described.SONAME}", f"-Wl,-rpath,{folder}", "-o", f"{folder}/call"], check=True)
     in_c = float(subprocess.run([f"{folder}/call", f"{folder}/mesh.ply"], check=True, capture_output=True, text=True).stdout)
 call, method = best_of(lambda: _library.call("label", diagram._native)), best_of(diagram.segment)
 view = best_of(lambda: diagram._native.array("vertex_labels"))

@@ -117,7 +117,9 @@ class Stub(ast.NodeTransformer):
         attributes = [ast.AnnAssign(ast.Name(one.target.attr), one.annotation, None, 1) for one in made]
         self.expanded = {function.name: marks for function in node.body if isinstance(function, ast.FunctionDef)
                          and (marks := self.marks(function))}
-        node.body = attributes + [self.visit(one) for one in node.body if not self.is_text(one)] or [ast.Expr(ast.Constant(...))]
+        overloaded = {one.name for one in node.body if isinstance(one, ast.FunctionDef) and self.is_overload(one)}
+        kept = [one for one in node.body if not self.is_text(one) and (getattr(one, "name", "") not in overloaded or self.is_overload(one))]
+        node.body = attributes + [self.visit(one) for one in kept] or [ast.Expr(ast.Constant(...))]
         self.expanded = {}
         return node
 
@@ -140,6 +142,10 @@ class Stub(ast.NodeTransformer):
     def visit_Assign(self, node):
         is_alias = isinstance(node.value, (ast.Subscript, ast.Name))
         return node if is_alias else ast.AnnAssign(node.targets[0], ast.Name("Any"), None, 1)
+
+    @staticmethod
+    def is_overload(function):
+        return any(getattr(one, "id", "") == "overload" for one in function.decorator_list)
 
     @staticmethod
     def is_text(node):

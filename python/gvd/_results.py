@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import contextlib
-import functools
 import html
 import os
 import pathlib
@@ -11,7 +10,7 @@ import tempfile
 import warnings
 import webbrowser
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Optional, Union
 
 import numpy
 from numpy.typing import NDArray
@@ -47,6 +46,7 @@ class Object:
     def __init__(self, handle: Optional[Handle], recipe: tuple[Any, ...], saved: Optional[dict[str, Any]] = None) -> None:
         self._handle, self._recipe = handle, recipe
         self._saved: dict[str, Any] = saved or {}
+        self._kept: dict[str, Any] = {}
 
     @property
     def _native(self) -> Handle:
@@ -60,6 +60,12 @@ class Object:
             self._saved[name] = self._native.array(name)
         found: NDArray[Any] = self._saved[name]
         return found
+
+    def _keep(self, name: str, make: Callable[[], Any]) -> Any:
+        """What was made when it was asked for first."""
+        if name not in self._kept:
+            self._kept[name] = make()
+        return self._kept[name]
 
     def _points(self, name: str, mesh: Mesh) -> Points:
         return Points(self._array(f"{name}_faces"), self._array(f"{name}_bary"), mesh)
@@ -336,16 +342,19 @@ class Diagram(Writable):
         """The generators; views."""
         return self._points("generators", self.mesh)
 
-    @functools.cached_property
+    @property
     def branch_points(self) -> BranchPoints:
         """The points where three or more cells meet; views."""
-        return BranchPoints(self._points("branch_point", self.mesh), self._array("branch_point_positions"),
-                            self._array("branch_point_distances"), self._array("branch_point_generators"),
-                            self._array("branch_point_generators_offsets"))
+        arrays = (self._array(f"branch_point_{name}") for name in ("positions", "distances", "generators", "generators_offsets"))
+        return BranchPoints(self._points("branch_point", self.mesh), *arrays)
 
-    @functools.cached_property
+    @property
     def bisectors(self) -> list[Bisector]:
         """The curves between cells."""
+        found: list[Bisector] = self._keep("bisectors", self._make_bisectors)
+        return found
+
+    def _make_bisectors(self) -> list[Bisector]:
         points, offsets = self._points("bisector", self.mesh), self._array("bisector_offsets").tolist()
         sides = zip(self._array("bisector_left").tolist(), self._array("bisector_right").tolist(),
                     self._array("bisector_closed").tolist(), self._array("bisector_ends").tolist())
@@ -415,13 +424,17 @@ class Result(Writable):
         super().__init__(handle, recipe)
         self._mesh: Optional[Mesh] = mesh
         if diagram is not None:
-            self.__dict__["diagram"] = diagram
+            self._kept["diagram"] = diagram
 
-    @functools.cached_property
+    @property
     def diagram(self) -> Diagram:
         """The diagram of the generators."""
-        native = None if self._handle is None else self._handle.part("diagram")
-        return Diagram(mesh_of(self), native, ("part", self, {"part": "diagram"}, []))
+        def make() -> Diagram:
+            native = None if self._handle is None else self._handle.part("diagram")
+            return Diagram(mesh_of(self), native, ("part", self, {"part": "diagram"}, []))
+
+        diagram: Diagram = self._keep("diagram", make)
+        return diagram
 
     @property
     def generators(self) -> Points:
@@ -516,12 +529,13 @@ class Cut(Result):
     def __repr__(self) -> str:
         return f"gvd.Cut({len(self.labels)} faces)"
 
-    @functools.cached_property
+    @property
     def mesh(self) -> Mesh:
         """The mesh: first the vertices of the input, in their order."""
         from ._mesh import Mesh
 
-        return Mesh._wrap(self._native.part("cut_mesh"))
+        mesh: Mesh = self._keep("mesh", lambda: Mesh._wrap(self._native.part("cut_mesh")))
+        return mesh
 
     @property
     def labels(self) -> Ids:
@@ -627,12 +641,13 @@ class Remesh(Result):
         mesh: Mesh = mesh_of(self)
         return mesh
 
-    @functools.cached_property
+    @property
     def mesh(self) -> Mesh:
         """The coarse mesh."""
         from ._mesh import Mesh
 
-        return Mesh._wrap(self._native.part("mesh"))
+        mesh: Mesh = self._keep("mesh", lambda: Mesh._wrap(self._native.part("mesh")))
+        return mesh
 
     @described("map")
     def map(self, **options: Any) -> RemeshMap:

@@ -10,6 +10,7 @@ import unittest
 
 import gvd
 import meshes
+from gvd._described import SONAME
 
 PACKAGE = pathlib.Path(gvd.__file__).parent
 VERSION = f"{sys.version_info.major}.{sys.version_info.minor}"
@@ -47,7 +48,7 @@ class Interpreter(unittest.TestCase):
 
     def test_without_the_library_it_says_how_to_build_it(self):
         folder = self.copy()
-        (folder / "libgvd_c.so").unlink()
+        (folder / SONAME).unlink()
         self.assertRegex(last_line_of_import(folder.parent), r"^ImportError: gvd needs the library libgvd_c.so.0.\d+: .*; build it with "
                          "`make python`, and set PYTHONPATH to the folder python of the build tree$")
 
@@ -55,7 +56,7 @@ class Interpreter(unittest.TestCase):
         folder = self.copy()
         described = folder / "_described.py"
         described.write_text(described.read_text().replace(f"VERSION = {gvd.__version__!r}", "VERSION = '9.8.7'"))
-        self.assertEqual(last_line_of_import(folder.parent), f"ImportError: gvd 9.8.7 needs its own library, and {folder}/libgvd_c.so is "
+        self.assertEqual(last_line_of_import(folder.parent), f"ImportError: gvd 9.8.7 needs its own library, and {folder}/{SONAME} is "
                          f"that of {gvd.__version__}: install both together")
 
     def test_sources_alone_say_how_to_build_the_package(self):
@@ -68,7 +69,7 @@ class Interpreter(unittest.TestCase):
             ast.parse(source.read_text(), feature_version=(3, 9))
 
     def test_the_library_has_no_symbol_of_python(self):
-        told = subprocess.run(["nm", "-D", PACKAGE / "libgvd_c.so"], capture_output=True, text=True, check=True).stdout
+        told = subprocess.run(["nm", "-D", PACKAGE / SONAME], capture_output=True, text=True, check=True).stdout
         self.assertIn(" gvd_call", told)
         self.assertNotRegex(told, r" _?Py")
 
