@@ -41,7 +41,7 @@ def value(text: str) -> Any:
 
 def annotate(option):
     """The type of an option and its default, both as Python's text."""
-    kind, usual = option["kind"], option.get("default")
+    kind, usual = option["kind"], None if option["usual"] else option["default"]  # not one that depends on others
     words = "".join(f"Literal[{word!r}], " for word in option.get("choices", ()))
     if kind == "choice":
         names = f"Literal[{', '.join(map(repr, option['choices']))}]"
@@ -77,8 +77,7 @@ def is_number(usual):
 def describe_option(option):
     kind, usual = annotate(option)
     unit = f" ({option['unit']})" if option["unit"] else ""
-    told = option.get("default")
-    otherwise = f". Default: {told}" if usual == "None" and isinstance(told, str) else ""
+    otherwise = f". Default: {option['usual']}" if option["usual"] else ""
     return option["name"], kind, usual, option["help"] + unit + otherwise
 
 

@@ -44,32 +44,42 @@ void describe(OptionList& list, FileOptions& options) {
 
 void write_object(const std::filesystem::path& path, const Object& object, const FileOptions& options,
                   const Progress& progress) {
-  const std::string extension = format_extension(path);
-  const bool is_whole = options.part.empty();
-  OwnWriters own = is_whole ? object.own_writers() : object.part_writers(options.part);
-  if (!is_whole && own.empty()) {
+  const std::string name = path.string();
+  if (!options.part.empty()) {
+    const OwnWriters own = object.part_writers(options.part);
+    const auto writer = own.find(format_extension(path));
+    if (own.empty()) {
+      throw Error(ErrorCode::invalid_option,
+                  fmt::format("\1part\2: a {} has no part {}", object.kind(), gvd::quoted(options.part)));
+    }
+    if (writer != own.end()) return write_file(path, writer->second, progress);
+    std::vector<std::string> known;
+    for (const auto& [extension, write] : own) known.push_back(extension);
     throw Error(ErrorCode::invalid_option,
-                fmt::format("{{option:part}}: a {} has no part {}", object.kind(), gvd::quoted(options.part)));
+                fmt::format("{}: the extension must be one of {}", name, list_extensions(known, "or")));
   }
-  std::optional<LabelledMesh> mesh = is_whole ? object.labelled() : std::nullopt;
-  if (mesh) own.try_emplace("html", [&](std::ostream& out) { out << object.page(options); });
-  if (const auto writer = own.find(extension); writer != own.end()) return write_file(path, writer->second, progress);
-  if (mesh) {
-    mesh->no_bisectors = options.no_curves;
-    mesh->ascii_ply = options.ascii_ply;
-    mesh->region_materials = options.region_materials;
+  const Content content = object.content();
+  if (content == Content::nothing) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("{}: a {} has no file; write what it consists of", name, object.kind()));
   }
-  const Format* const format = find_output(extension);
-  if (mesh && format != nullptr && format->write != nullptr) return write_mesh(path, *mesh, progress);
-  std::vector<std::string> known;
-  for (const auto& [name, writer] : own) known.push_back(name);
-  for (const Format& row : formats()) {
-    if (mesh && row.write != nullptr && !own.contains(row.extensions.front())) known.push_back(row.extensions.front());
+  if (format_extension(path) == "html") {
+    return write_file(path, [&](std::ostream& out) { out << object.page(options); }, progress);
   }
-  throw Error(ErrorCode::invalid_option,
-              known.empty()
-                  ? fmt::format("{}: a {} has no file; write what it consists of", path.string(), object.kind())
-                  : fmt::format("{}: the extension must be one of .{}", path.string(), fmt::join(known, ", .")));
+  const Format* const format = find_output(format_extension(path));
+  if (format == nullptr || !has_any(format->carries, content)) {
+    throw Error(ErrorCode::invalid_option, fmt::format("{}: the extension must be one of {}", name,
+                                                       list_extensions(output_extensions(content), "or")));
+  }
+  object.check_file({name, format});
+  const OwnWriters own = object.own_writers();
+  const auto writer = own.find(format->extensions.front());
+  if (writer != own.end()) return write_file(path, writer->second, progress);
+  LabelledMesh mesh = object.labelled().value();
+  mesh.no_bisectors = options.no_curves;
+  mesh.ascii_ply = options.ascii_ply;
+  mesh.region_materials = options.region_materials;
+  write_mesh(path, mesh, progress);
 }
 
 }  // namespace gvd

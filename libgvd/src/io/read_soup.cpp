@@ -87,7 +87,7 @@ std::vector<std::string_view> list_titles() {
 }  // namespace
 
 std::string input_format_option() {
-  return "{option:input_format=" + join_words(names_in(input_format_names()), "or") + '}';
+  return placeholder("input_format", join_words(names_in(input_format_names()), "or"));
 }
 
 std::optional<MeshFormat> format_from_extension(std::string_view name) {
