@@ -20,8 +20,9 @@ TYPES = [ctypes.c_int8, ctypes.c_uint8, ctypes.c_int16, ctypes.c_uint16, ctypes.
          ctypes.c_uint64, ctypes.c_float, ctypes.c_double]
 
 gvd = ctypes.CDLL(LIBRARY)
-for function in ("gvd_last_error", "gvd_figures", "gvd_describe"):
+for function in ("gvd_last_error", "gvd_last_error_code", "gvd_figures", "gvd_describe", "gvd_describe_for"):
     getattr(gvd, function).restype = ctypes.c_char_p
+gvd.gvd_last_error_element.restype = ctypes.c_int64
 
 
 class Array(ctypes.Structure):
@@ -134,12 +135,24 @@ def good_value(option):
     if kind == "values":
         per = 3 if option["of"] == "generators" else 8
         return [1] + [0] * 7 if name == "mask" else [1] * per
+    if kind == "input file":
+        return str(DATA / "torus.ply")
     return {"flag": True, "switch": "on", "vertices": [0, 1, 2], "points": [0, 1], "curves": "creases", "counts": [2, 3], "bound": "50%", "crease angle": 30, "bytes": "1G"}[kind]
 
 
 def subject(operation, ball):
     """What an operation works on."""
-    return result("diagram", ball, {"count": 4}) if operation["on"] == "diagram" else ball
+    if operation["on"] == "remesh":
+        return result("remesh", ball, {"vertices": [0, 1, 2, 3, 4, 5]})
+    return result("diagram", ball, {"count": 4}) if operation["on"] == "diagram" else ball if operation["on"] else None
+
+
+def least_options(operation):
+    """Options without which an operation can't be called."""
+    if operation["on"] is None:
+        return {"file": str(DATA / "torus.ply")}
+    return {"distances": {"from": [0]}, "edit": {"remove": 0}, "curves": {"curves": "creases"}, "label": {}, "map": {},
+            "check": {}}.get(operation["name"], {"count": 4})
 
 
 def check_described_options():
@@ -172,7 +185,9 @@ def check_described_results():
     """What the description says of results is what they have."""
     ball = make_ball()
     for operation in DESCRIBED["operations"]:
-        options = {"distances": {"from": [0]}, "segment": {"count": 4, "cut": True}, "label": {"cut": True}, "edit": {"remove": 0}}.get(operation["name"], {"count": 4})
+        if operation["name"] in ("saved_mesh", "values"):
+            continue  # check_meshes
+        options = {"segment": {"count": 4, "cut": True}, "label": {"cut": True}}.get(operation["name"], least_options(operation))
         made = result(operation["name"], subject(operation, ball), options)
         described = operation["result"]
         for one in described["arrays"]:
@@ -191,6 +206,90 @@ def check_described_results():
             release(handle("gvd_object_of", made, one["name"].encode()))
         release(made)
     release(ball)
+
+
+def check_meshes(folder):
+    """Meshes of arrays, of files and of what was saved of them; numbers of files."""
+    corners = array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (5, 5, 5)])
+    square = array([(0, 1, 2, 3)], ctypes.c_int32)
+    assert refused("mesh", None, {"on_defect": "error"}, corners, square, status=PRECONDITION).startswith("1 vertex is in no face")
+    mesh = result("mesh", None, {}, corners, square)
+    assert figures(mesh)["repairs"] and figures(mesh)["faces"] == 2 and figures(mesh)["edges"] == 5
+    saved = [array(numbers(mesh, name)) for name in ("vertex_positions", "face_vertices", "vertex_of_input", "input_vertex",
+                                                     "input_polygon", "texture", "face_materials")]
+    again = result("saved_mesh", None, {"repairs": figures(mesh)["repairs"]}, *saved)
+    assert numbers(again, "vertex_of_input") == [0, 1, 2, 3, -1] and figures(again)["repairs"] == figures(mesh)["repairs"]
+    assert refused("saved_mesh", None, {}, *saved[:3]) == "a saved mesh has 7 arrays; 3 given"
+    for i in (2, 3, 4, 5, 6):
+        wrong = saved[:i] + [array([7.5])] + saved[i + 1:]
+        assert refused("saved_mesh", None, {}, *wrong, status=PRECONDITION) == f"array {i} is not that of a saved mesh"
+    assert refused("mesh", None, {}) == "a mesh needs two arrays, positions and faces, or a file; 0 given"
+    assert refused("mesh", None, {}, corners, array([0.5])) == "positions have three columns, and faces have three or more"
+    assert refused("mesh", None, {}, corners, array([(0, 1, 2.5)])) == "a face has the vertex 2.5"
+    assert refused("mesh", None, {}, corners, array([(0, 1, 9)]), status=PRECONDITION).startswith("face 0 has the vertex 9")
+    assert refused("mesh", None, {"input_format": "ply"}, corners, square) == '"input_format" needs "file": add it, or leave "input_format" out'
+    name = (folder / "values.txt")
+    name.write_text("1\n2.5\n")
+    values = result("values", None, {"file": {"array": 0}}, array(list(str(name).encode()), ctypes.c_uint8))
+    assert numbers(values, "values") == [1, 2.5]
+    properties = result("properties", None, {"file": str(DATA / "torus.ply")})
+    assert figures(properties)["names"] == [], figures(properties)["names"]
+    status, message = call("values", None, {"file": "/no/such"})
+    assert (status, gvd.gvd_last_error_code(), gvd.gvd_last_error_element()) == (3, b"unreadable_input", -1), message
+    assert refused("mesh", None, {"on_defect": "error"}, corners, array([(0, 1, 2), (0, 1, 2)]), status=PRECONDITION)
+    assert gvd.gvd_last_error_element() == 1
+    release(mesh, again, values, properties)
+
+
+def check_doors():
+    """Errors and notes write options as the door of a run does."""
+    ball = make_ball()
+    told = {}
+    for door in range(3):
+        run = Run(0, PROGRESS(), None, None, NOTE(), None, door)
+        told[door] = call("lloyd", ball, {"vertices": [0, 0]}, run=run)[1].rsplit(" ", 1)[1], call("remesh", ball, {"count": 3}, run=run)[1]
+    assert [told[door][0] for door in range(3)] == ['"merge_coincident"', "merge_coincident", "merge_coincident"], told
+    described = [json.loads(gvd.gvd_describe_for(door)) for door in range(3)]
+    help_of = lambda d: next(o["help"] for one in d["operations"] if one["name"] == "lloyd" for o in one["options"] if o["name"] == "sampling")
+    assert [help_of(d) for d in described] == ['How "count" places generators', "How count places generators", "How count places generators"]
+    assert gvd.gvd_describe_for(3) == b"null"
+    release(ball)
+
+
+def check_files_of_parts(folder):
+    """Pages, parts with files of their own, and options of files."""
+    mesh = read("torus.ply")
+    relaxed, paths = result("lloyd", mesh, {"count": 9}), result("distances", mesh, {"from": [0], "to": [9, 300], "paths": True})
+    coarse = result("remesh", mesh, {"count": 90})
+    mapped, segments = result("map", coarse, {}), result("segment", mesh, {"count": 9})
+
+    def write(thing, name, options):
+        status = gvd.gvd_write_as(thing, str(folder / name).encode(), json.dumps(options).encode(), None)
+        return gvd.gvd_last_error().decode() if status else (folder / name).read_bytes()
+
+    assert write(relaxed, "p.npy", {"part": "points"}).startswith(b"\x93NUMPY")
+    assert write(mapped, "m.json", {"part": "map"}).startswith(b"{")
+    assert write(paths, "one.csv", {"part": "path 1"}).count(b"\n") < write(paths, "all.csv", {}).count(b"\n")
+    assert b"ascii" in write(segments, "a.ply", {"ascii_ply": True})[:40]
+    assert write(segments, "b.obj", {"no_curves": True}).count(b"\nl ") == 0 < write(segments, "c.obj", {}).count(b"\nl ")
+    assert write(relaxed, "p.doc", {"part": "points"}).endswith("the extension must be one of .npy, .ply or .xyz")
+    assert write(coarse, "m.json", {"part": "map"}) == "\"part\": a remesh has no part 'map'"
+    assert write(paths, "one.csv", {"part": "path 2"}) == "\"part\": a distances has no part 'path 2'"
+    assert write(mesh, "a.ply", {"asci_ply": True}) == 'there is no option "asci_ply"; did you mean "ascii_ply"?'
+    release(mesh, relaxed, paths, coarse, mapped, segments)
+
+
+def check_clock():
+    """Without `due`, reports come as they are; with it, one for each time that it is set."""
+    mesh, calls = read("figure.obj"), []
+    due = ctypes.c_int32(1)
+    run = Run(1, PROGRESS(lambda *_: calls.append(1) or 1), None, None, NOTE(), ctypes.pointer(due))
+    release(result("diagram", mesh, {"count": 20}, run=run))
+    assert len(calls) == 1 and due.value == 0, calls
+    run.due = None
+    release(result("diagram", mesh, {"count": 20}, run=run))
+    assert len(calls) > 2
+    release(mesh)
 
 
 def check_mistakes():
@@ -331,10 +430,11 @@ def check_options_come_back():
         "remesh": [{"count": 6}, {"count": 6, "relax": "none"}, {"count": 6, "relax": 2, "features": "none"},
                    {"generators": [0, 1, 2, 3, 4, 5]}, {"vertices": [0, 1, 2, 3, 4, 5]}, {"target_edge": 1.4}, {"error": "50%"},
                    {"count": 6, "place": "generator", "refine": False}, {"count": 6, "map": True, "carry": True, "features": 20}]}
-    assert set(tried) == {operation["name"] for operation in DESCRIBED["operations"]}
+    others = {"edit", "map", "check", "curves", "mesh", "saved_mesh", "values", "properties"}  # few options, or files
+    assert {*tried, *others} == {operation["name"] for operation in DESCRIBED["operations"]}
     for operation in DESCRIBED["operations"]:
         on = subject(operation, ball)
-        for options in tried[operation["name"]]:
+        for options in tried.get(operation["name"], ()):
             first = result(operation["name"], on, options, corners, whole, weights)
             told = figures(first)
             again = result(operation["name"], on, told["options"], corners, whole, weights)
@@ -350,7 +450,9 @@ def check_defaults():
     ball = make_ball()
     for operation in DESCRIBED["operations"]:
         options = {option["name"]: option for option in operation["options"]}
-        usual = {} if operation["on"] == "diagram" else {"from": [0]} if "from" in options else {"count": 4}
+        if operation["name"] in ("saved_mesh", "values"):
+            continue  # of arrays and numbers alone
+        usual = least_options(operation)
         on = subject(operation, ball)
         plain = result(operation["name"], on, usual)
         for name, option in options.items():
@@ -598,6 +700,10 @@ with tempfile.TemporaryDirectory() as scratch:
     check_runs()
     check_described_options()
     check_described_results()
+    check_meshes(pathlib.Path(scratch))
+    check_doors()
+    check_files_of_parts(pathlib.Path(scratch))
+    check_clock()
     check_files(pathlib.Path(scratch))
     check_same_as_commands(pathlib.Path(scratch))
 print("all checks passed")
