@@ -134,6 +134,14 @@ class Stub(ast.NodeTransformer):
         node.body = [ast.Expr(ast.Constant(...))]
         return node
 
+    def visit_AnnAssign(self, node):
+        """What `view` and `figure` make is a property."""
+        if getattr(getattr(node.value, "func", None), "id", "") not in ("view", "figure"):
+            return node
+        function = ast.parse(f"@property\ndef {node.target.id}(self): ...").body[0]
+        function.returns = node.annotation
+        return function
+
     def visit_Module(self, node):
         node.body = [self.visit(one) for one in node.body if not self.is_text(one)]
         return node
