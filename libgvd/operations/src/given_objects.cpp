@@ -69,9 +69,8 @@ void describe(OptionList& list, MeshCall& call) {
 }
 
 std::shared_ptr<const MeshObject> run(MeshCall& call, Observer& observer) {
-  PolygonSoup soup = as_step(observer, "read", [&] {
-    return call.file.empty() ? soup_of(call.arrays) : read_soup(call.file, call.format);
-  });
+  PolygonSoup soup = as_step(
+      observer, "read", [&] { return call.file.empty() ? soup_of(call.arrays) : read_soup(call.file, call.format); });
   const Step step(observer, "check");
   if (call.weld) weld_soup(soup, *call.weld);
   return std::make_shared<MeshObject>(std::make_shared<CheckedMesh>(build_mesh(soup, call.on_defect, call.file)));
@@ -87,7 +86,8 @@ void describe(OptionList& list, SavedMeshCall& call) {
 std::shared_ptr<const MeshObject> run(SavedMeshCall& call, Observer&) {
   constexpr std::size_t kArrays = 7;
   if (call.arrays.size() != kArrays) {
-    throw Error(ErrorCode::invalid_option, fmt::format("a saved mesh has {} arrays; {} given", kArrays, call.arrays.size()));
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("a saved mesh has {} arrays; {} given", kArrays, call.arrays.size()));
   }
   auto made = std::make_shared<CheckedMesh>(build_mesh(soup_of(call.arrays)));
   const double vertices = made->mesh.vertex_count(), most = std::numeric_limits<std::int32_t>::max();
@@ -96,8 +96,8 @@ std::shared_ptr<const MeshObject> run(SavedMeshCall& call, Observer&) {
                                        [](std::int32_t number) { return number < 0 ? VertexId() : VertexId(number); });
   made->input_vertex = IdVector<VertexId, std::int32_t>(
       places<std::int32_t>(call.arrays[3], 3, made->mesh.vertex_count(), double(made->mesh_vertex.size()), index));
-  made->input_polygon = IdVector<FaceId, std::int32_t>(
-      places<std::int32_t>(call.arrays[4], 4, made->mesh.face_count(), most, index));
+  made->input_polygon =
+      IdVector<FaceId, std::int32_t>(places<std::int32_t>(call.arrays[4], 4, made->mesh.face_count(), most, index));
   made->defects.messages = call.repairs;
   Appearance& look = made->appearance;
   look.materials = call.materials;
@@ -135,7 +135,8 @@ std::shared_ptr<const NumbersObject> run(PropertiesCall& call, Observer&) {
   auto made = std::make_shared<NumbersObject>();
   for (MeshProperty& property : read_mesh_properties(call.file)) {
     if (property.count_type) continue;  // a list for each element
-    made->numbers.emplace_back((property.of_vertices ? "vertex " : "face ") + property.name, std::move(property.values));
+    made->numbers.emplace_back((property.of_vertices ? "vertex " : "face ") + property.name,
+                               std::move(property.values));
   }
   return made;
 }

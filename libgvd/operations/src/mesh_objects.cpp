@@ -49,7 +49,7 @@ struct DiagramObject::KeptEditor {
 };
 
 DiagramObject::DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram,
-                             std::optional<DiagramOptions> options, PartedDiagram parted)
+                             std::optional<DiagramOptions> options, SeparatedDiagram parted)
     : mesh_(std::move(mesh)),
       diagram_(std::move(diagram)),
       options_(std::move(options)),

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "gvd/error.hpp"
-#include "gvd/io/view.hpp"
 #include "gvd/io/format.hpp"
+#include "gvd/io/view.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/object.hpp"
 #include "gvd/option_list.hpp"
@@ -23,7 +23,8 @@ std::string Object::page(const FileOptions& options) const {
   std::vector<ViewScene> scenes{plain};
   if (const Diagram* const diagram = mesh->diagram; diagram != nullptr) {
     const bool is_diagram = mesh->face_label == &diagram->face_label;  // its cut faces have pieces, not labels
-    scenes = is_diagram ? std::vector{make_view_scene("Regions", mesh->surface(), *diagram)} : make_region_scenes(*mesh);
+    scenes =
+        is_diagram ? std::vector{make_view_scene("Regions", mesh->surface(), *diagram)} : make_region_scenes(*mesh);
   }
   ViewOptions view;
   view.title = options.title;
@@ -37,9 +38,8 @@ void describe(OptionList& list, FileOptions& options) {
   list.option("no_curves", Flag{&options.no_curves},
               {.help = "Leave the bisectors out of " + list_extensions(output_extensions(Content::curves), "and")});
   list.option("ascii_ply", Flag{&options.ascii_ply}, {.help = "Write .ply as text instead of binary"});
-  list.option(
-      "region_materials", Flag{&options.region_materials},
-      {.help = "In .obj, give each region a material, in place of the materials that the mesh was read with"});
+  list.option("region_materials", Flag{&options.region_materials},
+              {.help = "In .obj, give each region a material, in place of the materials that the mesh was read with"});
 }
 
 void write_object(const std::filesystem::path& path, const Object& object, const FileOptions& options,
@@ -64,7 +64,8 @@ void write_object(const std::filesystem::path& path, const Object& object, const
                 fmt::format("{}: a {} has no file; write what it consists of", name, object.kind()));
   }
   if (format_extension(path) == "html") {
-    return write_file(path, [&](std::ostream& out) { out << object.page(options); }, progress);
+    return write_file(
+        path, [&](std::ostream& out) { out << object.page(options); }, progress);
   }
   const Format* const format = find_output(format_extension(path));
   if (format == nullptr || !has_any(format->carries, content)) {
