@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Operations of the C interface through ctypes: every described option well and badly, mistakes in JSON and arrays, the
-same bytes as the commands, notes, and a flag that cancels.
+same bytes as the commands.
 
     check_calls.py LIBRARY BIN_FOLDER DATA_FOLDER
 """
@@ -11,8 +11,6 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-import threading
-import time
 
 LIBRARY, BIN, DATA = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 ABI, OK, INVALID, PRECONDITION, INTERRUPTED = 1, 0, 2, 4, 130
@@ -484,30 +482,6 @@ def check_edits():
     release(mesh)
 
 
-def check_runs():
-    """Notes as they happen; a function and a flag that cancel."""
-    mesh, notes, steps = read("figure.obj"), [], set()
-    run = Run(1, PROGRESS(lambda data, step, done: steps.add(step.decode()) is None), None, None,
-              NOTE(lambda data, text: notes.append(text.decode())))
-    made = result("lloyd", mesh, {"count": 10}, run=run)
-    assert notes == figures(made)["notes"] and notes and steps, notes
-    release(made)
-    status, message = call("lloyd", mesh, {"count": 10}, run=Run(0, PROGRESS(lambda *_: 0), None, None, NOTE()))
-    assert status == INTERRUPTED, message
-    flag = ctypes.c_int32(0)
-    found = []
-    work = threading.Thread(target=lambda: found.append(call(
-        "lloyd", mesh, {"count": 2000, "accelerate": "none", "iterations": 1000000, "tolerance": 0, "move_tolerance": 0},
-        run=Run(1, PROGRESS(), None, ctypes.pointer(flag), NOTE()))))
-    work.start()
-    time.sleep(0.3)
-    flag.value = 1
-    work.join(60)
-    assert found and found[0][0] == INTERRUPTED, found
-    assert call("lloyd", mesh, {"count": 3}, run=Run(-1, PROGRESS(), None, None, NOTE()))[0] == INVALID
-    release(mesh)
-
-
 def check_files(folder):
     """Files of results are those of the commands."""
     for operation, options, words, extensions in (
@@ -614,7 +588,6 @@ if __name__ == "__main__":
         check_parts()
         check_distances()
         check_edits()
-        check_runs()
         check_described_options()
         check_described_results()
         check_files(pathlib.Path(scratch))

@@ -8,8 +8,10 @@ import ctypes
 import json
 import pathlib
 import tempfile
+import threading
+import time
 
-from check_calls import DATA, NOTE, PRECONDITION, PROGRESS, Run, array, call, figures, gvd, make_ball, numbers, read, refused, release, result
+from check_calls import DATA, INTERRUPTED, INVALID, NOTE, PRECONDITION, PROGRESS, Run, array, call, figures, gvd, make_ball, numbers, read, refused, release, result
 
 
 def check_meshes(folder):
@@ -96,9 +98,34 @@ def check_clock():
     release(mesh)
 
 
+def check_runs():
+    """Notes as they happen; a function and a flag that cancel."""
+    mesh, notes, steps = read("figure.obj"), [], set()
+    run = Run(1, PROGRESS(lambda data, step, done: steps.add(step.decode()) is None), None, None,
+              NOTE(lambda data, text: notes.append(text.decode())))
+    made = result("lloyd", mesh, {"count": 10}, run=run)
+    assert notes == figures(made)["notes"] and notes and steps, notes
+    release(made)
+    status, message = call("lloyd", mesh, {"count": 10}, run=Run(0, PROGRESS(lambda *_: 0), None, None, NOTE()))
+    assert status == INTERRUPTED, message
+    flag = ctypes.c_int32(0)
+    found = []
+    work = threading.Thread(target=lambda: found.append(call(
+        "lloyd", mesh, {"count": 2000, "accelerate": "none", "iterations": 1000000, "tolerance": 0, "move_tolerance": 0},
+        run=Run(1, PROGRESS(), None, ctypes.pointer(flag), NOTE()))))
+    work.start()
+    time.sleep(0.3)
+    flag.value = 1
+    work.join(60)
+    assert found and found[0][0] == INTERRUPTED, found
+    assert call("lloyd", mesh, {"count": 3}, run=Run(-1, PROGRESS(), None, None, NOTE()))[0] == INVALID
+    release(mesh)
+
+
 with tempfile.TemporaryDirectory() as scratch:
     check_meshes(pathlib.Path(scratch))
     check_doors()
     check_files_of_parts(pathlib.Path(scratch))
     check_clock()
+    check_runs()
 print("all checks passed")
