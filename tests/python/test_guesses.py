@@ -185,6 +185,16 @@ class OtherDoors(unittest.TestCase):
         self.assertEqual(len(percent.mesh.vertices), len(length.mesh.vertices))
         self.assertLessEqual(percent.figures["distance"]["input_to_output"]["hausdorff"], 0.02 * diagonal)
 
+    def test_blue_noise_by_radius(self):
+        mesh = gvd.Mesh(*meshes.make_grid(12))
+        points = mesh.sample(radius=0.1, sampling="poisson", seed=3)
+        between = numpy.linalg.norm(points.position[:, None] - points.position[None], axis=2) + numpy.eye(len(points))
+        self.assertGreater(between.min(), 0.08)
+        self.assertLessEqual(mesh.distances(points).max(), 0.1)
+        self.assertFalse(numpy.array_equal(points.face[:5], mesh.sample(radius=0.1, seed=3).face[:5]))
+        with self.assertRaisesRegex(gvd.Error, "sampling: a radius gives farthest or poisson points; give count, or leave sampling out"):
+            mesh.sample(radius=0.1, sampling="random")
+
     def test_distances_inside_a_mask(self):
         at, faces = meshes.make_grid(6)
         mask = at[faces].mean(axis=1)[:, 0] > 0.5
