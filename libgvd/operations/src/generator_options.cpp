@@ -122,7 +122,7 @@ void describe_curves(OptionList& list, GeneratorOptions& generators) {
       "curves", Curves{&generators.curves, kUsualCreaseAngle},
       {.help = "Use curves as generators",
        .more = fmt::format(": polylines of a file (.obj, .ply, .json or text), the boundary loops, or connected edges "
-                           "whose faces differ by more than ANGLE degrees, which is {} where it is left out",
+                           "whose faces differ by more than ANGLE degrees ({} by default)",
                            kUsualCreaseAngle)});
 }
 
