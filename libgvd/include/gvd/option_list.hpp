@@ -266,7 +266,8 @@ class OptionList {
   /// The field must outlive the list, and its value now is the default.
   void option(const std::string& name, Field field, Spec spec);
 
-  void excludes(const std::string& name, const std::vector<std::string>& others);
+  /// `why`: what keeps them apart, where it is not plain; it ends in no full stop.
+  void excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why = "");
   void needs(const std::string& name, const std::string& other);
   void one_of(OneOf set);
   void rule(ValueRule rule);
@@ -279,6 +280,8 @@ class OptionList {
   const Option* find(std::string_view name) const;
 
   bool exclude_each_other(const std::string& a, const std::string& b) const;
+  /// Why they do; empty where it is plain.
+  std::string why_excluded(const std::string& a, const std::string& b) const;
   /// The options that one may stand beside only if they are given, too.
   std::vector<std::string> needed_by(const std::string& name) const;
 
@@ -296,8 +299,9 @@ class OptionList {
  private:
   std::vector<std::string> groups_;
   std::string group_;
-  std::deque<Option> options_;  // references stay
-  std::vector<std::pair<std::string, std::string>> excluded_, needed_;
+  std::deque<Option> options_;                                           // references stay
+  std::map<std::pair<std::string, std::string>, std::string> excluded_;  // and why; both orders of each pair
+  std::vector<std::pair<std::string, std::string>> needed_;
   std::vector<OneOf> sets_;
   std::vector<ValueRule> rules_;
 };

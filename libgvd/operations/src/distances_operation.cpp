@@ -332,7 +332,8 @@ void describe(OptionList& list, DistancesCall& call) {
                .shown = Shown::main});
   describe(list, call.regions, "distances and paths");
   list.one_of({{"from", "curves"}, "no sources"});
-  list.excludes("curves", {"merge_coincident", "within", "mask", "each"});
+  list.excludes("curves", {"merge_coincident", "each"});
+  list.excludes("curves", {"within", "mask"}, "a curve may leave its region");
   list.excludes("each", {"isolines"});
   list.rule({"paths", {"to"}, [](const Given& given) -> std::string {
                return given.has("to") ? ""

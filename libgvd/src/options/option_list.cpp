@@ -88,8 +88,9 @@ std::optional<Problem> find_exclusion(const OptionList& list, const Given& given
       // The later one is to blame: options of a file come behind those of the command line.
       const bool is_first_later = given.find((*a)->name)->order > given.find((*b)->name)->order;
       const std::string& blamed = is_first_later ? (*a)->name : (*b)->name;
-      return Problem{
-          blamed, fmt::format("{{option:{}}} and {{option:{}}} exclude each other: keep one", (*a)->name, (*b)->name)};
+      const std::string why = list.why_excluded((*a)->name, (*b)->name);
+      return Problem{blamed, fmt::format("{{option:{}}} and {{option:{}}} exclude each other: {}keep one", (*a)->name,
+                                         (*b)->name, why.empty() ? "" : why + "; ")};
     }
   }
   return std::nullopt;
@@ -110,8 +111,8 @@ void OptionList::option(const std::string& name, Field field, Spec spec) {
   options_.push_back({name, group_, std::move(field), std::move(spec), std::move(reset), is_on});
 }
 
-void OptionList::excludes(const std::string& name, const std::vector<std::string>& others) {
-  for (const std::string& other : others) excluded_.emplace_back(name, other);
+void OptionList::excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why) {
+  for (const std::string& other : others) excluded_[{name, other}] = excluded_[{other, name}] = why;
 }
 
 void OptionList::needs(const std::string& name, const std::string& other) { needed_.emplace_back(name, other); }
@@ -140,10 +141,14 @@ bool OptionList::exclude_each_other(const std::string& a, const std::string& b) 
   const auto has = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  return std::any_of(excluded_.begin(), excluded_.end(),
-                     [&](const auto& pair) { return pair == std::pair(a, b) || pair == std::pair(b, a); }) ||
-         std::any_of(sets_.begin(), sets_.end(),
-                     [&](const OneOf& set) { return has(set.options, a) && has(set.options, b); });
+  return excluded_.contains({a, b}) || std::any_of(sets_.begin(), sets_.end(), [&](const OneOf& set) {
+           return has(set.options, a) && has(set.options, b);
+         });
+}
+
+std::string OptionList::why_excluded(const std::string& a, const std::string& b) const {
+  const auto found = excluded_.find({a, b});
+  return found == excluded_.end() ? "" : found->second;
 }
 
 std::vector<std::string> OptionList::needed_by(const std::string& name) const {
@@ -194,9 +199,11 @@ std::vector<std::string> OptionList::find_unknown_names() const {
                     return *named.insert(std::string(name)).first;
                   }});
   };
-  for (const auto* const pairs : {&excluded_, &needed_}) {
-    for (const auto& [a, b] : *pairs) named.insert({a, b});
+  for (const auto& [pair, why] : excluded_) {
+    named.insert({pair.first, pair.second});
+    read(why);
   }
+  for (const auto& [a, b] : needed_) named.insert({a, b});
   for (const OneOf& set : sets_) named.insert(set.options.begin(), set.options.end());
   for (const ValueRule& rule : rules_) {
     named.insert(rule.option);
