@@ -25,6 +25,21 @@
 
 // What the C interface hands out, and the guard that lets no exception out.
 
+namespace gvd::c {
+
+/// Lists of points as one, made when it is asked for first.
+class JoinedPoints {
+ public:
+  const std::vector<SurfacePoint>& all();
+  PointLists lists;
+
+ private:
+  std::once_flag made_;
+  std::vector<SurfacePoint> points_;
+};
+
+}  // namespace gvd::c
+
 /// An object with the views of its parts. It holds what it refers to, so that handles may be released in any order.
 struct gvd_object {
   explicit gvd_object(std::shared_ptr<const gvd::Object> made);
@@ -43,14 +58,14 @@ struct gvd_object {
   std::shared_ptr<const gvd::Object> object;
   std::string figures;  ///< JSON
   std::string repairs;  ///< of a mesh, one line each
-  std::map<std::string, gvd::ArrayView, std::less<>> arrays;
+  std::map<std::string, std::function<gvd::ArrayView()>, std::less<>> arrays;
   std::map<std::string, std::shared_ptr<const gvd::Object>, std::less<>> parts;
   std::optional<std::vector<gvd::SurfacePoint>> generators;  ///< of the vertices of a remesh
 
   // What no object owns in one piece.
   std::deque<std::vector<double>> numbers;
   std::deque<std::vector<std::int64_t>> whole_numbers;
-  std::deque<std::vector<gvd::SurfacePoint>> points;
+  std::deque<gvd::c::JoinedPoints> joined;
 
  private:
   mutable std::once_flag tree_made_;

@@ -43,18 +43,14 @@ class Describer : public ObjectVisitor {
   void array(const Meaning& meaning, const ArrayView& view) override {
     Json& one = kind_["arrays"].emplace_back(describe_meaning(meaning));
     one["type"] = kTypeNames[std::size_t(view.type)];
-    one["columns"] = view.dimensions == 1 ? 1 : view.shape[1];
+    const std::int64_t columns = view.dimensions == 1 ? 1 : view.shape[1];
+    one["columns"] = columns > 0 ? Json(columns) : Json();  // null: as many as there are
   }
   void points(const Meaning& meaning, const PointsView& points) override { add_points(meaning, points); }
   void curves(const Meaning& meaning, const PointLists&) override {
     array({std::string(meaning.name) + "_offsets", "", "the place of each list's first point, and the number of all"},
           view(std::vector<std::int64_t>()));
     add_points(meaning, std::vector<SurfacePoint>());
-  }
-  void rows(const Meaning& meaning, const std::vector<std::vector<double>>&) override {
-    Json& one = kind_["arrays"].emplace_back(describe_meaning(meaning));
-    one["type"] = "float64";
-    one["columns"] = nullptr;  // as many as there are
   }
   void table(const Meaning& meaning, const Table& table) override {
     Json& one = kind_["tables"].emplace_back(describe_meaning(meaning));

@@ -99,7 +99,7 @@ void add_nearest(DistancesOutcome& made) {
       found.take(i, vertices.distance[v.index()], vertices.source[v.index()]);
     });
   }
-  table.rows.push_back(std::move(found.distance));
+  table.rows = std::move(found.distance);
   table.nearest = std::move(found.source);
 }
 
@@ -126,7 +126,7 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
   const std::size_t places = has_targets ? made.targets.places.size() : std::size_t(mesh.vertex_count());
   const std::size_t points = has_targets ? table.targets.size() : input.mesh_vertex.size();
   check_table(call.most_bytes, table.sources.size(), points);
-  table.rows.assign(table.sources.size(), std::vector<double>(points, kInfinity));
+  table.rows = {std::vector<double>(table.sources.size() * points, kInfinity), table.sources.size()};
   if (places == 0) return;  // all targets are left out
   ExactFieldOptions options = field_options(call, observer);
   std::vector<double> rows, of_vertices;
@@ -140,7 +140,7 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
                           has_targets ? &made.targets.places : nullptr, rows, options);
     for (std::size_t source = begin; source < end; ++source) {
       const auto first = rows.begin() + std::ptrdiff_t((source - begin) * places);
-      std::vector<double>& row = table.rows[std::size_t(made.sources.point[source])];
+      const std::span<double> row = table.rows[std::size_t(made.sources.point[source])];
       const auto take = [&](std::size_t i, double d) { row[i] = std::min(row[i], d); };
       if (has_targets) {
         for (std::size_t k = 0; k < places; ++k) take(std::size_t(made.targets.point[k]), first[std::ptrdiff_t(k)]);
@@ -354,7 +354,7 @@ std::string describe_unreached(const DistancesOutcome& outcome) {
   BarrierCounts barriers;
   std::int64_t count = 0;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    for (std::size_t i = 0; i < table.rows[row].size(); ++i, ++count) {
+    for (std::size_t i = 0; i < table.rows.points(); ++i, ++count) {
       if (!std::isfinite(table.rows[row][i])) barriers.add(unreached.find(row, i));
     }
   }
@@ -389,9 +389,7 @@ std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall&
   check_sources(*made);
   call.each ? measure_each(call, observer, *made) : measure_nearest(call, observer, *made);
   made->polylines = make_curves(input->mesh, table);
-  for (const std::vector<double>& row : table.rows) {
-    made->unreached += std::ranges::count_if(row, [](double d) { return !std::isfinite(d); });
-  }
+  made->unreached = std::ranges::count_if(table.rows.values(), [](double d) { return !std::isfinite(d); });
   const bool is_short = !table.targets.empty() && table.rows.size() * table.targets.size() <= kToldDistances;
   if (made->unreached > 0 && !is_short) observer.note(describe_unreached(*made));
   if (call.isolines) {
