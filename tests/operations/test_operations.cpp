@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "gvd/distances_operation.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/format.hpp"
 #include "gvd/operation.hpp"
@@ -51,7 +52,6 @@ struct Names : ObjectVisitor {
   void array(const Meaning& meaning, const ArrayView&) override { add(meaning); }
   void points(const Meaning& meaning, const PointsView&) override { add(meaning); }
   void curves(const Meaning& meaning, const PointLists&) override { add(meaning); }
-  void rows(const Meaning& meaning, const std::vector<std::vector<double>>&) override { add(meaning); }
   void table(const Meaning& meaning, const Table&) override { add(meaning); }
   void part(const Meaning& meaning, std::string_view, const PartMaker&) override { add(meaning); }
   void add(const Meaning& meaning) {
@@ -114,6 +114,24 @@ TEST_CASE("figures are nested at the dots of their names, and a level without an
   const Json equal =
       Json::parse(figures_json(*call(*find_operation("lloyd"), R"({"count": 8, "balance": "area"})", told)));
   CHECK(equal["balance"]["masses"].size() == 8);
+}
+
+TEST_CASE("rows of distances are held once: their array is the table's own memory") {
+  struct Reader : ObjectVisitor {
+    void array(const Meaning& meaning, const ArrayView& view) override {
+      if (meaning.name == "rows") rows = view;
+    }
+    ArrayView rows;
+  } reader;
+  Recorder told;
+  const auto made = call(*find_operation("distances"), R"({"from": [0, 5, 9], "each": true})", told);
+  made->visit(reader);
+  const DistanceRows& rows = dynamic_cast<const DistancesOutcome&>(*made).table.rows;
+  CHECK(reader.rows.data == rows.values().data());
+  CHECK(reader.rows.shape[0] == 3);
+  CHECK(reader.rows.shape[1] == kBall->mesh.vertex_count());
+  CHECK(rows[1][5] == 0);
+  CHECK(rows[2][0] == rows[0][9]);
 }
 
 /// Returns what an operation says against options; empty where it accepts them.
