@@ -42,7 +42,7 @@ class PointsAsASequence(unittest.TestCase):
     def test_a_far_position_warns_in_the_line_that_gave_it(self):
         mesh = gvd.read(meshes.TORUS)
         for call in (lambda: mesh.distances([3., 17., 99.]), lambda: mesh.voronoi([(9.0, 9.0, 9.0)]), lambda: mesh.positions((9.0, 9.0, 9.0))):
-            with self.assertWarnsRegex(UserWarning, "from the surface, and the model's diagonal is") as caught:
+            with self.assertWarnsRegex(UserWarning, "^point 0 of (points|generators) is .* from the surface, and the model's diagonal is") as caught:
                 call()
             self.assertEqual(pathlib.Path(caught.filename).name, "test_guesses.py")
         with warnings.catch_warnings():
@@ -160,6 +160,9 @@ class OtherDoors(unittest.TestCase):
         numpy.testing.assert_array_equal(
             mesh.segment(generators=mesh.farthest(12), weights=equal.figures["weights"]).labels, equal.labels)
         self.assertEqual(mesh.segment(curves=mesh.curves([[0, 50], [2000, 2100]])).labels.max(), 1)
+        halves = (mesh.vertices[:, 2] > 0).astype(int)
+        kept = mesh.voronoi(mesh.farthest(6), within=halves)
+        self.assertEqual((kept.check(), kept.figures["within"]["regions"]), ([], 2))
         relaxed = mesh.lloyd(12, balance="area")
         numpy.testing.assert_allclose(relaxed.areas, mesh.area / 12, rtol=1e-6)
 
