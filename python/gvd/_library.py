@@ -6,6 +6,7 @@ times a second to call back: then a user's function hears of the progress, and C
 """
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import json
 import os
@@ -206,8 +207,9 @@ class _Signals:
         if threading.get_ident() == threading.main_thread().ident:
             before = getsignal(SIGINT)
             if callable(before):
-                self.before = before
-                signal(SIGINT, self.catch)
+                with contextlib.suppress(ValueError):  # an interpreter beside the main one takes no signals
+                    signal(SIGINT, self.catch)
+                    self.before = before
 
     def catch(self, number: int, frame: Any) -> None:
         self.caught = (number, frame)
