@@ -267,9 +267,12 @@ def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[
     made = ctypes.c_void_p()
     name, text = operation.encode(), json.dumps(options).encode() if options else None
     address = None if on is None else on.address
-    _run(lambda run: int(_library.gvd_call(_ABI, name, address, text, given, len(views), run, ctypes.byref(made))), threads, progress,
-         time_limit)
-    return Handle(made.value)
+    try:
+        _run(lambda run: int(_library.gvd_call(_ABI, name, address, text, given, len(views), run, ctypes.byref(made))), threads,
+             progress, time_limit)
+    finally:  # Ctrl-C may come behind a result
+        handle = Handle(made.value)
+    return handle
 
 
 def write(handle: Handle, path: Any, options: Mapping[str, Any], threads: int = 0) -> None:
