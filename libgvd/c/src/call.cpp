@@ -56,6 +56,29 @@ template <class Map>
 
 }  // namespace
 
+std::unique_ptr<gvd_object> gvd::c::call(const char* name, const gvd_object* on, const std::string& options,
+                                         std::span<const ArrayView> arrays, const gvd_run* run) {
+  const Operation& operation = find(name);
+  const auto& object = given(on, "the object").object;
+  CallObserver observer(run);
+  const auto call = operation.call();
+  OptionList list;
+  call->describe(list);
+  const Given names = read_json_options(list, *mesh_of(*object), options, arrays);
+  auto made = [&] {
+    try {
+      return std::make_unique<gvd_object>(call->run(object, observer));
+    } catch (const Error& error) {
+      throw Error(error.code(), spell_for_json(error.text(), &names), error.element());
+    }
+  }();
+  Json figures = Json::parse(made->figures);
+  figures["options"] = Json::parse(options_json(list, names));
+  figures["notes"] = observer.notes();
+  made->figures = figures.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return made;
+}
+
 gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const char* options, const gvd_array* arrays,
                     int32_t count, const gvd_run* run, gvd_object** result) {
   return guarded([&] {
@@ -65,28 +88,10 @@ gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const c
                       "library's gvd.h",
                       abi, GVD_ABI));
     }
-    const Operation& operation = find(name);
-    const auto& object = given(on, "the object").object;
-    const MeshPtr& mesh = mesh_of(*object);
+    find(name);
+    given(on, "the object");
     given(result, "result");
-    const std::vector<ArrayView> views = to_views(arrays, count);
-    CallObserver observer(run);
-    const auto call = operation.call();
-    OptionList list;
-    call->describe(list);
-    const Given names = read_json_options(list, *mesh, options == nullptr ? "{}" : options, views);
-    auto made = [&] {
-      try {
-        return std::make_unique<gvd_object>(call->run(object, observer));
-      } catch (const Error& error) {
-        throw Error(error.code(), spell_for_json(error.text(), &names), error.element());
-      }
-    }();
-    Json figures = Json::parse(made->figures);
-    figures["options"] = Json::parse(options_json(list, names));
-    figures["notes"] = observer.notes();
-    made->figures = figures.dump(-1, ' ', false, Json::error_handler_t::replace);
-    *result = made.release();
+    *result = call(name, on, options == nullptr ? "{}" : options, to_views(arrays, count), run).release();
   });
 }
 

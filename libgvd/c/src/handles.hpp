@@ -10,6 +10,7 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,7 +61,7 @@ struct gvd_object {
   std::string repairs;  ///< of a mesh, one line each
   std::map<std::string, std::function<gvd::ArrayView()>, std::less<>> arrays;
   std::map<std::string, std::shared_ptr<const gvd::Object>, std::less<>> parts;
-  std::optional<std::vector<gvd::SurfacePoint>> generators;  ///< of the vertices of a remesh
+  std::optional<std::vector<gvd_point>> generators;  ///< of the vertices of a remesh
 
   // What no object owns in one piece.
   std::deque<std::vector<double>> numbers;
@@ -110,6 +111,10 @@ T& given(T* argument, const char* name) {
   if (argument == nullptr) refuse(std::string(name) + " is NULL");
   return *argument;
 }
+
+/// The result of an operation, with options as JSON. Throws what the operation throws.
+std::unique_ptr<gvd_object> call(const char* operation, const gvd_object* on, const std::string& options,
+                                 std::span<const ArrayView> arrays, const gvd_run* run);
 
 /// What an operation tells, for the functions and the flag of a run.
 class CallObserver : public Observer {
