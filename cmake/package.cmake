@@ -109,12 +109,14 @@ if(TARGET gvd_verify)
 The part of libgvd that measures diagrams against the exact shortest paths of
 CGAL, which are under the GPL. It is separate so that libgvd-dev is not.")
 endif()
-if(TARGET gvd_python AND GVD_PYTHON STREQUAL /usr/bin/python3)  # another interpreter looks elsewhere
-  gvd_add_package(python python3-gvd python "${GVD_PYTHON_DEPENDS}" "${GVD_FREE_OF_GPL}"
+if(TARGET gvd_python)
+  gvd_add_package(python python3-gvd python
+"python3 (>= 3.9), python3-numpy, libgvd-c${soname} (= ${GVD_DEBIAN_VERSION})" "${GVD_FREE_OF_GPL}"
 "geodesic Voronoi diagrams on triangle meshes (Python package)
 NumPy arrays in, NumPy arrays out: exact distances and shortest paths on
 triangle meshes, Voronoi diagrams with their bisectors and branch points,
 segmentation, relaxation and remeshing.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/debian/python/postinst
       ${PROJECT_SOURCE_DIR}/packaging/debian/python/prerm)
 endif()

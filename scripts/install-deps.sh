@@ -17,7 +17,7 @@ packages_of() {
                 libfmt-dev libcli11-dev libtomlplusplus-dev libpugixml-dev zlib1g-dev \
                 $(unless_found node nodejs) $(unless_found npm npm) ;;
     test)  echo catch2 python3-jsonschema python3-numpy ;;
-    python) echo python3 python3-dev python3-numpy pybind11-dev python3-setuptools python3-wheel python3-pip python3-venv \
+    python) echo python3 python3-numpy python3-setuptools python3-wheel python3-pip python3-venv \
                  mypy python3-mypy ;;
     scripts) echo $(unless_found python3 python3) ;;
     site)  echo mkdocs mkdocs-material doxygen ;;

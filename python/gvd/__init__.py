@@ -12,15 +12,14 @@ from ._interpreter import check_interpreter
 
 check_interpreter()
 
-from ._diagram import Balanced, Bisector, BranchPoints, Cell, Chart, Cut, Diagram, Segmentation  # noqa: E402
+from ._described import VERSION as __version__  # noqa: E402
 from ._editor import DiagramEditor  # noqa: E402
 from ._error import Error  # noqa: E402
-from ._gvd import version as __version__  # noqa: E402
 from ._mesh import Mesh, read, read_properties, read_values  # noqa: E402
-from ._path import Path  # noqa: E402
-from ._points import Curves, Points  # noqa: E402
-from ._remesh import Relaxation, Remesh, RemeshMap  # noqa: E402
+from ._points import Curves, Point, Points  # noqa: E402
+from ._results import (Balanced, Bisector, BranchPoints, Cell, Cells, Chart, Cut, Diagram, Isoline, Path, Relaxation,  # noqa: E402
+                       Remesh, RemeshMap, Segmentation)
 
-__all__ = ["Balanced", "Bisector", "BranchPoints", "Cell", "Chart", "Curves", "Cut", "Diagram", "DiagramEditor", "Error", "Mesh",
-           "Path", "Points", "Relaxation", "Remesh", "RemeshMap", "Segmentation", "__version__", "read",
+__all__ = ["Balanced", "Bisector", "BranchPoints", "Cell", "Cells", "Chart", "Curves", "Cut", "Diagram", "DiagramEditor", "Error", "Isoline",
+           "Mesh", "Path", "Point", "Points", "Relaxation", "Remesh", "RemeshMap", "Segmentation", "__version__", "read",
            "read_properties", "read_values"]

@@ -1,30 +1,31 @@
 """Diagrams whose generators change one at a time."""
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, Optional
+import threading
+from typing import Any
 
-from . import _gvd
-from ._diagram import Diagram
+import numpy
+
+from ._error import Error, refuse
 from ._mesh import Mesh
-from ._options import checked
-from ._points import Points
-from ._progress import Callback, Progress, reporting
+from ._object import run
+from ._options import described, whole
+from ._points import Points, make_entries
+from ._results import Diagram
 
 
 class DiagramEditor:
     """An exact diagram whose generators can be moved, added and removed: each change computes what it has an effect on.
 
-    `points`: the generators, as `Mesh.voronoi` takes them, no curves. `chord_tolerance`, `max_snap`, `merge_coincident`
-    and `threads` are those of `Mesh.voronoi`, too. Each change returns the new diagram, with the bytes that
-    `Mesh.voronoi` gives for `generators` unless shortest paths tie. Earlier diagrams stay as they are.
+    `points`: the generators, as `Mesh.voronoi` takes them, no curves. Each change returns the new diagram, with the bytes
+    that `Mesh.voronoi` gives for `generators` unless shortest paths tie. Earlier diagrams stay as they are.
 
     Errors: `invalid_option` for what is no point; `precondition` for a generator that does not exist, a point that
     coincides with another generator, the last generator's removal, and a change during another one. A change that
     raises leaves generators and diagram as they were.
     Cost: the work of `Mesh.voronoi` in the cells of the generator and of its neighbours, and O(n) with small constants
-    for n faces: a quarter of a new diagram for one of 100 generators, as much as that for one of ten. 4 % of it copies the
-    diagram, so that earlier ones stay. Memory: about 450 bytes a face, twice that during a change, and each diagram kept.
+    for n faces: a quarter of a new diagram for one of 100 generators, as much as that for one of ten. Memory: about 450
+    bytes a face, twice that during a change, and each diagram kept.
 
     >>> import gvd
     >>> mesh = gvd.read("data/figure.obj")
@@ -34,19 +35,17 @@ class DiagramEditor:
     True
     """
 
-    @checked
-    def __init__(self, mesh: Mesh, points: Any, *, chord_tolerance: Optional[float] = None,
-                 max_snap: Optional[float] = None, merge_coincident: bool = False, threads: int = 0,
-                 progress: Progress = None) -> None:
-        self.mesh = mesh
-        generators = mesh._resolve("points", points, max_snap=max_snap, coincident="merge" if merge_coincident else "refuse")
-        with reporting(progress) as callback:
-            self._native = _gvd.DiagramEditor(mesh._native, generators,
-                                              _gvd.ComputeOptions("exact", None, chord_tolerance, threads), callback)
-        self._diagram = Diagram(mesh, self._native.diagram())
+    @described("diagram", without="count sampling seed radius generators vertices curves method front balance shares weights within mask editable")
+    def __init__(self, mesh: Mesh, points: Any, **options: Any) -> None:
+        """The diagram of the first generators."""
+        self.mesh: Mesh = mesh
+        self._options: dict[str, Any] = {name: options[name] for name in ("chord_tolerance",) if options.get(name) is not None}
+        self._run: dict[str, Any] = {"threads": options.get("threads")}
+        self._change_lock: Any = threading.Lock()
+        self._diagram: Diagram = Diagram(mesh, *run("diagram", mesh, mesh, {**options, "generators": points, "editable": True}))
 
     def __repr__(self) -> str:
-        return f"gvd.DiagramEditor({len(self.generators.face)} generators)"
+        return f"gvd.DiagramEditor({len(self.generators)} generators)"
 
     @property
     def diagram(self) -> Diagram:
@@ -58,24 +57,44 @@ class DiagramEditor:
         """The present generators, by their numbers; views."""
         return self._diagram.generators
 
-    @checked
-    def move(self, generator: int, point: Any, *, progress: Progress = None) -> Diagram:
+    @described("edit", without="move to add remove max_snap")
+    def move(self, generator: int, point: Any, **options: Any) -> Diagram:
         """Moves a generator to another point, near or far."""
-        to = self.mesh._resolve_one("point", point)
-        return self._change(progress, lambda callback: self._native.move(generator, to, callback))
+        return self._change({"move": self._find(generator), "to": _one("point", point)}, options)
 
-    @checked
-    def add(self, point: Any, *, progress: Progress = None) -> Diagram:
+    @described("edit", without="move to add remove max_snap")
+    def add(self, point: Any, **options: Any) -> Diagram:
         """Adds a generator, which gets the next number."""
-        at = self.mesh._resolve_one("point", point)
-        return self._change(progress, lambda callback: self._native.add(at, callback))
+        return self._change({"add": _one("point", point)}, options)
 
-    @checked
-    def remove(self, generator: int, *, progress: Progress = None) -> Diagram:
+    @described("edit", without="move to add remove max_snap")
+    def remove(self, generator: int, **options: Any) -> Diagram:
         """Removes a generator; the last one gets its number, and all others keep theirs."""
-        return self._change(progress, lambda callback: self._native.remove(generator, callback))
+        return self._change({"remove": self._find(generator)}, options)
 
-    def _change(self, progress: Progress, change: Callable[[Optional[Callback]], _gvd.Diagram]) -> Diagram:
-        with reporting(progress) as callback:
-            self._diagram = Diagram(self.mesh, change(callback))
+    def _find(self, generator: int) -> int:
+        number = whole("generator", generator)
+        if abs(number) >= 1 << 63:
+            refuse(f"generator: {number} is too large")
+        if not 0 <= number < len(self.generators):
+            raise Error(f"generator: there is no generator {number}", "precondition", number)
+        return number
+
+    def _change(self, change: dict[str, Any], options: dict[str, Any]) -> Diagram:
+        if not self._change_lock.acquire(blocking=False):
+            raise Error("the editor is in the middle of a change", "precondition")
+        try:
+            made, _ = run("edit", self._diagram, self.mesh, {**self._run, **options, **change})
+            points = numpy.column_stack([made.array("generators_faces"), made.array("generators_bary")])
+            recipe = ("diagram", self.mesh, {"generators": {"array": 0}, **self._options}, [points])  # the edits before are not kept
+            self._diagram = Diagram(self.mesh, made, recipe)
+        finally:
+            self._change_lock.release()
         return self._diagram
+
+
+def _one(name: str, point: Any) -> Any:
+    count = len(make_entries(name, point).kinds)
+    if count != 1:
+        refuse(f"{name}: one point is needed, not {count}")
+    return point

@@ -2,33 +2,38 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Iterator, Sequence
 from typing import Any, Literal, Optional, Union, overload
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
-from . import _gvd, _vtk
-from ._diagram import Balanced, Diagram, Segmentation
-from ._error import refuse
-from ._files import PathLike, Writable, forward
-from ._options import checked
-from ._path import Path
-from ._points import Curves, Points, as_array, make_entries, one_of
-from ._progress import Callback, Progress, part_of, reporting
-from ._remesh import Relaxation, Remesh
-
-Floats = NDArray[numpy.float64]
+from . import _vtk
+from ._error import Error, refuse
+from ._library import Handle
+from ._object import Floats, Ids, Object, PathLike, Writable, figure, run, run_json, view, warn
+from ._options import described, file_name, plain, real, text, to_json
+from ._points import Curves, Entries, Points, as_array, make_entries
+from ._progress import Callback, part_of, reporting
+from ._results import Balanced, Diagram, Distances, Isoline, Path, Relaxation, Remesh, Segmentation
 
 _ROW_BYTES = 1 << 26
 """Rows of distances are computed in batches of about so many bytes."""
+
+_SAVED = ("vertex_positions", "face_vertices", "vertex_of_input", "input_vertex", "input_polygon", "texture", "face_materials")
+_SAVED_TEXTS = ("repairs", "materials", "material_files")
+"""Of a mesh that is pickled, as the operation `saved_mesh` takes them."""
+
+
+_SUMMARY = ("vertices", "edges", "faces", "components", "boundary_loops", "euler_characteristic", "area", "bbox_diagonal")
 
 
 class Mesh(Writable):
     """A triangle mesh: `vertices` (n, 3), float64, in mesh units, and `faces` (m, 3), int32.
 
-    Mesh(V, F) takes arrays or lists: V (n, 3) numbers, F (m, k) integers, k >= 3; polygons are cut into triangles.
+    Mesh(V, F) takes arrays or lists: V (n, 3) numbers, F (m, k) integers, k >= 3; polygons are cut into triangles. Mesh(thing)
+    takes what has `vertices` and `faces`, as trimesh has them, or `points` with `faces` or `cells`, as PyVista and meshio
+    have them.
     `on_defect`: "error" refuses non-manifold edges, inconsistent orientation, unused vertices and the like; "repair"
     repairs what loses nothing and says so in a warning; "largest" also keeps the largest component only.
     `input_vertex` and `input_face` then say which rows of V and F the mesh's elements come from. The mesh of a result
@@ -50,75 +55,104 @@ class Mesh(Writable):
     array([0.   , 1.   , 1.414, 1.   ])
     """
 
-    _native: _gvd.Mesh
+    _kind = "mesh"
 
-    @checked
-    def __init__(self, vertices: ArrayLike, faces: ArrayLike, *,
+    def __init__(self, vertices: Any, faces: Optional[ArrayLike] = None, *,
                  on_defect: Literal["error", "repair", "largest"] = "error") -> None:
+        if faces is None:
+            vertices, faces = _arrays_of(vertices)
         at, corners = as_array("vertices", vertices), as_array("faces", faces)
         if at.ndim != 2 or at.shape[1] != 3:
             refuse(f"vertices: an array (n, 3) is needed, not {at.shape}")
         if corners.dtype.kind == "f" or corners.ndim != 2 or corners.shape[1] < 3:
             refuse(f"faces: an array (m, 3) of integers is needed, not {corners.dtype} {corners.shape}")
-        self._native = _gvd.Mesh.from_arrays(at, corners, on_defect)
+        options, arrays = to_json(None, "mesh", {"on_defect": on_defect}, []), [plain(at), plain(corners)]
+        super().__init__(run_json("mesh", None, options, [array for array in arrays], {}), ())
         self._warn()
 
     def _warn(self) -> None:
-        """Tells what was repaired, as of the line that called Mesh or read."""
-        for note in self._native.notes():
-            warnings.warn(note, stacklevel=4)
+        """Tells what was repaired."""
+        for note in self.figures["repairs"]:
+            warn(note)
 
     @classmethod
-    def _wrap(cls, native: _gvd.Mesh) -> Mesh:
+    def _wrap(cls, handle: Handle) -> Mesh:
         mesh = cls.__new__(cls)
-        mesh._native = native
+        Object.__init__(mesh, handle, ())
         return mesh
+
+    def __reduce__(self) -> Any:
+        texts = {name: self.figures[name] for name in _SAVED_TEXTS if self.figures[name]}
+        return _unpickle_mesh, (texts, [numpy.array(self._array(name)) for name in _SAVED])
 
     def __repr__(self) -> str:
         return f"gvd.Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
 
-    vertices = forward(_gvd.Mesh.vertices, "Positions (n, 3), a view.")
-    faces = forward(_gvd.Mesh.faces, "Vertices of the faces (m, 3), a view.")
-    input_vertex = forward(_gvd.Mesh.input_vertex,
-                           "The input's vertex for each vertex, -1 for the midpoint of a split edge; a view.")
-    input_face = forward(_gvd.Mesh.input_face, "The input's polygon for each face; a view.")
+    vertices: Floats = view("vertex_positions", "Positions (n, 3), a view.")
+    faces: Ids = view("face_vertices", "Vertices of the faces (m, 3), a view.")
+    input_vertex: Ids = view("input_vertex", "The input's vertex for each vertex, -1 for the midpoint of a split edge; a view.")
+    input_face: Ids = view("input_polygon", "The input's polygon for each face; a view.")
+    vertex_of_input: Ids = view("vertex_of_input", "The vertex that each vertex of the input became, -1 for none; a view.")
+
     @property
     def texture_coordinates(self) -> Optional[Floats]:
         """u and v of the faces' corners (m, 3, 2), v upwards, NaN where there are none; a view. None without a texture."""
-        corners = self._native.texture_coordinates()
+        corners = self._array("texture")
         return corners.reshape(-1, 3, 2) if len(corners) else None
 
-    summary = forward(_gvd.Mesh.summary, "Numbers of vertices, edges, faces, components and boundary loops, "
-                                         "Euler characteristic, area and diagonal, by their names.")
+    area: float = figure("area", "Of all faces, square mesh units.")
+
+    @property
+    def bounds(self) -> Floats:
+        """The least and the largest coordinates (2, 3), mesh units."""
+        return numpy.stack([self.vertices.min(axis=0), self.vertices.max(axis=0)])
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """Numbers of vertices, edges, faces, components and boundary loops, Euler characteristic, area and diagonal, by
+        their names."""
+        return {name: self.figures[name] for name in _SUMMARY}
 
     def to_vtk(self) -> Any:
         """The mesh as vtkPolyData."""
         return _vtk.surface(self.vertices, self.faces)
 
-    def _resolve(self, name: str, points: Any, *, coincident: str = "keep",
-                 max_snap: Optional[float] = None) -> _gvd.PointList:
-        entries = make_entries(name, points)
-        return self._native.resolve(name, entries[:3], max_snap, coincident)
+    # ---- points and curves
 
-    def _resolve_one(self, name: str, point: Any) -> _gvd.PointList:
-        at = self._resolve(name, point)
-        if len(at) != 1:
-            refuse(f"{name}: one point is needed, not {len(at)}")
-        return at
+    def _to_input(self, vertices: NDArray[numpy.int64]) -> NDArray[numpy.int64]:
+        """The input's numbers of vertices, as the library counts them; -1 for copies that repairs have made."""
+        known, count = self.vertex_of_input, len(self.vertices)
+        if len(known) == count and (self.input_vertex == known).all() and (known == numpy.arange(count)).all():
+            return vertices
+        if (vertices >= count).any():
+            raise Error(f"points: there is no vertex {vertices.max()}; the last one is {count - 1}", "precondition")
+        numbers = self.input_vertex[vertices].astype(numpy.int64)
+        return numpy.where((numbers >= 0) & (known[numbers] == vertices), numbers, -1)
 
-    @checked
+    def _corner(self, vertex: int) -> tuple[int, NDArray[numpy.float64]]:
+        """A vertex as a face and barycentric coordinates."""
+        face, corner = numpy.argwhere(self.faces == vertex)[0]
+        return int(face), numpy.eye(3)[corner]
+
     def points(self, points: Any, *, max_snap: Optional[float] = None) -> Points:
         """Points as faces and barycentric coordinates. `max_snap`: the farthest that a position may be, mesh units."""
-        return Points(*self._resolve("points", points, max_snap=max_snap).arrays())
+        return self._resolve(points, max_snap)
+
+    def _resolve(self, points: Any, max_snap: Optional[float] = None, name: str = "points") -> Points:
+        entries = make_entries(name, points)
+        arrays: list[NDArray[Any]] = []
+        options = {"points": entries.option(self, arrays)}
+        if max_snap is not None:
+            options["max_snap"] = real("max_snap", max_snap)
+        return _points_of(self, run_json("sample", self, options, arrays, {}))
 
     def positions(self, points: Any) -> Floats:
         """Positions (n, 3) of points."""
-        return self._native.positions(self._resolve("points", points))
+        return self._resolve(points).position
 
-    @checked
     def curves(self, curves: Union[PathLike, Sequence[Any]], *, closed: bool = False, angle: Optional[float] = None,
                max_snap: Optional[float] = None) -> Curves:
-        """Curves as generators, which `voronoi`, `distances` and `nearest` take in place of points.
+        """Curves as generators, which `voronoi`, `distances`, `nearest`, `path`, `isolines` and `segment` take.
 
         "boundary" or "creases", whose faces differ by more than `angle` degrees (default 40); the path of a file, as
         --curves reads it; or a list of polylines, each of points in their order. Shortest paths join those that have no
@@ -130,50 +164,39 @@ class Mesh(Writable):
         >>> len(rim), float(mesh.distances(rim).max().round(2))
         (1, 1.57)
         """
-        if isinstance(curves, (str, os.PathLike)):
-            if closed:
-                refuse("closed: it is for polylines")
-            if angle is not None and curves != "creases":
-                refuse('angle: it is for "creases"')
-            if isinstance(curves, str) and curves in ("boundary", "creases"):
-                return Curves(self._native, _gvd.CurveSet.find(self._native, curves, angle))
-            return Curves(self._native, _gvd.CurveSet.read(self._native, os.fspath(curves), max_snap))
-        polylines: list[Any] = [make_entries(f"curves[{i}]", line)[:3] for i, line in enumerate(curves)]
-        if not polylines:
-            refuse("curves: empty")
-        return Curves(self._native, _gvd.CurveSet.join(self._native, polylines, closed, max_snap))
+        option, arrays = _curve_option(self, curves, closed, angle)
+        limit = {} if max_snap is None else {"max_snap": real("max_snap", max_snap)}
+        made = run_json("curves", self, {"curves": option, **limit}, arrays, {})
+        offsets, at = made.array("offsets").tolist(), made.array("positions")
+        found: list[list[Floats]] = [[] for _ in range(made.figures()["count"])]
+        for curve, begin, end in zip(made.array("curve").tolist(), offsets, offsets[1:]):
+            found[curve].append(at[begin:end])
+        return Curves(option, arrays, found)
 
-    def _sources(self, points: Any, **options: Any) -> Union[_gvd.PointList, _gvd.CurveSet]:
-        return points._native if isinstance(points, Curves) else self._resolve("points", points, **options)
+    @described("sample", without="points generators vertices max_snap merge_coincident")
+    def sample(self, count: Optional[int] = None, **options: Any) -> Points:
+        """Points that are spread over the surface: `count` of them, or as many as leave no point farther than `radius`."""
+        return _points_of(self, run("sample", self, self, {"count": count, **options})[0])
 
-    @checked
-    def sample(self, n: Optional[int] = None, *, sampling: str = "farthest", seed: int = 0,
-               radius: Optional[float] = None, progress: Progress = None) -> Points:
-        """Points that are spread over the surface: `n` of them, or as many as leave no point farther than `radius`.
-
-        `sampling`: "farthest", "random" (by area), "vertices" or "poisson" (evenly spaced).
-        """
-        one_of("sample", n, None, radius)
-        return Points(*self._sample(_sampler(n, sampling, seed, radius), progress).arrays())
-
-    @checked
-    def farthest(self, n: int, *, seed: int = 0, progress: Progress = None) -> Points:
-        """`n` points, each as far as possible from all before it.
+    def farthest(self, count: int, *, seed: int = 0) -> Points:
+        """`count` points, each as far as possible from all before it.
 
         >>> import gvd
         >>> gvd.read("data/figure.obj").farthest(3).face
         array([ 541, 3833, 3438], dtype=int32)
         """
-        return self.sample(n, seed=seed, progress=progress)
+        return self.sample(count, seed=seed)
 
-    def _sample(self, sampler: _gvd.Sampler, progress: Progress) -> _gvd.PointList:
-        with reporting(progress) as callback:
-            return self._native.sample(sampler, callback)
+    # ---- distances
 
-    @checked
-    def distances(self, points: Any, *, each: bool = False, at: Any = None, out: Any = None, threads: int = 0,
-                  progress: Progress = None) -> Floats:
-        """Exact distances of all vertices (or of the points `at`) to the nearest of `points` or curves: an array (n).
+    def _measure(self, points: Any, options: dict[str, Any]) -> tuple[Handle, tuple[Any, ...]]:
+        """The operation `distances` from points or curves."""
+        source: dict[str, Any] = {"curves": points} if isinstance(points, Curves) else {"from": points, "keep_coincident": True}
+        return run("distances", self, self, {**source, **options})
+
+    @described("distances", without="from curves merge_coincident keep_coincident mesh_vertices paths isolines logarithm")
+    def distances(self, points: Any, *, each: bool = False, out: Any = None, **options: Any) -> Floats:
+        """Exact distances of all vertices (or of the points `to`) to the nearest of `points` or curves: an array (n).
 
         With `each`, one row for each point: an array (points, n). `out`: an array or numpy.memmap of this shape that
         gets the rows, so that memory holds a few of them only. What no point reaches is infinitely far.
@@ -181,22 +204,26 @@ class Mesh(Writable):
         if not each:
             if out is not None:
                 refuse("out: only rows are written to it; add each=True")
-            return self.nearest(points, at=at, threads=threads, progress=progress)[0]
-        source, targets = self._resolve("points", points), None if at is None else self._resolve("at", at)
-        shape = (len(source), len(self.vertices) if targets is None else len(targets))
+            return self.nearest(points, **options)[0]
+        source = self._resolve(points)
+        shape = (len(source), len(self.vertices) if options.get("to") is None else len(self._targets(options)["to"]))
         if out is not None and getattr(out, "shape", None) != shape:
             refuse(f"out: an array {shape} is needed, not {getattr(out, 'shape', type(out).__name__)}")
         if out is not None and numpy.dtype(getattr(out, "dtype", object)).kind != "f":
             refuse(f"out: an array of floats is needed, not of {getattr(out, 'dtype', 'objects')}")
         matrix: Floats = numpy.empty(shape) if out is None else out
-        with reporting(progress) as callback:
-            for begin, rows in self._batches(source, targets, threads, callback):
-                matrix[begin : begin + len(rows)] = rows
+        for begin, rows in self._batches(source, options):
+            matrix[begin : begin + len(rows)] = rows
         return matrix
 
-    @checked
-    def distance_rows(self, points: Any, *, at: Any = None, threads: int = 0,
-                      progress: Progress = None) -> Iterator[Floats]:
+    def _targets(self, options: dict[str, Any]) -> dict[str, Any]:
+        """Moves the targets to the surface once."""
+        if options.get("to") is not None and not isinstance(options["to"], Points):
+            options["to"] = self._resolve(options["to"], options.get("max_snap"), "to")
+        return options
+
+    @described("distances", without="from curves each merge_coincident keep_coincident mesh_vertices paths isolines logarithm")
+    def distance_rows(self, points: Any, **options: Any) -> Iterator[Floats]:
         """The rows of `distances(points, each=True)`, one after the other, in bounded memory and with all cores.
 
         >>> import gvd
@@ -204,46 +231,41 @@ class Mesh(Writable):
         >>> [float(row.max().round(3)) for row in square.distance_rows([0, (1, (0.5, 0.5, 0.0))])]
         [1.414, 0.707]
         """
-        source, targets = self._resolve("points", points), None if at is None else self._resolve("at", at)
+        source = self._resolve(points)
+        self._targets(options)
+        return (row for _, rows in self._batches(source, options) for row in rows)
 
-        def rows() -> Iterator[Floats]:
-            with reporting(progress) as callback:
-                for _, batch in self._batches(source, targets, threads, callback):
-                    yield from batch
-
-        return rows()
-
-    def _batches(self, source: _gvd.PointList, targets: Optional[_gvd.PointList], threads: int,
-                 callback: Optional[Callback]) -> Iterator[tuple[int, Floats]]:
+    def _batches(self, source: Points, options: dict[str, Any]) -> Iterator[tuple[int, Floats]]:
         """Rows of distances, a batch at a time: eight for each core where these take little memory."""
-        if threads < 0:
-            refuse(f"threads: {threads} is negative; 0 takes all cores")
-        columns = len(self.vertices) if targets is None else len(targets)
-        cores = threads or os.cpu_count() or 1
+        threads, options = options.get("threads") or 0, self._targets(options)
+        columns = len(self.vertices) if options.get("to") is None else len(options["to"])
+        cores = max(threads, 0) or os.cpu_count() or 1
         size = max(cores, min(8 * cores, _ROW_BYTES // (8 * columns)))
-        for begin in range(0, len(source), size):
-            end = min(begin + size, len(source))
-            part = part_of(callback, begin / len(source), end / len(source))
-            yield begin, _gvd.rows(self._native, source.part(begin, end), targets, threads, part)
+        kind: dict[str, Any] = {"each": True, "mesh_vertices": options.get("to") is None}
+        with reporting(options.pop("progress", None)) as callback:
+            for begin in range(0, len(source), size):
+                end = min(begin + size, len(source))
+                part: Optional[Callback] = part_of(callback, begin / len(source), end / len(source))
+                made, _ = self._measure(source[begin:end], {**options, **kind, "progress": part})
+                yield begin, made.array("rows")
 
-    @checked
-    def nearest(self, points: Any, *, at: Any = None, threads: int = 0,
-                progress: Progress = None) -> tuple[Floats, NDArray[numpy.int32]]:
+    @described("distances", without="from curves each merge_coincident keep_coincident mesh_vertices paths isolines logarithm")
+    def nearest(self, points: Any, **options: Any) -> tuple[Floats, Ids]:
         """Distances to the nearest of `points` or curves, and which one it is (-1: none reaches), both (n)."""
-        source, targets = self._sources(points), None if at is None else self._resolve("at", at)
-        with reporting(progress) as callback:
-            return _gvd.nearest(self._native, source, targets, threads, callback)
+        made, _ = self._measure(points, options)
+        if options.get("to") is None:
+            return made.array("vertex_distances"), made.array("vertex_labels")
+        return made.array("rows")[0], made.array("nearest")
 
     @overload
-    def path(self, start: Union[int, tuple[int, Any], tuple[float, float, float]], end: Any, *, threads: int = ...,
-             progress: Progress = ...) -> Path: ...
+    def path(self, start: Union[int, tuple[int, Any], tuple[float, float, float]], end: Any, **options: Any) -> Path: ...
 
     @overload
-    def path(self, start: Any, end: Any, *, threads: int = ..., progress: Progress = ...) -> Union[Path, list[Path]]: ...
+    def path(self, start: Any, end: Any, **options: Any) -> Union[Path, list[Path]]: ...
 
-    @checked
-    def path(self, start: Any, end: Any, *, threads: int = 0, progress: Progress = None) -> Union[Path, list[Path]]:
-        """A shortest path from `start` to `end`, or to the nearest of several ends. Several starts: a list of paths.
+    @described("distances", without="from to curves each paths isolines logarithm merge_coincident keep_coincident mesh_vertices")
+    def path(self, start: Any, end: Any, **options: Any) -> Union[Path, list[Path]]:
+        """A shortest path from `start` to `end`, or to the nearest of several ends or of curves. Several starts: a list.
 
         >>> import gvd
         >>> square = gvd.Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
@@ -252,55 +274,63 @@ class Mesh(Writable):
                [0.5, 0.5, 0. ],
                [0. , 1. , 0. ]])
         """
-        starts, ends = make_entries("start", start), self._resolve("end", end)
-        from_vertex, to_vertex = starts.vertices(), make_entries("end", end).vertices()
-        source = self._native.resolve("start", starts[:3], None, "keep")
-        with reporting(progress) as callback:
-            traced = _gvd.paths(self._native, source, ends, threads, callback)
-        paths = [Path(Points(*points.arrays()), self._native.positions(points), length, complete, end,
-                      from_vertex[i], to_vertex[end] if end >= 0 else -1)
-                 for i, (points, end, length, complete) in enumerate(traced)]
+        starts = make_entries("start", start)
+        if not isinstance(end, Curves):
+            make_entries("end", end)
+        of = Distances(*self._measure(end, {**options, "to": start, "paths": True}))
+        points, offsets = of._points("path", self), of._array("path_offsets").tolist()
+        rows = of.figures["paths"]
+        paths = [Path(of, i, points[offsets[i]:offsets[i + 1]], numpy.inf if row["length"] is None else row["length"], row["complete"],
+                      row["source"]) for i, row in enumerate(rows)]
         return paths[0] if starts.single else paths
 
-    @checked
-    def log_map(self, point: Any, *, threads: int = 0, progress: Progress = None) -> Floats:
+    @described("distances", without="from to curves each paths logarithm merge_coincident keep_coincident mesh_vertices")
+    def isolines(self, points: Any, isolines: float, **options: Any) -> list[Isoline]:
+        """The curves of equal distance from the nearest of `points` or curves, at each multiple of `isolines`, mesh units.
+
+        >>> import gvd
+        >>> rings = gvd.read("data/half_sphere.off").isolines(0, 0.5)
+        >>> sorted({ring.level for ring in rings})[:2]
+        [0.5, 1.0]
+        """
+        of = Distances(*self._measure(points, {**options, "isolines": isolines}))
+        at, offsets = of._points("isoline", self), of._array("isoline_offsets").tolist()
+        return [Isoline(level, bool(closed), at[begin:end]) for level, closed, begin, end in
+                zip(of._array("isoline_levels").tolist(), of._array("isoline_closed").tolist(), offsets, offsets[1:])]
+
+    @described("distances", without="from to curves each paths isolines logarithm merge_coincident keep_coincident mesh_vertices")
+    def log_map(self, point: Any, **options: Any) -> Floats:
         """The logarithm of every vertex at a point, (n, 2): the vector in whose direction the shortest path departs.
 
         Its length is the distance, in mesh units. The x axis is the direction of the first edge at the point: see
         gvd/geodesic_tracing.hpp. NaN where no path leads.
         """
-        at = self._resolve_one("point", point)
-        with reporting(progress) as callback:
-            return _gvd.logs(self._native, at, threads, callback)
+        entries = make_entries("point", point)
+        if len(entries.kinds) != 1:
+            refuse(f"point: one point is needed, not {len(entries.kinds)}")
+        return self._measure(point, {**options, "logarithm": True})[0].array("logarithms")
 
-    @checked
-    def voronoi(self, points: Any, *, method: Literal["exact", "gbgvd", "paper"] = "exact",
-                front: Optional[Literal["planar", "circle"]] = None, chord_tolerance: Optional[float] = None,
-                max_snap: Optional[float] = None, merge_coincident: bool = False, weights: Optional[ArrayLike] = None,
-                threads: int = 0, progress: Progress = None) -> Diagram:
-        """The geodesic Voronoi diagram of points or curves. `weights` (m): distances count as longer by them, mesh units.
+    # ---- diagrams and what is made of them
+
+    def _generators(self, points: Any, options: dict[str, Any]) -> dict[str, Any]:
+        return {**options, "curves" if isinstance(points, Curves) else "generators": points}
+
+    @described("diagram", without="count sampling seed radius generators vertices curves balance shares editable")
+    def voronoi(self, points: Any, **options: Any) -> Diagram:
+        """The geodesic Voronoi diagram of points or curves.
 
         >>> import gvd
         >>> diagram = gvd.read("data/figure.obj").voronoi([0, 1000, 2000])
         >>> len(diagram.cells), diagram.check()
         (3, [])
         """
-        generators = self._sources(points, max_snap=max_snap, coincident="merge" if merge_coincident else "refuse")
-        compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
-        return self._diagram(generators, compute, progress, weights)
+        return Diagram(self, *run("diagram", self, self, self._generators(points, options)))
 
-    def _diagram(self, generators: Union[_gvd.PointList, _gvd.CurveSet], compute: _gvd.ComputeOptions, progress: Progress,
-                 weights: Optional[ArrayLike] = None) -> Diagram:
-        with reporting(progress) as callback:
-            return Diagram(self, _gvd.diagram(self._native, generators, _numbers("weights", weights), compute, callback))
-
-    @checked
-    def balance(self, points: Any, *, density: Optional[ArrayLike] = None, shares: Optional[ArrayLike] = None,
-                weights: Optional[ArrayLike] = None, threads: int = 0, progress: Progress = None) -> Balanced:
+    @described("diagram", without="count sampling seed radius generators vertices curves method front balance editable")
+    def balance(self, points: Any, *, density: Optional[ArrayLike] = None, **options: Any) -> Balanced:
         """The diagram of points with weights by which all cells have the same area.
 
-        `density`: a number above 0 for each vertex or face, of which cells have equal integrals instead. `shares` (m):
-        their ratios are those of the cells. `weights` (m): those that the search starts from.
+        `density`: a number above 0 for each vertex or face, of which cells have equal integrals instead.
 
         >>> import gvd
         >>> mesh = gvd.read("data/figure.obj")
@@ -308,28 +338,17 @@ class Mesh(Writable):
         >>> bool(areas.std() < 1e-6 * areas.mean())
         True
         """
-        options: dict[str, Any] = {name: _numbers(name, values) for name, values in (("shares", shares), ("weights", weights))
-                                   if values is not None}
-        if density is not None:
-            options["density"] = self._of_elements("density", density)
-        generators = self._resolve("points", points, coincident="refuse")
-        with reporting(progress) as callback:
-            native, masses, targets, tied, converged = _gvd.balance(
-                self._native, generators, options, _gvd.ComputeOptions("exact", None, None, threads), callback)
-            return Balanced(Diagram(self, native), masses, targets, tied, converged)
+        balance = "area" if density is None else density
+        diagram = Diagram(self, *run("diagram", self, self, {**options, "generators": points, "balance": balance}))
+        found = diagram.figures["balance"]
+        return Balanced(diagram, diagram._array("balance.masses"), diagram._array("balance.targets"),
+                        [tuple(cells) for cells in found["tied"] or []], found["converged"])
 
-    @checked
-    def segment(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
-                radius: Optional[float] = None, within: Any = None, mask: Any = None, per_region: Optional[int] = None,
-                levels: Optional[Sequence[int]] = None, disc: bool = False, labels: Literal["smooth", "nearest"] = "smooth",
-                method: Literal["exact", "gbgvd", "paper"] = "exact", front: Optional[Literal["planar", "circle"]] = None,
-                chord_tolerance: Optional[float] = None, threads: int = 0, progress: Progress = None) -> Segmentation:
-        """A label for every face: the regions of `n` sampled points, of given `generators`, or of a covering `radius`.
+    @described("segment", without="cut uv")
+    def segment(self, count: Optional[int] = None, **options: Any) -> Segmentation:
+        """A label for every face: the regions of `count` sampled points, of given `generators`, or of a covering `radius`.
 
-        As gvd-segment does it. `labels`: "smooth" for short borders, "nearest" for the largest share of each face.
-        `within`: a whole number for each face or vertex; no region crosses the borders between them, `n` is shared out by
-        area, or each has `per_region`. `mask`: not 0 for each face or vertex to leave out. `levels`: ascending numbers of
-        points, each level inside the one before. `disc`: adds points until each cell is a disc. Docs: docs/guide/segment.md.
+        As gvd-segment does it. `regions.diagram.cut()` splits the faces instead. Docs: docs/guide/segment.md.
 
         >>> import gvd
         >>> mesh = gvd.read("data/figure.obj")
@@ -339,171 +358,84 @@ class Mesh(Writable):
         >>> mesh.segment(per_region=2, within=regions.labels).labels.max()
         59
         """
-        if levels is not None:
-            levels = _ascending(levels)
-        one_of("segment", n, generators, radius, per_region=per_region, levels=levels)
-        compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
-        if per_region is not None and within is None:
-            refuse("per_region: give the regions, as within=...")
-        count = per_region or (levels[-1] if levels else n)
-        points: Union[_gvd.Sampler, _gvd.PointList] = (
-            _sampler(count, sampling, seed, radius, compute) if generators is None
-            else self._resolve("generators", generators, coincident="refuse"))
-        if within is None and mask is None and not levels:
-            sampled = self._sample(points, progress) if isinstance(points, _gvd.Sampler) else points
-            diagram = self._diagram(sampled, compute, progress)
-            return self._segment(diagram, disc, compute, labels, progress)
-        if numpy.asarray(mask).dtype.kind == "b":
-            mask = numpy.asarray(mask, numpy.uint8)
-        options = {"within": self._of_elements("within", within), "mask": self._of_elements("mask", mask), "levels": levels,
-                   "per_region": per_region, "labels": labels, "sampler" if generators is None else "generators": points}
-        with reporting(progress) as callback:
-            diagram = Diagram(self, _gvd.diagram_inside(self._native, options, compute, callback))
-        return self._segment(diagram, disc, compute, labels, progress)
+        return Segmentation(self, *run("segment", self, self, {"count": count, **options}))
 
-    def _segment(self, diagram: Diagram, disc: bool, compute: _gvd.ComputeOptions, labels: Literal["smooth", "nearest"],
-                 progress: Progress) -> Segmentation:
-        if disc:
-            with reporting(progress) as callback:
-                diagram = Diagram(self, diagram._native.discs(compute, callback))
-        return diagram.segment(labels=labels, progress=progress)
-
-    def _of_elements(self, name: str, given: Any) -> Optional[NDArray[Any]]:
-        """A number for each face or vertex."""
-        if given is None:
-            return None
-        values = as_array(name, given)
-        if values.shape not in ((len(self.vertices),), (len(self.faces),)):
-            refuse(f"{name}: a number for each of {len(self.vertices)} vertices or {len(self.faces)} faces is needed, not "
-                   f"{values.shape}")
-        return values
-
-    @checked
-    def lloyd(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
-              radius: Optional[float] = None, fixed: Any = None, features: Union[None, str, float] = None,
-              keep_boundary: bool = False, density: Any = None, gradation: Optional[float] = None,
-              coarse: Optional[int] = None, accelerate: Literal["lbfgs", "anderson", "none"] = "lbfgs",
-              relocate: Optional[bool] = None, iterations: Optional[int] = None, tolerance: Optional[float] = None,
-              move_tolerance: Optional[float] = None, step: Optional[float] = None,
-              method: Literal["exact", "gbgvd", "paper"] = "exact", front: Optional[Literal["planar", "circle"]] = None,
-              chord_tolerance: Optional[float] = None, threads: int = 0, progress: Progress = None) -> Relaxation:
-        """Moves generators to the centroids of their cells: evenly spread samples. As gvd-lloyd does it.
-
-        `fixed`: points that stay. `features`: angle of creases that generators keep to, degrees, or "auto".
-        `density`: "curvature", or a number above 0 for each vertex or face; larger ones make smaller cells. `coarse`:
-        faces of a copy to relax on first, 0 for none. Docs: docs/guide/lloyd.md.
+    @described("lloyd")
+    def lloyd(self, count: Optional[int] = None, **options: Any) -> Relaxation:
+        """Moves generators to the centroids of their cells: evenly spread samples. As gvd-lloyd does it: docs/guide/lloyd.md.
 
         >>> import gvd
         >>> samples = gvd.read("data/figure.obj").lloyd(50)
         >>> bool(samples.energies[-1] < samples.energies[0])
         True
         """
-        compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
-        options = self._start("lloyd", compute, n, generators, sampling, seed, radius)
-        options.update(self._constraints(fixed, features, keep_boundary, density, gradation, coarse))
-        options.update(accelerate=accelerate, relocate=relocate, iterations=iterations, tolerance=tolerance,
-                       move_tolerance=move_tolerance, step=step)
-        with reporting(progress) as callback:
-            return Relaxation(self, _gvd.relax(self._native, options, compute, callback))
+        return Relaxation(self, *run("lloyd", self, self, {"count": count, **options}))
 
-    @checked
-    def remesh(self, n: Optional[int] = None, *, generators: Any = None, sampling: str = "farthest", seed: int = 0,
-               radius: Optional[float] = None, target_edge: Optional[float] = None, error: Optional[float] = None,
-               relax: Optional[int] = None, fixed: Any = None, features: Union[None, str, float] = None,
-               keep_boundary: bool = False, loose_boundary: bool = False, density: Any = None,
-               gradation: Optional[float] = None, coarse: Optional[int] = None,
-               place: Optional[Literal["generator", "quadric", "fit"]] = None, shape: Optional[float] = None,
-               exact_count: bool = False, max_added: Optional[int] = None, no_refine: bool = False,
-               allow_intersections: bool = False, method: Literal["exact", "gbgvd", "paper"] = "exact",
-               front: Optional[Literal["planar", "circle"]] = None, chord_tolerance: Optional[float] = None,
-               threads: int = 0, progress: Progress = None) -> Remesh:
-        """A coarse mesh with the topology of this one: `n` vertices or a few more. As gvd-remesh does it.
+    @described("remesh", without="map")
+    def remesh(self, count: Optional[int] = None, **options: Any) -> Remesh:
+        """A coarse mesh with the topology of this one: `count` vertices or a few more. As gvd-remesh does it.
 
-        In place of `n`: `generators`, a covering `radius`, `target_edge` (mean length of its edges) or `error` (as few
-        vertices as keep within this distance), all in mesh units. `relax`: iterations before. `place`: where vertices
-        are; `shape`: from 0, near the surface, to 1, good triangles. Docs: docs/guide/remesh.md.
+        In place of `count`: `generators`, a covering `radius`, `target_edge` (mean length of its edges) or `error` (as few
+        vertices as keep within this distance, in mesh units or as "1%" of the diagonal). Docs: docs/guide/remesh.md.
 
         >>> import gvd
         >>> coarse = gvd.read("data/figure.obj").remesh(200)
         >>> coarse.mesh.summary["euler_characteristic"], coarse.map().one_to_one
         (0, True)
         """
-        if sum(given is not None for given in (n, generators, radius, target_edge, error)) != 1:
-            refuse("remesh: give one of n, generators, radius, target_edge and error")
-        compute = _gvd.ComputeOptions(method, front, chord_tolerance, threads)
-        if target_edge is not None:
-            n = self._native.count_for(target_edge)
-        options = self._start("remesh", compute, 1 if error is not None else n, generators, sampling, seed, radius)
-        options.update(self._constraints(fixed, features, keep_boundary, density, gradation, coarse))
-        options.update(relax=relax, prefers_boundary=not loose_boundary, place=place, shape=shape, exact_count=exact_count,
-                       max_added=max_added, refine=not no_refine, allow_intersections=allow_intersections)
-        with reporting(progress) as callback:
-            return Remesh(self, _gvd.remesh(self._native, options, compute, error, callback))
-
-    def _start(self, name: str, compute: _gvd.ComputeOptions, n: Optional[int], generators: Any, sampling: str, seed: int,
-               radius: Optional[float]) -> dict[str, Any]:
-        """The generators of a relaxation, as `_gvd` takes them."""
-        one_of(name, n, generators, radius)
-        if generators is not None:
-            return {"generators": self._resolve("generators", generators, coincident="refuse")}
-        return {"sampler": _sampler(n, sampling, seed, radius, compute)}
-
-    def _constraints(self, fixed: Any, features: Union[None, str, float], keep_boundary: bool, density: Any,
-                     gradation: Optional[float], coarse: Optional[int]) -> dict[str, Any]:
-        """What restricts and weighs a relaxation, as `_gvd` takes it."""
-        options: dict[str, Any] = {"features": features, "keep_boundary": keep_boundary, "gradation": gradation,
-                                   "coarse": coarse, "weighs_curvature": isinstance(density, str)}
-        if fixed is not None:
-            options["fixed"] = self._resolve("fixed", fixed, coincident="refuse")
-        if isinstance(density, str):
-            if density != "curvature":
-                refuse(f"density: 'curvature' or an array is needed, not {density!r}")
-        elif density is not None:
-            options["density"] = self._of_elements("density", density)
-        return options
+        return Remesh(self, *run("remesh", self, self, {"count": count, **options}))
 
 
-def _numbers(name: str, given: Optional[ArrayLike]) -> Optional[list[float]]:
-    """A list of numbers, or None."""
-    if given is None:
-        return None
-    values = as_array(name, given)
-    if values.ndim != 1:
-        refuse(f"{name}: a list of numbers is needed, not {values.shape}")
-    return [float(value) for value in values]
+def _points_of(mesh: Mesh, made: Handle) -> Points:
+    return Points(made.array("points_faces"), made.array("points_bary"), mesh)
 
 
-def _ascending(levels: Sequence[int]) -> list[int]:
-    """Numbers of generators, each above the one before."""
-    values = as_array("levels", levels)
-    is_list = values.ndim == 1 and values.dtype.kind in "iu" and len(values) > 0
-    if not is_list or values[0] < 1 or (numpy.diff(values) <= 0).any():
-        refuse(f"levels: ascending whole numbers from 1 on are needed, not {levels!r}")
-    return [int(value) for value in values]
+def _unpickle_mesh(texts: dict[str, list[str]], arrays: list[NDArray[Any]]) -> Mesh:
+    return Mesh._wrap(run_json("saved_mesh", None, texts, arrays, {}))
 
 
-def _sampler(n: Optional[int], sampling: str, seed: int, radius: Optional[float],
-             compute: Optional[_gvd.ComputeOptions] = None) -> _gvd.Sampler:
-    """How points are sampled, once `one_of` has passed."""
-    for name, value in (("n", n), ("seed", seed)):
-        if value is not None and (isinstance(value, bool) or not isinstance(value, (int, numpy.integer))):
-            refuse(f"{name}: a whole number is needed, not {value!r}")
-    if not 0 <= seed < 1 << 64:
-        refuse(f"seed: {seed} is not in 0 ... 2^64 - 1")
-    return _gvd.Sampler(sampling, max(-1, min(int(n or 0), (1 << 31) - 1)), int(seed), radius,
-                        compute or _gvd.ComputeOptions("exact", None, None, 0))
+def _arrays_of(thing: Any) -> tuple[Any, Any]:
+    """Vertices and faces of a mesh of another package."""
+    at = getattr(thing, "vertices", getattr(thing, "points", None))
+    faces = getattr(thing, "faces", getattr(thing, "regular_faces", None))
+    if faces is None and hasattr(thing, "cells"):  # meshio: blocks of cells of one type
+        blocks = [block.data for block in thing.cells if block.type in ("triangle", "quad", "polygon")]
+        if len({block.shape[1] for block in blocks}) == 1:
+            faces = numpy.concatenate(blocks)
+    if at is None or faces is None:
+        refuse(f"Mesh: arrays of vertices and faces are needed, or a mesh with `vertices` and `faces`, or with `points` and `faces` "
+               f"or `cells`, whose polygons have equally many corners; not {type(thing).__name__}")
+    flat = numpy.asarray(faces)
+    if flat.ndim == 1 and len(flat):  # PyVista: each polygon after the number of its corners
+        size = int(flat[0])
+        if len(flat) % (size + 1) or (flat.reshape(-1, size + 1)[:, 0] != size).any():
+            refuse("Mesh: the polygons have different numbers of corners; cut them into triangles")
+        faces = flat.reshape(-1, size + 1)[:, 1:]
+    return at, faces
 
 
-def _weld_tolerance(weld: Union[None, bool, float]) -> Optional[float]:
-    if weld is None or weld is False:
-        return None
-    return 0.0 if weld is True else float(weld)
+def _curve_option(mesh: Mesh, curves: Any, closed: bool, angle: Optional[float]) -> tuple[Any, list[NDArray[Any]]]:
+    """Curves as the library takes them: a word, the name of a file, or points with the places where each curve begins."""
+    arrays: list[NDArray[Any]] = []
+    if isinstance(curves, (str, os.PathLike)):
+        if closed:
+            refuse("closed: it is for polylines")
+        if angle is not None and curves != "creases":
+            refuse('angle: it is for "creases"')
+        if curves not in ("boundary", "creases"):
+            return {"file": file_name(curves, arrays)}, arrays
+        return curves if angle is None else f"creases:{real('angle', angle)}", arrays
+    lines = [make_entries(f"curves[{i}]", line) for i, line in enumerate(curves)]
+    if not lines:
+        refuse("curves: empty")
+    columns = [numpy.concatenate(column) for column in list(zip(*lines))[:3]]
+    points = Entries(columns[0], columns[1], columns[2], False).option(mesh, arrays)
+    offsets = numpy.cumsum([0, *(len(line.kinds) for line in lines)]).tolist()
+    return {"points": points, "offsets": offsets, "closed": closed}, arrays
 
 
-@checked
-def read(path: PathLike, *, on_defect: Literal["error", "repair", "largest"] = "repair",
-         input_format: Optional[Literal["ply", "obj", "off", "stl", "vtp", "vtu", "vtk", "glb", "gltf", "gii", "mni", "fs"]] = None,
-         weld: Union[None, bool, float] = None) -> Mesh:
+@described("mesh", without="file weld", runs=False)
+def read(path: PathLike, *, weld: Union[None, bool, float] = None, **options: Any) -> Mesh:
     """Reads an OBJ, PLY, OFF, STL, VTP, VTU, legacy VTK, glTF, GIFTI, MNI or FreeSurfer file, packed by gzip or not.
 
     Defects are repaired where that loses nothing, with a warning for each kind. `weld`: True joins vertices at the
@@ -513,32 +445,40 @@ def read(path: PathLike, *, on_defect: Literal["error", "repair", "largest"] = "
     >>> gvd.read("data/torus.ply").summary["euler_characteristic"]
     0
     """
-    try:
-        name = os.fspath(path)
-    except TypeError:
+    if not isinstance(path, (str, bytes, os.PathLike)):
         refuse(f"read: a path is needed, not {type(path).__name__}")
-    mesh = Mesh._wrap(_gvd.Mesh.from_file(name, input_format, on_defect, _weld_tolerance(weld)))
+    for name, value in options.items():
+        if value is not None:
+            text(name, value)
+    joined = None if weld is None or weld is False else 0.0 if weld is True else weld
+    arrays: list[NDArray[Any]] = []
+    mesh = Mesh._wrap(run_json("mesh", None, to_json(None, "mesh", {"file": path, "weld": joined, **options}, arrays), arrays, {}))
     mesh._warn()
     return mesh
 
 
-@checked
+def _read_numbers(operation: str, path: PathLike) -> Handle:
+    arrays: list[NDArray[Any]] = []
+    return run_json(operation, None, to_json(None, operation, {"file": path}, arrays), arrays, {})
+
+
 def read_values(path: PathLike) -> Floats:
     """The numbers of a file that has one for each vertex, or each face.
 
     .label.gii, .shape.gii, .func.gii, FreeSurfer's .annot and values such as lh.curv, .npy, .csv, or text.
     """
-    return _gvd.read_values(os.fspath(path))
+    return _read_numbers("values", path).array("values")
 
 
-@checked
 def read_properties(path: PathLike) -> dict[str, dict[str, Floats]]:
     """The properties of a PLY but coordinates and texture: of "vertex" and of "face", by their names.
 
     There is a number for each vertex and each polygon of the file. `mesh.input_vertex` and `mesh.input_face` lead to them
     from the mesh that `read` makes of it. Lists are left out. Other formats have none.
     """
+    made = _read_numbers("properties", path)
     found: dict[str, dict[str, Floats]] = {"vertex": {}, "face": {}}
-    for element, name, values in _gvd.read_properties(os.fspath(path)):
-        found[element][name] = values
+    for name in made.figures()["names"]:
+        element, own = name.split(" ", 1)
+        found[element][own] = made.array(name)
     return found

@@ -2,39 +2,120 @@
 from __future__ import annotations
 
 import numbers
-from typing import Any, NamedTuple, Optional
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union, overload
 
 import numpy
 from numpy.typing import NDArray
 
-from . import _gvd
-from ._error import refuse
+from ._error import Error, refuse
+
+if TYPE_CHECKING:
+    from ._mesh import Mesh
 
 _VERTEX, _FACE, _POSITION = range(3)
 _LARGEST_INDEX = numpy.iinfo(numpy.int64).max
 
 
-class Points(NamedTuple):
+class Point(NamedTuple):
+    """A point of a mesh: barycentric coordinates in a face."""
+
+    face: int
+    bary: tuple[float, float, float]
+
+
+def _point(face: int, bary: list[float]) -> Point:
+    return Point(face, (bary[0], bary[1], bary[2]))
+
+
+class Points(Sequence[Point]):
     """Points of a mesh: `face` (n), int32, and `bary` (n, 3), float64, barycentric coordinates in these faces.
 
-    What takes points takes this too: the same points come back bit by bit.
+    What takes points takes this too: the same points come back bit by bit. An index gives one point, and a slice, a mask
+    or an array of indices gives some. `position` (n, 3) needs the mesh, which points that a mesh has made know.
+
+    >>> import gvd
+    >>> spread = gvd.read("data/figure.obj").farthest(5)
+    >>> len(spread), spread[0].face, spread[1:3].position.shape
+    (5, 541, (2, 3))
     """
 
-    face: NDArray[numpy.int32]
-    bary: NDArray[numpy.float64]
+    def __init__(self, face: Any, bary: Any, mesh: Optional[Mesh] = None) -> None:
+        self.face: NDArray[numpy.int32] = numpy.asarray(face)
+        self.bary: NDArray[numpy.float64] = numpy.asarray(bary)
+        self._mesh = mesh
+
+    def __len__(self) -> int:
+        return len(self.face)
+
+    @overload
+    def __getitem__(self, index: int) -> Point: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> Points: ...
+
+    @overload
+    def __getitem__(self, index: Union[Sequence[int], NDArray[Any]]) -> Points: ...
+
+    def __getitem__(self, index: Any) -> Union[Point, Points]:
+        face, bary = self.face[index], self.bary[index]
+        if face.ndim == 0:
+            return _point(int(face), bary.tolist())
+        return Points(face, bary, self._mesh)
+
+    def __iter__(self) -> Iterator[Point]:
+        return (_point(face, bary) for face, bary in zip(self.face.tolist(), self.bary.tolist()))
+
+    def __repr__(self) -> str:
+        return f"gvd.Points({len(self)})"
+
+    @property
+    def position(self) -> NDArray[numpy.float64]:
+        """Positions (n, 3), mesh units."""
+        if self._mesh is None:
+            raise Error("these points know no mesh; ask that one: mesh.positions(points)", "precondition")
+        at = self._mesh.vertices[self._mesh.faces[self.face]]
+        bary = self.bary[:, :, None]
+        positions: NDArray[numpy.float64] = bary[:, 0] * at[:, 0] + bary[:, 1] * at[:, 1] + bary[:, 2] * at[:, 2]
+        return positions
+
+
+class Curves:
+    """Curves of a mesh as generators: `Mesh.curves` makes them. `positions`: for each its polylines, arrays (n, 3)."""
+
+    def __init__(self, option: Any, arrays: list[NDArray[Any]], positions: list[list[NDArray[numpy.float64]]]) -> None:
+        self._option, self._arrays, self.positions = option, arrays, positions
+
+    def __len__(self) -> int:
+        return len(self.positions)
+
+    def __repr__(self) -> str:
+        return f"gvd.Curves({len(self)})"
 
 
 class Entries(NamedTuple):
-    """Points for `_gvd.Mesh.resolve`, and whether there is one that was not given in a list."""
+    """What points are: kinds, vertices or faces, coordinates, and whether there is one that was not given in a list."""
 
     kinds: NDArray[numpy.int8]
     ids: NDArray[numpy.int64]
     values: NDArray[numpy.float64]
     single: bool
 
-    def vertices(self) -> list[int]:
-        """The vertices that the points were given as, -1 for the others."""
-        return [int(i) for i in numpy.where(self.kinds == _VERTEX, self.ids, -1)]
+    def option(self, mesh: Mesh, arrays: list[NDArray[Any]]) -> Any:
+        """The value of an option, whose array is added to `arrays`: rows of 1, 3 or 4 numbers, as the library tells points
+        apart. Its vertices are those of the mesh's input."""
+        kinds, ids, values = self.kinds.copy(), self.ids.copy(), self.values.copy()
+        vertices = numpy.flatnonzero(kinds == _VERTEX)
+        if len(vertices):
+            ids[vertices] = mesh._to_input(ids[vertices])
+            for i in vertices[ids[vertices] < 0]:  # that the input has not
+                kinds[i], (ids[i], values[i]) = _FACE, mesh._corner(int(self.ids[i]))
+        if len(set(kinds.tolist())) > 1:
+            rows = zip(kinds.tolist(), ids.tolist(), values.tolist())
+            return [{"vertex": i} if kind == _VERTEX else {"position": at} if kind == _POSITION else {"face": i, "bary": at}
+                    for kind, i, at in rows]
+        arrays.append(ids if kinds[0] == _VERTEX else values if kinds[0] == _POSITION else numpy.column_stack([ids, values]))
+        return {"array": len(arrays) - 1}
 
 
 def _entries(kind: int, index: Any, values: Any, single: bool) -> Entries:
@@ -43,8 +124,6 @@ def _entries(kind: int, index: Any, values: Any, single: bool) -> Entries:
                    numpy.zeros(count, numpy.int64) if index is None else numpy.array(index, numpy.int64).reshape(count),
                    numpy.zeros((count, 3)) if values is None else numpy.array(values, numpy.float64).reshape(count, 3),
                    single)
-
-
 def as_array(name: str, given: Any) -> NDArray[Any]:
     """An array of numbers. Refuses text, ragged lists and what holds no numbers."""
     if isinstance(given, (str, bytes)):
@@ -115,6 +194,8 @@ def make_entries(name: str, given: Any) -> Entries:
         if not 0 <= int(given) < 1 << 63:
             refuse(f"{name}: there is no vertex {given}; vertices are numbered from 0")
         return _from_array(name, numpy.asarray(int(given)))
+    if isinstance(given, Points):
+        return _from_pair(name, given.face, given.bary)
     if _is_pair(given):
         return _from_pair(name, *given)
     if isinstance(given, (list, tuple)) and (any(_is_pair(item) for item in given) or _is_mixed(given)):
@@ -124,23 +205,3 @@ def make_entries(name: str, given: Any) -> Entries:
         kinds, ids, values = (numpy.concatenate(column) for column in list(zip(*parts))[:3])
         return Entries(kinds, ids, values, False)
     return _from_array(name, as_array(name, given))
-
-
-class Curves:
-    """Curves of a mesh as generators: `Mesh.curves` makes them. `positions`: for each its polylines, arrays (n, 3)."""
-
-    def __init__(self, mesh: Any, native: _gvd.CurveSet) -> None:
-        self._native = native
-        self.positions: list[list[NDArray[numpy.float64]]] = native.polylines(mesh)
-
-    def __len__(self) -> int:
-        return len(self._native)
-
-    def __repr__(self) -> str:
-        return f"gvd.Curves({len(self)})"
-
-
-def one_of(name: str, n: Optional[Any], generators: Optional[Any], radius: Optional[float], **others: Any) -> None:
-    """Refuses any but one way to name generators."""
-    if sum(given is not None for given in (n, generators, radius, *others.values())) != 1:
-        refuse(f"{name}: give one of {', '.join(['n', 'generators', *others])} and radius")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Operations of the C interface through ctypes: every described option well and badly, mistakes in JSON and arrays, the
-same bytes as the commands, notes, and a flag that cancels.
+same bytes as the commands.
 
     check_calls.py LIBRARY BIN_FOLDER DATA_FOLDER
 """
@@ -11,8 +11,6 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-import threading
-import time
 
 LIBRARY, BIN, DATA = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 ABI, OK, INVALID, PRECONDITION, INTERRUPTED = 1, 0, 2, 4, 130
@@ -20,8 +18,9 @@ TYPES = [ctypes.c_int8, ctypes.c_uint8, ctypes.c_int16, ctypes.c_uint16, ctypes.
          ctypes.c_uint64, ctypes.c_float, ctypes.c_double]
 
 gvd = ctypes.CDLL(LIBRARY)
-for function in ("gvd_last_error", "gvd_figures", "gvd_describe"):
+for function in ("gvd_last_error", "gvd_last_error_code", "gvd_figures", "gvd_describe", "gvd_describe_for"):
     getattr(gvd, function).restype = ctypes.c_char_p
+gvd.gvd_last_error_element.restype = ctypes.c_int64
 
 
 class Array(ctypes.Structure):
@@ -35,7 +34,8 @@ NOTE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_char_p)
 
 class Run(ctypes.Structure):
     _fields_ = [("threads", ctypes.c_int), ("progress", PROGRESS), ("data", ctypes.c_void_p),
-                ("cancel", ctypes.POINTER(ctypes.c_int32)), ("note", NOTE)]
+                ("cancel", ctypes.POINTER(ctypes.c_int32)), ("note", NOTE), ("due", ctypes.POINTER(ctypes.c_int32)),
+                ("door", ctypes.c_int32)]
 
 
 def array(rows, kind=ctypes.c_double):
@@ -122,6 +122,8 @@ DESCRIBED = json.loads(gvd.gvd_describe())
 def good_value(option):
     """A value that the option takes."""
     kind, name = option["kind"], option["name"]
+    if name in ("to", "add", "move"):
+        return 3 if kind == "whole number" else [5]
     if "choices" in option and kind != "values":
         return [option["choices"][0]] if kind == "choices" else option["choices"][0]
     if kind == "number":
@@ -131,12 +133,24 @@ def good_value(option):
     if kind == "values":
         per = 3 if option["of"] == "generators" else 8
         return [1] + [0] * 7 if name == "mask" else [1] * per
+    if kind == "input file":
+        return str(DATA / "torus.ply")
     return {"flag": True, "switch": "on", "vertices": [0, 1, 2], "points": [0, 1], "curves": "creases", "counts": [2, 3], "bound": "50%", "crease angle": 30, "bytes": "1G"}[kind]
 
 
 def subject(operation, ball):
     """What an operation works on."""
-    return result("diagram", ball, {"count": 4}) if operation["on"] == "diagram" else ball
+    if operation["on"] == "remesh":
+        return result("remesh", ball, {"vertices": [0, 1, 2, 3, 4, 5]})
+    return result("diagram", ball, {"count": 4}) if operation["on"] == "diagram" else ball if operation["on"] else None
+
+
+def least_options(operation):
+    """Options without which an operation can't be called."""
+    if operation["on"] is None:
+        return {"file": str(DATA / "torus.ply")}
+    return {"distances": {"from": [0]}, "edit": {"remove": 0}, "curves": {"curves": "creases"}, "label": {}, "map": {},
+            "check": {}}.get(operation["name"], {"count": 4})
 
 
 def check_described_options():
@@ -149,7 +163,7 @@ def check_described_options():
         for name, option in options.items():
             given = {need: good_value(options[need]) for need in option["needs"]}
             given[name] = good_value(option)
-            sources = ("count", "vertices", "generators", "from")
+            sources = ("count", "vertices", "generators", "from", "add", "move", "remove")
             if not any(n in given for n in sources):
                 fitting = [s for s in sources if s in options and s not in option["excludes"]]
                 if fitting:
@@ -173,7 +187,9 @@ def check_described_results():
     """What the description says of results is what they have."""
     ball = make_ball()
     for operation in DESCRIBED["operations"]:
-        options = {"distances": {"from": [0]}, "segment": {"count": 4, "cut": True}, "label": {"cut": True}}.get(operation["name"], {"count": 4})
+        if operation["name"] in ("saved_mesh", "values"):
+            continue  # check_meshes
+        options = {"segment": {"count": 4, "cut": True}, "label": {"cut": True}}.get(operation["name"], least_options(operation))
         made = result(operation["name"], subject(operation, ball), options)
         described = operation["result"]
         for one in described["arrays"]:
@@ -332,10 +348,11 @@ def check_options_come_back():
         "remesh": [{"count": 6}, {"count": 6, "relax": "none"}, {"count": 6, "relax": 2, "features": "none"},
                    {"generators": [0, 1, 2, 3, 4, 5]}, {"vertices": [0, 1, 2, 3, 4, 5]}, {"target_edge": 1.4}, {"error": "50%"},
                    {"count": 6, "place": "generator", "refine": False}, {"count": 6, "map": True, "carry": True, "features": 20}]}
-    assert set(tried) == {operation["name"] for operation in DESCRIBED["operations"]}
+    others = {"edit", "map", "check", "curves", "mesh", "saved_mesh", "values", "properties"}  # few options, or files
+    assert {*tried, *others} == {operation["name"] for operation in DESCRIBED["operations"]}
     for operation in DESCRIBED["operations"]:
         on = subject(operation, ball)
-        for options in tried[operation["name"]]:
+        for options in tried.get(operation["name"], ()):
             first = result(operation["name"], on, options, corners, whole, weights)
             told = figures(first)
             again = result(operation["name"], on, told["options"], corners, whole, weights)
@@ -351,7 +368,9 @@ def check_defaults():
     ball = make_ball()
     for operation in DESCRIBED["operations"]:
         options = {option["name"]: option for option in operation["options"]}
-        usual = {} if operation["on"] == "diagram" else {"from": [0]} if "from" in options else {"count": 4}
+        if operation["name"] in ("saved_mesh", "values"):
+            continue  # of arrays and numbers alone
+        usual = least_options(operation)
         on = subject(operation, ball)
         plain = result(operation["name"], on, usual)
         for name, option in options.items():
@@ -408,27 +427,62 @@ def check_distances():
     release(made, ball)
 
 
-def check_runs():
-    """Notes as they happen; a function and a flag that cancel."""
-    mesh, notes, steps = read("figure.obj"), [], set()
-    run = Run(1, PROGRESS(lambda data, step, done: steps.add(step.decode()) is None), None, None,
-              NOTE(lambda data, text: notes.append(text.decode())))
-    made = result("lloyd", mesh, {"count": 10}, run=run)
-    assert notes == figures(made)["notes"] and notes and steps, notes
-    release(made)
-    status, message = call("lloyd", mesh, {"count": 10}, run=Run(0, PROGRESS(lambda *_: 0), None, None, NOTE()))
+def diagram_parts(diagram):
+    """All arrays and figures of a diagram."""
+    described = DESCRIBED["objects"]["diagram"]
+    return ({one["name"]: numbers(diagram, one["name"]) for one in described["arrays"]},
+            {one["name"]: figures(diagram)[one["name"]] for one in described["figures"]})
+
+
+def check_edits():
+    """Edits give new diagrams with the bits of those that are computed at once; earlier ones stay. Handles in any order."""
+    mesh = read("figure.obj")
+    first = result("diagram", mesh, {"count": 50, "editable": True})
+    before = diagram_parts(first)
+    points = list(zip(numbers(first, "generators_faces"), *zip(*numbers(first, "generators_bary"))))
+
+    def check(edited, expected):
+        made = result("diagram", mesh, {"generators": {"array": 0}}, array(expected))
+        assert diagram_parts(edited) == diagram_parts(made)
+        assert list(zip(numbers(edited, "generators_faces"), *zip(*numbers(edited, "generators_bary")))) == expected
+        release(made)
+
+    moved = result("edit", first, {"move": 7, "to": {"array": 0}}, array([(100, 0.25, 0.25, 0.5)]))
+    points[7] = (100, 0.25, 0.25, 0.5)
+    check(moved, points)
+    assert 0 < figures(moved)["propagated"] < 50 and figures(moved)["options"]["move"] == 7
+    assert diagram_parts(first) == before
+    release(first)
+    added = result("edit", moved, {"add": [{"face": 9, "bary": [0.5, 0.25, 0.25]}]})
+    release(moved)
+    check(added, points + [(9, 0.5, 0.25, 0.25)])
+    removed = result("edit", added, {"remove": 3})  # the last generator gets its number
+    check(removed, points[:3] + [(9, 0.5, 0.25, 0.25)] + points[4:])
+    again = result("edit", added, {"remove": 50})  # of a diagram whose editor went on
+    check(again, points)
+    release(added)
+    assert refused("edit", removed, {"move": 50, "to": [0]}, status=PRECONDITION) == \
+        "there is no generator 50 among 50 generators"
+    assert refused("edit", removed, {"move": -1, "to": [0]}).startswith("\"move\": '-1' is not a whole number from 0")
+    assert refused("edit", removed, {"move": 1, "to": [0, 1]}) == 'one point is needed in "to", and there are 2 points'
+    assert refused("edit", removed, {}) == 'no change: give one of "move", "add" or "remove"'
+    assert refused("edit", removed, {"remove": 1, "to": [0]}) == '"to" needs "move": add it, or leave "to" out'
+    assert refused("edit", removed, {"add": [{"position": [0, 0, 99]}], "max_snap": 0.5}, status=PRECONDITION)
+    assert refused("edit", mesh, {"remove": 0}) == "this takes a diagram, and the object is a mesh"
+    status, message = call("edit", removed, {"remove": 0}, run=Run(0, PROGRESS(lambda *_: 0), None, None, NOTE()))
     assert status == INTERRUPTED, message
-    flag = ctypes.c_int32(0)
-    found = []
-    work = threading.Thread(target=lambda: found.append(call(
-        "lloyd", mesh, {"count": 2000, "accelerate": "none", "iterations": 1000000, "tolerance": 0, "move_tolerance": 0},
-        run=Run(1, PROGRESS(), None, ctypes.pointer(flag), NOTE()))))
-    work.start()
-    time.sleep(0.3)
-    flag.value = 1
-    work.join(60)
-    assert found and found[0][0] == INTERRUPTED, found
-    assert call("lloyd", mesh, {"count": 3}, run=Run(-1, PROGRESS(), None, None, NOTE()))[0] == INVALID
+    edited = result("edit", removed, {"move": 3, "to": [8]})
+    release(removed, mesh)
+    labels = result("label", edited, {})
+    release(edited)
+    assert set(numbers(labels, "face_labels")) == set(range(50))
+    release(labels, again)
+    mesh = read("figure.obj")
+    for options, message in (({"method": "gbgvd"}, "only diagrams of the exact method can be edited"),
+                             ({"weights": [0, 0.01, 0]}, "a diagram with weights can't be edited")):
+        diagram = result("diagram", mesh, {"vertices": [0, 900, 1800], **options})
+        assert refused("edit", diagram, {"remove": 0}) == message
+        release(diagram)
     release(mesh)
 
 
@@ -529,16 +583,17 @@ def check_same_as_commands(folder):
         release(made, mesh)
 
 
-with tempfile.TemporaryDirectory() as scratch:
-    check_mistakes()
-    check_values()
-    check_options_come_back()
-    check_defaults()
-    check_parts()
-    check_distances()
-    check_runs()
-    check_described_options()
-    check_described_results()
-    check_files(pathlib.Path(scratch))
-    check_same_as_commands(pathlib.Path(scratch))
-print("all checks passed")
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as scratch:
+        check_mistakes()
+        check_values()
+        check_options_come_back()
+        check_defaults()
+        check_parts()
+        check_distances()
+        check_edits()
+        check_described_options()
+        check_described_results()
+        check_files(pathlib.Path(scratch))
+        check_same_as_commands(pathlib.Path(scratch))
+    print("all checks passed")

@@ -30,15 +30,19 @@ closure_of() {
   sed -n '/^The following NEW packages/,/^[^ ]* upgraded/s/^   \([^ ]*\) (\([^ )]*\).*/\1 \2/p' "$work/apt.out"
 }
 
-# make_root FOLDER PACKAGE.deb: the package and its closure, unpacked, without any script run.
+# make_root FOLDER PACKAGE.deb...: the packages and their closure, unpacked, without any script run.
 make_root() {
-  local folder=$1 package=$2 name version
+  local folder=$1 package own="" name version
+  shift
   rm -rf "$folder"
   mkdir -p "$folder"
-  dpkg-deb -x "$package" "$folder"
-  closure_of --download-only "$package" > "$work/closure"
+  for package in "$@"; do
+    dpkg-deb -x "$package" "$folder"
+    own="$own $(dpkg-deb -f "$package" Package) "
+  done
+  closure_of --download-only "$@" > "$work/closure"
   while read -r name version; do
-    [ "$name" = "$(dpkg-deb -f "$package" Package)" ] || dpkg-deb -x "$work/apt/archives/${name}_${version//:/%3a}"_*.deb "$folder"
+    [[ $own == *" $name "* ]] || dpkg-deb -x "$work/apt/archives/${name}_${version//:/%3a}"_*.deb "$folder"
   done < "$work/closure"
   cp "$mesh" "$folder/mesh.ply"
 }
@@ -146,7 +150,7 @@ check_python() {
     echo "no Python package is built (GVD_BUILD_PYTHON=OFF)"
     return
   fi
-  make_root "$root" "$packages"/python3-gvd_*.deb
+  make_root "$root" "$packages"/python3-gvd_*.deb "$packages"/libgvd-c*.deb
   run_in "$root" python3 -B -c "$use" | grep -q -x /usr/lib/python3/dist-packages/gvd/__init__.py || fail "python3 finds no gvd"
   diff <(grep -v mtllib "$work/gvd-segment.obj") <(grep -v mtllib "$root/python.obj") || fail "gvd.segment differs from gvd-segment"
   rm -r "$root/usr/lib/python3/dist-packages/numpy"

@@ -43,15 +43,15 @@ class Balance(unittest.TestCase):
             self.assertEqual(ours.read_bytes(), theirs.read_bytes())
 
     def test_refusals(self):
-        with self.assertRaisesRegex(gvd.Error, "the shares are 2 and the generators 12; give one for each"):
+        with self.assertRaisesRegex(gvd.Error, "shares: 2 numbers for 12 generators; shares takes one for each"):
             self.mesh.balance(self.points, shares=[1, 2])
         with self.assertRaisesRegex(gvd.Error, "weights: a list of numbers is needed"):
             self.mesh.voronoi(self.points, weights=[[1.0] * 12])
         with self.assertRaisesRegex(gvd.Error, "weights: numbers are needed"):
             self.mesh.voronoi(self.points, weights="1 2 3")
-        with self.assertRaisesRegex(gvd.Error, "density: a number for each of"):
+        with self.assertRaisesRegex(gvd.Error, "balance: a number for each of"):
             self.mesh.balance(self.points, density=[1, 2, 3])
-        with self.assertRaisesRegex(gvd.Error, "only the exact method takes weights"):
+        with self.assertRaisesRegex(gvd.Error, "weights needs method='exact'"):
             self.mesh.voronoi(self.points, weights=[0] * 12, method="gbgvd")
 
 

@@ -22,7 +22,7 @@ class Curves(unittest.TestCase):
         beside = numpy.maximum(numpy.maximum(0.11 - at[:, 0], at[:, 0] - 0.87), 0)
         expected = numpy.hypot(beside, at[:, 1] - 0.31)
         numpy.testing.assert_allclose(mesh.distances(line), expected, atol=1e-12)
-        numpy.testing.assert_allclose(mesh.distances(line, at=mesh.points(at)), expected, atol=1e-12)
+        numpy.testing.assert_allclose(mesh.distances(line, to=mesh.points(at)), expected, atol=1e-12)
 
     def test_the_border_between_two_lines_lies_halfway(self):
         mesh = gvd.Mesh(*meshes.make_grid(8))
@@ -45,8 +45,8 @@ class Curves(unittest.TestCase):
         mesh = gvd.Mesh(*meshes.make_grid(6))
         corners = [(0.2, 0.2, 0.0), (0.8, 0.2, 0.0), (0.8, 0.8, 0.0), (0.2, 0.8, 0.0)]
         middle = [(0.2, 0.5, 0.0)]
-        self.assertAlmostEqual(mesh.distances(mesh.curves([corners], closed=True), at=middle)[0], 0)
-        self.assertAlmostEqual(mesh.distances(mesh.curves([corners]), at=middle)[0], 0.3)
+        self.assertAlmostEqual(mesh.distances(mesh.curves([corners], closed=True), to=middle)[0], 0)
+        self.assertAlmostEqual(mesh.distances(mesh.curves([corners]), to=middle)[0], 0.3)
 
     def test_files_and_words_are_those_of_the_commands(self):
         mesh = gvd.read(meshes.FIGURE)

@@ -21,7 +21,7 @@ class Distances(unittest.TestCase):
         numpy.testing.assert_array_equal(label, expected.argmin(axis=0))
         targets = mesh.sample(50, sampling="random", seed=2)
         at_targets = numpy.linalg.norm(mesh.positions(points)[:, None] - mesh.positions(targets)[None], axis=2)
-        numpy.testing.assert_allclose(mesh.distances(points, each=True, at=targets), at_targets, rtol=1e-11)
+        numpy.testing.assert_allclose(mesh.distances(points, each=True, to=targets), at_targets, rtol=1e-11)
 
     def test_on_a_box_they_are_those_of_its_unfoldings(self):
         for a, b, c in ((1, 1, 1), (1, 2, 3), (2, 1, 5)):
@@ -56,7 +56,7 @@ class Distances(unittest.TestCase):
     def test_rows_columns_and_paths_agree(self):
         mesh = gvd.read(meshes.FIGURE)
         points = [0, 900, (12, (0.2, 0.3, 0.5)), 900]
-        rows = mesh.distances(points, each=True, at=points)
+        rows = mesh.distances(points, each=True, to=points)
         numpy.testing.assert_allclose(rows, rows.T, rtol=1e-12, atol=1e-15)
         numpy.testing.assert_allclose(numpy.diag(rows), 0, atol=1e-15)
         paths = mesh.path(points, 0)
@@ -98,7 +98,7 @@ class Distances(unittest.TestCase):
         for i in (0, 17):
             one = gvd.Points(points.face[[i]], points.bary[[i]])
             numpy.testing.assert_array_equal(rows[i], mesh.distances(one))
-            numpy.testing.assert_array_equal(rows[i], mesh.distances(one, at=list(range(len(mesh.vertices)))))
+            numpy.testing.assert_array_equal(rows[i], mesh.distances(one, to=list(range(len(mesh.vertices)))))
         single = numpy.zeros(rows.shape, numpy.float32, order="F")
         self.assertIs(mesh.distances(points, each=True, out=single), single)
         numpy.testing.assert_array_equal(single, rows.astype(numpy.float32))
@@ -121,10 +121,10 @@ class Diagrams(unittest.TestCase):
         edge = mesh.summary["bbox_diagonal"] / 100
         for bisector in diagram.bisectors:
             sides = mesh.distances(gvd.Points(points.face[[bisector.left, bisector.right]],
-                                              points.bary[[bisector.left, bisector.right]]), each=True, at=bisector.points)
+                                              points.bary[[bisector.left, bisector.right]]), each=True, to=bisector.points)
             self.assertLess(abs(sides[0] - sides[1]).max(), 1e-3 * edge)
         branch = diagram.branch_points
-        rows = mesh.distances(points, each=True, at=branch.points)
+        rows = mesh.distances(points, each=True, to=branch.points)
         for i, generators in enumerate(branch.generators):
             self.assertLess(numpy.ptp(rows[list(generators), i]), 1e-3 * edge)
             self.assertAlmostEqual(rows[list(generators), i].mean(), branch.distances[i], delta=1e-3 * edge)

@@ -11,7 +11,7 @@ import meshes
 
 def arrays(diagram):
     """All numbers of a diagram."""
-    return [diagram.labels, diagram.distances, diagram.face_labels, *diagram.generators, diagram.branch_points.positions,
+    return [diagram.labels, diagram.distances, diagram.face_labels, diagram.generators.face, diagram.generators.bary, diagram.branch_points.positions,
             diagram.branch_points.distances, *(b.positions for b in diagram.bisectors),
             numpy.array([(b.left, b.right, b.closed, *b.ends) for b in diagram.bisectors]),
             numpy.array([cell.area for cell in diagram.cells])]

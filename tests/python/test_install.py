@@ -1,4 +1,4 @@
-"""`pip install .` without the network, into an environment of its own. GVD_BUILD names the tree that has the module."""
+"""`pip install .` without the network, into an environment of its own. GVD_BUILD names the tree that has the package."""
 import os
 import pathlib
 import shutil
@@ -18,11 +18,12 @@ print(gvd.__version__, len(mesh.segment(5).diagram.cells))
 """
 
 
-# In place of cmake: it configures, but copies the module of another tree instead of building it for minutes.
+# In place of cmake: it configures, but copies the package of another tree instead of building it for minutes.
 CMAKE = """#!/bin/sh
 [ "$1" = --build ] || exec {cmake} "$@"
-mkdir -p "$2/python/gvd"
-exec cp {built}/python/gvd/_gvd.*.so "$2/python/gvd"
+mkdir -p "$2/python"
+echo "[1/2] Building"
+exec cp -r {built}/python/gvd "$2/python"
 """
 
 
@@ -43,6 +44,8 @@ class Install(unittest.TestCase):
         version, cells = ran.stdout.split()
         self.assertIn(f"project(gvd VERSION {version} ", (meshes.ROOT / "CMakeLists.txt").read_text())
         self.assertEqual(cells, "5")
+        tag, = (venv / "lib").glob("python3*/site-packages/gvd-*.dist-info/WHEEL")
+        self.assertRegex(tag.read_text(), r"Tag: py3-none-linux_")  # for any Python
 
     def test_pip_install_without_network(self):
         with tempfile.TemporaryDirectory() as folder:

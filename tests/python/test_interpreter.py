@@ -1,4 +1,5 @@
-"""`import gvd` under an interpreter that can't use it says in one line why, and which one can."""
+"""`import gvd` under an interpreter that can't use it says in one line why; any other one from 3.9 on can use the same library."""
+import ast
 import os
 import pathlib
 import shutil
@@ -8,6 +9,8 @@ import tempfile
 import unittest
 
 import gvd
+import meshes
+from gvd._described import SONAME
 
 PACKAGE = pathlib.Path(gvd.__file__).parent
 VERSION = f"{sys.version_info.major}.{sys.version_info.minor}"
@@ -22,15 +25,11 @@ def last_line_of_import(folder, *options):
 
 
 class Interpreter(unittest.TestCase):
-    def copy_with_module(self, name):
-        """A folder with a copy of the package, whose module has another name, or is missing."""
+    def copy(self):
+        """A copy of the package."""
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        copy = pathlib.Path(folder.name) / "gvd"
-        shutil.copytree(PACKAGE, copy)
-        for module in copy.glob("_gvd.*.so"):
-            module.rename(copy / name) if name else module.unlink()
-        return copy.parent
+        return pathlib.Path(shutil.copytree(PACKAGE, pathlib.Path(folder.name) / "gvd"))
 
     def test_without_numpy_it_says_how_to_get_it(self):
         # -S leaves out the folders of installed packages, NumPy with them.
@@ -44,20 +43,35 @@ class Interpreter(unittest.TestCase):
             ran = subprocess.run([python, "-c", "import gvd"], capture_output=True, text=True,
                                  env={**os.environ, "PYTHONPATH": str(PACKAGE.parent)})
             self.assertEqual(ran.stderr.splitlines()[-1],
-                             f"ImportError: gvd was built for Python {VERSION} and needs NumPy, which {python} does not have: run "
-                             f"`{python} -m pip install numpy`, or use /usr/bin/python{VERSION}")
+                             f"ImportError: gvd needs NumPy, which {python} (Python {VERSION}) does not have: run "
+                             f"`{python} -m pip install numpy`, or use /usr/bin/python3")
 
-    def test_a_module_for_another_version_names_that_version(self):
-        folder = self.copy_with_module("_gvd.cpython-38-x86_64-linux-gnu.so")
-        self.assertEqual(last_line_of_import(folder).replace("/usr/bin/", ""),
-                         f"ImportError: gvd was built for Python 3.8, and {sys.executable} is Python {VERSION}: use python3.8, or install "
-                         "gvd for this one with its own `pip install .`".replace("/usr/bin/", ""))
+    def test_without_the_library_it_says_how_to_build_it(self):
+        folder = self.copy()
+        (folder / SONAME).unlink()
+        self.assertRegex(last_line_of_import(folder.parent), r"^ImportError: gvd needs the library libgvd_c.so.0.\d+: .*; build it with "
+                         "`make python`, and set PYTHONPATH to the folder python of the build tree$")
 
-    def test_without_a_module_it_says_how_to_build_one(self):
-        folder = self.copy_with_module("")
-        self.assertEqual(last_line_of_import(folder),
-                         f"ImportError: {folder / 'gvd'} has no module _gvd for {sys.executable}: build the package with `make python`, "
-                         "and set PYTHONPATH to the folder python of the build tree")
+    def test_the_library_of_another_version_is_refused(self):
+        folder = self.copy()
+        described = folder / "_described.py"
+        described.write_text(described.read_text().replace(f"VERSION = {gvd.__version__!r}", "VERSION = '9.8.7'"))
+        self.assertEqual(last_line_of_import(folder.parent), f"ImportError: gvd 9.8.7 needs its own library, and {folder}/{SONAME} is "
+                         f"that of {gvd.__version__}: install both together")
+
+    def test_sources_alone_say_how_to_build_the_package(self):
+        self.assertEqual(last_line_of_import(meshes.ROOT / "python"),
+                         f"ImportError: {meshes.ROOT / 'python/gvd'} is not built: build the package with `make python`, and set PYTHONPATH "
+                         "to the folder python of the build tree")
+
+    def test_sources_are_those_of_python_3_9(self):
+        for source in PACKAGE.glob("*.py"):
+            ast.parse(source.read_text(), feature_version=(3, 9))
+
+    def test_the_library_has_no_symbol_of_python(self):
+        told = subprocess.run(["nm", "-D", PACKAGE / SONAME], capture_output=True, text=True, check=True).stdout
+        self.assertIn(" gvd_call", told)
+        self.assertNotRegex(told, r" _?Py")
 
 
 if __name__ == "__main__":

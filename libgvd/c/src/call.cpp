@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -56,46 +57,54 @@ template <class Map>
 
 }  // namespace
 
+std::unique_ptr<gvd_object> gvd::c::call(const char* name, const gvd_object* on, const std::string& options,
+                                         std::span<const ArrayView> arrays, const gvd_run* run) {
+  const Operation& operation = find(name);
+  static const MeshPtr kNoMesh = std::make_shared<CheckedMesh>();
+  const bool takes_object = !operation.on.empty();
+  const auto object = takes_object ? given(on, "the object").object : nullptr;
+  const MeshPtr& mesh = takes_object ? mesh_of(operation, *object) : kNoMesh;
+  CallObserver observer(run);
+  const auto call = operation.call();
+  OptionList list;
+  call->describe(list);
+  call->take(arrays);
+  const Given names = read_json_options(list, *mesh, options, arrays);
+  auto made = [&] {
+    try {
+      return std::make_unique<gvd_object>(call->run(object, observer), observer.door());
+    } catch (const Error& error) {
+      throw Error(error.code(), spell_for(observer.door(), error.text(), &names), error.element());
+    }
+  }();
+  Json more{{"options", Json::parse(options_json(list, names))},
+            {"notes", observer.notes()},
+            {"warnings", observer.warnings()}};
+  made->told = more.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return made;
+}
+
 gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const char* options, const gvd_array* arrays,
                     int32_t count, const gvd_run* run, gvd_object** result) {
-  return guarded([&] {
+  return guarded_for(run, [&] {
     if (abi != GVD_ABI) {
       refuse(
           fmt::format("this program was compiled for interface {}, and the library has {}: compile it with the "
                       "library's gvd.h",
                       abi, GVD_ABI));
     }
-    const Operation& operation = find(name);
-    const auto& object = given(on, "the object").object;
-    const MeshPtr& mesh = mesh_of(operation, *object);
+    find(name);
     given(result, "result");
-    const std::vector<ArrayView> views = to_views(arrays, count);
-    CallObserver observer(run);
-    const auto call = operation.call();
-    OptionList list;
-    call->describe(list);
-    const Given names = read_json_options(list, *mesh, options == nullptr ? "{}" : options, views);
-    auto made = [&] {
-      try {
-        return std::make_unique<gvd_object>(call->run(object, observer));
-      } catch (const Error& error) {
-        throw Error(error.code(), spell_for_json(error.text(), &names), error.element());
-      }
-    }();
-    Json figures = Json::parse(made->figures);
-    figures["options"] = Json::parse(options_json(list, names));
-    figures["notes"] = observer.notes();
-    made->figures = figures.dump(-1, ' ', false, Json::error_handler_t::replace);
-    *result = made.release();
+    *result = call(name, on, options == nullptr ? "{}" : options, to_views(arrays, count), run).release();
   });
 }
 
 gvd_status gvd_array_of(const gvd_object* object, const char* name, gvd_array* view) {
   return guarded([&] {
-    const auto& arrays = given(object, "object").arrays;
+    const auto& arrays = given(object, "object").views().arrays;
     const auto found = arrays.find(std::string_view(&given(name, "name")));
     if (found == arrays.end()) refuse_name("array", name, arrays);
-    const ArrayView& of = found->second;
+    const ArrayView of = found->second();
     given(view, "view") = {of.data,
                            static_cast<gvd_type>(of.type),
                            of.dimensions,
@@ -106,35 +115,49 @@ gvd_status gvd_array_of(const gvd_object* object, const char* name, gvd_array* v
 
 gvd_status gvd_object_of(const gvd_object* object, const char* name, gvd_object** part) {
   return guarded([&] {
-    const auto& parts = given(object, "object").parts;
+    const auto& parts = given(object, "object").views().parts;
     const auto found = parts.find(std::string_view(&given(name, "name")));
     if (found == parts.end()) refuse_name("part", name, parts);
-    if (found->second.object == nullptr) refuse(fmt::format("there is no {} here: {}", name, found->second.text));
-    given(part, "part") = new gvd_object(found->second.object);
+    auto made = found->second.make();
+    if (made == nullptr) refuse(fmt::format("there is no {} here: {}", name, found->second.text));
+    given(part, "part") = new gvd_object(std::move(made), object->door);
   });
 }
 
-const char* gvd_figures(const gvd_object* object) { return object == nullptr ? "null" : object->figures.c_str(); }
+const char* gvd_figures(const gvd_object* object) {
+  return answered("null", [&] { return given(object, "object").figures().c_str(); });
+}
 
-const char* gvd_describe(void) {
-  const std::string* text = nullptr;
-  guarded([&] {
-    static const std::string kText = [] {
+const char* gvd_describe(void) { return gvd_describe_for(GVD_JSON); }
+
+const char* gvd_describe_for(int32_t door) {
+  return answered("null", [&] {
+    const auto text = [](Door of) {
       Json described{{"abi", GVD_ABI}};
-      described.update(Json::parse(describe_operations()));
+      described.update(Json::parse(describe_operations(of)));
       return described.dump();
-    }();
-    text = &kText;
+    };
+    static const std::array kTexts{text(Door::json), text(Door::python), text(Door::javascript)};
+    if (door < 0 || std::size_t(door) >= kTexts.size()) refuse(fmt::format("there is no door {}", door));
+    return kTexts[std::size_t(door)].c_str();
   });
-  return text == nullptr ? "null" : text->c_str();
 }
 
 gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* run) {
-  return guarded([&] {
+  return gvd_write_as(object, path, nullptr, run);
+}
+
+gvd_status gvd_write_as(const gvd_object* object, const char* path, const char* options, const gvd_run* run) {
+  return guarded_for(run, [&] {
     const Object& written = *given(object, "object").object;
     const std::string name = &given(path, "path");
     CallObserver observer(run);
-    write_object(name, written, progress_of(observer));
+    FileOptions how;
+    how.threads = observer.threads;
+    OptionList list;
+    describe(list, how);
+    read_json_options(list, {}, options == nullptr ? "{}" : options, {});
+    write_object(name, written, how, progress_of(observer));
   });
 }
 

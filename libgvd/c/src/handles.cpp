@@ -1,6 +1,6 @@
 // Handles of the C interface: views of what objects consist of, errors, and what a run tells.
 //
-// Views are made once, with the handle: most refer to the object's own memory; lists of several curves are joined.
+// Most arrays are the object's own memory. Lists of several curves are joined once somebody asks for their points.
 
 #include "handles.hpp"
 
@@ -10,8 +10,18 @@
 namespace {
 
 using namespace gvd;
+using gvd::c::JoinedPoints;
 
-thread_local std::string last_error;
+struct LastError {
+  std::string text;
+  const char* code = "";
+  std::int64_t element = -1;
+};
+thread_local LastError last_error;
+
+/// Of each ErrorCode, in their order.
+constexpr std::array kCodeNames{"invalid_option",    "unreadable_input", "precondition", "no_valid_result",
+                                "unwritable_output", "reader_gone",      "interrupted"};
 
 /// Of each ErrorCode, in their order.
 constexpr std::array<gvd_status, 7> kStatuses{GVD_INVALID_OPTION,  GVD_UNREADABLE_INPUT,  GVD_PRECONDITION,
@@ -22,7 +32,7 @@ static_assert(std::size_t(ErrorCode::interrupted) + 1 == kStatuses.size());
 /// Fills in the views of a handle. Lists of numbers among the figures are arrays, too.
 class ViewCollector : public ObjectVisitor {
  public:
-  explicit ViewCollector(gvd_object& handle) : handle_(handle) {}
+  explicit ViewCollector(gvd_object::Views& views) : handle_(views) {}
 
   void figure(const Meaning& meaning, const Figure& value) override {
     if (const auto* const numbers = std::get_if<std::vector<double>>(&value)) {
@@ -32,50 +42,82 @@ class ViewCollector : public ObjectVisitor {
     }
   }
   void array(const Meaning& meaning, const ArrayView& values) override {
-    handle_.arrays.insert_or_assign(std::string(meaning.name), values);
+    add(std::string(meaning.name), [values] { return values; });
   }
   void points(const Meaning& meaning, const PointsView& points) override {
-    handle_.arrays.insert_or_assign(std::string(meaning.name) + "_faces", points.faces());
-    handle_.arrays.insert_or_assign(std::string(meaning.name) + "_bary", points.bary());
+    add(std::string(meaning.name) + "_faces", [points] { return points.faces(); });
+    add(std::string(meaning.name) + "_bary", [points] { return points.bary(); });
   }
   void curves(const Meaning& meaning, const PointLists& lists) override {
+    JoinedPoints& joined = handle_.joined.emplace_back();
+    joined.lists = lists;
     std::vector<std::int64_t>& offsets = handle_.whole_numbers.emplace_back(1, 0);
-    std::vector<SurfacePoint>& joined = handle_.points.emplace_back();
+    for (std::int64_t i = 0; i < lists.count; ++i) offsets.push_back(offsets.back() + std::ssize(lists.list(i)));
+    const std::string name(meaning.name);
+    add(name + "_offsets", [&offsets] { return view(offsets); });
+    add(name + "_faces", [&joined] { return PointsView(joined.all()).faces(); });
+    add(name + "_bary", [&joined] { return PointsView(joined.all()).bary(); });
+  }
+  void lists(const Meaning& meaning, const GeneratorLists& lists) override {
+    std::vector<std::int64_t>& offsets = handle_.whole_numbers.emplace_back(1, 0);
+    std::vector<GeneratorId>& joined = handle_.generators.emplace_back();
     for (std::int64_t i = 0; i < lists.count; ++i) {
       const auto list = lists.list(i);
       joined.insert(joined.end(), list.begin(), list.end());
       offsets.push_back(std::ssize(joined));
     }
-    handle_.arrays.insert_or_assign(std::string(meaning.name) + "_offsets", view(offsets));
-    points(meaning, joined);
-  }
-  void rows(const Meaning& meaning, const std::vector<std::vector<double>>& rows) override {
-    std::vector<double>& joined = handle_.numbers.emplace_back();
-    for (const std::vector<double>& row : rows) joined.insert(joined.end(), row.begin(), row.end());
-    const std::int64_t columns = rows.empty() ? 0 : std::ssize(rows.front());
-    const std::int64_t stride = sizeof(double);
-    array(meaning, {joined.data(), ArrayType::float64, 2, {std::ssize(rows), columns}, {stride * columns, stride}});
+    add(std::string(meaning.name) + "_offsets", [&offsets] { return view(offsets); });
+    array(meaning, view(joined));
   }
   void table(const Meaning& meaning, const Table& table) override {
     for (const Column& column : table) figure({std::string(meaning.name) + '.' + column.name, "", ""}, column.values);
   }
   void part(const Meaning& meaning, std::string_view, const PartMaker& make) override {
-    handle_.parts.insert_or_assign(std::string(meaning.name), gvd_object::Part{make(), std::string(meaning.text)});
+    handle_.parts.insert_or_assign(std::string(meaning.name), gvd_object::Views::Part{make, std::string(meaning.text)});
   }
 
  private:
-  gvd_object& handle_;
+  void add(std::string name, std::function<ArrayView()> view) {
+    handle_.arrays.insert_or_assign(std::move(name), std::move(view));
+  }
+
+  gvd_object::Views& handle_;
 };
 
 }  // namespace
 
-gvd_object::gvd_object(std::shared_ptr<const gvd::Object> made)
-    : object(std::move(made)), figures(figures_json(*object)) {
-  ViewCollector views(*this);
-  object->visit(views);
+const std::vector<gvd::SurfacePoint>& gvd::c::JoinedPoints::all() {
+  std::call_once(made_, [this] {
+    for (std::int64_t i = 0; i < lists.count; ++i) {
+      const auto list = lists.list(i);
+      points_.insert(points_.end(), list.begin(), list.end());
+    }
+  });
+  return points_;
+}
+
+gvd_object::gvd_object(std::shared_ptr<const gvd::Object> made, Door of) : object(std::move(made)), door(of) {
   if (const auto* const surface = dynamic_cast<const MeshObject*>(object.get())) {
     for (const std::string& line : surface->mesh()->defects.messages) repairs += spell_for_json(line) + '\n';
   }
+}
+
+const gvd_object::Views& gvd_object::views() const {
+  std::call_once(views_made_, [&] {
+    ViewCollector collector(views_);
+    object->visit(collector);
+  });
+  return views_;
+}
+
+const std::string& gvd_object::figures() const {
+  std::call_once(figures_made_, [&] {
+    figures_ = figures_json(*object, door);
+    if (told.empty()) return;
+    figures_.back() = figures_ == "{}" ? ' ' : ',';
+    figures_ += told.substr(1);
+  });
+  return figures_;
 }
 
 const MeshPtr& gvd_object::checked() const {
@@ -96,25 +138,36 @@ const ClosestPointTree& gvd_object::closest() const {
   return *tree_;
 }
 
-const char* gvd_last_error(void) { return last_error.c_str(); }
+const char* gvd_last_error(void) { return last_error.text.c_str(); }
+
+const char* gvd_last_error_code(void) { return last_error.code; }
+
+int64_t gvd_last_error_element(void) { return last_error.element; }
 
 namespace gvd::c {
 
-gvd_status fail(gvd_status status, const char* message) noexcept {
+gvd_status fail(gvd_status status, const char* message, const char* code, std::int64_t element) noexcept {
+  last_error.code = code;
+  last_error.element = element;
   try {
-    last_error = message;
+    last_error.text = message;
   } catch (...) {
-    last_error.clear();
+    last_error.text.clear();
   }
   return status;
 }
 
-gvd_status fail(const Error& error) noexcept {
+Door door_of(const gvd_run* run) noexcept {
+  const bool is_known = run != nullptr && run->door >= GVD_JSON && run->door <= GVD_JAVASCRIPT;
+  return is_known ? static_cast<Door>(run->door) : Door::json;
+}
+
+gvd_status fail(const Error& error, Door door) noexcept {
   const gvd_status status = kStatuses[std::size_t(error.code())];
   try {
-    return fail(status, spell_for_json(error.text()).c_str());
+    return fail(status, spell_for(door, error.text()).c_str(), kCodeNames[std::size_t(error.code())], error.element());
   } catch (...) {
-    return fail(status, error.what());
+    return fail(status, error.what(), kCodeNames[std::size_t(error.code())], error.element());
   }
 }
 
@@ -132,6 +185,7 @@ bool CallObserver::is_cancelled() const {
 
 bool CallObserver::progress(std::string_view step, double fraction) {
   if (is_cancelled()) return false;
+  if (run_.due != nullptr && __atomic_exchange_n(run_.due, 0, __ATOMIC_RELAXED) == 0) return true;
   return run_.progress == nullptr || run_.progress(run_.data, std::string(step).c_str(), fraction) != 0;
 }
 
@@ -140,8 +194,13 @@ void CallObserver::enter(std::string_view step) {
 }
 
 void CallObserver::note(const std::string& text) {
-  notes_.push_back(spell_for_json(text));
+  notes_.push_back(spell_for(door(), text));
   if (run_.note != nullptr) run_.note(run_.data, notes_.back().c_str());
+}
+
+void CallObserver::warn(const std::string& text) {
+  note(text);
+  warnings_.push_back(notes_.back());
 }
 
 }  // namespace gvd::c

@@ -10,8 +10,10 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gvd/closest_point.hpp"
@@ -25,9 +27,39 @@
 
 // What the C interface hands out, and the guard that lets no exception out.
 
+namespace gvd::c {
+
+/// Lists of points as one, made when it is asked for first.
+class JoinedPoints {
+ public:
+  const std::vector<SurfacePoint>& all();
+  PointLists lists;
+
+ private:
+  std::once_flag made_;
+  std::vector<SurfacePoint> points_;
+};
+
+}  // namespace gvd::c
+
 /// An object with the views of its parts. It holds what it refers to, so that handles may be released in any order.
 struct gvd_object {
-  explicit gvd_object(std::shared_ptr<const gvd::Object> made);
+  /// What an object consists of, by its names.
+  struct Views {
+    std::map<std::string, std::function<gvd::ArrayView()>, std::less<>> arrays;
+    struct Part {
+      gvd::PartMaker make;  ///< gives null where this object has none
+      std::string text;     ///< what it is
+    };
+    std::map<std::string, Part, std::less<>> parts;
+    // What no object owns in one piece.
+    std::deque<std::vector<double>> numbers;
+    std::deque<std::vector<std::int64_t>> whole_numbers;
+    std::deque<std::vector<gvd::GeneratorId>> generators;
+    std::deque<gvd::c::JoinedPoints> joined;
+  };
+
+  explicit gvd_object(std::shared_ptr<const gvd::Object> made, gvd::Door of = gvd::Door::json);
   gvd_object(const gvd_object&) = delete;
   gvd_object& operator=(const gvd_object&) = delete;
 
@@ -39,24 +71,20 @@ struct gvd_object {
   const gvd::Diagram& diagram() const { return diagram_object().diagram(); }
   /// The tree of a mesh, which the first call builds.
   const gvd::ClosestPointTree& closest() const;
+  /// The first call that asks for one of these makes it.
+  const Views& views() const;
+  const std::string& figures() const;  ///< JSON
 
   std::shared_ptr<const gvd::Object> object;
-  std::string figures;  ///< JSON
-  std::string repairs;  ///< of a mesh, one line each
-  std::map<std::string, gvd::ArrayView, std::less<>> arrays;
-  struct Part {
-    std::shared_ptr<const gvd::Object> object;  ///< null: this object has none
-    std::string text;                           ///< what it is
-  };
-  std::map<std::string, Part, std::less<>> parts;
-  std::optional<std::vector<gvd::SurfacePoint>> generators;  ///< of the vertices of a remesh
-
-  // What no object owns in one piece.
-  std::deque<std::vector<double>> numbers;
-  std::deque<std::vector<std::int64_t>> whole_numbers;
-  std::deque<std::vector<gvd::SurfacePoint>> points;
+  gvd::Door door;                                    ///< of figures
+  std::string told;                                  ///< further figures of a result, JSON; empty: none
+  std::string repairs;                               ///< of a mesh, one line each
+  std::optional<std::vector<gvd_point>> generators;  ///< of the vertices of a remesh
 
  private:
+  mutable std::once_flag views_made_, figures_made_;
+  mutable Views views_;
+  mutable std::string figures_;
   mutable std::once_flag tree_made_;
   mutable std::unique_ptr<gvd::ClosestPointTree> tree_;
 };
@@ -64,17 +92,20 @@ struct gvd_object {
 namespace gvd::c {
 
 /// Keeps the message for gvd_last_error, and returns the status.
-gvd_status fail(gvd_status status, const char* message) noexcept;
-gvd_status fail(const Error& error) noexcept;
+gvd_status fail(gvd_status status, const char* message, const char* code = "", std::int64_t element = -1) noexcept;
+gvd_status fail(const Error& error, Door door = Door::json) noexcept;
+
+/// The door of a run; JSON's where there is none.
+Door door_of(const gvd_run* run) noexcept;
 
 /// Does the work of a call; its exceptions become a status and a message.
 template <class Work>
-gvd_status guarded(Work&& work) noexcept {
+gvd_status guarded_for(const gvd_run* run, Work&& work) noexcept {
   try {
     work();
     return GVD_OK;
   } catch (const Error& error) {
-    return fail(error);
+    return fail(error, door_of(run));
   } catch (const std::bad_alloc&) {
     return fail(GVD_OUT_OF_MEMORY, "out of memory; use a smaller mesh or fewer generators");
   } catch (const std::exception& error) {
@@ -82,6 +113,11 @@ gvd_status guarded(Work&& work) noexcept {
   } catch (...) {
     return fail(GVD_INTERNAL_ERROR, "unknown exception");
   }
+}
+
+template <class Work>
+gvd_status guarded(Work&& work) noexcept {
+  return guarded_for(nullptr, std::forward<Work>(work));
 }
 
 /// What a function without a status answers: `fallback` where an argument is NULL or an object of another kind.
@@ -100,6 +136,10 @@ T& given(T* argument, const char* name) {
   return *argument;
 }
 
+/// The result of an operation, with options as JSON. Throws what the operation throws.
+std::unique_ptr<gvd_object> call(const char* operation, const gvd_object* on, const std::string& options,
+                                 std::span<const ArrayView> arrays, const gvd_run* run);
+
 /// What an operation tells, for the functions and the flag of a run.
 class CallObserver : public Observer {
  public:
@@ -107,13 +147,16 @@ class CallObserver : public Observer {
   bool progress(std::string_view step, double fraction) override;
   void enter(std::string_view step) override;
   void note(const std::string& text) override;
+  void warn(const std::string& text) override;
   const std::vector<std::string>& notes() const { return notes_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  Door door() const { return door_of(&run_); }
 
  private:
   bool is_cancelled() const;
 
   gvd_run run_{};
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_, warnings_;
 };
 
 }  // namespace gvd::c

@@ -64,6 +64,9 @@ class DiagramEditor {
   /// not be kept local.
   std::int32_t propagated() const;
 
+  /// How the next changes run: the fields of DiagramOptions.
+  void run_with(int threads, Progress progress);
+
  private:
   struct State;
   std::unique_ptr<State> state_;

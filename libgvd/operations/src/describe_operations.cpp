@@ -43,7 +43,8 @@ class Describer : public ObjectVisitor {
   void array(const Meaning& meaning, const ArrayView& view) override {
     Json& one = kind_["arrays"].emplace_back(describe_meaning(meaning));
     one["type"] = kTypeNames[std::size_t(view.type)];
-    one["columns"] = view.dimensions == 1 ? 1 : view.shape[1];
+    const std::int64_t columns = view.dimensions == 1 ? 1 : view.shape[1];
+    one["columns"] = columns > 0 ? Json(columns) : Json();  // null: as many as there are
   }
   void points(const Meaning& meaning, const PointsView& points) override { add_points(meaning, points); }
   void curves(const Meaning& meaning, const PointLists&) override {
@@ -51,10 +52,10 @@ class Describer : public ObjectVisitor {
           view(std::vector<std::int64_t>()));
     add_points(meaning, std::vector<SurfacePoint>());
   }
-  void rows(const Meaning& meaning, const std::vector<std::vector<double>>&) override {
-    Json& one = kind_["arrays"].emplace_back(describe_meaning(meaning));
-    one["type"] = "float64";
-    one["columns"] = nullptr;  // as many as there are
+  void lists(const Meaning& meaning, const GeneratorLists&) override {
+    array({std::string(meaning.name) + "_offsets", "", "the place of each list's first number, and the number of all"},
+          view(std::vector<std::int64_t>()));
+    array(meaning, view(std::vector<GeneratorId>()));
   }
   void table(const Meaning& meaning, const Table& table) override {
     Json& one = kind_["tables"].emplace_back(describe_meaning(meaning));
@@ -82,7 +83,7 @@ Json describe_object(const Object& object) {
   return describer.take();
 }
 
-Json describe_options(const OptionList& list) {
+Json describe_options(const OptionList& list, Door door) {
   Json all = Json::array();
   for (const Option* const option : list.options()) {
     Json& one = all.emplace_back(Json{{"name", option->name}});
@@ -98,9 +99,9 @@ Json describe_options(const OptionList& list) {
     one["unit"] = spec.unit.empty() ? Json() : Json(spec.unit);
     one["default"] = Json::parse(value_json(option->field));
     const bool is_plain = spec.usual.empty() || spec.usual == default_text(option->field);
-    one["usual"] = is_plain ? Json() : Json(spell_for_json(spec.usual));
-    one["summary"] = spell_for_json(spec.help);
-    one["help"] = spell_for_json(spec.help + spec.more);
+    one["usual"] = is_plain ? Json() : Json(spell_for(door, spec.usual));
+    one["summary"] = spell_for(door, spec.help);
+    one["help"] = spell_for(door, spec.help + spec.more);
     Json& excluded = one["excludes"] = Json::array();
     for (const Option* const other : list.options()) {
       if (list.exclude_each_other(option->name, other->name)) excluded.push_back(other->name);
@@ -132,7 +133,7 @@ Json describe_formats() {
 
 std::string formats_json() { return describe_formats().dump(); }
 
-std::string describe_operations() {
+std::string describe_operations(Door door) {
   Json described{{"version", version()}, {"operations", Json::array()}, {"objects", Json::object()}};
   for (const Operation& operation : operations()) {
     const auto call = operation.call();
@@ -140,12 +141,16 @@ std::string describe_operations() {
     call->describe(list);
     described["operations"].push_back({{"name", operation.name},
                                        {"summary", operation.summary},
-                                       {"on", operation.on},
-                                       {"options", describe_options(list)},
+                                       {"on", operation.on.empty() ? Json() : Json(operation.on)},
+                                       {"options", describe_options(list, door)},
                                        {"result", describe_object(*operation.no_result())}});
   }
   described["objects"]["mesh"] = describe_object(MeshObject());
   described["objects"]["diagram"] = describe_object(DiagramObject());
+  FileOptions files;
+  OptionList list;
+  describe(list, files);
+  described["file_options"] = describe_options(list, door);
   described["formats"] = describe_formats();
   return described.dump();
 }

@@ -11,7 +11,12 @@
 
 namespace gvd {
 
-void describe(OptionList& list, SampleCall& call) { describe(list, call.generators); }
+void describe(OptionList& list, SampleCall& call) {
+  describe(list, call.generators, {"points"});
+  list.option("points", PointList{&call.points},
+              {.help = "Points to move to the surface, in place of generators; they may be in the same place"});
+  list.excludes("points", {"sampling", "seed", "merge_coincident"});
+}
 
 void SampleOutcome::visit(ObjectVisitor& visitor) const {
   std::vector<double> snapped;
@@ -28,7 +33,12 @@ void SampleOutcome::visit(ObjectVisitor& visitor) const {
 std::shared_ptr<const SampleOutcome> run(const MeshPtr& input, SampleCall& call, Observer& observer) {
   auto outcome = std::make_shared<SampleOutcome>();
   outcome->input = input;
-  outcome->found = choose_generators(*input, call.generators, {}, observer);
+  if (call.points.is_given()) {
+    call.generators.points = call.points;
+    outcome->found = resolve_listed(*input, call.generators, observer, true);
+  } else {
+    outcome->found = choose_generators(*input, call.generators, {}, observer);
+  }
   return outcome;
 }
 
@@ -37,7 +47,18 @@ void describe(OptionList& list, DiagramCall& call) {
   describe_curves(list, call.generators);
   describe(list, call.diagram);
   describe(list, call.weights, call.diagram);
-  list.excludes("curves", {"sampling", "seed", "merge_coincident", "balance", "weights"});
+  describe(list, call.regions, "cells and distances");
+  list.option(
+      "editable", Flag{&call.editable},
+      {.help = "Keep what an edit of the diagram needs, some 450 bytes a face, so that the first edit is as quick "
+               "as the next"});
+  const std::string why = "only a diagram of points on the whole mesh, without weights, can be edited";
+  list.excludes("editable", {"curves", "balance", "weights", "within", "mask"}, why);
+  list.rule({"editable", {"method"}, [&call](const Given&) -> std::string {
+               return call.diagram.method == Method::exact ? "" : "\1editable\2 needs \1method=exact\2";
+             }});
+  list.excludes("curves", {"sampling", "seed", "merge_coincident"});
+  exclude_curves(list);
   list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
                return call.diagram.method == Method::exact ? "" : "\1curves\2 needs \1method=exact\2";
              }});
@@ -46,20 +67,38 @@ void describe(OptionList& list, DiagramCall& call) {
 void DiagramOutcome::visit(ObjectVisitor& visitor) const {
   DiagramObject::visit(visitor);
   visit_balance(visitor, balanced_ ? &*balanced_ : nullptr);
+  visit_parted(visitor, parted_);
 }
 
 std::shared_ptr<const DiagramOutcome> run(const MeshPtr& input, DiagramCall& call, Observer& observer) {
   call.diagram.threads = observer.threads;
   std::optional<BalancedDiagram> balanced;
-  Diagram made;
+  std::unique_ptr<DiagramEditor> editor;
+  PartedMesh parted = find_parted(*input, call.regions, observer);
+  separate(input->mesh, parted, observer);
+  auto made = std::make_shared<Diagram>();
   if (call.generators.curves.is_given()) {
-    made = compute_of_curves(*input, call.generators, call.diagram, observer);
+    *made = compute_of_curves(*input, call.generators, call.diagram, observer);
   } else {
-    const ResolvedGenerators found = choose_generators(*input, call.generators, call.diagram, observer);
-    made = compute_weighted(*input, input->mesh, found.points, call.weights, call.diagram, observer, balanced);
+    const ResolvedGenerators found = choose_inside(*input, parted, call.generators, call.diagram, false, observer);
+    if (call.editable) {
+      *made = compute_in_steps(observer, call.diagram, [&](const DiagramOptions& stepped) {
+        editor = std::make_unique<DiagramEditor>(input->mesh, found.points, stepped);
+        return editor->diagram();
+      });
+      tell_diagram(observer, *made);
+    } else {
+      *made = compute_weighted(*input, parted.surface(input->mesh), found.points, call.weights, call.diagram, observer,
+                               balanced);
+    }
   }
   resolve(call.diagram);
-  return std::make_shared<DiagramOutcome>(input, std::make_shared<const Diagram>(std::move(made)), std::move(balanced));
+  const auto options = parted.is_parted() ? std::nullopt : std::optional(call.diagram);
+  const std::shared_ptr<const Diagram> diagram = std::move(made);
+  DiagramObject object(input, parted.on_input(diagram), options, keep_separated(parted, diagram));
+  auto outcome = std::make_shared<DiagramOutcome>(std::move(object), std::move(balanced), std::move(parted));
+  if (editor) outcome->keep(std::move(editor));
+  return outcome;
 }
 
 }  // namespace gvd

@@ -99,7 +99,7 @@ void add_nearest(DistancesOutcome& made) {
       found.take(i, vertices.distance[v.index()], vertices.source[v.index()]);
     });
   }
-  table.rows.push_back(std::move(found.distance));
+  table.rows = std::move(found.distance);
   table.nearest = std::move(found.source);
 }
 
@@ -116,6 +116,17 @@ void check_table(double most, std::size_t sources, std::size_t points) {
                   sources, points, needed / 1e9, most / 1e9));
 }
 
+/// The vertices that points are at; empty where one is at none.
+std::vector<VertexId> find_vertices(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  std::vector<VertexId> found;
+  for (const SurfacePoint& point : points) {
+    const auto corner = std::ranges::find(point.bary, 1.0);
+    if (corner == point.bary.end()) return {};
+    found.push_back(mesh.vertices(point.face)[std::size_t(corner - point.bary.begin())]);
+  }
+  return found;
+}
+
 /// A row of distances from each source.
 void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& made) {
   const CheckedMesh& input = *made.input;
@@ -123,11 +134,16 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
   DistanceTable& table = made.table;
   const bool has_targets = !table.targets.empty();
   const std::vector<SurfacePoint>& sources = made.sources.places;
-  const std::size_t places = has_targets ? made.targets.places.size() : std::size_t(mesh.vertex_count());
-  const std::size_t points = has_targets ? table.targets.size() : input.mesh_vertex.size();
+  // Targets that are vertices take their part of whole rows: these need less work than points inside faces.
+  const std::vector<VertexId> at = find_vertices(mesh, made.targets.places);
+  const bool has_points = has_targets && at.empty();
+  const std::size_t places = has_points ? made.targets.places.size() : std::size_t(mesh.vertex_count());
+  const std::size_t points = has_targets          ? table.targets.size()
+                             : call.mesh_vertices ? std::size_t(input.mesh.vertex_count())
+                                                  : input.mesh_vertex.size();
   check_table(call.most_bytes, table.sources.size(), points);
-  table.rows.assign(table.sources.size(), std::vector<double>(points, kInfinity));
-  if (places == 0) return;  // all targets are left out
+  table.rows = {std::vector<double>(table.sources.size() * points, kInfinity), table.sources.size()};
+  if (has_targets && made.targets.places.empty()) return;  // all targets are left out
   ExactFieldOptions options = field_options(call, observer);
   std::vector<double> rows, of_vertices;
   for (std::size_t begin = 0; begin < sources.size(); begin += kSourcesAtOnce) {
@@ -137,13 +153,15 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
       return observer.progress(step, (double(begin) + done * double(end - begin)) / double(sources.size()));
     };
     compute_distance_rows(mesh, {sources.begin() + std::ptrdiff_t(begin), sources.begin() + std::ptrdiff_t(end)},
-                          has_targets ? &made.targets.places : nullptr, rows, options);
+                          has_points ? &made.targets.places : nullptr, rows, options);
     for (std::size_t source = begin; source < end; ++source) {
       const auto first = rows.begin() + std::ptrdiff_t((source - begin) * places);
-      std::vector<double>& row = table.rows[std::size_t(made.sources.point[source])];
+      const std::span<double> row = table.rows[std::size_t(made.sources.point[source])];
       const auto take = [&](std::size_t i, double d) { row[i] = std::min(row[i], d); };
       if (has_targets) {
-        for (std::size_t k = 0; k < places; ++k) take(std::size_t(made.targets.point[k]), first[std::ptrdiff_t(k)]);
+        for (std::size_t k = 0; k < made.targets.places.size(); ++k) {
+          take(std::size_t(made.targets.point[k]), first[has_points ? std::ptrdiff_t(k) : at[k].value()]);
+        }
         continue;
       }
       of_vertices.assign(std::size_t(input.mesh.vertex_count()), kInfinity);
@@ -151,7 +169,11 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
         double& least = of_vertices[made.measured->input_vertex(v).index()];
         least = std::min(least, first[v.value()]);
       }
-      match_vertices(input, [&](std::size_t i, VertexId v) { take(i, of_vertices[v.index()]); });
+      if (call.mesh_vertices) {
+        std::ranges::copy(of_vertices, row.begin());
+      } else {
+        match_vertices(input, [&](std::size_t i, VertexId v) { take(i, of_vertices[v.index()]); });
+      }
     }
   }
 }
@@ -332,7 +354,8 @@ void describe(OptionList& list, DistancesCall& call) {
                .shown = Shown::main});
   describe(list, call.regions, "distances and paths");
   list.one_of({{"from", "curves"}, "no sources"});
-  list.excludes("curves", {"merge_coincident", "within", "mask", "each"});
+  list.excludes("curves", {"merge_coincident", "each"});
+  list.excludes("curves", {"within", "mask"}, "a curve may leave its region");
   list.excludes("each", {"isolines"}, "isolines are of the nearest source");
   list.rule({"paths", {"to"}, [](const Given& given) -> std::string {
                return given.has("to") ? ""
@@ -344,6 +367,9 @@ void describe(OptionList& list, DistancesCall& call) {
 void describe_for_programs(OptionList& list, DistancesCall& call) {
   list.option("logarithm", Flag{&call.logarithm},
               {.help = "Direction and length of the shortest path to each vertex, in the tangent plane of the source"});
+  list.option("keep_coincident", Flag{&call.keep_coincident}, {.help = "Sources may be in the same place"});
+  list.option("mesh_vertices", Flag{&call.mesh_vertices},
+              {.help = "With \1each\2, rows of the mesh's vertices, where repairs made others than the input's"});
   list.excludes("logarithm", {"each", "curves"});
 }
 
@@ -353,7 +379,7 @@ std::string describe_unreached(const DistancesOutcome& outcome) {
   BarrierCounts barriers;
   std::int64_t count = 0;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    for (std::size_t i = 0; i < table.rows[row].size(); ++i, ++count) {
+    for (std::size_t i = 0; i < table.rows.points(); ++i, ++count) {
       if (!std::isfinite(table.rows[row][i])) barriers.add(unreached.find(row, i));
     }
   }
@@ -371,7 +397,8 @@ std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall&
   made->has_limit = call.max_distance.has_value();
   DistanceTable& table = made->table;
   if (!call.sources.curves.is_given()) {
-    ResolvedGenerators sources = choose_generators(*input, call.sources, {}, observer);
+    ResolvedGenerators sources = call.keep_coincident ? resolve_listed(*input, call.sources, observer, true)
+                                                      : choose_generators(*input, call.sources, {}, observer);
     table.sources = std::move(sources.points);
     table.source_vertices = std::move(sources.vertex);
     made->snap_distance = std::move(sources.snap_distance);
@@ -389,9 +416,7 @@ std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall&
   check_sources(*made);
   call.each ? measure_each(call, observer, *made) : measure_nearest(call, observer, *made);
   made->polylines = make_curves(input->mesh, table);
-  for (const std::vector<double>& row : table.rows) {
-    made->unreached += std::ranges::count_if(row, [](double d) { return !std::isfinite(d); });
-  }
+  made->unreached = std::ranges::count_if(table.rows.values(), [](double d) { return !std::isfinite(d); });
   const bool is_short = !table.targets.empty() && table.rows.size() * table.targets.size() <= kToldDistances;
   if (made->unreached > 0 && !is_short) observer.note(describe_unreached(*made));
   if (call.isolines) {

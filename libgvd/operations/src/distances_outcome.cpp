@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gvd/distances_operation.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd {
 namespace {
@@ -22,7 +23,7 @@ Table list_targets(const Mesh& mesh, const DistanceTable& table) {
     bary.emplace_back(point.bary.begin(), point.bary.end());
     positions.push_back({p.x(), p.y(), p.z()});
     distances.emplace_back();
-    for (const std::vector<double>& row : table.rows) distances.back().push_back(row[i]);
+    for (const std::span<const double> row : table.rows.each()) distances.back().push_back(row[i]);
     if (!table.nearest.empty()) sources.push_back(table.nearest[i].value());
   }
   return {{"vertex", vertices},    {"face", faces},          {"bary", bary},
@@ -72,9 +73,7 @@ Table list_isolines(const Mesh& mesh, const std::vector<Isoline>& lines) {
 
 double largest_of(const DistanceTable& table) {
   double largest = 0;
-  for (const std::vector<double>& row : table.rows) {
-    for (const double d : row) largest = std::isfinite(d) ? std::max(largest, d) : largest;
-  }
+  for (const double d : table.rows.values()) largest = std::isfinite(d) ? std::max(largest, d) : largest;
   return largest;
 }
 
@@ -95,19 +94,24 @@ void DistancesOutcome::visit(ObjectVisitor& visitor) const {
   visitor.figure({"sources", "", "number of sources"}, std::ssize(table.sources));
   visitor.figure({"source_vertices", "", "that they were given as, by the input's numbers; -1: none"},
                  source_vertices(table));
-  visitor.figure({"distances", "", "number of distances"},
-                 std::int64_t(table.rows.size() * (table.rows.empty() ? 0 : table.rows.front().size())));
+  visitor.figure({"distances", "", "number of distances"}, std::ssize(table.rows.values()));
   visitor.figure({"unreached", "", "distances that are infinite"}, unreached);
   visitor.figure({"largest", "mesh units", "largest finite distance"}, largest_of(table));
   visitor.table({"targets", "", "points to measure to"}, list_targets(mesh, table));
   visitor.table({"paths", "", "shortest paths"}, list_paths(table));
   visitor.table({"isolines", "", "curves of each level"}, list_isolines(mesh, table.isolines));
 
-  visitor.rows(
+  const auto columns = std::int64_t(table.rows.points());
+  const std::int64_t stride = sizeof(double);
+  visitor.array(
       {"rows", "mesh units",
        "distances: a row for the nearest source, or for each one; of the targets, or else of the vertices of the "
        "input, by its numbers"},
-      table.rows);
+      {table.rows.values().data(),
+       ArrayType::float64,
+       2,
+       {std::int64_t(table.rows.size()), columns},
+       {columns * stride, stride}});
   visitor.array({"nearest", "", "the nearest source of each of these; empty with each"}, view(table.nearest));
   visitor.array({"vertex_distances", "mesh units", "of the mesh's vertices from the nearest source; empty with each"},
                 view(distance));
@@ -138,6 +142,18 @@ std::optional<LabelledMesh> DistancesOutcome::labelled() const {
   mesh.vertex_label = &label;
   mesh.vertex_distance = &distance;
   return mesh;
+}
+
+OwnWriters DistancesOutcome::part_writers(std::string_view part) const {
+  constexpr std::string_view kPath = "path ";
+  const auto place = part.starts_with(kPath) ? parse_number<std::int64_t>(part.substr(kPath.size())) : std::nullopt;
+  if (!place || *place < 0 || *place >= std::ssize(table.paths)) return {};
+  DistanceTable one;
+  one.paths = {table.paths[std::size_t(*place)]};
+  one.source_vertices = table.source_vertices;
+  one.target_vertices = {table.target_vertex(std::size_t(one.paths.front().target))};
+  one.paths.front().target = 0;
+  return {{"csv", [one = std::move(one)](std::ostream& out) { write_paths_csv(out, one); }}};
 }
 
 OwnWriters DistancesOutcome::own_writers() const {

@@ -15,13 +15,15 @@ using Json = nlohmann::ordered_json;
 
 class FigureReader : public ObjectVisitor {
  public:
+  explicit FigureReader(Door door) : door_(door) {}
+
   void figure(const Meaning& meaning, const Figure& value) override {
     Json& place = this->place(meaning);
     std::visit(Overload{[&place](std::monostate) { place = nullptr; },
-                        [&place](const std::string& text) { place = spell_for_json(text); },
-                        [&place](const std::vector<std::string>& texts) {
+                        [&](const std::string& text) { place = spell_for(door_, text); },
+                        [&](const std::vector<std::string>& texts) {
                           place = Json::array();
-                          for (const std::string& text : texts) place.push_back(spell_for_json(text));
+                          for (const std::string& text : texts) place.push_back(spell_for(door_, text));
                         },
                         [&place](const auto& known) { place = known; }},
                value);
@@ -67,15 +69,16 @@ class FigureReader : public ObjectVisitor {
     return (*at)[std::string(name)];
   }
 
+  Door door_;
   Json figures_ = Json::object();
 };
 
 }  // namespace
 
-std::string figures_json(const Object& object) {
-  FigureReader reader;
-  object.visit(reader);
-  return reader.take().dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string figures_json(const Object& object, Door door) {
+  FigureReader figures(door);
+  object.visit(figures);
+  return figures.take().dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace gvd

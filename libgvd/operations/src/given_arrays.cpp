@@ -183,6 +183,22 @@ std::vector<double> to_numbers(const Json& value, const Arrays& arrays) {
 
 bool is_array_reference(const Json& value) { return value.is_object() && value.size() == 1 && value.contains("array"); }
 
+std::vector<double> read_array(const ArrayView& view, std::size_t place) {
+  const std::int64_t columns = columns_of(checked(view, place));
+  std::vector<double> numbers;
+  numbers.reserve(std::size_t(view.shape[0] * columns));
+  for (std::int64_t row = 0; row < view.shape[0]; ++row) {
+    for (std::int64_t column = 0; column < columns; ++column) numbers.push_back(number_at(view, row, column));
+  }
+  return numbers;
+}
+
+std::string read_bytes(const Json& value, const Arrays& arrays) {
+  std::string text;
+  for (const double byte : to_numbers(value, arrays)) text.push_back(static_cast<char>(static_cast<int>(byte)));
+  return text;
+}
+
 std::vector<std::int64_t> read_indices(const Json& value, const Arrays& arrays) {
   std::vector<std::int64_t> indices;
   if (is_array_reference(value)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -31,6 +32,11 @@ ElementValues read_numbers(const nlohmann::ordered_json& value, const Arrays& ar
                            const std::string& name);
 /// Whole numbers from 0 on.
 std::vector<std::int64_t> read_indices(const nlohmann::ordered_json& value, const Arrays& arrays);
+
+/// A text, as an array of its bytes.
+std::string read_bytes(const nlohmann::ordered_json& value, const Arrays& arrays);
+/// All numbers of an array, row by row. `place`: its number, for messages.
+std::vector<double> read_array(const ArrayView& view, std::size_t place);
 
 /// Whether a value is {"array": N}.
 bool is_array_reference(const nlohmann::ordered_json& value);

@@ -2,10 +2,14 @@
 #include "gvd/mesh_objects.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <ostream>
 
+#include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
+#include "gvd/io/diagram_json.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/parted_mesh.hpp"
 
 namespace gvd {
 namespace {
@@ -39,10 +43,49 @@ void visit_report(ObjectVisitor& visitor, const Diagram& diagram) {
 
 }  // namespace
 
+struct DiagramObject::KeptEditor {
+  std::mutex mutex;
+  std::unique_ptr<DiagramEditor> editor;  // refers to the mesh
+};
+
+DiagramObject::DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram,
+                             std::optional<DiagramOptions> options, SeparatedDiagram parted)
+    : mesh_(std::move(mesh)),
+      diagram_(std::move(diagram)),
+      options_(std::move(options)),
+      parted_(std::move(parted)),
+      kept_(std::make_shared<KeptEditor>()) {}
+
+std::unique_ptr<DiagramEditor> DiagramObject::take_editor(Observer& observer) const {
+  std::unique_ptr<DiagramEditor> editor;
+  {
+    const std::lock_guard lock(kept_->mutex);
+    editor = std::move(kept_->editor);
+  }
+  if (editor) {
+    editor->run_with(observer.threads, progress_of(observer));
+    return editor;
+  }
+  if (!options_) throw Error(ErrorCode::invalid_option, "a diagram inside regions can't be edited");
+  if (!diagram_->curves.empty()) throw Error(ErrorCode::invalid_option, "a diagram of curves can't be edited");
+  DiagramOptions options = *options_;
+  options.weights = diagram_->weights;
+  options.threads = observer.threads;
+  options.progress = progress_of(observer);
+  return std::make_unique<DiagramEditor>(mesh_->mesh, diagram_->generators, std::move(options));
+}
+
+void DiagramObject::keep(std::unique_ptr<DiagramEditor> editor) const {
+  editor->run_with(0, {});  // an observer lives as long as its call
+  const std::lock_guard lock(kept_->mutex);
+  kept_->editor = std::move(editor);
+}
+
 void MeshObject::visit(ObjectVisitor& visitor) const {
   const Mesh& mesh = mesh_->mesh;
   const MeshSummary summary = compute_mesh_summary(mesh);
   visitor.figure({"vertices", "", "number of vertices"}, summary.vertices);
+  visitor.figure({"edges", "", "number of edges"}, summary.edges);
   visitor.figure({"faces", "", "number of triangles"}, summary.faces);
   visitor.figure({"components", "", "connected parts"}, summary.components);
   visitor.figure({"boundary_loops", "", "loops of boundary edges"}, summary.boundary_loops);
@@ -50,6 +93,9 @@ void MeshObject::visit(ObjectVisitor& visitor) const {
   visitor.figure({"area", "square mesh units", "of all faces"}, summary.area);
   visitor.figure({"bbox_diagonal", "mesh units", "diagonal of the bounding box"}, summary.bbox_diagonal);
   visitor.figure({"repairs", "", "what was repaired, a line each"}, mesh_->defects.messages);
+  const Appearance& look = mesh_->appearance;
+  visitor.figure({"materials", "", "names of materials"}, look.materials);
+  visitor.figure({"material_files", "", "that the materials are in"}, look.material_files);
   visitor.array({"vertex_positions", "mesh units", "x, y and z of each vertex"}, view(mesh.positions()));
   visitor.array({"face_vertices", "", "the vertices of each face"}, view(mesh.face_vertices()));
   visitor.array({"vertex_of_input", "", "the vertex that each vertex of the input became; -1: none"},
@@ -58,7 +104,13 @@ void MeshObject::visit(ObjectVisitor& visitor) const {
                 view(mesh_->input_vertex));
   visitor.array({"input_polygon", "", "the polygon of the input that each face was part of"},
                 view(mesh_->input_polygon));
+  visitor.array({"texture", "", "u and v of the three corners of each face; not a number where there are none"},
+                view(look.texture));
+  visitor.array({"face_materials", "", "the place of each face's material among the names; -1: none"},
+                view(look.material));
 }
+
+const Mesh& DiagramObject::surface() const { return parted_.mesh ? parted_.mesh->surface(mesh_->mesh) : mesh_->mesh; }
 
 void DiagramObject::visit(ObjectVisitor& visitor) const {
   const Diagram& diagram = *diagram_;
@@ -76,10 +128,22 @@ void DiagramObject::visit(ObjectVisitor& visitor) const {
                 view(diagram.cells.raw(), &Cell::euler_characteristic));
   visitor.array({"cell_components", "", "1 for a cell that is connected"},
                 view(diagram.cells.raw(), &Cell::components));
+  visitor.array({"cell_boundary_loops", "", "loops of bisectors and of the mesh's boundary"},
+                view(diagram.cells.raw(), &Cell::boundary_loops));
+  visitor.lists({"cell_neighbours", "", "cells with a bisector in common, ascending"},
+                {std::ssize(diagram.cells.raw()), [&diagram](std::int64_t i) {
+                   return std::span<const GeneratorId>(diagram.cells.raw()[std::size_t(i)].neighbours);
+                 }});
   visitor.points({"branch_point", "", "points of three or more cells"},
                  {diagram.branch_points.raw(), &BranchPoint::point});
+  visitor.array({"branch_point_positions", "mesh units", "their positions"},
+                view(diagram.branch_points.raw(), &BranchPoint::position));
   visitor.array({"branch_point_distances", "mesh units", "their distances from the generators"},
                 view(diagram.branch_points.raw(), &BranchPoint::distance));
+  visitor.lists({"branch_point_generators", "", "their generators, counter-clockwise"},
+                {std::ssize(diagram.branch_points.raw()), [&diagram](std::int64_t i) {
+                   return std::span<const GeneratorId>(diagram.branch_points.raw()[std::size_t(i)].generators);
+                 }});
   visitor.array({"bisector_left", "", "the cell on the left of each bisector, seen from outside"},
                 view(bisectors, &Bisector::left));
   visitor.array({"bisector_right", "", "the cell on its right"}, view(bisectors, &Bisector::right));
@@ -106,11 +170,19 @@ std::optional<LabelledMesh> MeshObject::labelled() const {
 }
 
 std::optional<LabelledMesh> DiagramObject::labelled() const {
-  LabelledMesh mesh = label_mesh(mesh_->mesh, *diagram_, diagram_->face_label);
+  LabelledMesh mesh = label_mesh(mesh_->mesh, *diagram_, surface_diagram().face_label);
+  if (parted_.mesh) {
+    mesh.diagram = parted_.diagram.get();
+    mesh.diagram_mesh = &surface();
+  }
   mesh.appearance = &mesh_->appearance;
   return mesh;
 }
 
-OwnWriters DiagramObject::own_writers() const { return list_writers(mesh_->mesh, diagram_->generators); }
+OwnWriters DiagramObject::own_writers() const {
+  OwnWriters own = list_writers(mesh_->mesh, diagram_->generators);
+  own["json"] = [this](std::ostream& out) { write_diagram_json(out, mesh_->mesh, *diagram_); };
+  return own;
+}
 
 }  // namespace gvd

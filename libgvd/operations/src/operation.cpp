@@ -8,7 +8,9 @@
 
 #include "gvd/diagram_operation.hpp"
 #include "gvd/distances_operation.hpp"
+#include "gvd/edit_operation.hpp"
 #include "gvd/error.hpp"
+#include "gvd/given_objects.hpp"
 #include "gvd/lloyd_operation.hpp"
 #include "gvd/remesh_operation.hpp"
 #include "gvd/segment_operation.hpp"
@@ -27,7 +29,7 @@ struct PartFinder : ObjectVisitor {
 
 /// What an operation works on.
 template <class Kind>
-const Kind& take(const Object& object, std::string_view wanted) {
+const Kind& cast(const Object& object, std::string_view wanted) {
   const auto* const taken = dynamic_cast<const Kind*>(&object);
   if (taken != nullptr) return *taken;
   PartFinder finder;
@@ -46,11 +48,16 @@ class CallWith : public Call {
     gvd::describe(list, options_);
     if constexpr (requires { describe_for_programs(list, options_); }) describe_for_programs(list, options_);
   }
+  void take(std::span<const ArrayView> arrays) override {
+    if constexpr (requires { options_.arrays; }) options_.arrays.assign(arrays.begin(), arrays.end());
+  }
   std::shared_ptr<const Object> run(const std::shared_ptr<const Object>& on, Observer& observer) override {
-    if constexpr (std::is_same_v<Kind, MeshObject>) {
-      return gvd::run(take<MeshObject>(*on, "mesh").mesh(), options_, observer);
+    if constexpr (std::is_void_v<Kind>) {
+      return gvd::run(options_, observer);
+    } else if constexpr (std::is_same_v<Kind, MeshObject>) {
+      return gvd::run(cast<MeshObject>(*on, "mesh").mesh(), options_, observer);
     } else {
-      return gvd::run(take<Kind>(*on, "diagram"), options_, observer);
+      return gvd::run(cast<Kind>(*on, Kind().kind()), options_, observer);
     }
   }
 
@@ -60,8 +67,9 @@ class CallWith : public Call {
 
 template <class Options, class Outcome, class Kind = MeshObject>
 Operation make_operation(std::string_view name, std::string_view summary) {
-  return {name, summary, std::is_same_v<Kind, MeshObject> ? "mesh" : "diagram",
-          []() -> std::unique_ptr<Call> { return std::make_unique<CallWith<Options, Kind>>(); },
+  std::string_view on;
+  if constexpr (!std::is_void_v<Kind>) on = Kind().kind();  // a text that lives as long as the program
+  return {name, summary, on, []() -> std::unique_ptr<Call> { return std::make_unique<CallWith<Options, Kind>>(); },
           []() -> std::shared_ptr<const Object> { return std::make_shared<Outcome>(); }};
 }
 
@@ -74,6 +82,8 @@ const std::vector<Operation>& operations() {
       make_operation<SampleCall, SampleOutcome>("sample",
                                                 "Spreads points over the surface, or moves those of a list to it"),
       make_operation<DiagramCall, DiagramOutcome>("diagram", "Computes the Voronoi diagram of points or curves"),
+      make_operation<EditCall, EditOutcome, DiagramObject>(
+          "edit", "Moves, adds or removes a generator of a diagram, and computes what changes with it"),
       make_operation<LabelCall, SegmentOutcome, DiagramObject>(
           "label", "Labels the faces of a mesh by the cells of its diagram, or cuts them along the bisectors"),
       make_operation<SegmentCall, SegmentOutcome>(
@@ -82,13 +92,24 @@ const std::vector<Operation>& operations() {
           "lloyd", "Moves generators to the geodesic centroids of their cells until they stop moving"),
       make_operation<RemeshCall, RemeshOutcome>(
           "remesh", "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point"),
+      make_operation<MapCall, RemeshOutcome, RemeshOutcome>("map",
+                                                            "Maps the vertices of a mesh to its remesh, and back"),
+      make_operation<CheckCall, CheckOutcome, DiagramObject>("check", "Tests every invariant of a diagram"),
+      make_operation<CurvesCall, CurvesOutcome>("curves",
+                                                "Finds or makes the curves of a mesh that serve as generators"),
+      make_operation<MeshCall, MeshObject, void>("mesh", "Makes a mesh of two arrays or of a file"),
+      make_operation<SavedMeshCall, MeshObject, void>("saved_mesh", "Makes a mesh of all arrays that a mesh has"),
+      make_operation<ValuesCall, NumbersObject, void>("values",
+                                                      "Reads the numbers that a file has for vertices or faces"),
+      make_operation<PropertiesCall, NumbersObject, void>("properties", "Reads the properties of a file of a mesh"),
   };
   return kOperations;
 }
 
 const MeshPtr& mesh_of(const Operation& operation, const Object& object) {
-  const bool is_on_mesh = operation.on == "mesh";
-  return is_on_mesh ? take<MeshObject>(object, "mesh").mesh() : take<DiagramObject>(object, "diagram").mesh();
+  if (operation.on == "mesh") return cast<MeshObject>(object, "mesh").mesh();
+  if (operation.on == "remesh") return cast<RemeshOutcome>(object, "remesh").input;
+  return cast<DiagramObject>(object, "diagram").mesh();
 }
 
 const Operation* find_operation(std::string_view name) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "given_arrays.hpp"
+#include "gvd/curve_list.hpp"
 #include "gvd/error.hpp"
 #include "gvd/operation_json.hpp"
 #include "gvd/option_text.hpp"
@@ -101,14 +102,22 @@ std::string read_value(const Option& option, const Json& value, const Arrays& ar
             }
             return "";
           },
-          [&](const Curves& curves) {
+          [&](const Curves& curves) -> std::string {
+            if (value.is_object() && value.size() == 1 && value.contains("file")) {
+              const Json& file = value.at("file");
+              const bool is_text = file.is_string();
+              if (!is_text && !is_array_reference(file)) return "\"file\": a name is needed";
+              const std::string path = is_text ? file.get<std::string>() : read_bytes(file, arrays);
+              *curves.value = {{}, std::make_shared<CurveList>(gvd::read_curves(path))};
+              return "";
+            }
             const std::string word = value.is_string() ? value.get<std::string>() : "";
             if (word == "boundary" || word == "creases" || word.starts_with("creases:")) return as_text();
             if (value.is_string()) {
               return gvd::quoted(word) + " is none of boundary, creases and creases:ANGLE; or give points";
             }
-            *curves.value = {{}, std::make_shared<CurveList>(read_curves(value, arrays, name))};
-            return std::string();
+            *curves.value = {{}, std::make_shared<CurveList>(gvd::read_curves(value, arrays, name))};
+            return "";
           },
           [&](const ValueSource& values) -> std::string {
             const std::string word = value.is_string() ? value.get<std::string>() : "";
@@ -125,6 +134,13 @@ std::string read_value(const Option& option, const Json& value, const Arrays& ar
           [&](const Switch&) -> std::string {
             return value.is_boolean() || value.is_string() ? as_text()
                                                            : gvd::quoted(value.dump()) + " is neither true nor false";
+          },
+          [&](const File&) -> std::string {  // its name may be no UTF-8, which JSON has to be
+            if (is_array_reference(value)) return read_option(option, {read_bytes(value, arrays)});
+            const bool is_text =
+                value.is_string() ||
+                (value.is_array() && std::ranges::all_of(value, [](const Json& one) { return one.is_string(); }));
+            return is_text ? read_option(option, to_texts(value)) : gvd::quoted(value.dump()) + " is no text";
           },
           [&](const Counts&) {
             return read_option(option, to_texts(is_array_reference(value) ? Json(read_indices(value, arrays)) : value));
@@ -176,11 +192,19 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
   return given;
 }
 
-std::string spell_for_json(const std::string& text, const Given* given) {
-  OptionSpelling spelling{.spell = [](std::string_view name, std::string_view value) {
-    if (value.empty()) return fmt::format("\"{}\"", name);
-    const bool is_bare = parse_number<double>(value) || value == "true" || value == "false";
-    return is_bare ? fmt::format("\"{}\": {}", name, value) : fmt::format("\"{}\": \"{}\"", name, value);
+std::string spell_for(Door door, const std::string& text, const Given* given) {
+  OptionSpelling spelling{.spell = [door](std::string_view name, std::string_view value) -> std::string {
+    const bool is_python = door == Door::python;
+    if (is_python && name == "from") name = "points";  // a keyword of Python's
+    if (value.empty()) return door == Door::json ? fmt::format("\"{}\"", name) : std::string(name);
+    const bool is_flag = value == "true" || value == "false";
+    const bool is_bare = is_flag || parse_number<double>(value).has_value();
+    if (door == Door::json) {
+      return is_bare ? fmt::format("\"{}\": {}", name, value) : fmt::format("\"{}\": \"{}\"", name, value);
+    }
+    if (is_python && is_flag) return fmt::format("{}={}", name, value == "true" ? "True" : "False");
+    const std::string shown = is_bare ? std::string(value) : gvd::quoted(std::string(value));
+    return fmt::format("{}{}{}", name, is_python ? "=" : ": ", shown);
   }};
   if (given != nullptr) spelling.is_given = [given](std::string_view name) { return given->has(name); };
   return spell_options(text, spelling);

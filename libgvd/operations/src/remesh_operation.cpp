@@ -175,6 +175,7 @@ std::shared_ptr<const RemeshOutcome> run(const MeshPtr& input, RemeshCall& call,
     outcome->map.reset();
   }
   resolve(call.diagram);
+  outcome->options = call.diagram;
   return outcome;
 }
 

@@ -12,8 +12,10 @@
 #include <string>
 #include <utility>
 
+#include "gvd/io/view.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/remesh_operation.hpp"
+#include "gvd/remesh_scenes.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 
@@ -292,7 +294,7 @@ void RemeshOutcome::visit(ObjectVisitor& visitor) const {
     return std::make_shared<MeshObject>(std::move(coarse));
   });
   visitor.part({"diagram", "", "of all generators"}, "diagram", [this] {
-    return std::make_shared<DiagramObject>(input, std::shared_ptr<const Diagram>(made, &made->result.diagram));
+    return std::make_shared<DiagramObject>(input, std::shared_ptr<const Diagram>(made, &made->result.diagram), options);
   });
 }
 
@@ -305,6 +307,26 @@ std::optional<LabelledMesh> RemeshOutcome::labelled() const {
 
 OwnWriters RemeshOutcome::own_writers() const {
   return {{"json", [this](std::ostream& out) { write_remesh_json(out, input->mesh, made->result); }}};
+}
+
+OwnWriters RemeshOutcome::part_writers(std::string_view part) const {
+  if (part != "map" || !map) return {};
+  return {{"json", [this](std::ostream& out) { write_map_json(out, *input, *map); }}};
+}
+
+std::string RemeshOutcome::page(const FileOptions& how) const {
+  ViewOptions view;
+  view.title = how.title;
+  const Mesh unplaced = make_unplaced(input->mesh, made->result);
+  return make_view_page(make_remesh_scenes(input->mesh, made->result, unplaced, how.threads), view);
+}
+
+std::shared_ptr<const RemeshOutcome> run(const RemeshOutcome& on, MapCall&, Observer& observer) {
+  auto mapped = std::make_shared<RemeshOutcome>(on);
+  mapped->map = as_step(observer, "map", [&] {
+    return map_to_remesh(on.input->mesh, on.made->result, observer.threads, progress_of(observer));
+  });
+  return mapped;
 }
 
 std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options) {

@@ -3,30 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <ostream>
-#include <set>
 #include <utility>
 
 #include "gvd/diagram_parts.hpp"
+#include "gvd/io/label_color.hpp"
 #include "gvd/segment_operation.hpp"
 
 namespace gvd {
 namespace {
-
-void visit_parted(ObjectVisitor& visitor, const PartedMesh& parted) {
-  const std::set<std::int32_t> numbers(parted.regions.begin(), parted.regions.end());
-  const auto is_region = [](std::int32_t region) { return region >= 0; };
-  const auto figure = [&](const Meaning& meaning, std::int64_t value) {
-    visitor.figure(meaning, parted.is_parted() ? Figure(value) : Figure());
-  };
-  figure({"within.regions", "", "that the cells keep to"}, std::ranges::count_if(numbers, is_region));
-  figure({"within.left_out_faces", "", "in no region"},
-         std::ssize(parted.regions.raw()) - std::ranges::count_if(parted.regions, is_region));
-  const RegionSamples& samples = parted.samples;
-  const auto sampled = [&](std::int64_t value) { return samples.regions > 0 ? Figure(value) : Figure(); };
-  visitor.figure({"within.parts", "", "connected parts of regions, where generators are sampled"},
-                 sampled(samples.parts));
-  visitor.figure({"within.parts_without_generator", "", "of these"}, sampled(samples.empty_parts));
-}
 
 /// The figures of whole faces.
 void visit_whole(ObjectVisitor& visitor, const SegmentOutcome& made) {
@@ -110,6 +94,20 @@ void visit_charts(ObjectVisitor& visitor, const SegmentOutcome& made) {
   visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts, made.chart_map));
 }
 
+/// Colours in sRGB, 0 to 255.
+class ColorsObject : public Object {
+ public:
+  explicit ColorsObject(std::vector<Rgb> colors) : colors_(std::move(colors)) { colors_.push_back(kUnlabelledColor); }
+  std::string_view kind() const override { return "colors"; }
+  void visit(ObjectVisitor& visitor) const override {
+    visitor.array({"colors", "", "red, green and blue"},
+                  {colors_.data(), ArrayType::uint8, 2, {std::ssize(colors_), 3}, {sizeof(Rgb), 1}});
+  }
+
+ private:
+  std::vector<Rgb> colors_;
+};
+
 }  // namespace
 
 const IdVector<FaceId, GeneratorId>& SegmentOutcome::face_labels() const {
@@ -185,8 +183,14 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
   static const std::vector<Uv> kNone;
   visitor.array({"texture", "", "u and v of the three corners of each piece; empty without uv"},
                 view(charts ? appearance.texture : kNone));
-  visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram",
-               [this] { return std::make_shared<DiagramObject>(input, on_input); });
+  visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram", [this] {
+    return std::make_shared<DiagramObject>(input, on_input, options, keep_separated(parted, diagram));
+  });
+  visitor.part({"colors", "", "of the labels, as in files and on pages; that of no label follows"}, "colors",
+               [this]() -> std::shared_ptr<const Object> {
+                 if (const auto shown = labelled()) return std::make_shared<ColorsObject>(region_colors(*shown));
+                 return nullptr;
+               });
   visitor.part({"cut_mesh", "", "the pieces of the faces, made with cut"}, "mesh",
                [this]() -> std::shared_ptr<const Object> {
                  if (!cut) return nullptr;

@@ -162,6 +162,12 @@ DiagramEditor& DiagramEditor::operator=(DiagramEditor&&) noexcept = default;
 const Diagram& DiagramEditor::diagram() const { return state_->diagram; }
 std::int32_t DiagramEditor::propagated() const { return state_->propagated; }
 
+void DiagramEditor::run_with(int threads, Progress progress) {
+  state_->options.threads = threads;
+  state_->options.progress = std::move(progress);
+  state_->windows->run_with(threads);
+}
+
 const Diagram& DiagramEditor::move(GeneratorId g, const SurfacePoint& to) {
   state_->check(g);
   std::vector<SurfacePoint> points = generators();

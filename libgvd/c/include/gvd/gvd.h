@@ -37,6 +37,10 @@ typedef enum gvd_status {
 /* What went wrong in the last call of this thread that failed, where, and what to do; valid until the next one fails.
  */
 GVD_API const char* gvd_last_error(void);
+/* Its code by its name, such as "precondition"; empty for those that are no gvd_status of input, options or results. */
+GVD_API const char* gvd_last_error_code(void);
+/* The 0-based index of the first offending element, -1 where there is none. */
+GVD_API int64_t gvd_last_error_element(void);
 /* The version of the library, such as "0.2.0". */
 GVD_API const char* gvd_version(void);
 
@@ -51,7 +55,13 @@ typedef struct gvd_run {
   const int32_t* cancel;
   /* Called by the calling thread with what users should not miss, a line each. May be NULL. */
   void (*note)(void* data, const char* text);
+  /* Where this is not NULL, `progress` is called only once it is not 0, which the call then makes 0: so a clock of the
+   * caller's says how often. */
+  int32_t* due;
+  int32_t door; /* how texts write options: one of the constants below */
 } gvd_run;
+
+enum { GVD_JSON = 0, GVD_PYTHON = 1, GVD_JAVASCRIPT = 2 }; /* "count": 30, count=30, count: 30 */
 
 /* ---- Objects, and operations on them ---- */
 
@@ -87,7 +97,8 @@ typedef struct gvd_array {
 /* The number of this interface. It changes where a program has to be compiled again. */
 #define GVD_ABI 1
 
-/* Runs an operation on a mesh, or on a diagram (gvd_describe() says which). `abi`: GVD_ABI. `options`: a JSON object,
+/* Runs an operation on an object of the kind that gvd_describe() says; NULL where it takes none, as the operation "mesh"
+ * that makes one. `abi`: GVD_ABI. `options`: a JSON object,
  * as {"count": 30, "density": {"array": 0}}, where
  * {"array": 0} is the first one of `arrays`; NULL: none. Numbers may be strings: JSON has no infinity. `arrays`:
  * `count` of them, which the call reads and does not keep; NULL where there is none. gvd_describe() has the operations
@@ -107,8 +118,12 @@ GVD_API const char* gvd_figures(const gvd_object* object);
 /* Writes what an object is, as the command writes it with -o: by the extension of the file. GVD_INVALID_OPTION where
  * that format would lose what was asked for, as the command says, too. */
 GVD_API gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* run);
+/* The same with options, as {"ascii_ply": true}; NULL: none. They are the `file_options` of gvd_describe(). */
+GVD_API gvd_status gvd_write_as(const gvd_object* object, const char* path, const char* options, const gvd_run* run);
 /* The operations with their options and results, the kinds of objects and the formats, as JSON. */
 GVD_API const char* gvd_describe(void);
+/* The same, with options as a door writes them: GVD_PYTHON, for instance. */
+GVD_API const char* gvd_describe_for(int32_t door);
 
 /* ---- Meshes ---- */
 

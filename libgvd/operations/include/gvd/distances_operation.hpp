@@ -28,6 +28,8 @@ struct DistancesCall {
   bool paths = false;                            ///< from each target
   std::optional<double> max_distance, isolines;  ///< mesh units; of isolines the step between levels
   bool logarithm = false;                        ///< of every vertex, at the only source
+  bool keep_coincident = false;                  ///< sources may be in the same place
+  bool mesh_vertices = false;                    ///< rows are those of the mesh's vertices, not of the input's
   GivenRegions regions;
   /// The most bytes that the table of `each` may take: more are refused before the work.
   double most_bytes = std::numeric_limits<double>::infinity();
@@ -60,6 +62,8 @@ class DistancesOutcome : public Object {
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;
+  /// "path N": that path alone.
+  OwnWriters part_writers(std::string_view part) const override;
   const Mesh& surface() const { return measured->mesh(); }
 
   AskedDistances asked;

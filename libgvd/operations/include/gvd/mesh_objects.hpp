@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "gvd/diagram.hpp"
+#include "gvd/diagram_editor.hpp"
 #include "gvd/object.hpp"
+#include "gvd/observer.hpp"
 #include "gvd/soup.hpp"
 
 // Meshes and diagrams as objects.
@@ -34,25 +36,51 @@ class MeshObject : public Object {
   MeshPtr mesh_ = std::make_shared<CheckedMesh>();
 };
 
+struct PartedMesh;
+
+/// What a diagram was made on that keeps to regions.
+struct SeparatedDiagram {
+  std::shared_ptr<const PartedMesh> mesh;
+  std::shared_ptr<const Diagram> diagram;  ///< of the separated mesh
+};
+
 class DiagramObject : public Object {
  public:
   static constexpr Content kContent =
       Content::surface | Content::vertex_labels | Content::distances | Content::diagram | Content::generators;
-  DiagramObject() = default;
-  DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram)
-      : mesh_(std::move(mesh)), diagram_(std::move(diagram)) {}
+  DiagramObject() : DiagramObject(std::make_shared<CheckedMesh>(), std::make_shared<Diagram>(), {}) {}
+  /// `options`: those that made the diagram; none for one that keeps to regions of the mesh.
+  DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram, std::optional<DiagramOptions> options,
+                SeparatedDiagram parted = {});
   const MeshPtr& mesh() const { return mesh_; }
+  /// Null where the diagram keeps to no regions.
+  const SeparatedDiagram& parted() const { return parted_; }
+  /// The mesh and the diagram that has all of its vertices; other ones inside regions.
+  const Mesh& surface() const;
+  const Diagram& surface_diagram() const { return parted_.diagram ? *parted_.diagram : *diagram_; }
   const Diagram& diagram() const { return *diagram_; }
   const std::shared_ptr<const Diagram>& shared() const { return diagram_; }
+  const std::optional<DiagramOptions>& options() const { return options_; }
   std::string_view kind() const override { return "diagram"; }
   Content content() const override { return kContent; }
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;
 
+  /// An editor of the diagram, which is the caller's then: that of `keep`, or a new one, which computes the diagram
+  /// again. Throws what DiagramEditor throws, and Error{invalid_option} for diagrams of curves and inside regions.
+  std::unique_ptr<DiagramEditor> take_editor(Observer& observer) const;
+  /// Keeps an editor for the next one who takes it. Several threads may take and keep at once.
+  void keep(std::unique_ptr<DiagramEditor> editor) const;
+
  private:
-  MeshPtr mesh_ = std::make_shared<CheckedMesh>();
-  std::shared_ptr<const Diagram> diagram_ = std::make_shared<Diagram>();
+  struct KeptEditor;
+
+  MeshPtr mesh_;
+  std::shared_ptr<const Diagram> diagram_;
+  std::optional<DiagramOptions> options_;
+  SeparatedDiagram parted_;
+  std::shared_ptr<KeptEditor> kept_;
 };
 
 }  // namespace gvd

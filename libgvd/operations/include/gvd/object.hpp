@@ -79,6 +79,12 @@ ArrayView view(const std::vector<S>& values, std::array<T, N> S::*member) {
   return {first, array_type<T>(), 2, {std::ssize(values), N}, {sizeof(S), sizeof(T)}};
 }
 
+template <class S>
+ArrayView view(const std::vector<S>& values, Vec3 S::*member) {
+  const void* const first = values.empty() ? nullptr : (values.front().*member).data();
+  return {first, ArrayType::float64, 2, {std::ssize(values), 3}, {sizeof(S), sizeof(double)}};
+}
+
 /// Points that somebody else owns, at equal distances in memory.
 struct PointsView {
   PointsView(const std::vector<SurfacePoint>& points)  // NOLINT(google-explicit-constructor): as views of strings are
@@ -124,6 +130,22 @@ struct PointLists {
   std::function<std::span<const SurfacePoint>(std::int64_t)> list;
 };
 
+/// Several lists of generators, such as the neighbours of each cell.
+struct GeneratorLists {
+  std::int64_t count = 0;
+  std::function<std::span<const GeneratorId>(std::int64_t)> list;
+};
+
+/// How a file of an object is written.
+struct FileOptions {
+  std::string part;               ///< a file beside that of the object (Object::part_writers); empty: the object's
+  std::string title = "gvd";      ///< of a page
+  bool no_curves = false;         ///< leave the bisectors out of formats that hold meshes
+  bool ascii_ply = false;         ///< PLY as text
+  bool region_materials = false;  ///< in OBJ, those of the regions in place of the mesh's own
+  int threads = 0;                ///< for a page; 0: one a core
+};
+
 /// Writers of formats by extension, without the dot.
 using OwnWriters = std::map<std::string, std::function<void(std::ostream&)>, std::less<>>;
 
@@ -144,8 +166,7 @@ class ObjectVisitor {
   virtual void array(const Meaning&, const ArrayView&) {}
   virtual void points(const Meaning&, const PointsView&) {}
   virtual void curves(const Meaning&, const PointLists&) {}
-  /// Rows of equal length.
-  virtual void rows(const Meaning&, const std::vector<std::vector<double>>&) {}
+  virtual void lists(const Meaning&, const GeneratorLists&) {}
   virtual void table(const Meaning&, const Table&) {}
   /// `kind`: of the part. `make` gives it, or null where there is none.
   virtual void part(const Meaning&, std::string_view /*kind*/, const PartMaker& /*make*/) {}
@@ -171,10 +192,20 @@ class Object {
   virtual std::optional<LabelledMesh> labelled() const { return std::nullopt; }
   /// Formats of its own, by extension, which go before those of meshes.
   virtual OwnWriters own_writers() const { return {}; }
+  /// The files of a part of it that has its own, such as "points". None: there is no such part.
+  virtual OwnWriters part_writers(std::string_view /*part*/) const { return {}; }
+  /// The page that shows it: the regions of `labelled`. Throws Error{invalid_option} where there is nothing to show, or
+  /// the library was built without pages.
+  virtual std::string page(const FileOptions& options) const;
 };
+
+class OptionList;
+
+void describe(OptionList& list, FileOptions& options);
 
 /// Writes a complete file or none, in the format of its extension. Throws Error{invalid_option} where that format does
 /// not carry what the object consists of, and what check_file, write_mesh and write_file throw.
-void write_object(const std::filesystem::path& path, const Object& object, const Progress& progress = {});
+void write_object(const std::filesystem::path& path, const Object& object, const FileOptions& options = {},
+                  const Progress& progress = {});
 
 }  // namespace gvd

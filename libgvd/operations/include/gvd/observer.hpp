@@ -21,6 +21,8 @@ class Observer {
   virtual void leave() {}
   /// A line that users should not miss, and one that only curious ones want to read.
   virtual void note(const std::string& /*text*/) {}
+  /// A note that something is probably not as the user meant it.
+  virtual void warn(const std::string& text) { note(text); }
   virtual void detail(const std::string& /*text*/) {}
   /// What the step has found so far; empty: nothing.
   virtual void status(const std::string& /*text*/) {}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,8 @@ class Call {
   virtual ~Call() = default;
   /// Describes the options, which this holds.
   virtual void describe(OptionList& list) = 0;
+  /// Takes arrays that no option refers to. They must stay until `run` has returned.
+  virtual void take(std::span<const ArrayView> /*arrays*/) {}
   /// Runs the operation once, on an object of the kind that it takes. Options become what they stand for.
   /// Throws Error{invalid_option} for an object of another kind, and what the operation throws.
   virtual std::shared_ptr<const Object> run(const std::shared_ptr<const Object>& on, Observer& observer) = 0;
@@ -26,7 +29,7 @@ class Call {
 struct Operation {
   std::string_view name;
   std::string_view summary;
-  std::string_view on;                           ///< the kind of object that it takes: "mesh" or "diagram"
+  std::string_view on;                           ///< the kind of object that it takes, such as "mesh"; empty: none
   std::unique_ptr<Call> (*call)();               ///< with the default options
   std::shared_ptr<const Object> (*no_result)();  ///< that describes the results
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,9 +23,15 @@ namespace gvd {
 Given read_json_options(const OptionList& list, const CheckedMesh& input, std::string_view json,
                         std::span<const ArrayView> arrays);
 
-/// A text with each placeholder as JSON has the option: "count", or "count": 30. `given`: the options of the call; null
-/// where there is none.
-std::string spell_for_json(const std::string& text, const Given* given = nullptr);
+/// Whoever reads a text writes an option as "count": 30, as count=30, or as count: 30.
+enum class Door : std::int32_t { json, python, javascript };
+
+/// A text with each placeholder as users of this door write the option. `given`: the options of the call; null where
+/// there is none.
+std::string spell_for(Door door, const std::string& text, const Given* given = nullptr);
+inline std::string spell_for_json(const std::string& text, const Given* given = nullptr) {
+  return spell_for(Door::json, text, given);
+}
 
 /// The value of an option, and what kind of values it takes.
 std::string value_json(const Field& field);
@@ -35,13 +42,13 @@ std::string kind_json(const Field& field);
 std::string options_json(const OptionList& list, const Given& given);
 
 /// The figures of an object, nested at the dots of their names.
-std::string figures_json(const Object& object);
+std::string figures_json(const Object& object, Door door = Door::json);
 
 /// The table of formats: an array of objects with `name`, `title`, `extensions`, `input_extensions`, `is_read`,
 /// `is_written`, `is_binary` and `carries`.
 std::string formats_json();
 
 /// Operations with their options and results, formats, and error codes.
-std::string describe_operations();
+std::string describe_operations(Door door = Door::json);
 
 }  // namespace gvd

@@ -44,9 +44,13 @@ class RemeshOutcome : public Object {
   const RemeshResult& result() const { return made->result; }
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;
+  /// "map": that of the vertices.
+  OwnWriters part_writers(std::string_view part) const override;
+  std::string page(const FileOptions& options) const override;
 
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const SurfaceRemesh> made = std::make_shared<SurfaceRemesh>();
+  DiagramOptions options;                ///< of the diagram
   std::optional<Fewest> search;          ///< for the fewest generators
   double search_distance = 0;            ///< that was asked for, mesh units
   std::optional<RemeshMap> map;          ///< where it was asked for
@@ -55,6 +59,13 @@ class RemeshOutcome : public Object {
   /// How far each generator is from where it was given; nothing for one that is somewhere else now.
   std::vector<std::optional<double>> snap_distance;
 };
+
+/// The options of the operation `map`: there are none.
+struct MapCall {};
+inline void describe(OptionList&, MapCall&) {}
+
+/// A remesh with its map.
+std::shared_ptr<const RemeshOutcome> run(const RemeshOutcome& on, MapCall& call, Observer& observer);
 
 /// The notes on a remesh, one line each. `options`: those that gave the result.
 std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options);

@@ -41,6 +41,9 @@ class EditableWindows {
   /// generators are propagated.
   WindowChange update(const GeneratorChange& change, const Progress& progress);
 
+  /// Sets the number of threads of the next updates.
+  void run_with(int threads) { threads_ = threads; }
+
  private:
   friend class WindowUpdate;
   /// The face with the least sine among those that no generator splits.

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gvd/generator_curve.hpp"
+#include "gvd/generator_options.hpp"
+#include "gvd/io/format.hpp"
+#include "gvd/mesh_objects.hpp"
+#include "gvd/mesh_property.hpp"
+#include "gvd/observer.hpp"
+#include "gvd/option_list.hpp"
+
+// What programs give: meshes, numbers of files, curves; and what they ask of a diagram.
+namespace gvd {
+
+/// The options of the operation `mesh`, of a file or of two arrays: positions in three columns, and polygons, whose
+/// corners are in three columns or more.
+struct MeshCall {
+  std::string file;  ///< empty: the arrays
+  std::optional<MeshFormat> format;
+  DefectPolicy on_defect = DefectPolicy::repair;
+  std::optional<double> weld;  ///< mesh units
+  std::vector<ArrayView> arrays;
+};
+void describe(OptionList& list, MeshCall& call);
+/// Throws what read_soup, weld_soup and build_mesh throw.
+std::shared_ptr<const MeshObject> run(MeshCall& call, Observer& observer);
+
+/// The options of the operation `saved_mesh`: a mesh out of the arrays that it consists of, in the order in which a
+/// mesh names them, and its figures with lists of texts. So its elements keep their places in the input.
+struct SavedMeshCall {
+  std::vector<std::string> repairs, materials, material_files;
+  std::vector<ArrayView> arrays;
+};
+void describe(OptionList& list, SavedMeshCall& call);
+/// Throws Error{precondition} for arrays that are of no mesh.
+std::shared_ptr<const MeshObject> run(SavedMeshCall& call, Observer& observer);
+
+/// The options of the operation `values`: numbers that a file has for each vertex or face.
+struct ValuesCall {
+  std::string file;
+};
+void describe(OptionList& list, ValuesCall& call);
+
+/// Numbers by their names: "values", or "vertex NAME" and "face NAME".
+class NumbersObject : public Object {
+ public:
+  std::string_view kind() const override { return "numbers"; }
+  void visit(ObjectVisitor& visitor) const override;
+
+  std::vector<std::pair<std::string, std::vector<double>>> numbers;
+};
+std::shared_ptr<const NumbersObject> run(ValuesCall& call, Observer& observer);
+
+/// The options of the operation `properties`: those of a file of a mesh, but for its coordinates and texture.
+struct PropertiesCall : ValuesCall {};
+std::shared_ptr<const NumbersObject> run(PropertiesCall& call, Observer& observer);
+
+/// The options of the operation `curves`.
+struct CurvesCall {
+  GeneratorOptions generators;
+};
+void describe(OptionList& list, CurvesCall& call);
+
+/// Curves of a mesh, as polylines.
+class CurvesOutcome : public Object {
+ public:
+  std::string_view kind() const override { return "curves"; }
+  void visit(ObjectVisitor& visitor) const override;
+
+  std::int64_t count = 0;
+  std::vector<Vec3> positions;        ///< of all polylines
+  std::vector<std::int64_t> offsets;  ///< the place of each polyline's first point, and the number of all
+  std::vector<std::int64_t> curve;    ///< that each polyline is of
+};
+std::shared_ptr<const CurvesOutcome> run(const MeshPtr& input, CurvesCall& call, Observer& observer);
+
+/// The options of the operation `check`: there are none.
+struct CheckCall {};
+inline void describe(OptionList&, CheckCall&) {}
+
+/// What violates the invariants of a diagram.
+class CheckOutcome : public Object {
+ public:
+  std::string_view kind() const override { return "check"; }
+  void visit(ObjectVisitor& visitor) const override {
+    visitor.figure({"violations", "", "of the invariants of a diagram, a line each"}, violations);
+  }
+
+  std::vector<std::string> violations;
+};
+std::shared_ptr<const CheckOutcome> run(const DiagramObject& on, CheckCall& call, Observer& observer);
+
+}  // namespace gvd

@@ -1,0 +1,283 @@
+"""The library: its calls, its arrays as NumPy's, and what ends a call.
+
+One function, `call`, runs an operation by its name with options as JSON and arrays beside it (gvd/gvd.h). ctypes lets
+other threads run meanwhile. Python runs handlers of signals only between steps of its own, so the library is told ten
+times a second to call back: then a user's function hears of the progress, and Ctrl-C ends the call.
+"""
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import json
+import os
+import pathlib
+import threading
+import time
+# The functions of the module signal, without its enumerations: these take 10 us a call.
+from _signal import SIGINT, getsignal, signal  # type: ignore[import]
+from collections.abc import Mapping, Sequence
+from typing import Any, Callable, Optional
+
+import numpy
+from numpy.typing import NDArray
+
+from . import _described
+from ._error import Error
+
+_TYPES = [numpy.dtype(name) for name in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8")]
+_PLACES = {dtype: place for place, dtype in enumerate(_TYPES)}
+_ABI, _PYTHON, _OUT_OF_MEMORY, _INTERRUPTED = 1, 1, 1, 130
+
+Callback = Callable[[str, float], Any]
+
+
+class _Array(ctypes.Structure):
+    _fields_ = [("data", ctypes.c_void_p), ("type", ctypes.c_int32), ("dimensions", ctypes.c_int32),
+                ("shape", ctypes.c_int64 * 2), ("strides", ctypes.c_int64 * 2)]
+
+
+_PROGRESS = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_double)
+
+
+class _Run(ctypes.Structure):
+    _fields_ = [("threads", ctypes.c_int), ("progress", _PROGRESS), ("data", ctypes.c_void_p), ("cancel", ctypes.c_void_p),
+                ("note", ctypes.c_void_p), ("due", ctypes.c_void_p), ("door", ctypes.c_int32)]
+
+
+def _load() -> ctypes.CDLL:
+    """The library beside this file or, without one, the system's. Its interface is that of one version."""
+    beside = pathlib.Path(__file__).resolve().parent / _described.SONAME
+    name = str(beside) if beside.exists() else _described.SONAME
+    try:
+        library = ctypes.CDLL(name)
+    except OSError as error:
+        raise ImportError(f"gvd needs the library {_described.SONAME}: {error}; build it with `make python`, and set PYTHONPATH "
+                          "to the folder python of the build tree") from None
+    library.gvd_version.restype = ctypes.c_char_p
+    version = library.gvd_version().decode()
+    if version != _described.VERSION:
+        raise ImportError(f"gvd {_described.VERSION} needs its own library, and {name} is that of {version}: install both together")
+    return library
+
+
+_library = _load()
+for _function in ("gvd_last_error", "gvd_last_error_code", "gvd_figures"):
+    getattr(_library, _function).restype = ctypes.c_char_p
+_library.gvd_last_error_element.restype = ctypes.c_int64
+_library.gvd_figures.argtypes = [ctypes.c_void_p]
+_library.gvd_release.argtypes = [ctypes.c_void_p]
+_library.gvd_release.restype = None
+_library.gvd_array_of.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p]
+_library.gvd_object_of.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p]
+_library.gvd_call.argtypes = [ctypes.c_int32, ctypes.c_char_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p, ctypes.c_int32,
+                              ctypes.c_void_p, ctypes.c_void_p]
+_library.gvd_write_as.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_void_p]
+
+
+def _raise(status: int) -> None:
+    """The last error of this thread. Names of files need not be UTF-8, so neither do texts."""
+    text = os.fsdecode(_library.gvd_last_error())
+    if status == _OUT_OF_MEMORY:
+        raise MemoryError(text)
+    code = _library.gvd_last_error_code().decode() or "internal_error"
+    raise Error(text, code, _library.gvd_last_error_element())
+
+
+class Handle:
+    """An object of the library, for as long as this lives. Handles may go in any order."""
+
+    __slots__ = ("address",)
+
+    def __init__(self, address: Optional[int]) -> None:
+        self.address = address
+
+    def __del__(self, release: Callable[[Optional[int]], None] = _library.gvd_release) -> None:
+        release(self.address)
+
+    def array(self, name: str) -> NDArray[Any]:
+        """A view of an array, which can't be written and keeps the object alive."""
+        view = _Array()
+        status = _library.gvd_array_of(self.address, name.encode(), ctypes.byref(view))
+        if status:
+            _raise(status)
+        shape, dtype = tuple(view.shape)[:view.dimensions], _TYPES[view.type]
+        if 0 in shape:
+            empty = numpy.empty(shape, dtype)
+            empty.flags.writeable = False
+            return empty
+        return numpy.asarray(_View(self, {"data": (view.data, True), "shape": shape, "typestr": dtype.str,
+                                          "strides": tuple(view.strides)[:view.dimensions], "version": 3}))
+
+    def part(self, name: str) -> Handle:
+        """A part, such as the diagram of a result."""
+        part = ctypes.c_void_p()
+        status = _library.gvd_object_of(self.address, name.encode(), ctypes.byref(part))
+        if status:
+            _raise(status)
+        return Handle(part.value)
+
+    def figures(self) -> dict[str, Any]:
+        figures: dict[str, Any] = json.loads(_library.gvd_figures(self.address))
+        return figures
+
+
+class _View:
+    """What a view of an array has as its base."""
+
+    def __init__(self, owner: Handle, interface: dict[str, Any]) -> None:
+        self.owner, self.__array_interface__ = owner, interface
+
+
+# ---- what ends a call
+
+_TICK = 0.1
+"""Seconds between two looks for signals, and between two reports."""
+
+_IDLE_TICKS = 20
+"""The clock stops after so many ticks without a call."""
+
+
+class _Flags:
+    """What a running call and the clock share: `due` lets the library call back, and `cancel` ends the call."""
+
+    __slots__ = ("due", "cancel", "deadline")
+
+    def __init__(self, deadline: float) -> None:
+        self.due, self.cancel, self.deadline = ctypes.c_int32(1), ctypes.c_int32(0), deadline
+
+
+_running: dict[int, _Flags] = {}
+_wanted = threading.Event()
+_clock: Optional[threading.Thread] = None
+
+
+def _tick() -> None:
+    idle = 0
+    while True:
+        time.sleep(_TICK)
+        now = time.monotonic()
+        for flags in list(_running.values()):
+            flags.due.value = 1
+            if now > flags.deadline:
+                flags.cancel.value = 1
+        idle = 0 if _running else idle + 1
+        if idle > _IDLE_TICKS:
+            _wanted.clear()
+            if not _running:  # a call that begins from now on sets it again
+                _wanted.wait()
+            idle = 0
+
+
+def _want_clock() -> None:
+    global _clock
+    _wanted.set()
+    if _clock is None:
+        _clock = threading.Thread(target=_tick, name="gvd clock", daemon=True)
+        _clock.start()
+
+
+def _forget_clock() -> None:
+    """In a new process, which has no other thread."""
+    global _clock
+    _clock = None
+    _wanted.clear()
+    _running.clear()
+
+
+os.register_at_fork(after_in_child=_forget_clock)
+
+
+def _keep_going(data: Any, step: bytes, fraction: float) -> int:
+    return 1  # handlers of signals have run on the way here
+
+
+_KEEP_GOING = _PROGRESS(_keep_going)
+_NO_PROGRESS: Any = _PROGRESS()  # type: ignore[call-overload]
+
+
+class _Signals:
+    """Ctrl-C during a call in the main thread: the call ends, and then the handler that was there runs."""
+
+    __slots__ = ("flags", "before", "caught")
+
+    def __init__(self, flags: _Flags) -> None:
+        self.flags = flags
+        self.caught: Any = None
+        self.before: Any = None
+        if threading.get_ident() == threading.main_thread().ident:
+            before = getsignal(SIGINT)
+            if callable(before):
+                with contextlib.suppress(ValueError):  # an interpreter beside the main one takes no signals
+                    signal(SIGINT, self.catch)
+                    self.before = before
+
+    def catch(self, number: int, frame: Any) -> None:
+        self.caught = (number, frame)
+        self.flags.cancel.value = 1
+
+    def restore(self) -> None:
+        if self.before is not None:
+            signal(SIGINT, self.before)
+            if self.caught is not None:
+                self.before(*self.caught)
+
+
+def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callback], time_limit: Optional[float]) -> None:
+    """Calls a function of the library with a run, and raises what ended it."""
+    flags = _Flags(float("inf") if time_limit is None else time.monotonic() + time_limit)
+    raised: list[BaseException] = []
+    signals = _Signals(flags)
+    callback = _NO_PROGRESS if signals.before is None else _KEEP_GOING
+    if progress is not None:
+        told = progress
+
+        def report(data: Any, step: bytes, fraction: float) -> int:
+            try:
+                return 0 if told(step.decode(), fraction) == False else 1  # noqa: E712, NumPy has a False of its own
+            except BaseException as error:  # raised again when the call has ended
+                raised.append(error)
+                return 0
+
+        callback = _PROGRESS(report)
+    run = _Run(threads, callback, None, ctypes.addressof(flags.cancel), None, ctypes.addressof(flags.due), _PYTHON)
+    key = id(flags)
+    _running[key] = flags
+    if not _wanted.is_set():
+        _want_clock()
+    try:
+        status = function(ctypes.byref(run))
+    finally:
+        del _running[key]
+        signals.restore()
+    if raised:
+        raise raised[0]
+    if status == _INTERRUPTED and time_limit is not None and time.monotonic() > flags.deadline:
+        raise Error(f"the time limit of {time_limit:g} s is over", "interrupted")
+    if status:
+        _raise(status)
+
+
+def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[str, Any]] = None,
+         arrays: Sequence[NDArray[Any]] = (), *, threads: int = 0, progress: Optional[Callback] = None,
+         time_limit: Optional[float] = None) -> Handle:
+    """Runs an operation. In `options`, {"array": 0} stands for the first of `arrays`, of one or two dimensions."""
+    views = [_Array(array.ctypes.data, _PLACES[array.dtype], array.ndim, (*array.shape, 1, 1)[:2], (*array.strides, 0, 0)[:2])
+             for array in arrays]
+    given = (_Array * len(views))(*views) if views else None
+    made = ctypes.c_void_p()
+    name, text = operation.encode(), json.dumps(options).encode() if options else None
+    address = None if on is None else on.address
+    try:
+        _run(lambda run: int(_library.gvd_call(_ABI, name, address, text, given, len(views), run, ctypes.byref(made))), threads,
+             progress, time_limit)
+    finally:  # Ctrl-C may come behind a result
+        handle = Handle(made.value)
+    return handle
+
+
+def write(handle: Handle, path: Any, options: Mapping[str, Any], threads: int = 0) -> None:
+    """Writes a complete file or none."""
+    text = json.dumps(options).encode()
+    _run(lambda run: int(_library.gvd_write_as(handle.address, os.fsencode(path), text, run)), threads, None, None)
+
+

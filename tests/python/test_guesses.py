@@ -1,0 +1,213 @@
+"""What a person guesses works: points as a sequence, meshes of other packages, results that can be pickled, colours."""
+import os
+import pathlib
+import pickle
+import tempfile
+import types
+import unittest
+import warnings
+
+import numpy
+
+import gvd
+import meshes
+
+
+class PointsAsASequence(unittest.TestCase):
+    def test_their_length_items_and_parts(self):
+        mesh = gvd.read(meshes.FIGURE)
+        points = mesh.farthest(500)
+        self.assertEqual(len(points), 500)
+        self.assertEqual(points[3], (int(points.face[3]), tuple(points.bary[3])))
+        self.assertEqual((points[-1], list(points)[-1], len(points[10:20])), (points[499], points[499], 10))
+        self.assertRaises(IndexError, lambda: points[500])
+        mask = numpy.arange(500) % 7 == 0
+        numpy.testing.assert_array_equal(points[mask].face, points.face[mask])
+        numpy.testing.assert_array_equal(points[[4, 2]].position, mesh.positions(points)[[4, 2]])
+        numpy.testing.assert_array_equal(points.position, mesh.positions(points))
+        self.assertEqual(repr(points), "gvd.Points(500)")
+
+    def test_one_of_them_is_a_point_everywhere(self):
+        mesh = gvd.read(meshes.TORUS)
+        points = mesh.sample(5, sampling="random")
+        for again in (mesh.points(points[2]), mesh.points([points[2]])):
+            numpy.testing.assert_array_equal(again.bary, points.bary[[2]])
+            self.assertEqual(again.face[0], points.face[2])
+        numpy.testing.assert_array_equal(mesh.distances(points[1]), mesh.distances(points[1:2]))
+
+    def test_points_of_no_mesh_name_who_knows(self):
+        with self.assertRaisesRegex(gvd.Error, r"mesh.positions\(points\)"):
+            gvd.Points([0], [(1.0, 0.0, 0.0)]).position
+
+    def test_a_far_position_warns_in_the_line_that_gave_it(self):
+        mesh = gvd.read(meshes.TORUS)
+        for call in (lambda: mesh.distances([3., 17., 99.]), lambda: mesh.voronoi([(9.0, 9.0, 9.0)]), lambda: mesh.positions((9.0, 9.0, 9.0))):
+            with self.assertWarnsRegex(UserWarning, "^point 0 of (points|generators) is .* from the surface, and the model's diagonal is") as caught:
+                call()
+            self.assertEqual(pathlib.Path(caught.filename).name, "test_guesses.py")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            mesh.distances(mesh.vertices[:2] + 1e-4)
+
+
+class MeshesOfOthers(unittest.TestCase):
+    def test_what_has_vertices_and_faces_or_points_and_cells(self):
+        at, faces = meshes.make_grid(3)
+        padded = numpy.column_stack([numpy.full(len(faces), 3), faces]).ravel()  # as PyVista has them
+        block = types.SimpleNamespace(type="triangle", data=faces)
+        line = types.SimpleNamespace(type="line", data=faces[:, :2])
+        for thing in (types.SimpleNamespace(vertices=at, faces=faces), types.SimpleNamespace(points=at, faces=padded),
+                      types.SimpleNamespace(points=at, cells=[line, block]), gvd.Mesh(at, faces)):
+            numpy.testing.assert_array_equal(gvd.Mesh(thing).faces, faces)
+        quads = meshes.make_box(1, 1, 1)
+        self.assertEqual(len(gvd.Mesh(types.SimpleNamespace(vertices=quads[0], faces=quads[1])).faces), 12)
+        with self.assertRaisesRegex(gvd.Error, "or a mesh with `vertices` and `faces`.*not int"):
+            gvd.Mesh(7)
+        with self.assertRaisesRegex(gvd.Error, "different numbers of corners"):
+            gvd.Mesh(types.SimpleNamespace(points=at, faces=[3, 0, 1, 2, 4, 0, 1, 2, 3]))
+
+    def test_area_and_bounds(self):
+        mesh = gvd.Mesh(*meshes.make_box(1, 2, 3))
+        self.assertEqual(mesh.area, 22)
+        numpy.testing.assert_array_equal(mesh.bounds, [(0, 0, 0), (1, 2, 3)])
+
+
+class Results(unittest.TestCase):
+    def test_regions_and_areas_are_always_there(self):
+        mesh = gvd.read(meshes.TORUS)
+        regions = mesh.segment(6)
+        numpy.testing.assert_array_equal(regions.regions, numpy.zeros(len(mesh.faces)))
+        self.assertAlmostEqual(regions.areas.sum() / mesh.area, 1)
+        self.assertAlmostEqual(regions.diagram.areas.sum() / mesh.area, 1)
+        self.assertAlmostEqual(mesh.lloyd(6).areas.sum() / mesh.area, 1)
+
+    def test_branch_points_and_cells_are_arrays(self):
+        diagram = gvd.read(meshes.FIGURE).voronoi(gvd.read(meshes.FIGURE).farthest(20))
+        branch, cells = diagram.branch_points, diagram.cells
+        self.assertEqual(len(branch.offsets), len(branch.distances) + 1)
+        self.assertEqual(branch.generators[3], tuple(branch.generator_array[branch.offsets[3]:branch.offsets[4]]))
+        self.assertEqual([cell.area for cell in cells], cells.area.tolist())
+        self.assertEqual(cells[5].neighbours, tuple(cells.neighbour_array[cells.offsets[5]:cells.offsets[6]]))
+        self.assertEqual((cells[-1].generator, len(cells[2:4])), (19, 2))
+
+    def test_reprs_are_short(self):
+        mesh = gvd.read(meshes.TORUS)
+        regions, path = mesh.segment(9), mesh.path(0, 300)
+        made = [mesh, regions, regions.diagram, regions.diagram.cells, regions.diagram.branch_points, regions.diagram.bisectors[0],
+                regions.diagram.cut(), path, mesh.balance(mesh.farthest(9)), mesh.lloyd(9), mesh.remesh(90), mesh.remesh(90).map(),
+                mesh.isolines(0, 0.5)[0], mesh.curves([[0, 9]]), regions.generators, gvd.DiagramEditor(mesh, [0, 9])]
+        for one in made:
+            self.assertRegex(repr(one), r"^gvd\.[^\n]{1,90}$")
+
+    def test_results_survive_pickling_and_compute_again_what_they_must(self):
+        mesh = gvd.read(meshes.TORUS)
+        for made, arrays, file in (
+                (mesh.segment(8, within=(mesh.vertices[:, 0] > 0).astype(int)), ("labels", "areas", "regions"), "json"),
+                (mesh.segment(levels=[2, 5]), ("labels",), "ply"), (mesh.voronoi([0, 5, 99]), ("labels", "distances", "areas"), "json"),
+                (mesh.segment(4).diagram, ("labels", "face_labels"), "json"), (mesh.segment(4).diagram.cut(uv="logmap"), ("labels", "parents"), "obj"),
+                (mesh.lloyd(5), ("energies", "areas"), "csv"), (mesh.remesh(90), (), "ply"), (mesh.remesh(90).map(), (), "json"),
+                (gvd.DiagramEditor(mesh, [0, 9]).add(77), ("labels",), "json")):
+            again = pickle.loads(pickle.dumps(made))
+            with self.subTest(made):
+                for name in arrays:
+                    numpy.testing.assert_array_equal(getattr(again, name), getattr(made, name))
+                self.assertIsNone(again._handle, "what was pickled is not computed again")
+                with tempfile.TemporaryDirectory() as folder:
+                    ours, theirs = pathlib.Path(folder, f"a.{file}"), pathlib.Path(folder, f"b.{file}")
+                    made.to_file(ours)
+                    again.to_file(theirs)
+                    self.assertEqual(ours.read_bytes().replace(b"a.mtl", b""), theirs.read_bytes().replace(b"b.mtl", b""))
+
+    def test_colours_are_those_of_the_files(self):
+        regions = gvd.read(meshes.TORUS).segment(12)
+        with tempfile.TemporaryDirectory() as folder:
+            regions.to_file(f"{folder}/a.ply")
+            face = gvd.read_properties(f"{folder}/a.ply")["face"]
+        self.assertEqual(regions.colors.shape, (len(regions.labels), 4))
+        numpy.testing.assert_array_equal(numpy.round(regions.colors[:, :3] * 255), numpy.column_stack([face[c] for c in ("red", "green", "blue")]))
+        self.assertEqual(regions.diagram.cut().colors[:, 3].min(), 1)
+
+    def test_show_opens_the_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            browser = pathlib.Path(folder, "browser")
+            browser.write_text(f"#!/bin/sh\necho \"$1\" > {folder}/shown\n")
+            browser.chmod(0o755)
+            before = os.environ.get("BROWSER")
+            os.environ["BROWSER"] = str(browser)
+            try:
+                import webbrowser
+                webbrowser._tryorder = None  # it looks for browsers once
+                gvd.read(meshes.TORUS).segment(3).show()
+            finally:
+                os.environ.pop("BROWSER") if before is None else os.environ.__setitem__("BROWSER", before)
+            shown = pathlib.Path(folder, "shown").read_text().strip()
+            self.assertTrue(shown.startswith("file:///") and shown.endswith(".html"), shown)
+            page = pathlib.Path(shown[len("file://"):])
+            self.assertIn("<html", page.read_text()[:300])
+            page.unlink()
+
+
+class OtherDoors(unittest.TestCase):
+    """What commands and C have, Python has, too."""
+
+    def test_segments_of_equal_areas_inside_curves_and_on_discs(self):
+        mesh = gvd.read(meshes.FIGURE)
+        equal = mesh.segment(12, balance="area")
+        self.assertTrue(equal.figures["balance"]["converged"])
+        numpy.testing.assert_allclose(equal.diagram.areas, mesh.area / 12, rtol=1e-6)
+        shared = mesh.segment(generators=mesh.farthest(3), balance=numpy.ones(len(mesh.vertices)), shares=[1, 2, 3])
+        self.assertAlmostEqual(shared.diagram.areas[2] / shared.diagram.areas[0], 3, places=4)
+        numpy.testing.assert_array_equal(
+            mesh.segment(generators=mesh.farthest(12), weights=equal.figures["weights"]).labels, equal.labels)
+        self.assertEqual(mesh.segment(curves=mesh.curves([[0, 50], [2000, 2100]])).labels.max(), 1)
+        halves = (mesh.vertices[:, 2] > 0).astype(int)
+        kept = mesh.voronoi(mesh.farthest(6), within=halves)
+        self.assertEqual((kept.check(), kept.figures["within"]["regions"]), ([], 2))
+        labels = kept.segment().labels
+        self.assertEqual(mesh.lloyd(6, within=halves).diagram.check(), [])
+        numpy.testing.assert_array_equal(labels, mesh.segment(generators=mesh.farthest(6), within=halves).labels)
+        relaxed = mesh.lloyd(12, balance="area")
+        numpy.testing.assert_allclose(relaxed.areas, mesh.area / 12, rtol=1e-6)
+
+    def test_isolines_are_as_far_as_they_say(self):
+        at, faces = meshes.make_grid(8)
+        rings = gvd.Mesh(at, faces).isolines([(0.5, 0.5, 0.0)], 0.2)
+        self.assertEqual({ring.level for ring in rings}, {0.2, 0.4, 0.6000000000000001})
+        for ring in rings:
+            numpy.testing.assert_allclose(numpy.hypot(*(ring.positions[:, :2] - 0.5).T), ring.level, rtol=2e-3)
+        self.assertTrue(rings[0].closed)
+
+    def test_paths_lead_to_curves(self):
+        mesh = gvd.Mesh(*meshes.make_grid(6))
+        line = mesh.curves([[(0.0, 0.2, 0.0), (1.0, 0.2, 0.0)]])
+        path = mesh.path((0.4, 0.7, 0.0), line)
+        self.assertAlmostEqual(path.length, 0.5)
+        numpy.testing.assert_allclose(path.positions[-1], (0.4, 0.2, 0), atol=1e-12)
+
+    def test_an_error_in_percent(self):
+        mesh = gvd.read(meshes.TORUS)
+        diagonal = mesh.summary["bbox_diagonal"]
+        percent, length = mesh.remesh(error="2%"), mesh.remesh(error=0.02 * diagonal)
+        self.assertEqual(len(percent.mesh.vertices), len(length.mesh.vertices))
+        self.assertLessEqual(percent.figures["distance"]["input_to_output"]["hausdorff"], 0.02 * diagonal)
+
+    def test_blue_noise_by_radius(self):
+        mesh = gvd.Mesh(*meshes.make_grid(12))
+        points = mesh.sample(radius=0.1, sampling="poisson", seed=3)
+        between = numpy.linalg.norm(points.position[:, None] - points.position[None], axis=2) + numpy.eye(len(points))
+        self.assertGreater(between.min(), 0.08)
+        self.assertLessEqual(mesh.distances(points).max(), 0.1)
+        self.assertFalse(numpy.array_equal(points.face[:5], mesh.sample(radius=0.1, seed=3).face[:5]))
+        with self.assertRaisesRegex(gvd.Error, "sampling: a radius gives farthest or poisson points; give count, or leave sampling out"):
+            mesh.sample(radius=0.1, sampling="random")
+
+    def test_distances_inside_a_mask(self):
+        at, faces = meshes.make_grid(6)
+        mask = at[faces].mean(axis=1)[:, 0] > 0.5
+        found = gvd.Mesh(at, faces).distances(0, mask=mask)
+        self.assertTrue(numpy.isinf(found[at[:, 0] > 0.7]).all() and numpy.isfinite(found[at[:, 0] < 0.3]).all())
+
+
+if __name__ == "__main__":
+    os.chdir(meshes.ROOT)
+    unittest.main()
