@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "gvd/text.hpp"
