@@ -127,6 +127,32 @@ std::vector<VertexId> find_vertices(const Mesh& mesh, const std::vector<SurfaceP
   return found;
 }
 
+/// The distances of targets, each that of its nearest place. `found`: of the places, or of all vertices where each
+/// place is `at` one.
+void keep_least_of_targets(const PlacedPoints& targets, std::span<const double> found, const std::vector<VertexId>& at,
+                           std::span<double> row) {
+  for (std::size_t k = 0; k < targets.places.size(); ++k) {
+    double& least = row[std::size_t(targets.point[k])];
+    least = std::min(least, found[at.empty() ? k : at[k].index()]);
+  }
+}
+
+/// The distances of the vertices of the mesh, or of the file. `found`: of those that are measured, several of which may
+/// be one vertex of the mesh. `of_vertices`: memory.
+void keep_least_of_vertices(const DistancesCall& call, const DistancesOutcome& made, std::span<const double> found,
+                            std::vector<double>& of_vertices, std::span<double> row) {
+  of_vertices.assign(std::size_t(made.input->mesh.vertex_count()), kInfinity);
+  for (const VertexId v : made.surface().vertices()) {
+    double& least = of_vertices[made.measured->input_vertex(v).index()];
+    least = std::min(least, found[v.index()]);
+  }
+  if (call.mesh_vertices) {
+    std::ranges::copy(of_vertices, row.begin());
+    return;
+  }
+  match_vertices(*made.input, [&](std::size_t i, VertexId v) { row[i] = std::min(row[i], of_vertices[v.index()]); });
+}
+
 /// A row of distances from each source.
 void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& made) {
   const CheckedMesh& input = *made.input;
@@ -155,24 +181,12 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
     compute_distance_rows(mesh, {sources.begin() + std::ptrdiff_t(begin), sources.begin() + std::ptrdiff_t(end)},
                           has_points ? &made.targets.places : nullptr, rows, options);
     for (std::size_t source = begin; source < end; ++source) {
-      const auto first = rows.begin() + std::ptrdiff_t((source - begin) * places);
+      const auto found = std::span(rows).subspan((source - begin) * places, places);
       const std::span<double> row = table.rows[std::size_t(made.sources.point[source])];
-      const auto take = [&](std::size_t i, double d) { row[i] = std::min(row[i], d); };
       if (has_targets) {
-        for (std::size_t k = 0; k < made.targets.places.size(); ++k) {
-          take(std::size_t(made.targets.point[k]), first[has_points ? std::ptrdiff_t(k) : at[k].value()]);
-        }
-        continue;
-      }
-      of_vertices.assign(std::size_t(input.mesh.vertex_count()), kInfinity);
-      for (const VertexId v : mesh.vertices()) {
-        double& least = of_vertices[made.measured->input_vertex(v).index()];
-        least = std::min(least, first[v.value()]);
-      }
-      if (call.mesh_vertices) {
-        std::ranges::copy(of_vertices, row.begin());
+        keep_least_of_targets(made.targets, found, at, row);
       } else {
-        match_vertices(input, [&](std::size_t i, VertexId v) { take(i, of_vertices[v.index()]); });
+        keep_least_of_vertices(call, made, found, of_vertices, row);
       }
     }
   }

@@ -200,13 +200,13 @@ OwnWriters LloydOutcome::part_writers(std::string_view part) const {
   OwnWriters writers;
   if (part != "points") return writers;
   for (const auto& [name, format] : kPointFormatNames) {
-    writers[std::string(name)] = [this, format](std::ostream& out) {
+    writers[std::string(name)] = [this, as = format](std::ostream& out) {
       std::vector<SurfaceSample> samples;
       for (const GeneratorId g : relaxed->moments.ids()) {
         const CellMoments& moments = relaxed->moments[g];
         samples.push_back({relaxed->generators[g.index()], moments.area, moments.energy});
       }
-      write_points(out, input->mesh, samples, format);
+      write_points(out, input->mesh, samples, as);
     };
   }
   return writers;

@@ -88,67 +88,76 @@ std::vector<std::string> to_texts(const Json& value) {
   return texts;
 }
 
-/// Reads one option. Returns what is wrong; empty where nothing is.
-std::string read_value(const Option& option, const Json& value, const Arrays& arrays) {
-  const std::string name = fmt::format("\1{}\2", option.name);
-  const auto as_text = [&] { return read_option(option, {to_text(value).value_or(value.dump())}); };
-  return std::visit(
-      Overload{
-          [&](const PointList& list) -> std::string {
-            if (list.named == PointList::Named::vertices) {
-              *list.value = {read_indices(value, arrays), {}, nullptr};
-            } else {
-              *list.value = {{}, {}, std::make_shared<GeneratorList>(read_points(value, arrays, name))};
-            }
-            return "";
-          },
-          [&](const Curves& curves) -> std::string {
-            if (value.is_object() && value.size() == 1 && value.contains("file")) {
-              const Json& file = value.at("file");
-              const bool is_text = file.is_string();
-              if (!is_text && !is_array_reference(file)) return "\"file\": a name is needed";
-              const std::string path = is_text ? file.get<std::string>() : read_bytes(file, arrays);
-              *curves.value = {{}, std::make_shared<CurveList>(gvd::read_curves(path))};
-              return "";
-            }
-            const std::string word = value.is_string() ? value.get<std::string>() : "";
-            if (word == "boundary" || word == "creases" || word.starts_with("creases:")) return as_text();
-            if (value.is_string()) {
-              return gvd::quoted(word) + " is none of boundary, creases and creases:ANGLE; or give points";
-            }
-            *curves.value = {{}, std::make_shared<CurveList>(gvd::read_curves(value, arrays, name))};
-            return "";
-          },
-          [&](const ValueSource& values) -> std::string {
-            const std::string word = value.is_string() ? value.get<std::string>() : "";
-            if (std::find(values.words.begin(), values.words.end(), word) != values.words.end()) return as_text();
-            if (value.is_string() && !values.words.empty()) {
-              return fmt::format("{} (numbers serve, too)", describe_unknown(word, values.words));
-            }
-            *values.value = {{}, std::make_shared<ElementValues>(read_numbers(value, arrays, values.of, name))};
-            return "";
-          },
-          [&](const Flag&) -> std::string {
-            return value.is_boolean() ? as_text() : gvd::quoted(value.dump()) + " is neither true nor false";
-          },
-          [&](const Switch&) -> std::string {
-            return value.is_boolean() || value.is_string() ? as_text()
-                                                           : gvd::quoted(value.dump()) + " is neither true nor false";
-          },
-          [&](const File&) -> std::string {  // its name may be no UTF-8, which JSON has to be
-            if (is_array_reference(value)) return read_option(option, {read_bytes(value, arrays)});
-            const bool is_text =
-                value.is_string() ||
-                (value.is_array() && std::ranges::all_of(value, [](const Json& one) { return one.is_string(); }));
-            return is_text ? read_option(option, to_texts(value)) : gvd::quoted(value.dump()) + " is no text";
-          },
-          [&](const Counts&) {
-            return read_option(option, to_texts(is_array_reference(value) ? Json(read_indices(value, arrays)) : value));
-          },
-          [&](const ChoiceList&) { return read_option(option, to_texts(value)); },
-          [&](const auto&) { return as_text(); }},
-      option.field);
-}
+/// Reads one option. Each function returns what is wrong; empty where nothing is.
+class OptionReader {
+ public:
+  OptionReader(const Option& option, const Json& value, const Arrays& arrays)
+      : option_(option), value_(value), arrays_(arrays), name_(fmt::format("\1{}\2", option.name)) {}
+
+  std::string operator()(const PointList& list) const {
+    if (list.named == PointList::Named::vertices) {
+      *list.value = {read_indices(value_, arrays_), {}, nullptr};
+    } else {
+      *list.value = {{}, {}, std::make_shared<GeneratorList>(read_points(value_, arrays_, name_))};
+    }
+    return "";
+  }
+
+  std::string operator()(const Curves& curves) const {
+    if (value_.is_object() && value_.size() == 1 && value_.contains("file")) {
+      const Json& file = value_.at("file");
+      const bool is_text = file.is_string();
+      if (!is_text && !is_array_reference(file)) return "\"file\": a name is needed";
+      const std::string path = is_text ? file.get<std::string>() : read_bytes(file, arrays_);
+      *curves.value = {{}, std::make_shared<CurveList>(gvd::read_curves(path))};
+      return "";
+    }
+    if (word() == "boundary" || word() == "creases" || word().starts_with("creases:")) return as_text();
+    if (value_.is_string()) {
+      return gvd::quoted(word()) + " is none of boundary, creases and creases:ANGLE; or give points";
+    }
+    *curves.value = {{}, std::make_shared<CurveList>(gvd::read_curves(value_, arrays_, name_))};
+    return "";
+  }
+
+  std::string operator()(const ValueSource& values) const {
+    if (std::find(values.words.begin(), values.words.end(), word()) != values.words.end()) return as_text();
+    if (value_.is_string() && !values.words.empty()) {
+      return fmt::format("{} (numbers serve, too)", describe_unknown(word(), values.words));
+    }
+    *values.value = {{}, std::make_shared<ElementValues>(read_numbers(value_, arrays_, values.of, name_))};
+    return "";
+  }
+
+  std::string operator()(const Flag&) const { return value_.is_boolean() ? as_text() : no_flag(); }
+  std::string operator()(const Switch&) const {
+    return value_.is_boolean() || value_.is_string() ? as_text() : no_flag();
+  }
+
+  std::string operator()(const File&) const {  // its name may be no UTF-8, which JSON has to be
+    if (is_array_reference(value_)) return read_option(option_, {read_bytes(value_, arrays_)});
+    const bool is_text =
+        value_.is_string() ||
+        (value_.is_array() && std::ranges::all_of(value_, [](const Json& one) { return one.is_string(); }));
+    return is_text ? read_option(option_, to_texts(value_)) : gvd::quoted(value_.dump()) + " is no text";
+  }
+
+  std::string operator()(const Counts&) const {
+    return read_option(option_, to_texts(is_array_reference(value_) ? Json(read_indices(value_, arrays_)) : value_));
+  }
+  std::string operator()(const ChoiceList&) const { return read_option(option_, to_texts(value_)); }
+  std::string operator()(const auto&) const { return as_text(); }
+
+ private:
+  std::string as_text() const { return read_option(option_, {to_text(value_).value_or(value_.dump())}); }
+  std::string no_flag() const { return gvd::quoted(value_.dump()) + " is neither true nor false"; }
+  std::string word() const { return value_.is_string() ? value_.get<std::string>() : ""; }
+
+  const Option& option_;
+  const Json& value_;
+  const Arrays& arrays_;
+  const std::string name_;
+};
 
 /// Whether an option takes points, curves or numbers, of which its field does not know how they were given.
 bool has_values(const Field& field) {
@@ -172,13 +181,14 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
                         std::span<const ArrayView> arrays) {
   Given given;
   const Json parsed = parse(json);
+  const Arrays given_arrays{arrays, input};
   for (const auto& [name, value] : parsed.items()) {
     const Option* const option = list.find(name);
     if (option == nullptr) refuse_name(list, name);
     if (value.is_null()) continue;
     std::string wrong;
     try {
-      wrong = read_value(*option, value, {arrays, input});
+      wrong = std::visit(OptionReader(*option, value, given_arrays), option->field);
     } catch (const Error& error) {
       wrong = error.text();
     }
@@ -192,20 +202,29 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
   return given;
 }
 
+namespace {
+
+/// An option as a program of the door writes it, with a value unless that is empty.
+std::string spell(Door door, std::string_view name, std::string_view value) {
+  const bool is_python = door == Door::python;
+  if (is_python && name == "from") name = "points";  // a keyword of Python's
+  if (value.empty()) return door == Door::json ? fmt::format("\"{}\"", name) : std::string(name);
+  const bool is_flag = value == "true" || value == "false";
+  std::string shown(value);
+  if (is_python && is_flag) {
+    shown = value == "true" ? "True" : "False";
+  } else if (!is_flag && !parse_number<double>(value)) {
+    shown = door == Door::json ? fmt::format("\"{}\"", value) : gvd::quoted(shown);
+  }
+  if (door == Door::json) return fmt::format("\"{}\": {}", name, shown);
+  return fmt::format("{}{}{}", name, is_python ? "=" : ": ", shown);
+}
+
+}  // namespace
+
 std::string spell_for(Door door, const std::string& text, const Given* given) {
-  OptionSpelling spelling{.spell = [door](std::string_view name, std::string_view value) -> std::string {
-    const bool is_python = door == Door::python;
-    if (is_python && name == "from") name = "points";  // a keyword of Python's
-    if (value.empty()) return door == Door::json ? fmt::format("\"{}\"", name) : std::string(name);
-    const bool is_flag = value == "true" || value == "false";
-    const bool is_bare = is_flag || parse_number<double>(value).has_value();
-    if (door == Door::json) {
-      return is_bare ? fmt::format("\"{}\": {}", name, value) : fmt::format("\"{}\": \"{}\"", name, value);
-    }
-    if (is_python && is_flag) return fmt::format("{}={}", name, value == "true" ? "True" : "False");
-    const std::string shown = is_bare ? std::string(value) : gvd::quoted(std::string(value));
-    return fmt::format("{}{}{}", name, is_python ? "=" : ": ", shown);
-  }};
+  OptionSpelling spelling{
+      .spell = [door](std::string_view name, std::string_view value) { return spell(door, name, value); }};
   if (given != nullptr) spelling.is_given = [given](std::string_view name) { return given->has(name); };
   return spell_options(text, spelling);
 }
