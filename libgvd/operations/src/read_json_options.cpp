@@ -81,6 +81,18 @@ std::vector<std::string> to_texts(const Json& value) {
   return texts;
 }
 
+/// Curves of {"file": NAME}; with "content", an array, these are its bytes.
+CurveList read_curve_file(const Json& value, const Arrays& arrays) {
+  const Json& file = value.at("file");
+  const bool is_text = file.is_string();
+  if (!is_text && !is_array_reference(file)) refuse_json("\"file\": a name is needed");
+  const std::string path = is_text ? file.get<std::string>() : read_bytes(file, arrays);
+  if (value.size() == 1) return gvd::read_curves(path);
+  const bool has_content = value.size() == 2 && value.contains("content") && is_array_reference(value["content"]);
+  if (!has_content) refuse_json("beside \"file\" there is \"content\" only, an array of the file's bytes");
+  return parse_curves(read_bytes(value["content"], arrays), path);
+}
+
 /// Reads one option. Returns what is wrong; empty where nothing is.
 std::string read_value(const Option& option, const Json& value, const Arrays& arrays) {
   const std::string name = fmt::format("{{option:{}}}", option.name);
@@ -95,12 +107,8 @@ std::string read_value(const Option& option, const Json& value, const Arrays& ar
                  return "";
                },
                [&](const Curves& curves) -> std::string {
-                 if (value.is_object() && value.size() == 1 && value.contains("file")) {
-                   const Json& file = value.at("file");
-                   const bool is_text = file.is_string();
-                   if (!is_text && !is_array_reference(file)) return "\"file\": a name is needed";
-                   const std::string path = is_text ? file.get<std::string>() : read_bytes(file, arrays);
-                   *curves.value = {{}, std::make_shared<CurveList>(gvd::read_curves(path))};
+                 if (value.is_object() && value.contains("file")) {
+                   *curves.value = {{}, std::make_shared<CurveList>(read_curve_file(value, arrays))};
                    return std::string();
                  }
                  const std::string word = value.is_string() ? value.get<std::string>() : "";
@@ -175,7 +183,7 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
 std::string spell_for(Door door, const std::string& text, const Given* given) {
   OptionSpelling spelling{.spell = [door](std::string_view name, std::string_view value) -> std::string {
     const bool is_python = door == Door::python;
-    if (is_python && name == "from") name = "points";  // a keyword of Python's
+    if (door != Door::json && name == "from") name = "points";  // a keyword of Python's; both languages have it first
     if (value.empty()) return door == Door::json ? fmt::format("\"{}\"", name) : std::string(name);
     const bool is_flag = value == "true" || value == "false";
     const bool is_bare = is_flag || parse_number<double>(value).has_value();

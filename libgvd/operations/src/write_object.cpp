@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gvd/error.hpp"
@@ -42,9 +44,12 @@ void describe(OptionList& list, FileOptions& options) {
       {.help = "In .obj, give each region a material, in place of the materials that the mesh was read with"});
 }
 
-void write_object(const std::filesystem::path& path, const Object& object, const FileOptions& options,
-                  const Progress& progress) {
-  const std::string extension = format_extension(path);
+namespace {
+
+/// Calls write_own(writer) for a format that is the object's own, or write_surface(mesh, format). `shown`: for messages.
+template <class WriteOwn, class WriteSurface>
+void write_by_extension(const std::string& shown, const std::string& extension, const Object& object,
+                        const FileOptions& options, const WriteOwn& write_own, const WriteSurface& write_surface) {
   const bool is_whole = options.part.empty();
   OwnWriters own = is_whole ? object.own_writers() : object.part_writers(options.part);
   if (!is_whole && own.empty()) {
@@ -53,14 +58,14 @@ void write_object(const std::filesystem::path& path, const Object& object, const
   }
   std::optional<LabelledMesh> mesh = is_whole ? object.labelled() : std::nullopt;
   if (mesh) own.try_emplace("html", [&](std::ostream& out) { out << object.page(options); });
-  if (const auto writer = own.find(extension); writer != own.end()) return write_file(path, writer->second, progress);
+  if (const auto writer = own.find(extension); writer != own.end()) return write_own(writer->second);
   if (mesh) {
     mesh->no_bisectors = options.no_curves;
     mesh->ascii_ply = options.ascii_ply;
     mesh->region_materials = options.region_materials;
   }
   const Format* const format = find_output(extension);
-  if (mesh && format != nullptr && format->write != nullptr) return write_mesh(path, *mesh, progress);
+  if (mesh && format != nullptr && format->write != nullptr) return write_surface(*mesh, format->id);
   std::vector<std::string> known;
   for (const auto& [name, writer] : own) known.push_back(name);
   for (const Format& row : formats()) {
@@ -68,8 +73,26 @@ void write_object(const std::filesystem::path& path, const Object& object, const
   }
   throw Error(ErrorCode::invalid_option,
               known.empty()
-                  ? fmt::format("{}: a {} has no file; write what it consists of", path.string(), object.kind())
-                  : fmt::format("{}: the extension must be one of .{}", path.string(), fmt::join(known, ", .")));
+                  ? fmt::format("{}: a {} has no file; write what it consists of", shown, object.kind())
+                  : fmt::format("{}: the extension must be one of .{}", shown, fmt::join(known, ", .")));
+}
+
+}  // namespace
+
+void write_object(const std::filesystem::path& path, const Object& object, const FileOptions& options,
+                  const Progress& progress) {
+  write_by_extension(
+      path.string(), format_extension(path), object, options, [&](const auto& writer) { write_file(path, writer, progress); },
+      [&](const LabelledMesh& mesh, MeshFormat) { write_mesh(path, mesh, progress); });
+}
+
+std::string file_bytes(const std::string& format, const Object& object, const FileOptions& options) {
+  std::ostringstream out;
+  const std::string bare = format.starts_with('.') ? format.substr(1) : format;
+  write_by_extension(
+      gvd::quoted(format), format_extension("file." + bare), object, options, [&](const auto& writer) { writer(out); },
+      [&](const LabelledMesh& mesh, MeshFormat id) { write_mesh(out, mesh, id); });
+  return std::move(out).str();
 }
 
 }  // namespace gvd
