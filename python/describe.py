@@ -41,7 +41,7 @@ def value(text: str) -> Any:
 
 def annotate(option):
     """The type of an option and its default, both as Python's text."""
-    kind, usual = option["kind"], option.get("default")
+    kind, usual = option["kind"], None if option["usual"] else option["default"]  # not one that depends on others
     words = "".join(f"Literal[{word!r}], " for word in option.get("choices", ()))
     if kind == "choice":
         names = f"Literal[{', '.join(map(repr, option['choices']))}]"
@@ -77,8 +77,7 @@ def is_number(usual):
 def describe_option(option):
     kind, usual = annotate(option)
     unit = f" ({option['unit']})" if option["unit"] else ""
-    told = option.get("default")
-    otherwise = f". Default: {told}" if usual == "None" and isinstance(told, str) else ""
+    otherwise = f". Default: {option['usual']}" if option["usual"] else ""
     return option["name"], kind, usual, option["help"] + unit + otherwise
 
 
@@ -134,6 +133,14 @@ class Stub(ast.NodeTransformer):
                 node.args.kw_defaults.append(ast.parse(usual, mode="eval").body)
         node.body = [ast.Expr(ast.Constant(...))]
         return node
+
+    def visit_AnnAssign(self, node):
+        """What `view` and `figure` make is a property."""
+        if getattr(getattr(node.value, "func", None), "id", "") not in ("view", "figure"):
+            return node
+        function = ast.parse(f"@property\ndef {node.target.id}(self): ...").body[0]
+        function.returns = node.annotation
+        return function
 
     def visit_Module(self, node):
         node.body = [self.visit(one) for one in node.body if not self.is_text(one)]

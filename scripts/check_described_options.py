@@ -34,8 +34,10 @@ def property_of(option):
         return {"type": ["boolean", "null"]}
     if kind in ("number", "whole number"):
         made = {"type": ["number" if kind == "number" else "integer", "null"]}
-        # A word such as "none" stands for a number that need not lie in the range.
-        if "choices" not in option and option["name"] != "threads":
+        if "choices" in option:  # words such as "none", which stand for a number
+            made["type"].insert(1, "string")
+            made["pattern"] = f"^({'|'.join(option['choices'])})$"
+        if option["name"] != "threads":
             for key, name in (("least", "minimum"), ("above", "exclusiveMinimum"), ("most", "maximum"), ("below", "exclusiveMaximum")):
                 if key in option:
                     made[name] = option[key]
@@ -55,7 +57,7 @@ def property_of(option):
     if kind == "bound":
         return {"description": "mesh units, or percent of the diagonal", "type": ["number", "string", "null"], "exclusiveMinimum": 0}
     if kind == "crease angle":
-        return {"type": ["number", "string", "null"], "exclusiveMinimum": 0, "maximum": 180, "pattern": "^auto$"}
+        return {"type": ["number", "string", "null"], "exclusiveMinimum": 0, "maximum": 180, "pattern": "^(auto|none)$"}
     if option["repeatable"] and option["name"] != "input":  # each run has one input
         return {"type": "array", "items": {"type": "string"}}
     return {"type": "string" if option["name"] == "input" else ["string", "null"]}
@@ -162,12 +164,12 @@ OF_PROGRAMS = {"logarithm"}
 def check_placeholders(described):
     names = OF_PROGRAMS | {option["name"] for options in described.values() for option in options}
     for source in sorted((ROOT / "libgvd").rglob("*.[ch]pp")):
-        for inside in re.findall(r"\{(?:option|given):([a-z_|=]+)", source.read_text()):
+        for inside in re.findall(r"\\1\??([a-z_|=]+)", source.read_text()):
             if source.name == "placeholders.hpp":
                 continue  # its examples
             for name in re.findall(r"(?:^|\|)([a-z_]+)", inside):
                 if name not in names:
-                    yield f"{source.relative_to(ROOT)}: {{option:{name}}} is no option of any command"
+                    yield f"{source.relative_to(ROOT)}: \\1{name}\\2 is no option of any command"
 
 
 def as_number(text):

@@ -76,7 +76,7 @@ int run_described(const CommandInfo& info, OptionList& list, Options& options, i
         if (!run.written().empty()) console.note(fmt::format("wrote {}", fmt::join(run.written(), ", ")));
         if (!options.output.open) return;
         const std::string failed = open_page(options.output.view);
-        if (!failed.empty()) console.note(fmt::format("--open: {}; open {} in a browser", failed, options.output.view));
+        if (!failed.empty()) run.note(fmt::format("\1open\2: {}; open {} in a browser", failed, options.output.view));
       },
       &options);
   if (outcome.exit_code == kReaderGone) return end_by_broken_pipe();

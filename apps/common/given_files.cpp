@@ -9,7 +9,6 @@
 #include <system_error>
 #include <utility>
 
-#include "common/options/spelling.hpp"
 #include "common/process.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/curve_list.hpp"
@@ -43,10 +42,8 @@ void read(const std::string& option, const PointList& points, const std::optiona
   GivenPoints& given = *points.value;
   if (given.file.empty()) return;
   if (points.named == PointList::Named::any && !is_there(given.file)) {
-    refuse_unreadable(
-        fmt::format("{0} {1}: there is no such file; name one that lists points, or write vertices, as in {0} "
-                    "3,17,99",
-                    option, printable(given.file)));
+    refuse_unreadable(fmt::format("{}: there is no such file; name one that lists points, or write vertices, as in {}",
+                                  placeholder(option, printable(given.file)), placeholder(option, "3,17,99")));
   }
   given.list = std::make_shared<GeneratorList>(read_list(given.file, format));
 }
@@ -55,8 +52,8 @@ void read(const std::string& option, const Curves& curves) {
   const std::string& name = curves.value->name;
   if (name.empty() || name == "boundary" || parse_creases(name, curves.usual)) return;
   if (!is_there(name)) {
-    refuse_unreadable(
-        fmt::format("{} {}: there is no such file; write boundary, creases or the name of a file", option, name));
+    refuse_unreadable(placeholder(option, name) +
+                      ": there is no such file; write boundary, creases or the name of a file");
   }
   const WaitForInput wait(name);
   curves.value->list = std::make_shared<CurveList>(name == "-" ? parse_curves(read_standard_input(), kStandardInput)
@@ -78,7 +75,7 @@ void read(Run& run, const CheckedMesh& input, const std::string& option, const V
       read_element_values(input, name, property_file(run), is_of_faces ? SoupElement::polygon : SoupElement::vertex,
                           is_of_faces ? ValueColumns::last : ValueColumns::one);
   if (!found) refuse_name(run, option, name);
-  if (is_of_faces) found->title = fmt::format("{} {}", option, name);
+  if (is_of_faces) found->title = placeholder(option, name);
   source.value->values = std::make_shared<ElementValues>(*std::move(found));
 }
 
@@ -88,7 +85,7 @@ void read_given_files(Run& run, const CheckedMesh& input) {
   const Options& options = run.options();
   if (options.list == nullptr) return;
   for (const Option* const option : options.list->options()) {
-    const std::string name = typed_names(*option).back();
+    const std::string& name = option->name;
     const auto format = option->name == "generators" ? options.input.list_format : std::nullopt;
     std::visit(Overload{[&](const PointList& points) { read(name, points, format); },
                         [&](const Curves& curves) { read(name, curves); },

@@ -42,22 +42,21 @@ constexpr std::array<CodeWords, 7> kCodes{{{kUsage, "usage"},
                                            {kInterrupted, "interrupted"}}};
 static_assert(static_cast<std::size_t>(ErrorCode::interrupted) + 1 == kCodes.size());
 
-/// What the message of a shortage depends on.
+/// What the message of a shortage depends on, as the user writes options.
 struct MemoryAdvice {
-  std::optional<std::int64_t> limit;
-  bool has_chords = false;  ///< whether a chord tolerance counts
+  bool is_limited = false;
+  std::string limit = "--max-memory";  ///< with its value, where it is given
+  std::string advice = "take a mesh of fewer or rounder triangles";
+  std::string one_thread = "--threads 1";
 };
 MemoryAdvice g_memory;
 
 Outcome out_of_memory() {
-  // The points of the bisectors are most of an exact diagram. A few long needles take as much memory as many faces.
-  std::string advice = "take a mesh of fewer or rounder triangles";
-  if (g_memory.has_chords) advice = "take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles";
-  std::string message = g_memory.limit
-                            ? fmt::format("out of memory: the run needs more than --max-memory {}; raise it, or {}",
-                                          format_bytes(*g_memory.limit), advice)
-                            : fmt::format("out of memory: up to {} in use; {}; --max-memory ends such a run sooner",
-                                          format_bytes(peak_memory_bytes()), advice);
+  const auto& [is_limited, limit, advice, one_thread] = g_memory;
+  std::string message = is_limited
+                            ? fmt::format("out of memory: the run needs more than {}; raise it, or {}", limit, advice)
+                            : fmt::format("out of memory: up to {} in use; {}; {} ends such a run sooner",
+                                          format_bytes(peak_memory_bytes()), advice, limit);
   return {kNoResult, std::move(message), "out of memory"};
 }
 
@@ -72,17 +71,21 @@ Outcome describe_exception(const std::exception& error) {
   if (!tells_of_threads(error)) {
     return {kNoResult, fmt::format("unexpected: {}; please report it", error.what()), "unexpected error"};
   }
-  if (g_memory.limit) return out_of_memory();  // no memory for the thread's stack
+  if (g_memory.is_limited) return out_of_memory();  // no memory for the thread's stack
   return {kNoResult,
-          "a thread could not be started: the system allows no more threads, or no memory for one; use --threads 1",
+          "a thread could not be started: the system allows no more threads, or no memory for one; use " +
+              g_memory.one_thread,
           "no thread"};
 }
 
-/// An error's text with options as the user of the command writes them, where they are known.
+/// An error's text with options as the user of the command writes them, where they are known, and behind the place in
+/// the file of options of the one that it begins with.
 std::string describe(const Error& error, const Options* options) {
   if (error.code() == ErrorCode::reader_gone) return "";
   if (options == nullptr || options->list == nullptr) return error.what();
-  return spell(*options->list, *options->given, error.text());
+  const Given::Source* const blamed = options->given->find(first_option(error.text()));
+  const std::string place = blamed == nullptr || blamed->place.empty() ? "" : blamed->place + ": ";
+  return place + spell(*options->list, *options->given, error.text(), !place.empty());
 }
 
 /// The outcome of a run that ended with this exception. Null: it ended without one, as std::terminate may.
@@ -157,9 +160,21 @@ Outcome run_guarded(const std::function<void()>& work, const Options* options) {
 }
 
 void limit_memory_of(const Options& options) {
-  const Option* const chords = options.list == nullptr ? nullptr : options.list->find("chord_tolerance");
-  g_memory = {options.compute.max_memory, chords != nullptr && options.list->why_idle(*chords, *options.given).empty()};
-  limit_memory(options.compute.max_memory);
+  const std::optional<std::int64_t> limit = options.compute.max_memory;
+  g_memory = {};
+  g_memory.is_limited = limit.has_value();
+  const OptionList none;
+  const Given nothing;
+  const OptionList& list = options.list == nullptr ? none : *options.list;
+  const Given& given = options.given == nullptr ? nothing : *options.given;
+  // The points of the bisectors are most of an exact diagram. A few long needles take as much memory as many faces.
+  const Option* const chords = list.find("chord_tolerance");
+  if (chords != nullptr && list.why_idle(*chords, given).empty()) {
+    g_memory.advice = spell(list, given, "take a coarser \1chord_tolerance\2, or a mesh of fewer or rounder triangles");
+  }
+  g_memory.limit = spell(list, given, placeholder("max_memory", limit ? format_bytes(*limit) : ""));
+  g_memory.one_thread = spell(list, given, "\1threads=1\2");
+  limit_memory(limit);
 }
 
 std::string format_bytes(std::int64_t bytes) {

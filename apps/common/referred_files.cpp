@@ -43,22 +43,17 @@ std::optional<std::pair<dev_t, ino_t>> identity_of(const fs::path& file) {
   return std::pair(found.st_dev, found.st_ino);
 }
 
-/// A file that a run writes.
-struct Written {
-  Target target;
-  bool is_material = false;  ///< the materials of an .obj, which are written beside it
-};
-
-std::vector<Written> list_written(const OutputOptions& output) {
-  std::vector<Written> files;
+/// All files that a run writes.
+std::vector<Target> list_written(const OutputOptions& output) {
+  std::vector<Target> files;
   for (const Target& target : list_targets(output)) {
     if (target.path == "-") continue;
-    files.push_back({target});
-    const bool may_have_materials = target.option == "-o" || target.option == "--output-dir";
+    files.push_back(target);
+    const bool may_have_materials = target.option == "output" || target.option == "output_dir";
     const auto materials = may_have_materials ? materials_file(target.path) : std::nullopt;
-    if (materials) files.push_back({{"the materials of " + target.option, materials->string()}, true});
+    if (materials) files.push_back({target.option, materials->string(), true});
   }
-  if (!output.summary.empty()) files.push_back({{"--summary", output.summary}});
+  if (!output.summary.empty()) files.push_back({"summary", output.summary});
   return files;
 }
 
@@ -89,7 +84,7 @@ class ReferredFiles {
     for (const std::string& mesh : found->second) {
       if (mesh == excepted) continue;
       throw Error(ErrorCode::invalid_option,
-                  fmt::format("{} {}: {} refers to this file; name another one", target.option, target.path, mesh));
+                  fmt::format("{}: {} refers to this file; name another one", name_of(target), mesh));
     }
   }
 
@@ -102,18 +97,18 @@ class ReferredFiles {
 void check_referred_files(const Options& options, const Appearance& input) {
   const std::string& mesh = options.input.path;
   if (is_read_once(mesh)) return;  // and has no folder
-  std::vector<Written> written = list_written(options.output);
+  std::vector<Target> written = list_written(options.output);
   ReferredFiles materials, others;
   for (const fs::path& file : list_material_files(mesh, input.material_files)) materials.add(mesh, file);
-  for (const Written& file : written) {
-    if (!file.is_material) materials.check(file.target);
+  for (const Target& file : written) {
+    if (!file.has_materials) materials.check(file);
   }
   // Buffers and images that are not there can't be lost.
   std::error_code ignored;
-  std::erase_if(written, [&](const Written& file) { return !fs::is_regular_file(file.target.path, ignored); });
+  std::erase_if(written, [&](const Target& file) { return !fs::is_regular_file(file.path, ignored); });
   if (written.empty() || !input.material_files.empty()) return;
   for (const fs::path& file : list_referred_files(mesh, options.input.format)) others.add(mesh, file);
-  for (const Written& file : written) others.check(file.target);
+  for (const Target& file : written) others.check(file);
 }
 
 void check_referred_files(const std::vector<Options>& runs) {
@@ -127,8 +122,8 @@ void check_referred_files(const std::vector<Options>& runs) {
     });
   }
   for (const Options& run : runs) {
-    for (const Written& file : list_written(run.output)) {
-      referred.check(file.target, file.is_material ? run.input.path : "");
+    for (const Target& file : list_written(run.output)) {
+      referred.check(file, file.has_materials ? run.input.path : "");
     }
   }
 }
@@ -143,9 +138,8 @@ void check_material_files(Run& run, const Appearance& appearance, bool drops_mat
     for (const fs::path& name : list_material_files(input, appearance.material_files)) {
       if (!is_same(*made, fs::path(input).replace_filename(name))) continue;
       throw Error(ErrorCode::invalid_option,
-                  fmt::format("-o {}: its materials would replace {}, which {} names; choose "
-                              "another name",
-                              path, printable(name.string()), input));
+                  fmt::format("{}: its materials would replace {}, which {} names; choose another name",
+                              placeholder("output", path), printable(name.string()), input));
     }
   }
 }

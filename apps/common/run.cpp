@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "common/options/spelling.hpp"
 #include "common/process.hpp"
 #include "gvd/error.hpp"
 #include "gvd/version.hpp"
@@ -152,6 +153,11 @@ void StepTimes::start(std::string_view step) {
 
 void StepTimes::stop() {
   if (!sums_.empty()) sums_[current_].second += Clock::now() - started_;
+}
+
+std::string Run::spelled(const std::string& text) const {
+  const Options& options = this->options();
+  return options.list == nullptr ? text : spell(*options.list, *options.given, text);
 }
 
 Progress Run::progress() {

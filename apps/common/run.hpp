@@ -114,6 +114,10 @@ class Run {
   /// From now on the options are these, which the body of the run may complete. They must outlive the run.
   void follow(const Options& live) { live_ = &live; }
   Console& console() { return console_; }
+  /// A text with its placeholders as the user writes options.
+  std::string spelled(const std::string& text) const;
+  /// A note on the console, which may have placeholders.
+  void note(const std::string& text) { console_.note(spelled(text)); }
   /// The document of `--report`.
   RunReport& report() { return report_; }
   RunFigures& figures() { return figures_; }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <exception>
 
-#include "common/options/spelling.hpp"
 #include "common/process.hpp"
 
 namespace gvd::app {
@@ -45,15 +44,10 @@ void RunObserver::leave() {
   if (std::uncaught_exceptions() == 0 && ++left.times == 1) report(left);
 }
 
-void RunObserver::note(const std::string& text) { run_.console().note(spelled(text)); }
+void RunObserver::note(const std::string& text) { run_.note(text); }
 
-void RunObserver::detail(const std::string& text) { run_.console().detail(spelled(text)); }
+void RunObserver::detail(const std::string& text) { run_.console().detail(run_.spelled(text)); }
 
 void RunObserver::status(const std::string& text) { run_.console().set_status(text); }
-
-std::string RunObserver::spelled(const std::string& text) const {
-  const Options& options = run_.options();
-  return options.list == nullptr ? text : spell(*options.list, *options.given, text);
-}
 
 }  // namespace gvd::app

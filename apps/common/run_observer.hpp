@@ -37,7 +37,6 @@ class RunObserver : public Observer {
     Clock::time_point started{};
     int times = 0;  ///< that it ended
   };
-  std::string spelled(const std::string& text) const;
   void report(const Timed& timed);
 
   Run& run_;

@@ -21,7 +21,6 @@
 #include "common/given_files.hpp"
 #include "common/options/option_json.hpp"
 #include "common/options/options.hpp"
-#include "common/options/spelling.hpp"
 #include "common/process.hpp"
 #include "common/referred_files.hpp"
 #include "common/run_observer.hpp"
@@ -120,7 +119,9 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh, cons
     return run.add_written(path);
   }
   const auto known = parse_output_format(format);
-  if (!known) throw Error(ErrorCode::invalid_option, "-o " + path + ": this command does not write ." + format);
+  if (!known) {
+    throw Error(ErrorCode::invalid_option, placeholder("output", path) + ": this command does not write ." + format);
+  }
   const LabelledMesh chosen = choose_content(run.options().output, mesh);
   const OutputWriter write = [&](std::ostream& out) { write_mesh(out, chosen, *known); };
   if (standard) return write_standard_output(write);
@@ -255,8 +256,7 @@ void note_far_vertices(Run& run, const CheckedMesh& checked) {
 
 void note_on_input(Run& run, const std::string& message) {
   const Options& options = run.options();
-  const std::string text = spell(*options.list, *options.given, message);
-  run.console().note(options.output.folder.empty() ? name_of(options.input) + ": " + text : text);
+  run.note(options.output.folder.empty() ? name_of(options.input) + ": " + message : message);
 }
 
 CheckedMesh load_input(Run& run, PipedInput* piped) {
@@ -296,9 +296,9 @@ constexpr double kLongRun = 10;  // seconds
 void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const GeneratorCost& cost) {
   const double seconds = cost.microseconds * 1e-6 * double(count);
   if (count <= mesh.face_count() || seconds < kLongRun) return;
-  run.console().note(fmt::format(
-      "-n {} is more than the mesh has faces ({}): this may take about {} and {:.2g} GB of memory, at {:.2g} ms and "
-      "{:.2g} kB a generator as measured on two cores",
+  run.note(fmt::format(
+      "\1count={}\2 is more than the mesh has faces ({}): this may take about {} and {:.2g} GB of memory, at {:.2g} ms "
+      "and {:.2g} kB a generator as measured on two cores",
       count, mesh.face_count(), format_duration(seconds), cost.kilobytes * 1e-6 * double(count),
       cost.microseconds * 1e-3, cost.kilobytes));
 }
@@ -318,7 +318,7 @@ void refuse_name(Run& run, const std::string& option, const std::string& name) {
   }
   if (std::filesystem::is_directory(name, ignored)) why = "is a directory; give a file";
   if (name == "-") why = "takes a file or a property; standard input is the file /dev/stdin";
-  throw Error(ErrorCode::unreadable_input, fmt::format("{} {}: {}", option, name, why));
+  throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", placeholder(option, name), why));
 }
 
 void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& points,
@@ -343,8 +343,8 @@ void report_figures(Run& run, const Object& object) {
 void write_output_files(Run& run, const LabelledMesh& mesh, const OwnWriters& own_formats) {
   const OutputOptions& output = run.options().output;
   if (!names_file(output)) {
-    run.console().note(fmt::format("no file was written; name one with -o, --report{} or --view",
-                                   run.options().has_diagram ? ", --diagram" : ""));
+    run.note(fmt::format("no file was written; name one with \1output\2, \1report\2{} or \1view\2",
+                         run.options().has_diagram ? ", \1diagram\2" : ""));
   }
   if (output.files.empty()) return;
   if (mesh.appearance != nullptr) note_left_out(run, *mesh.appearance);
@@ -366,7 +366,9 @@ void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram) {
 void write_own_file(Run& run, const std::string& option, const OutputWriter& write) {
   const auto& own = run.options().output.own;
   const auto target = own.find(option);
-  if (target != own.end()) write_timed(run, option.substr(2), *target->second, write);
+  std::string step = option;
+  std::replace(step.begin(), step.end(), '_', '-');
+  if (target != own.end()) write_timed(run, step, *target->second, write);
 }
 
 void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes) {

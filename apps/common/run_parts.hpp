@@ -76,7 +76,7 @@ void write_output_files(Run& run, const Object& object);
 /// Writes `--diagram`.
 void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram);
 
-/// Writes the file of an option that `Command::add_target` added.
+/// Writes the file of an option that `describe_target` described.
 void write_own_file(Run& run, const std::string& option, const OutputWriter& write);
 
 /// Writes `--view`; `make_scenes` is called only then. The name of the input file is added to the title.

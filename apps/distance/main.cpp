@@ -34,11 +34,7 @@ constexpr const char* kExamples =
     "  gvd-distance bunny.obj --from seeds.csv --isolines 0.05 -o curves.obj\n"
     "  gvd-distance scan.stl --from seeds.txt --each --max-distance 40 -o rows.npy\n";
 
-/// What holds curves without a surface and, of the formats with one, those that draw lines beside it.
-constexpr Content kPaths = Content::curves | Content::paths, kIsolines = Content::curves | Content::isolines;
-
-const std::vector<std::string> kFormats =
-    output_extensions(Content::distances | Content::rows | Content::targets | kPaths | kIsolines);
+const std::vector<std::string> kFormats = output_extensions(DistancesOutcome::kContent);
 
 struct OwnOptions : Options {
   DistancesCall call;
@@ -51,6 +47,7 @@ void describe_own(OptionList& list, OwnOptions& own) {
   describe(list, own.call);
   describe_resources(list, own.compute);
   describe_output(list, own.output, kFormats, "npy");
+  list.excludes("each", {"view"}, "the page shows the nearest source");
 }
 
 /// Where no file is named, standard output has a text that a script reads as it is, or else the simplest format that
@@ -61,82 +58,17 @@ void complete(OwnOptions& own, const Given& given) {
   own.output.files = {"-"};
 }
 
-[[noreturn]] void refuse_use(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
-
-/// The first of the written formats that carries any of `any`, but nothing of `none`. Null: there is none.
-const Format* find_written(const OutputOptions& output, Content any, Content none = Content::nothing) {
+/// The files of -o, and what else is written. A file is called by the option that decides on its format.
+void check_written(const OutputOptions& output, const DistancesCall& call) {
+  std::vector<WrittenFile> files;
   for (const std::string& format : written_formats(output)) {
-    const Format* const row = find_output(format);
-    if (row != nullptr && has_any(row->carries, any) && !has_any(row->carries, none)) return row;
+    const auto has_it = [&](const std::string& file) { return file != "-" && format_of(output, file) == format; };
+    const auto file = std::ranges::find_if(output.files, has_it);
+    const bool is_named = output.folder.empty() && file != output.files.end();
+    const std::string name = is_named ? placeholder("output", *file) : placeholder("output_format", format);
+    if (const Format* const row = find_output(format)) files.push_back({name, row});
   }
-  return nullptr;
-}
-
-/// "-o p.obj: .obj", the file that has this format, for messages.
-std::string named(const OutputOptions& output, const Format& format) {
-  const std::string& name = format.extensions.front();
-  for (const std::string& file : output.files) {
-    if (file != "-" && format_of(output, file) == name) return fmt::format("-o {}: .{}", file, name);
-  }
-  return fmt::format("--output-format {0}: .{0}", name);
-}
-
-/// The formats to write instead.
-std::string list_formats(Content any, Content none = Content::nothing) {
-  return list_extensions(output_extensions(any, none), "or");
-}
-
-/// Refuses a mesh or a text that would hold nothing of what was asked for.
-void check_content(const Options& options, const DistancesCall& own) {
-  const OutputOptions& output = options.output;
-  const bool has_targets = own.targets.are_listed(), has_curves = own.paths || own.isolines;
-  constexpr Content kDistances = Content::distances | Content::rows;
-  if (const Format* const lines = find_written(output, Content::curves, kDistances); lines != nullptr && !has_curves) {
-    refuse_use(has_targets
-                   ? fmt::format("{} holds no distances; add {{option:paths}} for the shortest paths, or write {}",
-                                 named(output, *lines), list_formats(Content::targets))
-                   : fmt::format("{} holds no distances; write {}, or add {{option:isolines}}", named(output, *lines),
-                                 list_formats(kDistances)));
-  }
-  const bool has_report = !output.report.empty() || !output.view.empty();
-  const Format* const mesh = find_written(output, Content::distances, Content::targets);
-  if (has_targets && !has_curves && !has_report && mesh != nullptr && !writes(output, Content::targets)) {
-    refuse_use(
-        fmt::format("{} has the distances of all vertices, for which {{option:to}} does nothing; {}write {}, or leave "
-                    "{{option:to}} out",
-                    named(output, *mesh), has_any(mesh->carries, Content::curves) ? "add {option:paths}, " : "",
-                    list_formats(Content::targets)));
-  }
-  if (own.paths && !has_report && !writes(output, kPaths)) {
-    refuse_use(fmt::format("{{option:paths}}: {} paths; write one of them or leave {{option:paths}} out",
-                           only_formats(kPaths, {"{option:view}", "{option:report}"})));
-  }
-}
-
-/// Refuses options that contradict each other or have no effect.
-void check(const Options& options, const DistancesCall& own) {
-  const OutputOptions& output = options.output;
-  const bool has_targets = own.targets.are_listed(), has_view = !output.view.empty();
-  if (own.each && has_view)
-    refuse_use("{option:each} and {option:view} exclude each other: the page shows the nearest source");
-  const Format* const values = find_written(output, Content::distances, Content::surface);
-  if (has_targets && values != nullptr) {
-    refuse_use(fmt::format("{{option:to}}: {} hold a distance for each vertex; write {}, or leave {{option:to}} out",
-                           list_extensions(output_extensions(Content::distances, Content::surface), "and"),
-                           list_formats(Content::targets)));
-  }
-  const Format* const single = find_written(output, Content::distances, Content::rows);
-  if (own.each && single != nullptr && !(own.paths && has_any(single->carries, Content::surface))) {
-    refuse_use(fmt::format(
-        "{{option:each}}: {} hold one distance for each vertex; write {}{}",
-        list_extensions(output_extensions(Content::distances, Content::rows), "and"), list_formats(Content::rows),
-        has_any(single->carries, Content::surface) ? ", or add {option:to} and {option:paths}" : ""));
-  }
-  if (own.isolines && !has_view && output.report.empty() && !writes(output, kIsolines)) {
-    refuse_use(fmt::format("{{option:isolines}}: {} curves; write one of them or leave {{option:isolines}} out",
-                           only_formats(kIsolines, {"{option:view}", "{option:report}"})));
-  }
-  check_content(options, own);
+  check_files(asked_of(call), files, {"\1view\2", "\1report\2"}, !output.report.empty() || !output.view.empty());
 }
 
 /// The part of the machine's memory that a table may take: it is computed and written beside other things.
@@ -173,7 +105,7 @@ void note_targets(RunObserver& observer, const DistancesOutcome& made, bool are_
 }
 
 void measure(Run& run, OwnOptions& own) {
-  check(run.options(), own.call);
+  check_written(run.options().output, own.call);
   const auto input = std::make_shared<CheckedMesh>(load_input(run));
   own.call.most_bytes = most_table_bytes(own.compute);
   const auto made = [&] {

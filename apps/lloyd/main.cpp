@@ -33,8 +33,7 @@ namespace {
 /// 100,000 generators on 5,876 faces took 76 s of processor time and 0.96 GB.
 constexpr GeneratorCost kGeneratorCost{760, 9.6};
 
-const std::vector<std::string> kFormats =
-    output_extensions(Content::generators | Content::surface | Content::vertex_labels | Content::distances);
+const std::vector<std::string> kFormats = output_extensions(LloydOutcome::kContent);
 
 struct OwnOptions : Options {
   LloydCall call;
@@ -188,7 +187,7 @@ void write_points_file(Run& run, const OwnOptions& own, const Mesh& mesh, const 
     const CellMoments& moments = relaxed.moments[GeneratorId(std::ssize(samples))];
     samples.push_back({point, moments.area, moments.energy});
   }
-  write_own_file(run, "--points", [&](std::ostream& out) { write_points(out, mesh, samples, *format); });
+  write_own_file(run, "points", [&](std::ostream& out) { write_points(out, mesh, samples, *format); });
 }
 
 void lloyd(Run& run, OwnOptions& own) {
@@ -213,7 +212,7 @@ void lloyd(Run& run, OwnOptions& own) {
   write_output_files(run, *outcome);
   write_diagram_file(run, mesh, relaxed.diagram);
   write_points_file(run, own, mesh, relaxed);
-  write_own_file(run, "--trace", [&](std::ostream& out) { trace.write(out, relaxed, own.call.diagram.method); });
+  write_own_file(run, "trace", [&](std::ostream& out) { trace.write(out, relaxed, own.call.diagram.method); });
   write_view_file(run, "gvd-lloyd", [&] {
     DiagramOptions early = own.call.diagram;
     early.progress = run.progress();

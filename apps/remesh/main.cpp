@@ -36,7 +36,7 @@ constexpr const char* kExamples =
 /// 30,000 generators on 5,876 faces took 14 s of processor time and 0.44 GB.
 constexpr GeneratorCost kGeneratorCost{460, 14.7};
 
-const std::vector<std::string> kFormats = output_extensions(Content::surface | Content::diagram);
+const std::vector<std::string> kFormats = output_extensions(RemeshOutcome::kContent);
 
 /// What --carry takes from the input.
 constexpr Content kCarried = Content::properties | Content::texture | Content::materials;
@@ -58,15 +58,15 @@ void describe_own(OptionList& list, OwnOptions& own) {
                                    list_extensions(output_extensions(Content::texture), "and"),
                                    list_extensions(output_extensions(Content::materials), "and"))});
   list.rule(format_rule(own.output, "carry", output_extensions(kCarried),
-                        fmt::format("{{option:carry}}: {} what is carried over; write one, such as "
-                                    "{{option:output=FILE.ply}}",
+                        fmt::format("\1carry\2: {} what is carried over; write one, such as "
+                                    "\1output=FILE.ply\2",
                                     only_formats(kCarried))));
   describe_resources(list, own.compute);
   describe_verify(list, own.compute);
   describe_output(list, own.output, kFormats, "ply");
   describe_diagram_output(list, own.output);
   describe_target(list, own.output, "map", own.map, {"json"},
-                  {.help = "Write the point of {option:input} for each output vertex, and the point of the output for "
+                  {.help = "Write the point of \1input\2 for each output vertex, and the point of the output for "
                            "each input vertex"});
 }
 
@@ -82,8 +82,8 @@ void note_carried(Run& run, const RemeshOutcome& made) {
   if (made.properties.empty() && made.appearance.empty()) {
     note_on_input(run, "no properties, texture coordinates or materials to carry over");
   } else if (!made.properties.empty() && !writes(run.options().output, Content::properties)) {
-    run.console().note(
-        fmt::format("--carry: {} properties; write one, such as -o FILE.ply", only_formats(Content::properties)));
+    run.note(fmt::format("\1carry\2: {} properties; write one, such as \1output=FILE.ply\2",
+                         only_formats(Content::properties)));
   }
 }
 
@@ -101,7 +101,7 @@ void run_remesh(Run& run, OwnOptions& own) {
   const auto input = std::make_shared<CheckedMesh>(load_input(run, carries ? &piped : nullptr));
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   if (!carries && !input->appearance.empty() && !run.options().output.files.empty()) {
-    note_on_input(run, fmt::format("texture coordinates and materials are left out; --carry keeps them in {}",
+    note_on_input(run, fmt::format("texture coordinates and materials are left out; \1carry\2 keeps them in {}",
                                    list_extensions(output_extensions(Content::texture | Content::materials), "and")));
   }
   if (carries) own.call.properties = read_properties(run.options().input, piped);
@@ -116,7 +116,7 @@ void run_remesh(Run& run, OwnOptions& own) {
   if (carries) note_carried(run, *made);
   write_output_files(run, *made);
   write_diagram_file(run, input->mesh, result.diagram);
-  write_own_file(run, "--map", [&](std::ostream& out) { write_map_json(out, *input, *made->map); });
+  write_own_file(run, "map", [&](std::ostream& out) { write_map_json(out, *input, *made->map); });
   write_view(run, input->mesh, result);
   finish_run(run, input->mesh, result.diagram);
 }

@@ -38,8 +38,7 @@ constexpr const char* kExamples =
 /// A million generators on 5,876 faces took 27 s of processor time and 3.6 GB.
 constexpr GeneratorCost kGeneratorCost{27, 3.6};
 
-const std::vector<std::string> kFormats =
-    output_extensions(Content::surface | Content::vertex_labels | Content::distances | Content::diagram);
+const std::vector<std::string> kFormats = output_extensions(SegmentOutcome::kContent);
 
 /// Arrays and tables, and the formats that hold nothing but these numbers of vertices.
 std::vector<std::string> array_formats(Content numbers) {
@@ -87,12 +86,12 @@ void describe_own(OptionList& list, OwnOptions& own) {
   describe_targets(list, own);
   list.group("Output");
   list.option("region_materials", Flag{&own.output.region_materials},
-              {.help = "Give each region a material of its own in .obj also where {option:input} has materials",
+              {.help = "Give each region a material of its own in .obj also where \1input\2 has materials",
                .more = ", in place of these"});
   list.excludes("curves", {"verify"});
   list.rule(format_rule(own.output, "region_materials", output_extensions(Content::materials),
-                        fmt::format("{{option:region_materials}}: {} materials; write one, as in "
-                                    "{{option:output=FILE.obj}}, or leave it out",
+                        fmt::format("\1region_materials\2: {} materials; write one, as in "
+                                    "\1output=FILE.obj\2, or leave it out",
                                     only_formats(Content::materials))));
 }
 
@@ -120,14 +119,14 @@ void write_arrays(Run& run, const LabelledMesh& output) {
                        [](const FaceNumbers& n) { return n.name != kRegionName; });
   if (!levels.empty()) {
     write(
-        "--face-labels", [&](std::ostream& out) { write_levels_npy(out, levels); },
+        "face_labels", [&](std::ostream& out) { write_levels_npy(out, levels); },
         [&](std::ostream& out) { write_levels_csv(out, levels); });
   } else {
-    write_labels("--face-labels", output.face_label->raw(), "face");
+    write_labels("face_labels", output.face_label->raw(), "face");
   }
-  write_labels("--vertex-labels", output.vertex_label->raw(), "vertex");
+  write_labels("vertex_labels", output.vertex_label->raw(), "vertex");
   write(
-      "--vertex-distances", [&](std::ostream& out) { write_distances_npy(out, distances); },
+      "vertex_distances", [&](std::ostream& out) { write_distances_npy(out, distances); },
       [&](std::ostream& out) { write_distances_csv(out, distances); });
 }
 
@@ -152,8 +151,8 @@ void note_whole_faces(Run& run, const OwnOptions& own) {
   for (const std::string& file : output.files) {
     const Format* const format = find_output(format_of(output, file));
     if (format == nullptr || !has_any(format->carries, Content::surface)) continue;
-    return run.console().note(fmt::format("{} shows the exact borders, and {} has whole faces; --cut splits them",
-                                          output.view, file == "-" ? "standard output" : file));
+    return run.note(fmt::format("{} shows the exact borders, and {} has whole faces; \1cut\2 splits them", output.view,
+                                file == "-" ? "standard output" : file));
   }
 }
 
@@ -171,11 +170,11 @@ void segment(Run& run, OwnOptions& own) {
   set_diagram(run, diagram);
   write_files(run, *made);
   note_whole_faces(run, own);
-  write_own_file(run, "--stats", [&](std::ostream& out) {
+  write_own_file(run, "stats", [&](std::ostream& out) {
     const Charts* const charts = made->charts ? &*made->charts : nullptr;
     write_statistics_csv(out, compute_region_statistics(made->surface(), diagram), charts);
   });
-  write_own_file(run, "--adjacency", [&](std::ostream& out) {
+  write_own_file(run, "adjacency", [&](std::ostream& out) {
     write_adjacency_graphml(out, made->surface(), diagram.generators,
                             compute_region_statistics(made->surface(), diagram));
   });

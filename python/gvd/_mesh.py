@@ -15,7 +15,7 @@ from ._options import described, file_name, plain, real, text, to_json
 from ._points import Curves, Entries, Points, as_array, make_entries
 from ._progress import Callback, part_of, reporting
 from ._results import (Balanced, Diagram, Distances, Floats, Ids, Isoline, Object, Path, PathLike, Relaxation, Remesh, Segmentation,
-                       Writable, run, run_json, warn)
+                       Writable, figure, run, run_json, view, warn)
 
 _ROW_BYTES = 1 << 26
 """Rows of distances are computed in batches of about so many bytes."""
@@ -88,30 +88,11 @@ class Mesh(Writable):
     def __repr__(self) -> str:
         return f"gvd.Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
 
-    @property
-    def vertices(self) -> Floats:
-        """Positions (n, 3), a view."""
-        return self._array("vertex_positions")
-
-    @property
-    def faces(self) -> Ids:
-        """Vertices of the faces (m, 3), a view."""
-        return self._array("face_vertices")
-
-    @property
-    def input_vertex(self) -> Ids:
-        """The input's vertex for each vertex, -1 for the midpoint of a split edge; a view."""
-        return self._array("input_vertex")
-
-    @property
-    def input_face(self) -> Ids:
-        """The input's polygon for each face; a view."""
-        return self._array("input_polygon")
-
-    @property
-    def vertex_of_input(self) -> Ids:
-        """The vertex that each vertex of the input became, -1 for none; a view."""
-        return self._array("vertex_of_input")
+    vertices: Floats = view("vertex_positions", "Positions (n, 3), a view.")
+    faces: Ids = view("face_vertices", "Vertices of the faces (m, 3), a view.")
+    input_vertex: Ids = view("input_vertex", "The input's vertex for each vertex, -1 for the midpoint of a split edge; a view.")
+    input_face: Ids = view("input_polygon", "The input's polygon for each face; a view.")
+    vertex_of_input: Ids = view("vertex_of_input", "The vertex that each vertex of the input became, -1 for none; a view.")
 
     @property
     def texture_coordinates(self) -> Optional[Floats]:
@@ -119,10 +100,7 @@ class Mesh(Writable):
         corners = self._array("texture")
         return corners.reshape(-1, 3, 2) if len(corners) else None
 
-    @property
-    def area(self) -> float:
-        """Of all faces, square mesh units."""
-        return float(self.figures["area"])
+    area: float = figure("area", "Of all faces, square mesh units.")
 
     @property
     def bounds(self) -> Floats:

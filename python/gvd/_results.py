@@ -34,6 +34,16 @@ _HEIGHT = 600
 """Height of the page in a notebook, in pixels."""
 
 
+def view(name: str, doc: str) -> Any:
+    """A property: an array of the library."""
+    return property(lambda self: self._array(name), doc=doc)
+
+
+def figure(name: str, doc: str) -> Any:
+    """A property: one of the figures."""
+    return property(lambda self: self.figures[name], doc=doc)
+
+
 class Object:
     """An object of the library: its handle, and how to make it again.
 
@@ -307,35 +317,14 @@ class Diagram(Writable):
         return (f"gvd.Diagram({len(self._array('cell_areas'))} cells, {len(self._array('branch_point_distances'))} branch points, "
                 f"{len(self._array('bisector_left'))} bisectors)")
 
-    @property
-    def labels(self) -> Ids:
-        """The nearest generator of each vertex (n), -1 where none reaches; a view."""
-        return self._array("vertex_labels")
-
-    @property
-    def distances(self) -> Floats:
-        """The distance of each vertex to its generator (n), infinite where none reaches; a view."""
-        return self._array("vertex_distances")
-
-    @property
-    def face_labels(self) -> Ids:
-        """The generator of each face that lies in one cell (m), -1 for faces that bisectors cut; a view."""
-        return self._array("face_labels")
-
-    @property
-    def weights(self) -> Floats:
-        """The weights of the generators, mesh units; empty without; a view."""
-        return self._array("weights")
-
-    @property
-    def areas(self) -> Floats:
-        """The area of each cell, square mesh units; a view."""
-        return self._array("cell_areas")
-
-    @property
-    def length(self) -> float:
-        """Length of all bisectors, mesh units."""
-        return float(self.figures["length"])
+    labels: Ids = view("vertex_labels", "The nearest generator of each vertex (n), -1 where none reaches; a view.")
+    distances: Floats = view("vertex_distances",
+                             "The distance of each vertex to its generator (n), infinite where none reaches; a view.")
+    face_labels: Ids = view("face_labels",
+                            "The generator of each face that lies in one cell (m), -1 for faces that bisectors cut; a view.")
+    weights: Floats = view("weights", "The weights of the generators, mesh units; empty without; a view.")
+    areas: Floats = view("cell_areas", "The area of each cell, square mesh units; a view.")
+    length: float = figure("length", "Length of all bisectors, mesh units.")
 
     @property
     def generators(self) -> Points:
@@ -450,25 +439,16 @@ class Segmentation(Result):
     def __repr__(self) -> str:
         return f"gvd.Segmentation({len(self._array('generators_faces'))} regions, {len(self.labels)} faces)"
 
-    @property
-    def labels(self) -> Ids:
-        """The label of each face (m), -1 where no generator reaches; a view."""
-        return self._array("face_labels")
+    labels: Ids = view("face_labels", "The label of each face (m), -1 where no generator reaches; a view.")
 
     @property
     def without_face(self) -> Ids:
         """Generators that own no face, because their cells lie inside faces of others."""
         return numpy.array(self.figures["generators_without_face"] or [], numpy.int32)
 
-    @property
-    def border_length(self) -> float:
-        """Length of the edges between labels, mesh units; of those inside regions, where these were given."""
-        return float(self.figures["border_length"])
-
-    @property
-    def areas(self) -> Floats:
-        """The area of the faces of each label, square mesh units; a view."""
-        return self._array("regions.area")
+    border_length: float = figure("border_length",
+                                  "Length of the edges between labels, mesh units; of those inside regions, where these were given.")
+    areas: Floats = view("regions.area", "The area of the faces of each label, square mesh units; a view.")
 
     @property
     def regions(self) -> Ids:
@@ -537,25 +517,10 @@ class Cut(Result):
         mesh: Mesh = self._keep("mesh", lambda: Mesh._wrap(self._native.part("cut_mesh")))
         return mesh
 
-    @property
-    def labels(self) -> Ids:
-        """The label of each face, -1 where no generator reaches; a view."""
-        return self._array("face_labels")
-
-    @property
-    def parents(self) -> Ids:
-        """The face of the input that each face is a part of; a view."""
-        return self._array("face_parents")
-
-    @property
-    def vertex_labels(self) -> Ids:
-        """A nearest generator of each vertex; a view."""
-        return self._array("vertex_labels")
-
-    @property
-    def distances(self) -> Floats:
-        """The distance of each vertex to its generator, mesh units; a view."""
-        return self._array("vertex_distances")
+    labels: Ids = view("face_labels", "The label of each face, -1 where no generator reaches; a view.")
+    parents: Ids = view("face_parents", "The face of the input that each face is a part of; a view.")
+    vertex_labels: Ids = view("vertex_labels", "A nearest generator of each vertex; a view.")
+    distances: Floats = view("vertex_distances", "The distance of each vertex to its generator, mesh units; a view.")
 
     @property
     def colors(self) -> Floats:
@@ -589,30 +554,12 @@ class Relaxation(Result):
     def __repr__(self) -> str:
         return f"gvd.Relaxation({len(self.generators)} generators, energy {self.energies[-1]:.6g})"
 
-    @property
-    def energies(self) -> Floats:
-        """The energy at the start and after each iteration, mesh units to the fourth; a view."""
-        return self._array("energies")
-
-    @property
-    def areas(self) -> Floats:
-        """The area of each cell, square mesh units; a view."""
-        return self._array("areas")
-
-    @property
-    def cell_energies(self) -> Floats:
-        """The squared distance over each cell, integrated; mesh units to the fourth; a view."""
-        return self._array("cell_energies")
-
-    @property
-    def residual(self) -> float:
-        """The largest distance of a generator from its centroid, mesh units."""
-        return float(self.figures["residual"])
-
-    @property
-    def stop(self) -> str:
-        """Why it ended: "centroids", "energy", "no descent", "prediction" or "iterations"."""
-        return str(self.figures["stop"])
+    energies: Floats = view("energies", "The energy at the start and after each iteration, mesh units to the fourth; a view.")
+    areas: Floats = view("areas", "The area of each cell, square mesh units; a view.")
+    cell_energies: Floats = view("cell_energies",
+                                 "The squared distance over each cell, integrated; mesh units to the fourth; a view.")
+    residual: float = figure("residual", "The largest distance of a generator from its centroid, mesh units.")
+    stop: str = figure("stop", 'Why it ended: "centroids", "energy", "no descent", "prediction" or "iterations".')
 
     def _names_to_save(self) -> list[str]:
         return [*super()._names_to_save(), "energies"]

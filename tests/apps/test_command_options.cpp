@@ -105,6 +105,48 @@ TEST_CASE("commands: a wrong file of options is refused in one line that has lin
   refused("n = \"\xff\"\n", "1:");
 }
 
+TEST_CASE("commands: what is wrong with an option of a file is told with its place and its key") {
+  const ScratchFolder scratch;
+  const std::string mesh = data_file("torus.ply"), file = scratch / "o.toml";
+  const auto refused = [&](const std::string& name, const std::string& arguments, const std::string& toml, int code,
+                           const std::string& part) {
+    write_text(file, toml);
+    require_error(name, arguments + " --config " + file, code, name + ": error: " + file + part);
+  };
+  const std::string segment = "gvd-segment", distance = "gvd-distance", work = mesh + " -n 5";
+  refused(segment, work, "\noutput = \"a.doc\"\n", 2, ":2:1: output = \"a.doc\": the extension must be one of .ply");
+  refused(segment, work, "report = \"none/r.json\"\n", 6, ":1:1: report = \"none/r.json\": there is no directory none");
+  refused(segment, work + " -o " + scratch / "a.json", "diagram = \"" + scratch / "a.json" + "\"\n", 2,
+          ":1:1: diagram = \"" + scratch / "a.json" + "\": two outputs go there");
+  refused(segment, work, "stats = \"-\"\n", 2, ":1:1: stats = \"-\": only output can write to standard output");
+  refused(segment, mesh + ' ' + mesh + " -n 5", "output-dir = \"" + scratch / "x" + "\"\nview = \"a.html\"\n", 2,
+          ":2:1: view = \"a.html\": with output-dir, pages are named after the inputs");
+  refused(segment, work, "within = \"none\"\n", 3, ":1:1: within = \"none\": there is no such file");
+  refused(segment, mesh, "curves = \"none\"\n", 3, ":1:1: curves = \"none\": there is no such file");
+  refused(segment, mesh, "\n\ncurves = \"boundary\"\n", 4, ":3:1: curves = \"boundary\": the mesh is closed");
+  refused(distance, mesh, "from = \"none\"\n", 3,
+          ":1:1: from = \"none\": there is no such file; name one that lists points, or write vertices, as in from = "
+          "\"3,17,99\"");
+  refused(distance, mesh + " --from 0 -o a.ply", "each = true\n", 2, ":1:1: each: .ply, ");
+  refused(distance, mesh + " --from 0", "output = \"a.obj\"\n", 2, ":1:1: output = \"a.obj\": .obj holds no distances");
+  refused(distance, mesh + " --from 0", "each = true\nisolines = 1\n", 2,
+          ":2:1: each and isolines exclude each other: isolines are of the nearest source");
+}
+
+TEST_CASE("commands: what only looks like a placeholder in a name or a value is shown as it is") {
+  const ScratchFolder scratch;
+  for (const std::string& name : built_commands()) {
+    require_error(name, "'{option:count}.obj' -n 5", 3, "{option:count}.obj: there is no such file");
+    require_error(name, data_file("torus.ply") + " -n '{option:seed}'", 2, "-n: '{option:seed}' is not a whole number");
+    require_error(name, data_file("torus.ply") + " -n 5 -o '" + scratch / "{given:seed}.doc'", 2,
+                  "{given:seed}.doc: the extension must be");
+    // Nothing that a user gives has the characters between which placeholders are.
+    require_error(name, "\"$(printf 'a\\1count\\2.obj')\" -n 5", 2, "INPUT: 'a count .obj' has a control character");
+    require_error(name, data_file("torus.ply") + " -n 5 -o \"$(printf 'a\\1count\\2.ply')\"", 2,
+                  "-o: 'a count .ply' has a control character");
+  }
+}
+
 TEST_CASE("commands: the command line's generators take the place of those of the file") {
   const ScratchFolder scratch;
   write_text(scratch / "o.toml", "input = \"" + data_file("torus.ply") +

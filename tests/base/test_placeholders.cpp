@@ -11,20 +11,31 @@ std::string in_brackets(std::string_view name, std::string_view value) {
 
 TEST_CASE("placeholders are spelled, with their values") {
   const auto spell = [](const std::string& text) { return spell_options(text, {in_brackets}); };
-  CHECK(spell("add {option:method=gbgvd}, or leave {option:front} out") == "add method(gbgvd), or leave front() out");
-  CHECK(spell("{option:a}") == "a()");
-  CHECK(spell("{option:a=b=c}") == "a(b=c)");
+  CHECK(spell("add \1method=gbgvd\2, or leave \1front\2 out") == "add method(gbgvd), or leave front() out");
+  CHECK(spell("\1a\2") == "a()");
+  CHECK(spell("\1a=b=c\2") == "a(b=c)");
   CHECK(spell("").empty());
 }
 
-TEST_CASE("what only looks like a placeholder stays") {
-  CHECK(spell_options("no {other} {option:") == "no {other} {option:");
-  CHECK(spell_options("{given:") == "{given:");
+TEST_CASE("a text without the two characters has no placeholder, and one of them alone is not shown") {
+  CHECK(spell_options("{option:count} {} a\\1b?c") == "{option:count} {} a\\1b?c");
+  CHECK(spell_options("a\1b") == "ab");
+  CHECK(spell_options("\1") == "");
+  CHECK(has_placeholder_mark("a\2b"));
+  CHECK(!has_placeholder_mark("a\3{option:b}"));
+}
+
+TEST_CASE("a placeholder is made of a name and a value, and is known at the beginning of a text") {
+  CHECK(placeholder("count") == "\1count\2");
+  CHECK(placeholder("output", "a=b.ply") == "\1output=a=b.ply\2");
+  CHECK(first_option(placeholder("output", "a=b.ply") + ": there") == "output");
+  CHECK(first_option("\1count\2") == "count");
+  CHECK(first_option("raise \1count\2").empty());
 }
 
 TEST_CASE("of several options those are told that were given, or all where none was") {
   const auto spell = [](std::string_view given) {
-    return spell_options("leave {given:a|b=false|c} out",
+    return spell_options("leave \1?a|b=false|c\2 out",
                          {in_brackets, [&](std::string_view name) { return given.find(name) != given.npos; }});
   };
   CHECK(spell("b") == "leave b(false) out");
@@ -33,8 +44,7 @@ TEST_CASE("of several options those are told that were given, or all where none 
 }
 
 TEST_CASE("without a spelling of its own a text has the names of fields") {
-  CHECK(spell_options("raise {option:max_snap} or give {option:refine=false}") ==
-        "raise max_snap or give refine=false");
+  CHECK(spell_options("raise \1max_snap\2 or give \1refine=false\2") == "raise max_snap or give refine=false");
 }
 
 }  // namespace gvd::test_placeholders

@@ -20,8 +20,9 @@ TYPES = [ctypes.c_int8, ctypes.c_uint8, ctypes.c_int16, ctypes.c_uint16, ctypes.
          ctypes.c_uint64, ctypes.c_float, ctypes.c_double]
 
 gvd = ctypes.CDLL(LIBRARY)
-for function in ("gvd_last_error", "gvd_figures", "gvd_describe"):
+for function in ("gvd_last_error", "gvd_last_error_code", "gvd_figures", "gvd_describe", "gvd_describe_for"):
     getattr(gvd, function).restype = ctypes.c_char_p
+gvd.gvd_last_error_element.restype = ctypes.c_int64
 
 
 class Array(ctypes.Structure):
@@ -68,7 +69,7 @@ def call(operation, on, options, *arrays, run=None, abi=ABI):
     if status != OK:
         assert not made, "a result beside an error"
         message = gvd.gvd_last_error().decode()
-        assert message and "\n" not in message and "{option" not in message, message
+        assert message and all(character >= " " for character in message), message
         return status, message
     return status, made
 
@@ -134,12 +135,24 @@ def good_value(option):
     if kind == "values":
         per = 3 if option["of"] == "generators" else 8
         return [1] + [0] * 7 if name == "mask" else [1] * per
+    if kind == "input file":
+        return str(DATA / "torus.ply")
     return {"flag": True, "switch": "on", "vertices": [0, 1, 2], "points": [0, 1], "curves": "creases", "counts": [2, 3], "bound": "50%", "crease angle": 30, "bytes": "1G"}[kind]
 
 
 def subject(operation, ball):
     """What an operation works on."""
-    return result("diagram", ball, {"count": 4}) if operation["on"] == "diagram" else ball
+    if operation["on"] == "remesh":
+        return result("remesh", ball, {"vertices": [0, 1, 2, 3, 4, 5]})
+    return result("diagram", ball, {"count": 4}) if operation["on"] == "diagram" else ball if operation["on"] else None
+
+
+def least_options(operation):
+    """Options without which an operation can't be called."""
+    if operation["on"] is None:
+        return {"file": str(DATA / "torus.ply")}
+    return {"distances": {"from": [0]}, "edit": {"remove": 0}, "curves": {"curves": "creases"}, "label": {}, "map": {},
+            "check": {}}.get(operation["name"], {"count": 4})
 
 
 def check_described_options():
@@ -172,7 +185,9 @@ def check_described_results():
     """What the description says of results is what they have."""
     ball = make_ball()
     for operation in DESCRIBED["operations"]:
-        options = {"distances": {"from": [0]}, "segment": {"count": 4, "cut": True}, "label": {"cut": True}, "edit": {"remove": 0}}.get(operation["name"], {"count": 4})
+        if operation["name"] in ("saved_mesh", "values"):
+            continue  # check_meshes
+        options = {"segment": {"count": 4, "cut": True}, "label": {"cut": True}}.get(operation["name"], least_options(operation))
         made = result(operation["name"], subject(operation, ball), options)
         described = operation["result"]
         for one in described["arrays"]:
@@ -193,6 +208,90 @@ def check_described_results():
     release(ball)
 
 
+def check_meshes(folder):
+    """Meshes of arrays, of files and of what was saved of them; numbers of files."""
+    corners = array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (5, 5, 5)])
+    square = array([(0, 1, 2, 3)], ctypes.c_int32)
+    assert refused("mesh", None, {"on_defect": "error"}, corners, square, status=PRECONDITION).startswith("1 vertex is in no face")
+    mesh = result("mesh", None, {}, corners, square)
+    assert figures(mesh)["repairs"] and figures(mesh)["faces"] == 2 and figures(mesh)["edges"] == 5
+    saved = [array(numbers(mesh, name)) for name in ("vertex_positions", "face_vertices", "vertex_of_input", "input_vertex",
+                                                     "input_polygon", "texture", "face_materials")]
+    again = result("saved_mesh", None, {"repairs": figures(mesh)["repairs"]}, *saved)
+    assert numbers(again, "vertex_of_input") == [0, 1, 2, 3, -1] and figures(again)["repairs"] == figures(mesh)["repairs"]
+    assert refused("saved_mesh", None, {}, *saved[:3]) == "a saved mesh has 7 arrays; 3 given"
+    for i in (2, 3, 4, 5, 6):
+        wrong = saved[:i] + [array([7.5])] + saved[i + 1:]
+        assert refused("saved_mesh", None, {}, *wrong, status=PRECONDITION) == f"array {i} is not that of a saved mesh"
+    assert refused("mesh", None, {}) == "a mesh needs two arrays, positions and faces, or a file; 0 given"
+    assert refused("mesh", None, {}, corners, array([0.5])) == "positions have three columns, and faces have three or more"
+    assert refused("mesh", None, {}, corners, array([(0, 1, 2.5)])) == "a face has the vertex 2.5"
+    assert refused("mesh", None, {}, corners, array([(0, 1, 9)]), status=PRECONDITION).startswith("face 0 has the vertex 9")
+    assert refused("mesh", None, {"input_format": "ply"}, corners, square) == '"input_format" needs "file": add it, or leave "input_format" out'
+    name = (folder / "values.txt")
+    name.write_text("1\n2.5\n")
+    values = result("values", None, {"file": {"array": 0}}, array(list(str(name).encode()), ctypes.c_uint8))
+    assert numbers(values, "values") == [1, 2.5]
+    properties = result("properties", None, {"file": str(DATA / "torus.ply")})
+    assert figures(properties)["names"] == [], figures(properties)["names"]
+    status, message = call("values", None, {"file": "/no/such"})
+    assert (status, gvd.gvd_last_error_code(), gvd.gvd_last_error_element()) == (3, b"unreadable_input", -1), message
+    assert refused("mesh", None, {"on_defect": "error"}, corners, array([(0, 1, 2), (0, 1, 2)]), status=PRECONDITION)
+    assert gvd.gvd_last_error_element() == 1
+    release(mesh, again, values, properties)
+
+
+def check_doors():
+    """Errors and notes write options as the door of a run does."""
+    ball = make_ball()
+    told = {}
+    for door in range(3):
+        run = Run(0, PROGRESS(), None, None, NOTE(), None, door)
+        told[door] = call("lloyd", ball, {"vertices": [0, 0]}, run=run)[1].rsplit(" ", 1)[1], call("remesh", ball, {"count": 3}, run=run)[1]
+    assert [told[door][0] for door in range(3)] == ['"merge_coincident"', "merge_coincident", "merge_coincident"], told
+    described = [json.loads(gvd.gvd_describe_for(door)) for door in range(3)]
+    help_of = lambda d: next(o["help"] for one in d["operations"] if one["name"] == "lloyd" for o in one["options"] if o["name"] == "sampling")
+    assert [help_of(d) for d in described] == ['How "count" places generators', "How count places generators", "How count places generators"]
+    assert gvd.gvd_describe_for(3) == b"null"
+    release(ball)
+
+
+def check_files_of_parts(folder):
+    """Pages, parts with files of their own, and options of files."""
+    mesh = read("torus.ply")
+    relaxed, paths = result("lloyd", mesh, {"count": 9}), result("distances", mesh, {"from": [0], "to": [9, 300], "paths": True})
+    coarse = result("remesh", mesh, {"count": 90})
+    mapped, segments = result("map", coarse, {}), result("segment", mesh, {"count": 9})
+
+    def write(thing, name, options):
+        status = gvd.gvd_write_as(thing, str(folder / name).encode(), json.dumps(options).encode(), None)
+        return gvd.gvd_last_error().decode() if status else (folder / name).read_bytes()
+
+    assert write(relaxed, "p.npy", {"part": "points"}).startswith(b"\x93NUMPY")
+    assert write(mapped, "m.json", {"part": "map"}).startswith(b"{")
+    assert write(paths, "one.csv", {"part": "path 1"}).count(b"\n") < write(paths, "all.csv", {}).count(b"\n")
+    assert b"ascii" in write(segments, "a.ply", {"ascii_ply": True})[:40]
+    assert write(segments, "b.obj", {"no_curves": True}).count(b"\nl ") == 0 < write(segments, "c.obj", {}).count(b"\nl ")
+    assert write(relaxed, "p.doc", {"part": "points"}).endswith("the extension must be one of .npy, .ply or .xyz")
+    assert write(coarse, "m.json", {"part": "map"}) == "\"part\": a remesh has no part 'map'"
+    assert write(paths, "one.csv", {"part": "path 2"}) == "\"part\": a distances has no part 'path 2'"
+    assert write(mesh, "a.ply", {"asci_ply": True}) == 'there is no option "asci_ply"; did you mean "ascii_ply"?'
+    release(mesh, relaxed, paths, coarse, mapped, segments)
+
+
+def check_clock():
+    """Without `due`, reports come as they are; with it, one for each time that it is set."""
+    mesh, calls = read("figure.obj"), []
+    due = ctypes.c_int32(1)
+    run = Run(1, PROGRESS(lambda *_: calls.append(1) or 1), None, None, NOTE(), ctypes.pointer(due))
+    release(result("diagram", mesh, {"count": 20}, run=run))
+    assert len(calls) == 1 and due.value == 0, calls
+    run.due = None
+    release(result("diagram", mesh, {"count": 20}, run=run))
+    assert len(calls) > 2
+    release(mesh)
+
+
 def check_mistakes():
     ball = make_ball()
     bad = lambda options, *arrays, **more: refused("lloyd", ball, options, *arrays, **more)
@@ -204,6 +303,7 @@ def check_mistakes():
     assert bad(b'\xff{"count": 3}').startswith("options: not valid JSON at line 1")
     assert bad({"cuont": 3}) == 'there is no option "cuont"; did you mean "count"?'
     assert bad({"count": 0}) == "\"count\": '0' is not a whole number from 1 to 2147483647"
+    release(result("lloyd", ball, {"count": 3.0, "iterations": 2e0, "step": 1.0}))
     assert bad({"count": 2.5}).startswith("\"count\": '2.5' is not a whole number")
     assert bad({"count": True}).startswith("\"count\": 'true' is not a whole number")
     assert bad({"count": 3, "radius": 1}) == '"count" and "radius" exclude each other: keep one'
@@ -223,6 +323,15 @@ def check_mistakes():
     assert bad({"generators": {"array": 0}}, Array(None, 9, 3, (0, 1), (8, 0))).startswith('"generators": array 0 has 3 dimensions')
     assert bad({"generators": {"array": 0}}, Array(None, 9, 1, (-1, 1), (8, 0))) == '"generators": array 0 has a negative length'
     assert bad({"vertices": [99]}, status=PRECONDITION).startswith('"vertices"')
+    assert bad({"generators": [[0, 0]]}).startswith('"generators": points have 2 columns')
+    assert bad({"generators": [[1, 0, 0], [0, 1]]}) == "\"generators\": '[0,1]' is no row of 3 numbers, as the first point is"
+    assert bad({"generators": [[1, 0, 0], 2]}).startswith("\"generators\": '2' is no row of 3 numbers")
+    assert bad({"generators": [[0.5, 1, 0, 0]]}) == '"generators": element 0 is 0.5; give whole numbers from 0 on'
+    # Numbers that no double has are told as they were given.
+    large = 2 ** 53 + 1
+    for value, *arrays in ((("vertices", [large]),), (("vertices", {"array": 0}), array([large], ctypes.c_int64))):
+        assert str(large) in bad(dict([value]), *arrays, status=PRECONDITION), value
+    assert bad({"vertices": {"array": 0}}, array([float(large)])).startswith('"vertices": element 0 is 9007199254740992;')
     assert bad({"vertices": [-1]}) == '"vertices": element 0 is -1; give whole numbers from 0 on'
     assert bad({"vertices": [0, 0]}, status=PRECONDITION).endswith('"merge_coincident"')
     assert bad({"count": 3, "density": [1, 2, 3]}) == '"density": 3 numbers; give one for each vertex (6) or face (8)'
@@ -243,7 +352,21 @@ def check_mistakes():
     assert gvd.gvd_last_error() == b"there is no array 'energie'; did you mean 'energies'?"
     assert gvd.gvd_object_of(relaxed, b"mesh", ctypes.byref(ctypes.c_void_p())) == INVALID
     assert refused("lloyd", relaxed, {"count": 3}) == "this takes a mesh, and the object is a lloyd"
-    release(relaxed, ball, None)
+    # What an operation takes is told before its options; and which part would do.
+    whole = result("segment", ball, {"count": 3})
+    assert refused("label", whole, {}) == 'this takes a diagram, and the object is a segment; take its part "diagram"'
+    assert gvd.gvd_object_of(whole, b"cut_mesh", ctypes.byref(ctypes.c_void_p())) == INVALID
+    assert gvd.gvd_last_error() == b"there is no cut_mesh here: the pieces of the faces, made with cut"
+    # Offsets of curves are checked before anything is made by them.
+    curves = lambda offsets: refused("diagram", ball, {"curves": {"points": [0, 2, 1], "offsets": offsets}})
+    assert curves([0, 50000000, 3]) == '"curves": curve 1 has no point: it is from offset 50000000 to 3'
+    assert curves([0, 2, 2, 3]) == '"curves": curve 1 has no point: it is from offset 2 to 2'
+    assert curves([1, 3]) == curves([0, 2]) == curves([]) == (
+        '"curves": the offsets of curves begin with 0 and end with the number of points, 3')
+    # Charts are laid around points.
+    of_curve = result("diagram", ball, {"curves": {"points": [0, 2, 1]}})
+    assert refused("label", of_curve, {"uv": "logmap"}).startswith('"uv": the generators are curves, and charts')
+    release(relaxed, whole, of_curve, ball, None)
 
 
 def check_values():
@@ -254,7 +377,8 @@ def check_values():
         ({"generators": {"array": 0}}, array([0, 2], ctypes.c_uint8)),
         ({"generators": {"array": 0}}, array([(1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])),
         ({"generators": {"array": 0}}, array([(0, 1, 0, 0), (0, 0, 1, 0)], ctypes.c_float)),
-        ({"generators": [{"vertex": 0}, {"position": [0, 1, 0]}]},),
+        ({"generators": [{"vertex": 0}, {"position": [0, 1, 0]}]},), ({"generators": [[1, 0, 0], [0, 1.0, "0"]]},),
+        ({"generators": [[0, 1, 0, 0], [0, 0, 1, 0]]},), ({"generators": [0.0, 2.0]},),
     ]
     found = []
     for options, *arrays in listed:
@@ -263,8 +387,12 @@ def check_values():
         release(made)
     assert all(one == found[0] for one in found), found
     made = result("lloyd", ball, {"vertices": [0, 2], "density": [1] * 8, "iterations": 0})
-    assert figures(made)["options"]["vertices"] == [0, 2] and figures(made)["options"]["density"] == {"numbers": 8}
+    assert figures(made)["options"]["vertices"] == [0, 2] and figures(made)["options"]["density"] == [1] * 8
     release(made)
+    for levels in ([2, 4], [2.0, 4.0], {"array": 0}):
+        made = result("segment", ball, {"levels": levels}, array([2, 4], ctypes.c_int32))
+        assert len(set(numbers(made, "face_labels"))) == 4, levels
+        release(made)
     # Strides of any length: every other number, from behind.
     wide = array([2, 7, 0], ctypes.c_int32)
     back = Array(wide.data + 8, wide.type, 1, (2, 1), (-8, 0))
@@ -274,6 +402,72 @@ def check_values():
     # A density of faces, of vertices, and of the file's vertices.
     for count in (8, 6):
         release(result("lloyd", ball, {"count": 3, "density": {"array": 0}}, array([2.0] * count)))
+    release(ball)
+
+
+def check_options_come_back():
+    """The options that figures tell can be given back as they are, and give the same result."""
+    ball = make_ball()
+    corners, whole = array([(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]), array([0, 2, 4], ctypes.c_int32)
+    weights = array([1.0] * 8)
+    tried = {
+        "distances": [{"from": [0]}, {"from": {"array": 0}, "to": {"array": 1}, "paths": True}, {"from": [0, 1], "each": True},
+                      {"curves": {"points": {"array": 1}, "offsets": [0, 2, 3]}, "isolines": 0.5},
+                      {"from": [[1, 0, 0]], "mask": [1] + [0] * 7, "max_distance": 1.5}, {"from": [0], "logarithm": True}],
+        "sample": [{"count": 3}, {"radius": 0.9}, {"vertices": {"array": 1}}, {"generators": {"array": 0}, "max_snap": 0.1},
+                   {"count": 3, "sampling": "random", "seed": 2 ** 60 + 1}],
+        "diagram": [{"count": 3}, {"vertices": [0, 2]}, {"vertices": [0, 2, 4], "method": "paper"},
+                    {"vertices": [0, 2, 4], "method": "gbgvd", "front": "planar"}, {"count": 4, "balance": "area"},
+                    {"generators": {"array": 0}, "weights": [0, 0.1, 0]}, {"curves": "creases:30"}, {"count": 3, "chord_tolerance": 0.1}],
+        "label": [{}, {"labels": "nearest"}, {"cut": True}, {"uv": "logmap"}],
+        "segment": [{"count": 4}, {"count": 4, "labels": "nearest"}, {"count": 4, "cut": True}, {"count": 4, "uv": "flat"},
+                    {"vertices": [0, 2, 4]}, {"generators": {"array": 0}}, {"radius": 0.9}, {"levels": [2, 4]},
+                    {"within": {"array": 2}, "per_region": 2}, {"count": 4, "disc": True}, {"count": 3, "balance": {"array": 2}}],
+        "lloyd": [{"count": 3}, {"vertices": [0, 2, 4]}, {"generators": {"array": 0}, "iterations": 2}, {"count": 3, "accelerate": "none"},
+                  {"count": 3, "density": "curvature", "gradation": 1.5}, {"count": 3, "density": {"array": 2}, "features": 80},
+                  {"count": 3, "features": "none", "keep_boundary": True}, {"count": 3, "balance": "area", "coarse": 50},
+                  {"count": 3, "fixed": [0], "method": "gbgvd"}, {"count": 3, "relocate": "off"}],
+        "remesh": [{"count": 6}, {"count": 6, "relax": "none"}, {"count": 6, "relax": 2, "features": "none"},
+                   {"generators": [0, 1, 2, 3, 4, 5]}, {"vertices": [0, 1, 2, 3, 4, 5]}, {"target_edge": 1.4}, {"error": "50%"},
+                   {"count": 6, "place": "generator", "refine": False}, {"count": 6, "map": True, "carry": True, "features": 20}]}
+    others = {"edit", "map", "check", "curves", "mesh", "saved_mesh", "values", "properties"}  # few options, or files
+    assert {*tried, *others} == {operation["name"] for operation in DESCRIBED["operations"]}
+    for operation in DESCRIBED["operations"]:
+        on = subject(operation, ball)
+        for options in tried.get(operation["name"], ()):
+            first = result(operation["name"], on, options, corners, whole, weights)
+            told = figures(first)
+            again = result(operation["name"], on, told["options"], corners, whole, weights)
+            assert figures(again) == told, (operation["name"], options, told["options"])
+            for one in operation["result"]["arrays"]:
+                assert repr(numbers(first, one["name"])) == repr(numbers(again, one["name"])), (options, one["name"])
+            release(first, again)
+    release(ball)
+
+
+def check_defaults():
+    """A described default is a value that the option takes, and says nothing by itself."""
+    ball = make_ball()
+    for operation in DESCRIBED["operations"]:
+        options = {option["name"]: option for option in operation["options"]}
+        if operation["name"] in ("saved_mesh", "values"):
+            continue  # of arrays and numbers alone
+        usual = least_options(operation)
+        on = subject(operation, ball)
+        plain = result(operation["name"], on, usual)
+        for name, option in options.items():
+            assert option["usual"] is None or isinstance(option["usual"], str), option
+            given = {name: option["default"]}
+            status, made = call(operation["name"], on, {**given, **usual})
+            if status == OK:
+                assert {**figures(made), "options": 0} == {**figures(plain), "options": 0}, (operation["name"], option)
+                release(made)
+            else:  # it goes with other options only
+                assert not made.startswith(f'"{name}": \'') and any(why in made for why in ("exclude each other", "does nothing", " needs ")), (option, made)
+        release(plain)
+    defaults = lambda operation: {o["name"]: o["default"] for one in DESCRIBED["operations"] if one["name"] == operation for o in one["options"]}
+    assert defaults("diagram")["curves"] is None and defaults("diagram")["seed"] == 0 and defaults("diagram")["method"] == "exact"
+    assert defaults("remesh")["features"] == "auto" and defaults("lloyd")["features"] == "none" and defaults("remesh")["refine"] is True
     release(ball)
 
 
@@ -423,6 +617,48 @@ def check_files(folder):
     assert b"a sample has no file" in gvd.gvd_last_error(), gvd.gvd_last_error()
     assert gvd.gvd_write(ball, str(folder / "a.doc").encode(), None) == INVALID
     assert b"the extension must be one of .ply" in gvd.gvd_last_error(), gvd.gvd_last_error()
+    # No file has nothing but what the object lacks, and none loses what was asked for: as the commands say.
+    def unwritten(operation, options, extension, *words):
+        made, path = result(operation, ball, options), folder / f"lost.{extension}"
+        assert gvd.gvd_write(made, str(path).encode(), None) == INVALID and not path.exists(), (options, extension)
+        release(made)
+        mine = gvd.gvd_last_error().decode()
+        if words:
+            done = subprocess.run([str(BIN / "gvd-distance"), str(folder / "ball.off"), *words, "-o", str(path)], stderr=subprocess.PIPE)
+            theirs = done.stderr.decode().strip().split(": error: ")[1]
+            spelled = theirs.replace(f"-o {path}", str(path)).replace(", --view and --report hold", " hold")
+            for option in ("to", "each", "paths", "isolines"):
+                spelled = spelled.replace(f"--{option}", f'"{option}"')
+            commas = lambda text: text.replace(" and ", ", ").replace(" or ", ", ")
+            assert commas(mine) == commas(spelled), (mine, spelled)
+        return mine
+    assert gvd.gvd_write(ball, str(folder / "ball.off").encode(), None) == OK
+    for extension in ("ply", "vtp", "curv"):
+        unwritten("distances", {"from": [0], "each": True}, extension, "--from", "0", "--each")
+    for extension in ("csv", "ply", "npy", "txt", "shape.gii"):
+        unwritten("distances", {"from": [0], "isolines": 0.5}, extension, "--from", "0", "--isolines", "0.5")
+    for extension in ("npy", "txt", "ply"):
+        unwritten("distances", {"from": [0], "to": [1], "paths": True}, extension, "--from", "0", "--to", "1", "--paths")
+    for extension in ("curv", "shape.gii", "ply", "vtp", "obj", "glb"):
+        unwritten("distances", {"from": [0], "to": [1]}, extension, "--from", "0", "--to", "1")
+    unwritten("distances", {"from": [0]}, "obj", "--from", "0")
+    for operation, options in (("distances", {"from": [0]}), ("lloyd", {"count": 3}), ("segment", {"count": 3}), ("remesh", {"count": 6})):
+        listed = unwritten(operation, options, "doc").split("must be one of ")[1].replace(" or ", ", ").split(", ")
+        formats = {format["extensions"][0]: format for format in DESCRIBED["formats"] if format["is_written"]}
+        assert all(extension[1:] in formats for extension in listed), listed
+        assert (".obj" in listed) and (".csv" in listed) == (operation in ("distances", "lloyd")), (operation, listed)
+        assert (".off" in listed) == (operation != "distances") and (".annot" in listed) == (operation in ("lloyd", "segment"))
+        made = result(operation, ball, options)
+        for extension in listed:
+            path = folder / f"any{extension}"
+            status = gvd.gvd_write(made, str(path).encode(), None)
+            assert status == OK or b"holds no distances" in gvd.gvd_last_error(), (operation, extension, gvd.gvd_last_error())
+        release(made)
+    # A name with the character that begins a placeholder is no name of a file, and is shown without it.
+    assert gvd.gvd_write(ball, str(folder / "a\1count\2.ply").encode(), None) != OK
+    assert b"a?count?.ply': the name has a control character" in gvd.gvd_last_error(), gvd.gvd_last_error()
+    assert gvd.gvd_mesh_read(str(folder / "{option:count}.obj").encode(), 1, ctypes.byref(ctypes.c_void_p())) != OK
+    assert b"{option:count}.obj: there is no such file" in gvd.gvd_last_error(), gvd.gvd_last_error()
     assert gvd.gvd_write(None, b"a.ply", None) == INVALID and gvd.gvd_last_error() == b"object is NULL"
     assert gvd.gvd_mesh_vertex_count(sampled) == 0 and gvd.gvd_diagram_bisector_count(None) == 0
     # The labels of a diagram are those of a segmentation at once.
@@ -456,12 +692,18 @@ def check_same_as_commands(folder):
 with tempfile.TemporaryDirectory() as scratch:
     check_mistakes()
     check_values()
+    check_options_come_back()
+    check_defaults()
     check_parts()
     check_distances()
     check_edits()
     check_runs()
     check_described_options()
     check_described_results()
+    check_meshes(pathlib.Path(scratch))
+    check_doors()
+    check_files_of_parts(pathlib.Path(scratch))
+    check_clock()
     check_files(pathlib.Path(scratch))
     check_same_as_commands(pathlib.Path(scratch))
 print("all checks passed")

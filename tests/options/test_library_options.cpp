@@ -30,13 +30,12 @@ TEST_CASE("a diagram's options are described once, and depend on its method") {
   Given given;
   given.add("front", {"front", ""});
   CHECK(list.find_problem(given)->text ==
-        "{option:front} does nothing here: add {option:method=gbgvd} or {option:method=paper}, or leave {option:front} "
+        "\1front\2 does nothing here: add \1method=gbgvd\2 or \1method=paper\2, or leave \1front\2 "
         "out");
   CHECK(read_option(*list.find("method"), {"paper"}).empty());
   CHECK(!list.find_problem(given));
   given.add("chord_tolerance", {"chord_tolerance", ""});
-  CHECK(list.find_problem(given)->text ==
-        "{option:method=paper} and {option:chord_tolerance} exclude each other: keep one");
+  CHECK(list.find_problem(given)->text == "\1method=paper\2 and \1chord_tolerance\2 exclude each other: keep one");
   resolve(options);
   CHECK(options.front == Front::planar);
 }
@@ -46,7 +45,7 @@ TEST_CASE("a relaxation's options say their defaults, and resolve them") {
   OptionList list;
   describe(list, options);
   CHECK(names_of(list) == Names{"accelerate", "relocate", "iterations", "tolerance", "move_tolerance", "step"});
-  CHECK(list.find("iterations")->spec.usual == "300; 100 with {option:accelerate=none}");
+  CHECK(list.find("iterations")->spec.usual == "300; 100 with \1accelerate=none\2");
   CHECK(list.find("step")->spec.usual == "1");
   CHECK(list.find_unknown_names().empty());
   resolve(options);

@@ -78,9 +78,9 @@ TEST_CASE("every field goes back to its default") {
 
 TEST_CASE("options that exclude or need others are told in words that name both") {
   CHECK(problem({"count", "seed"}).empty());
-  CHECK(problem({"count", "radius"}) == "radius: {option:count} and {option:radius} exclude each other: keep one");
-  CHECK(problem({"seed", "vertices"}) == "vertices: {option:seed} and {option:vertices} exclude each other: keep one");
-  CHECK(problem({"cut"}) == "cut: {option:cut} needs {option:table}: add it, or leave {option:cut} out");
+  CHECK(problem({"count", "radius"}) == "radius: \1count\2 and \1radius\2 exclude each other: keep one");
+  CHECK(problem({"seed", "vertices"}) == "vertices: \1seed\2 and \1vertices\2 exclude each other: keep one");
+  CHECK(problem({"cut"}) == "cut: \1cut\2 needs \1table\2: add it, or leave \1cut\2 out");
   CHECK(problem({"cut", "table"}).empty());
 }
 
@@ -103,8 +103,7 @@ TEST_CASE("an option that does nothing beside a value is told only where it is g
 
 TEST_CASE("where one of several options is to be given, all are named") {
   const Toy toy;
-  CHECK(toy.list.find_missing(given({}))->text ==
-        "no numbers: give one of {option:count}, {option:radius} or {option:vertices}");
+  CHECK(toy.list.find_missing(given({}))->text == "no numbers: give one of \1count\2, \1radius\2 or \1vertices\2");
   CHECK(!toy.list.find_missing(given({"radius"})));
 }
 
@@ -115,7 +114,7 @@ TEST_CASE("a name in a rule or a text that is no option is found") {
   toy.list.needs("none", "cut");
   toy.list.rule({"front", {"nobody"}, [](const Given&) { return ""; }});
   bool flag = false;
-  toy.list.option("last", Flag{&flag}, {.help = "As {option:nowhere=3}"});
+  toy.list.option("last", Flag{&flag}, {.help = "As \1nowhere=3\2"});
   CHECK(toy.list.find_unknown_names() == std::vector<std::string>{"nobody", "none", "nothing", "nowhere"});
 }
 

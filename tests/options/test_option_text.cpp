@@ -145,7 +145,7 @@ TEST_CASE("what is wrong is said with what is expected, and the field stays") {
   CHECK(refusal("levels", {"x"}) == "'x' is not a whole number from 1 to 2147483647");
   CHECK(refusal("density", {""}) == "the name is empty; name a file");
   CHECK(refusal("count", {"1", "2"}) == "given twice; keep one");
-  CHECK(refusal("count", {}) == "its value is missing; write {option:count=N}");
+  CHECK(refusal("count", {}) == "its value is missing; write \1count=N\2");
   CHECK_THAT(refusal("table", {std::string(500, 'x') + "\n"}), Contains("xxx...': the extension"));
   Toy toy;
   read(toy, "step", {"7"});

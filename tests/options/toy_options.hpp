@@ -41,9 +41,9 @@ inline void describe(OptionList& list, ToyOptions& toy) {
   list.group("Input");
   list.option("input", File{&toy.inputs, File::Use::read, {"obj"}},
               {.help = "The mesh", .shown = Shown::main, .positional = true, .required = true});
-  list.group("Numbers (one of {option:count} and {option:radius})");
+  list.group("Numbers (one of \1count\2 and \1radius\2)");
   list.option("count", Number{&toy.count, {.least = 1}},
-              {.help = "A count", .more = "; of {option:input}", .short_name = "n", .shown = Shown::main});
+              {.help = "A count", .more = "; of \1input\2", .short_name = "n", .shown = Shown::main});
   list.option("relax", Number{&toy.relax, {.least = 0, .most = 99}, {{"none", 0}}},
               {.help = "Iterations", .usual = "15"});
   list.option("seed", Number{&toy.seed}, {.help = "A seed"});
@@ -78,7 +78,7 @@ inline void describe(OptionList& list, ToyOptions& toy) {
   list.rule({"front", {"colour"}, [&toy](const Given&) -> std::string {
                return toy.colour == Colour::green
                           ? ""
-                          : "{option:front} does nothing here: add {option:colour=green}, or leave {option:front} out";
+                          : "\1front\2 does nothing here: add \1colour=green\2, or leave \1front\2 out";
              }});
 }
 

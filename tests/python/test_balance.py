@@ -51,7 +51,7 @@ class Balance(unittest.TestCase):
             self.mesh.voronoi(self.points, weights="1 2 3")
         with self.assertRaisesRegex(gvd.Error, "balance: a number for each of"):
             self.mesh.balance(self.points, density=[1, 2, 3])
-        with self.assertRaisesRegex(gvd.Error, "only the exact method takes weights"):
+        with self.assertRaisesRegex(gvd.Error, "weights needs method='exact'"):
             self.mesh.voronoi(self.points, weights=[0] * 12, method="gbgvd")
 
 

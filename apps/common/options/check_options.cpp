@@ -15,7 +15,6 @@
 #include <utility>
 #include <variant>
 
-#include "common/options/spelling.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/write_file.hpp"
@@ -29,8 +28,8 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
 
-[[noreturn]] void refuse_target(const std::string& option, const std::string& path, const std::string& reason) {
-  throw Error(ErrorCode::unwritable_output, fmt::format("{} {}: {}", option, path, reason));
+[[noreturn]] void refuse_target(const Target& target, const std::string& reason) {
+  throw Error(ErrorCode::unwritable_output, fmt::format("{}: {}", name_of(target), reason));
 }
 
 /// What a word on the command line may have been meant for, though it is no file. `follows`: another INPUT.
@@ -41,21 +40,20 @@ std::string describe_stray(const std::string& word, bool follows, const Options&
     return parse_number<double>(word) ? "is not a file; a value follows the name of its option"
                                       : "is not a file; options go before --";
   }
-  if (fs::is_directory(word, ignored)) return fmt::format("is a directory; did you mean --output-dir {}?", word);
+  if (fs::is_directory(word, ignored))
+    return fmt::format("is a directory; did you mean {}?", placeholder("output_dir", word));
   if (word == "%") return "is not a file; a percentage has no blank before %";
   if (parse_number<std::int64_t>(word)) {
     for (const char* const name : {"vertices", "from"}) {
-      const Option* const option = options.list->find(name);
-      if (option == nullptr || !options.given->has(name)) continue;
-      return fmt::format("is not a file; {} takes commas without blanks, as in 3,17,99", usual_name(*option));
+      if (!options.given->has(name)) continue;
+      return fmt::format("is not a file; {} takes commas without blanks, as in 3,17,99", placeholder(name));
     }
-    const Option* const count = options.list->find("count");
-    if (count != nullptr && !options.given->has("count")) {
-      return fmt::format("is not a file; did you mean {} {}?", usual_name(*count), word);
+    if (options.list->find("count") != nullptr && !options.given->has("count")) {
+      return fmt::format("is not a file; did you mean {}?", placeholder("count", word));
     }
   }
   return follows && contains(formats.extensions, file_extension(word))
-             ? fmt::format("is not a file; did you mean -o {}?", word)
+             ? fmt::format("is not a file; did you mean {}?", placeholder("output", word))
              : "is not a file; options begin with a dash";
 }
 
@@ -76,14 +74,15 @@ bool may_be_read(const std::string& path) {
   // A file of an earlier run is rather the output.
   const bool names_output =
       paths.size() == 2 && contains(formats.extensions, file_extension(others)) && options.output.files.empty();
-  refuse(fmt::format("{} inputs, {} and {}: name a folder for their outputs with --output-dir{}", paths.size(),
-                     paths.front(), others, names_output ? ", or write -o " + others + " for an output" : ""));
+  refuse(fmt::format("{} inputs, {} and {}: name a folder for their outputs with \1output_dir\2{}", paths.size(),
+                     paths.front(), others,
+                     names_output ? ", or write " + placeholder("output", others) + " for an output" : ""));
 }
 
 /// Refuses a word that other programs take for a command.
 void check_commands(const std::string& path) {
   if ((path == "help" || path == "version") && !may_be_read(path)) {
-    refuse(fmt::format("unexpected: '{0}' is not a file; did you mean --{0}?", path));
+    refuse(fmt::format("unexpected: '{}' is not a file; did you mean {}?", path, placeholder(path)));
   }
 }
 
@@ -119,7 +118,7 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
   std::vector<std::string> piped;  // what is standard input
   for (const Option* const option : options.list->options()) {
     const bool reads = option->spec.positional ? options.input.path == "-" : contains(list_read(option->field), "-");
-    if (reads && option->name != "config") piped.push_back(typed_names(*option).back());
+    if (reads && option->name != "config") piped.push_back(option->name);
   }
   const bool into_folder = !options.output.folder.empty();
   check_commands(options.input.path);
@@ -128,15 +127,15 @@ void check_inputs(const Options& options, const OutputFormats& formats) {
   }
   if (piped.size() > 1) {
     refuse(fmt::format("{} and {} are both standard input, which holds one of them: name a file for the other",
-                       piped[0], piped[1]));
+                       placeholder(piped[0]), placeholder(piped[1])));
   }
   if (!into_folder && paths.size() > 1) refuse_several(options, formats);
   if (into_folder && contains(paths, "-")) {
-    refuse("--output-dir: standard input has no name for its outputs; write them with -o");
+    refuse("\1output_dir\2: standard input has no name for its outputs; write them with \1output\2");
   }
   if (!into_folder || paths.size() == 1) return;
   if (!piped.empty()) {
-    refuse(fmt::format("{} -: standard input can be read for one input only; name a file", piped[0]));
+    refuse(fmt::format("{}: standard input can be read for one input only; name a file", placeholder(piped[0], "-")));
   }
   for (const std::string& file : list_read_files(options)) {
     if (is_read_once(file)) refuse(fmt::format("{}: a pipe can be read for one input only; name a file", file));
@@ -148,11 +147,11 @@ namespace {
 /// Refuses options of features that this build lacks.
 void check_build(const Options& options) {
 #ifndef GVD_HAS_VERIFY
-  if (options.compute.verify) refuse("--verify: not part of this build; configure it with -DGVD_WITH_CGAL_GPL=ON");
+  if (options.compute.verify) refuse("\1verify\2: not part of this build; configure it with -DGVD_WITH_CGAL_GPL=ON");
 #endif
   if ((!options.output.view.empty() || options.output.views) && !has_viewer()) {
-    refuse((options.output.open ? "--open: the" : "--view: the") +
-           std::string(" viewer is not part of this build; configure it with -DGVD_WITH_VIEWER=ON"));
+    refuse(placeholder(options.output.open ? "open" : "view") +
+           ": the viewer is not part of this build; configure it with -DGVD_WITH_VIEWER=ON");
   }
 }
 
@@ -173,31 +172,31 @@ std::string one_name(const std::string& path) {
 
 /// Refuses a target that the run reads: it may be the only copy of a mesh. Files are compared and not names, so that
 /// symbolic and hard links are found.
-void check_not_read(const std::string& option, const std::string& path, const Options& options) {
+void check_not_read(const Target& target, const Options& options) {
   std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return;
+  if (!fs::is_regular_file(target.path, ignored)) return;
   std::vector<std::string> all = options.input.paths;
   const std::vector<std::string> named = list_read_files(options);
   all.insert(all.end(), named.begin(), named.end());
   all.push_back(options.general.config);
   for (const std::string& read : all) {
-    if (read.empty() || !fs::equivalent(path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
-    refuse(fmt::format("{} {}: the run reads this file; name another one", option, path));
+    if (read.empty() || !fs::equivalent(target.path, read == "-" ? "/dev/stdin" : read, ignored)) continue;
+    refuse(name_of(target) + ": the run reads this file; name another one");
   }
 }
 
 void check_standard_output(const OutputOptions& output) {
   const int flags = ::fcntl(STDOUT_FILENO, F_GETFL);
   if (flags == -1 || (flags & O_ACCMODE) == O_RDONLY) {
-    refuse_target("-o", "-", "standard output is closed; redirect it to a file or a pipe");
+    refuse_target({"output", "-"}, "standard output is closed; redirect it to a file or a pipe");
   }
   const std::string format = format_of(output, "-");
   const Format* const row = find_output(format);
   const bool is_text = row == nullptr || !row->is_binary || (row->id == MeshFormat::ply && output.ascii_ply);
   if (!is_text && ::isatty(STDOUT_FILENO) == 1) {
     refuse(
-        fmt::format("-o -: .{0} is binary, and standard output is a terminal; redirect it, as in > a.{0}, or choose "
-                    "text with --output-format",
+        fmt::format("\1output=-\2: .{0} is binary, and standard output is a terminal; redirect it, as in > a.{0}, or "
+                    "choose text with \1output_format\2",
                     format));
   }
 }
@@ -210,14 +209,11 @@ std::string describe_missing(const fs::path& folder) {
 }
 
 /// Refuses a target that can't be written, as far as its folder tells.
-void check_target(const std::string& option, const std::string& path) {
+void check_target(const Target& target) {
   std::error_code ignored;
-  const fs::path target(path);
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  if (fs::is_directory(target, ignored)) refuse_target(option, path, "is a directory; name a file");
-  if (!fs::is_directory(folder, ignored)) {
-    refuse_target(option, path, describe_missing(folder));
-  }
+  const fs::path path(target.path), folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (fs::is_directory(path, ignored)) refuse_target(target, "is a directory; name a file");
+  if (!fs::is_directory(folder, ignored)) refuse_target(target, describe_missing(folder));
 }
 
 /// The targets of a run: each one is claimed once.
@@ -225,24 +221,27 @@ class Targets {
  public:
   explicit Targets(const Options& options) : options_(options) {}
 
-  void claim(const std::string& option, const std::string& path) {
+  void claim(const Target& target) {
+    const std::string& path = target.path;
     if (path.empty()) return;
     if (!names_.insert(path == "-" ? path : one_name(path)).second) {
-      refuse(fmt::format("{} {}: two outputs go there; choose another name", option, path));
+      refuse(name_of(target) + ": two outputs go there; choose another name");
     }
     if (path == "-") {
-      if (option != "-o") refuse(fmt::format("{} -: only -o can write to standard output; name a file", option));
+      if (target.option != "output") {
+        refuse(name_of(target) + ": only \1output\2 can write to standard output; name a file");
+      }
       return check_standard_output(options_.output);
     }
-    check_target(option, path);
-    check_not_read(option, path, options_);
+    check_target(target);
+    check_not_read(target, options_);
     check_writable(path);
   }
 
-  void claim_with_materials(const std::string& option, const std::string& path, const OutputFormats& formats) {
-    claim(option, path);
-    const auto materials = formats.materials ? materials_file(path) : std::nullopt;
-    if (materials) claim("the materials of " + option, materials->string());
+  void claim_with_materials(const Target& target, const OutputFormats& formats) {
+    claim(target);
+    const auto materials = formats.materials ? materials_file(target.path) : std::nullopt;
+    if (materials) claim({target.option, materials->string(), true});
   }
 
  private:
@@ -251,9 +250,10 @@ class Targets {
 };
 
 void check_extension(const OutputOptions& output, const std::string& file, const std::vector<std::string>& extensions) {
-  if (file.empty()) refuse("-o: the file name is empty; name a file");
+  if (file.empty()) refuse("\1output\2: the file name is empty; name a file");
   if (file == "-" || contains(extensions, format_of(output, file))) return;
-  refuse(fmt::format("-o {}: the extension must be one of {}", file, list_extensions(extensions, "or")));
+  refuse(fmt::format("{}: the extension must be one of {}", placeholder("output", file),
+                     list_extensions(extensions, "or")));
 }
 
 /// Refuses inputs of one name before the work: the second result would replace the first.
@@ -264,9 +264,9 @@ void check_names(const std::vector<Options>& runs) {
       const auto [other, is_new] = input_of.emplace(file, run.input.path);
       if (is_new) continue;
       if (one_name(other->second) == one_name(run.input.path)) {
-        refuse(fmt::format("INPUT {}: given twice; keep one", run.input.path));
+        refuse(placeholder("input", run.input.path) + ": given twice; keep one");
       }
-      refuse(fmt::format("--output-dir: {} and {} would both write {}; rename one of them, or run them separately",
+      refuse(fmt::format("\1output_dir\2: {} and {} would both write {}; rename one of them, or run them separately",
                          other->second, run.input.path, file));
     }
   }
@@ -277,10 +277,10 @@ void make_folder(const std::string& folder) {
   std::error_code failed;
   const fs::path above = fs::absolute(fs::path(folder) / "").parent_path().parent_path();
   if (!fs::is_directory(above, failed)) {
-    refuse_target("--output-dir", folder, describe_missing(above));
+    refuse_target({"output_dir", folder}, describe_missing(above));
   }
   fs::create_directory(folder, failed);
-  if (failed) refuse_target("--output-dir", folder, failed.message() + "; name another one");
+  if (failed) refuse_target({"output_dir", folder}, failed.message() + "; name another one");
 }
 
 /// A folder that is not there holds nothing that could be lost. It may be that of --summary, too.
@@ -292,11 +292,11 @@ void check_folder(const Options& options, const OutputFormats& formats) {
   std::error_code ignored;
   const bool is_new = !fs::exists(folder, ignored);
   const bool is_inside = one_name(fs::path(summary).parent_path().string()) == one_name(folder);
-  if (!is_new || !is_inside) targets.claim("--summary", summary);
+  if (!is_new || !is_inside) targets.claim({"summary", summary});
   if (is_new) return make_folder(folder);
-  if (!fs::is_directory(folder, ignored)) refuse_target("--output-dir", folder, "is a file; name a folder");
+  if (!fs::is_directory(folder, ignored)) refuse_target({"output_dir", folder}, "is a file; name a folder");
   for (const Options& run : runs) {
-    for (const auto& [option, file] : list_targets(run.output)) targets.claim_with_materials(option, file, formats);
+    for (const Target& target : list_targets(run.output)) targets.claim_with_materials(target, formats);
   }
 }
 
@@ -304,17 +304,20 @@ void check_folder(const Options& options, const OutputFormats& formats) {
 void check_formats(const OutputOptions& output) {
   std::set<std::string> names;
   for (const std::string& format : output.formats) {
-    if (!names.insert(format).second) refuse(fmt::format("--output-format: {} is given twice; keep one", format));
+    if (!names.insert(format).second) refuse(fmt::format("\1output_format\2: {} is given twice; keep one", format));
   }
-  if (output.folder.empty() && names.size() > 1) refuse("--output-format: -o - writes one format; choose one");
+  if (output.folder.empty() && names.size() > 1)
+    refuse("\1output_format\2: \1output=-\2 writes one format; choose one");
 }
 
 /// Pages have names of their own only where there is no folder for them.
 void check_view(const OutputOptions& output) {
-  if (output.folder.empty() && output.views) refuse("--view: the name is empty; name a file, as in --view page.html");
+  if (output.folder.empty() && output.views) {
+    refuse("\1view\2: the name is empty; name a file, as in \1view=page.html\2");
+  }
   if (output.folder.empty() || output.view.empty()) return;
-  refuse(fmt::format("--view {}: with --output-dir, pages are named after the inputs; give --view without a name",
-                     output.view));
+  refuse(placeholder("view", output.view) +
+         ": with \1output_dir\2, pages are named after the inputs; give \1view\2 without a name");
 }
 
 }  // namespace
@@ -327,7 +330,7 @@ void check_outputs(const Options& options, const OutputFormats& formats) {
   if (!output.folder.empty()) return check_folder(options, formats);
   for (const std::string& file : output.files) check_extension(output, file, formats.extensions);
   Targets targets(options);
-  for (const auto& [option, file] : list_targets(output)) targets.claim_with_materials(option, file, formats);
+  for (const Target& target : list_targets(output)) targets.claim_with_materials(target, formats);
 }
 
 std::vector<Options> plan_runs(const Options& options) {

@@ -125,8 +125,11 @@ constexpr const char* kBashScript = R"(# Completion of {0} for bash, made by {0}
 {2}    *) if [[ $word == -* ]]; then words='{3}'; else files='{4}'; fi ;;
   esac
   if [[ $list && $word == *,* ]]; then
-    words=" $words"
-    words=${{words// / ${{word%,*}},}}
+    local chosen=${{word%,*}} offered=
+    for option in $words; do
+      [[ ,$chosen, == *,$option,* ]] || offered+=" $chosen,$option"
+    done
+    words=$offered
   fi
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
   case $files in
@@ -204,7 +207,10 @@ std::string fish_value(const CompletedOption& option) {
   if (!option.takes_value) return "";
   std::vector<std::string> words = option.words;
   if (option.is_list) {
-    words = {fmt::format("(__fish_complete_list , \"printf %s\\\\n {}\")", fmt::join(option.words, " "))};
+    // The second part drops lists whose last word is there already.
+    words = {
+        fmt::format(R"((__fish_complete_list , "printf %s\\n {}" | string match -rv "(^|[=,])([^,]+),(.*,)?\\\\2\\$"))",
+                    fmt::join(option.words, " "))};
   }
   for (std::string& file : fish_files(option.files)) words.push_back(std::move(file));
   const std::string listed = words.empty() ? "" : fmt::format(" -a '{}'", fmt::join(words, " "));

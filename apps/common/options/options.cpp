@@ -40,12 +40,18 @@ bool writes(const OutputOptions& output, Content any) {
   });
 }
 
+std::string name_of(const Target& target) {
+  return target.has_materials ? "the materials of " + placeholder(target.option) + ' ' + target.path
+                              : placeholder(target.option, target.path);
+}
+
 std::vector<Target> list_targets(const OutputOptions& output) {
   std::vector<Target> targets;
-  for (const std::string& file : output.files) targets.push_back({output.folder.empty() ? "-o" : "--output-dir", file});
-  targets.push_back({"--report", output.report});
-  targets.push_back({"--diagram", output.diagram});
-  targets.push_back({"--view", output.view});
+  for (const std::string& file : output.files)
+    targets.push_back({output.folder.empty() ? "output" : "output_dir", file});
+  targets.push_back({"report", output.report});
+  targets.push_back({"diagram", output.diagram});
+  targets.push_back({"view", output.view});
   for (const auto& [option, file] : output.own) targets.push_back({option, *file});
   std::erase_if(targets, [](const Target& target) { return target.path.empty(); });
   return targets;

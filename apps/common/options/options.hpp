@@ -49,7 +49,7 @@ struct OutputOptions {
   bool ascii_ply = false;         ///< PLY as text
   bool prints = false;            ///< to standard output, where no file is named
   bool region_materials = false;  ///< in OBJ, a material for each region, not those of the input
-  /// Further files of the command by the option, such as "--stats"; empty texts where not given.
+  /// Further files of the command by the name of the option, such as "stats"; empty texts where not given.
   std::map<std::string, const std::string*> own;
 };
 
@@ -95,7 +95,11 @@ bool writes(const OutputOptions& output, Content any);
 /// A file that a run writes, or "-" for standard output.
 struct Target {
   std::string option, path;
+  bool has_materials = false;  ///< it is not the file of the option, but has the materials beside it
 };
+
+/// The option with its file, for messages: with placeholders.
+std::string name_of(const Target& target);
 
 /// The files of a run, of all its options but --summary, which is the last run's.
 std::vector<Target> list_targets(const OutputOptions& output);

@@ -17,7 +17,7 @@ _gvd() {{
     words+=' help'
     if [[ $word == -* ]]; then words='-h --help --version --completion'; fi
   else
-    case ${{COMP_WORDS[1]}} in
+    case ${{COMP_WORDS[1]#gvd-}} in
 {2}      help) ((COMP_CWORD == 2)) || words= ;;
       --completion) words='bash zsh fish' ;;
       *) words= ;;
@@ -47,7 +47,7 @@ _arguments -C -A '-*' \
 case $state in
   command) _describe -t commands command words_of_gvd; return ;;
 esac
-case $words[1] in
+case ${{words[1]#gvd-}} in
 {3}  help) ((CURRENT > 2)) || _describe -t commands command commands ;;
 esac)";
 
@@ -56,7 +56,7 @@ constexpr const char* kFishOfProgram = R"({0}
 # Completion of gvd for fish, made by gvd --completion fish
 function __gvd_runs
   set -l typed (commandline -opc)
-  test (count $typed) -ge 2; and test $typed[2] = $argv[1]
+  test (count $typed) -ge 2; and test (string replace -r "^gvd-" "" -- $typed[2]) = $argv[1]
 end
 function __gvd_begins
   set -l typed (commandline -opc)

@@ -42,21 +42,19 @@ std::string list_mesh_formats() {
 const std::vector<std::string> kTargets{"output", "output_dir", "output_format"};
 
 void describe_page(OptionList& list, OutputOptions& output) {
-  list.option(
-      "view", File{&output.view, Use::write, {"html", "htm"}, &output.views},
-      {.help = "Write an interactive page of the result (HTML)",
-       .more = "; with {option:output_dir}, {option:view} takes no name, and each {option:input} has a page named "
-               "after it",
-       .shown = Shown::main});
+  list.option("view", File{&output.view, Use::write, {"html", "htm"}, &output.views},
+              {.help = "Write an interactive page of the result (HTML)",
+               .more = "; with \1output_dir\2, \1view\2 takes no name, and each \1input\2 has a page named "
+                       "after it",
+               .shown = Shown::main});
   list.option("open", Flag{&output.open},
               {.help = "Show the page in the browser ($BROWSER, or else the system's)",
-               .more = "; without {option:view}, it is INPUT.gvd.html in the current folder"});
+               .more = "; without \1view\2, it is INPUT.gvd.html in the current folder"});
   list.option("up", choice(output.up, kUpAxisNames), {.help = "Axis that points up on the page", .usual = "y"});
   list.excludes("open", {"output_dir"});
   list.rule({"up", {"view", "open"}, [&output](const Given&) -> std::string {
                const bool has_page = !output.view.empty() || output.views || output.open;
-               return has_page ? ""
-                               : "{option:up} needs {option:view} or {option:open}: add one, or leave {option:up} out";
+               return has_page ? "" : "\1up\2 needs \1view\2 or \1open\2: add one, or leave \1up\2 out";
              }});
 }
 
@@ -65,8 +63,8 @@ std::string why_no_format(const OutputOptions& output) {
   const auto is_chosen = [&](const std::string& file) { return file == "-" || format_of(output, file) == kFreeSurfer; };
   if (!output.folder.empty() || std::any_of(output.files.begin(), output.files.end(), is_chosen)) return "";
   if (output.prints && !names_file(output)) return "";
-  return "{option:output_format} does nothing here: add {option:output=-} or {option:output_dir}, or leave "
-         "{option:output_format} out";
+  return "\1output_format\2 does nothing here: add \1output=-\2 or \1output_dir\2, or leave "
+         "\1output_format\2 out";
 }
 
 }  // namespace
@@ -75,7 +73,7 @@ void describe_input(OptionList& list, InputOptions& input) {
   list.group("Input");
   list.option("input", File{&input.paths, Use::read, mesh_extensions()},
               {.help = fmt::format("The mesh ({}, also .gz)", list_mesh_formats()),
-               .more = ", or - for standard input; several need {option:output_dir}",
+               .more = ", or - for standard input; several need \1output_dir\2",
                .shown = Shown::main,
                .positional = true,
                .required = true});
@@ -95,7 +93,7 @@ void describe_generators_format(OptionList& list, InputOptions& input) {
   list.group(kGeneratorGroup);
   list.option(
       "generators_format", choice(input.list_format, kGeneratorFormatNames),
-      {.help = "Format of the list of {option:generators}", .more = ", otherwise detected from extension and content"});
+      {.help = "Format of the list of \1generators\2", .more = ", otherwise detected from extension and content"});
   list.needs("generators_format", "generators");
 }
 
@@ -122,26 +120,26 @@ ValueRule format_rule(const OutputOptions& output, const std::string& option, co
             std::string text = reason;
             const std::size_t at = text.find(kOutput);
             if (at == text.npos) return text;
-            return text.replace(at, kOutput.size(), names_formats ? "{option:output_format}" : "{option:output}");
+            return text.replace(at, kOutput.size(), names_formats ? "\1output_format\2" : "\1output\2");
           }};
 }
 
 void describe_output(OptionList& list, OutputOptions& output, const Formats& formats, const std::string& usual) {
   list.group("Output");
   list.option("output", File{&output.files, Use::write, formats},
-              {.help = "File to write, with an extension of {option:output_format}",
+              {.help = "File to write, with an extension of \1output_format\2",
                .more = "; or - for standard output. May be repeated",
                .short_name = "o",
                .shown = Shown::main});
-  list.option("output_dir", File{&output.folder, Use::folder},
-              {.help = "Process each {option:input} in turn, and write files named after it to this folder",
-               .shown = Shown::main});
+  list.option(
+      "output_dir", File{&output.folder, Use::folder},
+      {.help = "Process each \1input\2 in turn, and write files named after it to this folder", .shown = Shown::main});
   output.formats = {usual};
   list.option(
       "output_format", ChoiceList{&output.formats, formats},
-      {.help = "Format of {option:output=-} or {option:output_dir}",
-       .more = std::string("; {option:output_dir} takes several, separated by commas") +
-               (contains(formats, kFreeSurfer) ? ". With fs, {option:output} takes any name, such as lh.white" : "")});
+      {.help = "Format of \1output=-\2 or \1output_dir\2",
+       .more = std::string("; \1output_dir\2 takes several, separated by commas") +
+               (contains(formats, kFreeSurfer) ? ". With fs, \1output\2 takes any name, such as lh.white" : "")});
   list.option("ascii_ply", Flag{&output.ascii_ply},
               {.help = "Write .ply as text instead of binary",
                .more = "; meshio reads the labels of faces from text, and from .vtu"});
@@ -149,12 +147,12 @@ void describe_output(OptionList& list, OutputOptions& output, const Formats& for
               {.help = "Write a report of the run (JSON)", .shown = Shown::main});
   describe_page(list, output);
   list.option("summary", File{&output.summary, Use::write, {"csv"}},
-              {.help = "Write a table with a row for each {option:input} (CSV)"});
+              {.help = "Write a table with a row for each \1input\2 (CSV)"});
   list.excludes("output_dir", {"output", "report"});
   list.needs("summary", "output_dir");
   list.rule({"output_format", {"output", "output_dir"}, [&output](const Given&) { return why_no_format(output); }});
   list.rule(format_rule(output, "ascii_ply", {"ply"},
-                        "{option:ascii_ply}: no .ply is written; write one with {output} or leave {option:ascii_ply} "
+                        "\1ascii_ply\2: no .ply is written; write one with {output} or leave \1ascii_ply\2 "
                         "out"));
 }
 
@@ -169,8 +167,8 @@ void describe_no_curves(OptionList& list, OutputOptions& output) {
   list.option("no_curves", Flag{&output.no_curves},
               {.help = "Leave the bisectors out of " + list_extensions(output_extensions(Content::curves), "and")});
   list.rule(format_rule(output, "no_curves", output_extensions(Content::curves),
-                        fmt::format("{{option:no_curves}}: {} curves; write one of them with {{output}} or leave "
-                                    "{{option:no_curves}} out",
+                        fmt::format("\1no_curves\2: {} curves; write one of them with {{output}} or leave "
+                                    "\1no_curves\2 out",
                                     only_formats(Content::curves))));
 }
 
@@ -179,9 +177,7 @@ void describe_target(OptionList& list, OutputOptions& output, const std::string&
   list.group("Output");
   list.option(name, File{&file, Use::write, extensions}, std::move(spec));
   list.excludes(name, {"output_dir"});
-  std::string typed = "--" + name;
-  std::replace(typed.begin(), typed.end(), '_', '-');
-  output.own[typed] = &file;
+  output.own[name] = &file;
 }
 
 }  // namespace gvd::app

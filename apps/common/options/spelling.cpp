@@ -43,7 +43,11 @@ std::vector<std::string> file_keys(const Option& option) {
 std::string spell(const OptionList& list, const Given& given, const std::string& text, bool in_file) {
   const auto spell_one = [&](std::string_view name, std::string_view value) {
     const Option* const option = list.find(name);
-    if (option == nullptr) return std::string(name);
+    if (option == nullptr) {  // of no list: as every command would have it
+      std::string typed = "--" + std::string(name);
+      std::replace(typed.begin(), typed.end(), '_', '-');
+      return value.empty() ? typed : typed + ' ' + std::string(value);
+    }
     const Given::Source* const source = given.find(name);
     const bool as_key = source != nullptr ? !source->place.empty() : in_file;
     std::string spelled = source != nullptr ? source->spelling : as_key ? dashed_name(*option) : usual_name(*option);

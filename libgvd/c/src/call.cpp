@@ -90,7 +90,7 @@ gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const c
     static const MeshPtr kNoMesh = std::make_shared<CheckedMesh>();
     const bool takes_object = !operation.on.empty();
     const auto object = takes_object ? given(on, "the object").object : nullptr;
-    const MeshPtr& mesh = takes_object ? mesh_of(*object) : kNoMesh;
+    const MeshPtr& mesh = takes_object ? mesh_of(operation, *object) : kNoMesh;
     given(result, "result");
     const std::vector<ArrayView> views = to_views(arrays, count);
     CallObserver observer(run);
@@ -133,8 +133,8 @@ gvd_status gvd_object_of(const gvd_object* object, const char* name, gvd_object*
     const auto& parts = given(object, "object").views().parts;
     const auto found = parts.find(std::string_view(&given(name, "name")));
     if (found == parts.end()) refuse_name("part", name, parts);
-    auto made = found->second();
-    if (made == nullptr) refuse(fmt::format("this {} has no part {}", object->object->kind(), gvd::quoted(name)));
+    auto made = found->second.make();
+    if (made == nullptr) refuse(fmt::format("there is no {} here: {}", name, found->second.text));
     given(part, "part") = new gvd_object(std::move(made), object->door);
   });
 }

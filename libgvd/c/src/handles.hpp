@@ -31,7 +31,11 @@ struct gvd_object {
   /// What an object consists of, by its names.
   struct Views {
     std::map<std::string, gvd::ArrayView, std::less<>> arrays;
-    std::map<std::string, gvd::PartMaker, std::less<>> parts;
+    struct Part {
+      gvd::PartMaker make;  ///< gives null where this object has none
+      std::string text;     ///< what it is
+    };
+    std::map<std::string, Part, std::less<>> parts;
     // What no object owns in one piece.
     std::deque<std::vector<double>> numbers;
     std::deque<std::vector<std::int64_t>> whole_numbers;

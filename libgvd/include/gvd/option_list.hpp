@@ -211,9 +211,10 @@ struct Option {
 class Given {
  public:
   struct Source {
-    std::string spelling;   ///< as the user wrote the name: "-n", "--count", or a key of a file
-    std::string place;      ///< file, line and column; empty for those that come from no file
-    std::size_t order = 0;  ///< how many were added before
+    std::string spelling;    ///< as the user wrote the name: "-n", "--count", or a key of a file
+    std::string place;       ///< file, line and column; empty for those that come from no file
+    std::size_t order = 0;   ///< how many were added before
+    std::string value = {};  ///< the JSON of points, curves and numbers that are no names, as it was given
   };
   bool has(std::string_view name) const { return sources_.find(name) != sources_.end(); }
   /// Null where the option is not given.
@@ -266,7 +267,9 @@ class OptionList {
   /// The field must outlive the list, and its value now is the default.
   void option(const std::string& name, Field field, Spec spec);
 
-  void excludes(const std::string& name, const std::vector<std::string>& others);
+  /// `reason`: what the message says behind the names, in place of "keep one".
+  void excludes(const std::string& name, const std::vector<std::string>& others,
+                const std::string& reason = "keep one");
   void needs(const std::string& name, const std::string& other);
   void one_of(OneOf set);
   void rule(ValueRule rule);
@@ -278,7 +281,9 @@ class OptionList {
   /// Null where there is no such option.
   const Option* find(std::string_view name) const;
 
-  bool exclude_each_other(const std::string& a, const std::string& b) const;
+  bool exclude_each_other(const std::string& a, const std::string& b) const { return !why_excluded(a, b).empty(); }
+  /// Why two options exclude each other; empty where they don't.
+  std::string why_excluded(const std::string& a, const std::string& b) const;
   /// The options that one may stand beside only if they are given, too.
   std::vector<std::string> needed_by(const std::string& name) const;
 
@@ -296,8 +301,9 @@ class OptionList {
  private:
   std::vector<std::string> groups_;
   std::string group_;
-  std::deque<Option> options_;  // references stay
-  std::vector<std::pair<std::string, std::string>> excluded_, needed_;
+  std::deque<Option> options_;                                           // references stay
+  std::map<std::pair<std::string, std::string>, std::string> excluded_;  // with the reasons
+  std::vector<std::pair<std::string, std::string>> needed_;
   std::vector<OneOf> sets_;
   std::vector<ValueRule> rules_;
 };

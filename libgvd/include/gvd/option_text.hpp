@@ -50,4 +50,7 @@ std::string describe_unknown(const std::string& text, const std::vector<std::str
 /// each name.
 std::optional<std::string> suggest_name(const std::string& wrong, const std::vector<std::string>& names);
 
+/// The value of a number or a name as its default in words; empty for other kinds.
+std::string default_text(const Field& field);
+
 }  // namespace gvd

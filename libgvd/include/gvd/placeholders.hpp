@@ -5,12 +5,21 @@
 #include <string_view>
 
 // Names of options in texts for users. The library's texts don't know how an option is written where they are read, so
-// they name it by a placeholder, which each reader spells in a way of its own:
+// they name it by a placeholder between two control characters, which each reader spells in a way of its own:
 //
-//   {option:max_snap}                     --max-snap on a command line
-//   {option:method=exact}                 --method exact
-//   {given:refine=false|exact_count}      those of these options that the user gave: --no-refine
+//   \1max_snap\2                       --max-snap on a command line
+//   \1method=exact\2                   --method exact
+//   \1?refine=false|exact_count\2      those of these options that the user gave: --no-refine
+//
+// Texts of users, such as names of files, stand in the same messages and are shown as they are. So no text of a user's
+// may have these two characters: doors refuse them in names of files, and quotations show other characters for them.
 namespace gvd {
+
+/// The placeholder of an option, and of a value for it.
+std::string placeholder(std::string_view name, std::string_view value = {});
+
+/// Whether a text of a user's has one of the characters that begin and end placeholders.
+bool has_placeholder_mark(std::string_view text);
 
 /// How a reader writes options.
 struct OptionSpelling {
@@ -20,10 +29,13 @@ struct OptionSpelling {
   std::function<bool(std::string_view name)> is_given = [](std::string_view) { return true; };
 };
 
-/// The text with its placeholders as `spelling` writes them. What only looks like one stays.
+/// The text with its placeholders as `spelling` writes them.
 std::string spell_options(std::string_view text, const OptionSpelling& spelling);
 
 /// With the names and values themselves: "max_snap", "refine=false".
 std::string spell_options(std::string_view text);
+
+/// The option whose placeholder a text begins with; empty where it begins with none.
+std::string_view first_option(std::string_view text);
 
 }  // namespace gvd

@@ -17,17 +17,16 @@ void describe(OptionList& list, LloydOptions& options) {
   list.option("relocate", Switch{&options.relocate},
               {.help = "Move generators from cells with little energy to distant cells with much",
                .more = ", where that lowers the energy at once",
-               .usual = "on; off with {option:accelerate=none}"});
-  list.option(
-      "iterations", Number{&options.max_iterations, {.least = 0, .most = 1'000'000}},
-      {.help = "Largest number of iterations",
-       .usual = fmt::format("{}; {} with {{option:accelerate=none}}", max_iterations(options), max_iterations(plain)),
-       .shown = Shown::main});
+               .usual = "on; off with \1accelerate=none\2"});
+  list.option("iterations", Number{&options.max_iterations, {.least = 0, .most = 1'000'000}},
+              {.help = "Largest number of iterations",
+               .usual = fmt::format("{}; {} with \1accelerate=none\2", max_iterations(options), max_iterations(plain)),
+               .shown = Shown::main});
   list.option("tolerance", Number{&options.energy_tolerance, {.least = 0}},
               {.help = "Stop once an iteration lowers the energy by less than this fraction of it",
                .more = "; 1e-8 is near the limit",
                .usual = fmt::format("stop once the next five iterations would lower it by less than {:g} %, as "
-                                    "predicted; {} with {{option:accelerate=none}}",
+                                    "predicted; {} with \1accelerate=none\2",
                                     100 * kSettledFall, *energy_tolerance(plain))});
   list.option("move_tolerance", Number{&options.move_tolerance, {.least = 0}},
               {.help = "Stop once no generator is farther from its centroid than this", .unit = "mean cell radii"});
@@ -54,7 +53,7 @@ void describe(OptionList& list, RelaxationStartOptions& options) {
   list.option("keep_boundary", Flag{&constraints.keep_boundary},
               {.help = "Put generators on the boundary first and keep them there"});
   list.option("gradation", Number{&options.gradation, above(0)},
-              {.help = "With {option:density=curvature}, how fast the size of cells may change along the surface"});
+              {.help = "With \1density=curvature\2, how fast the size of cells may change along the surface"});
 }
 
 void resolve(LloydOptions& options) {

@@ -106,7 +106,7 @@ std::string describe(Barrier barrier, const std::string& inside) {
     case Barrier::no_face:
       return "in no face";
     case Barrier::left_out:
-      return "left out by {option:within} or {option:mask}";
+      return "left out by \1within\2 or \1mask\2";
     case Barrier::inside:
       return inside;
     case Barrier::cut_edge:

@@ -101,7 +101,9 @@ Json describe_options(const OptionList& list, Door door) {
     }
     const Spec& spec = option->spec;
     one["unit"] = spec.unit.empty() ? Json() : Json(spec.unit);
-    one["default"] = spec.usual.empty() ? Json() : Json(spell_for(door, spec.usual));
+    one["default"] = Json::parse(value_json(option->field));
+    const bool is_plain = spec.usual.empty() || spec.usual == default_text(option->field);
+    one["usual"] = is_plain ? Json() : Json(spell_for(door, spec.usual));
     one["summary"] = spell_for(door, spec.help);
     one["help"] = spell_for(door, spec.help + spec.more);
     Json& excluded = one["excludes"] = Json::array();

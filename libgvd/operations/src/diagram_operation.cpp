@@ -53,11 +53,11 @@ void describe(OptionList& list, DiagramCall& call) {
                "as the next"});
   list.excludes("editable", {"curves", "balance", "weights"});
   list.rule({"editable", {"method"}, [&call](const Given&) -> std::string {
-               return call.diagram.method == Method::exact ? "" : "{option:editable} needs {option:method=exact}";
+               return call.diagram.method == Method::exact ? "" : "\1editable\2 needs \1method=exact\2";
              }});
   list.excludes("curves", {"sampling", "seed", "merge_coincident", "balance", "weights"});
   list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
-               return call.diagram.method == Method::exact ? "" : "{option:curves} needs {option:method=exact}";
+               return call.diagram.method == Method::exact ? "" : "\1curves\2 needs \1method=exact\2";
              }});
 }
 

@@ -111,10 +111,10 @@ constexpr std::size_t kSourcesAtOnce = 64;
 void check_table(double most, std::size_t sources, std::size_t points) {
   const double needed = double(sources) * double(points) * sizeof(double);
   if (needed <= most) return;
-  refuse_call(fmt::format(
-      "{{option:each}}: {} sources and {} points make a table of {:.3g} GB, and at most {:.3g} GB fit; give fewer "
-      "sources, or {{option:to}}; Python's distance_rows computes row by row",
-      sources, points, needed / 1e9, most / 1e9));
+  refuse_call(
+      fmt::format("\1each\2: {} sources and {} points make a table of {:.3g} GB, and at most {:.3g} GB fit; give fewer "
+                  "sources, or \1to\2; Python's distance_rows computes row by row",
+                  sources, points, needed / 1e9, most / 1e9));
 }
 
 /// The vertices that points are at; empty where one is at none.
@@ -227,7 +227,7 @@ std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, con
   const double step = *call.isolines;
   const double last = std::min(largest + longest_edge(mesh), call.max_distance.value_or(kInfinity));
   if (!(last / step < kMostLevels)) {
-    refuse_call(fmt::format("{{option:isolines={}}}: makes more than {} levels up to {:.6g}; give a larger step", step,
+    refuse_call(fmt::format("\1isolines={}\2: makes more than {} levels up to {:.6g}; give a larger step", step,
                             kMostLevels, last));
   }
   std::vector<double> levels;
@@ -242,8 +242,8 @@ std::vector<Isoline> trace_isolines(const DistancesCall& call, Observer& observe
     return field.isolines(levels, {.threads = observer.threads, .progress = progress_of(observer)});
   } catch (const Error& error) {
     if (error.code() != ErrorCode::invalid_option) throw;
-    if (!call.isolines) refuse_call(fmt::format("{{option:levels}}: {}", error.text()));
-    refuse_call(fmt::format("{{option:isolines={}}}: {}, with a larger step", *call.isolines, error.text()));
+    if (!call.isolines) refuse_call(fmt::format("\1levels\2: {}", error.text()));
+    refuse_call(fmt::format("\1isolines={}\2: {}, with a larger step", *call.isolines, error.text()));
   }
 }
 
@@ -285,8 +285,8 @@ void measure_nearest(const DistancesCall& call, Observer& observer, DistancesOut
   if (call.paths) as_step(observer, "paths", [&] { add_paths(made, *made.field, GeneratorId()); });
   if (call.logarithm) {
     if (made.table.sources.size() != 1) {
-      refuse_call(fmt::format("{{option:logarithm}} is that at one source, and {} are given; give one",
-                              made.table.sources.size()));
+      refuse_call(
+          fmt::format("\1logarithm\2 is that at one source, and {} are given; give one", made.table.sources.size()));
     }
     made.logarithms = as_step(observer, "logarithms", [&] { return find_logarithms(observer, made); });
   }
@@ -309,7 +309,7 @@ void check_sources(const DistancesOutcome& made) {
   }
   if (next == made.table.sources.size()) return;
   throw Error(ErrorCode::precondition,
-              fmt::format("{{option:from}}: {} lies in faces that {{option:within}} or {{option:mask}} leaves out; "
+              fmt::format("\1from\2: {} lies in faces that \1within\2 or \1mask\2 leaves out; "
                           "choose another",
                           made.table.source_name(GeneratorId(next))),
               std::int64_t(next));
@@ -324,8 +324,8 @@ std::int64_t count_levels(const std::vector<Isoline>& lines) {
 }  // namespace
 
 DistancesCall::DistancesCall() {
-  sources.points_name = sources.vertices_name = "{option:from}";
-  targets.points_name = targets.vertices_name = "{option:to}";
+  sources.points_name = sources.vertices_name = "\1from\2";
+  targets.points_name = targets.vertices_name = "\1to\2";
 }
 
 void describe(OptionList& list, DistancesCall& call) {
@@ -337,16 +337,16 @@ void describe(OptionList& list, DistancesCall& call) {
                .shown = Shown::main});
   list.option(
       "to", PointList{&call.targets.points},
-      {.help = "The points to measure to, as {option:from} gives them", .usual = "all vertices", .shown = Shown::main});
+      {.help = "The points to measure to, as \1from\2 gives them", .usual = "all vertices", .shown = Shown::main});
   list.option("max_snap", Number{&call.sources.max_snap, {.least = 0}},
               {.help = "Refuse a point of a list that is farther than this from the surface", .unit = "mesh units"});
   list.option("merge_coincident", Flag{&call.sources.merge_coincident},
-              {.help = "Merge points of {option:from} that are in the same place instead of refusing them"});
+              {.help = "Merge points of \1from\2 that are in the same place instead of refusing them"});
   list.group("Distances");
   describe_curves(list, call.sources);
   list.option("each", Flag{&call.each}, {.help = "Measure from each source alone, instead of from the nearest one"});
   list.option("paths", Flag{&call.paths},
-              {.help = "Trace the shortest path from each point of {option:to}",
+              {.help = "Trace the shortest path from each point of \1to\2",
                .more = "; .csv then holds the points of the paths",
                .shown = Shown::main});
   list.option("max_distance", Number{&call.max_distance, {.least = 0}},
@@ -358,11 +358,11 @@ void describe(OptionList& list, DistancesCall& call) {
   describe(list, call.regions, "distances and paths");
   list.one_of({{"from", "curves"}, "no sources"});
   list.excludes("curves", {"merge_coincident", "within", "mask", "each"});
-  list.excludes("each", {"isolines"});
+  list.excludes("each", {"isolines"}, "isolines are of the nearest source");
   list.rule({"paths", {"to"}, [](const Given& given) -> std::string {
                return given.has("to") ? ""
-                                      : "{option:paths} does nothing here: add {option:to}, where the paths begin, or "
-                                        "leave {option:paths} out";
+                                      : "\1paths\2 does nothing here: add \1to\2, where the paths begin, or "
+                                        "leave \1paths\2 out";
              }});
 }
 
@@ -375,7 +375,7 @@ void describe_for_programs(OptionList& list, DistancesCall& call) {
   list.excludes("levels", {"isolines", "each"});
   list.option("keep_coincident", Flag{&call.keep_coincident}, {.help = "Sources may be in the same place"});
   list.option("mesh_vertices", Flag{&call.mesh_vertices},
-              {.help = "With {option:each}, rows of the mesh's vertices, where repairs made others than the input's"});
+              {.help = "With \1each\2, rows of the mesh's vertices, where repairs made others than the input's"});
   list.excludes("logarithm", {"each", "curves"});
 }
 
@@ -398,6 +398,7 @@ std::string describe_unreached(const DistancesOutcome& outcome) {
 
 std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall& call, Observer& observer) {
   auto made = std::make_shared<DistancesOutcome>();
+  made->asked = asked_of(call);
   made->input = input;
   made->has_limit = call.max_distance.has_value();
   DistanceTable& table = made->table;

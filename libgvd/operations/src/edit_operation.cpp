@@ -18,12 +18,12 @@ namespace {
 
 std::vector<SurfacePoint> resolve_points(const DiagramObject& on, const EditCall& call, Observer& observer) {
   GeneratorOptions asked;
-  asked.points_name = call.move ? "{option:to}" : "{option:add}";
+  asked.points_name = call.move ? "\1to\2" : "\1add\2";
   asked.points = call.move ? call.to : call.add;
   asked.max_snap = call.max_snap;
   std::vector<SurfacePoint> points = resolve_listed(*on.mesh(), asked, observer).points;
   if (!call.move || points.size() == 1) return points;
-  throw Error(ErrorCode::invalid_option, fmt::format("one point is needed in {{option:to}}, and there are {}",
+  throw Error(ErrorCode::invalid_option, fmt::format("one point is needed in \1to\2, and there are {}",
                                                      counted(std::ssize(points), "point", "points")));
 }
 
@@ -40,8 +40,8 @@ void change(DiagramEditor& editor, const EditCall& call, const std::vector<Surfa
 }  // namespace
 
 void describe(OptionList& list, EditCall& call) {
-  list.group("Change (one of {option:move}, {option:add}, {option:remove})");
-  list.option("move", Number{&call.move, {.least = 0}}, {.help = "Number of the generator that moves to {option:to}"});
+  list.group("Change (one of \1move\2, \1add\2, \1remove\2)");
+  list.option("move", Number{&call.move, {.least = 0}}, {.help = "Number of the generator that moves to \1to\2"});
   list.option("to", PointList{&call.to}, {.help = "A point, near or far"});
   list.option("add", PointList{&call.add}, {.help = "Points that become generators, with the next numbers"});
   list.option("remove", Number{&call.remove, {.least = 0}},

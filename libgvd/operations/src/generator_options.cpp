@@ -56,14 +56,14 @@ std::vector<GeneratorCurve> find_curves(const Mesh& mesh, const std::string& nam
     auto curves = boundary_curves(mesh);
     if (!curves.empty()) return curves;
     throw Error(ErrorCode::precondition,
-                "{option:curves=boundary}: the mesh is closed and has no boundary; use {option:curves=creases}, a file "
+                "\1curves=boundary\2: the mesh is closed and has no boundary; use \1curves=creases\2, a file "
                 "of curves, or points");
   }
   const double angle = parse_creases(name, kUsualCreaseAngle).value_or(kUsualCreaseAngle);
   auto curves = crease_curves(mesh, angle * std::numbers::pi / 180);
   if (!curves.empty()) return curves;
   throw Error(ErrorCode::precondition,
-              fmt::format("{{option:curves={}}}: no two faces meet at more than {} degrees; write creases:ANGLE for "
+              fmt::format("\1curves={}\2: no two faces meet at more than {} degrees; write creases:ANGLE for "
                           "less",
                           name, angle));
 }
@@ -83,8 +83,7 @@ void describe(OptionList& list, GeneratorOptions& generators, const std::vector<
   list.group(kGeneratorGroup);
   list.option("count", Number{&generators.count, {.least = 1}},
               {.help = "Number of generators to sample", .short_name = "n", .shown = Shown::main});
-  list.option("sampling", choice(generators.sampling, kSamplingNames),
-              {.help = "How {option:count} places generators"});
+  list.option("sampling", choice(generators.sampling, kSamplingNames), {.help = "How \1count\2 places generators"});
   list.option("seed", Number{&generators.seed}, {.help = "Seed of the random choices"});
   list.option("radius", Number{&generators.radius, above(0)},
               {.help = "Sample generators until no point of the surface is farther than this from the nearest one",
@@ -96,9 +95,9 @@ void describe(OptionList& list, GeneratorOptions& generators, const std::vector<
        .shown = Shown::main});
   list.option("vertices", PointList{&generators.vertices, PointList::Named::vertices},
               {.help = "Use these vertices of the input file, counted from 0, as in 3,17,99"});
-  list.option("max_snap", Number{&generators.max_snap, {.least = 0}},
-              {.help = "Refuse a point of {option:generators} that is farther than this from the surface",
-               .unit = "mesh units"});
+  list.option(
+      "max_snap", Number{&generators.max_snap, {.least = 0}},
+      {.help = "Refuse a point of \1generators\2 that is farther than this from the surface", .unit = "mesh units"});
   list.option("merge_coincident", Flag{&generators.merge_coincident},
               {.help = "Merge generators that are in the same place instead of refusing them"});
   OneOf sources{{"count", "generators", "vertices", "radius"}, "no generators"};
@@ -114,9 +113,9 @@ void describe_curves(OptionList& list, GeneratorOptions& generators) {
   list.option(
       "curves", Curves{&generators.curves, kUsualCreaseAngle},
       {.help = "Use curves as generators",
-       .more = ": polylines of a file (.obj, .ply, .json or text), the boundary loops, or connected edges whose "
-               "faces differ by more than ANGLE degrees",
-       .usual = fmt::format("{}", kUsualCreaseAngle)});
+       .more = fmt::format(": polylines of a file (.obj, .ply, .json or text), the boundary loops, or connected edges "
+                           "whose faces differ by more than ANGLE degrees, which is {} where it is left out",
+                           kUsualCreaseAngle)});
 }
 
 SamplingOptions make_sampling_options(const GeneratorOptions& asked, const DiagramOptions& diagram,

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <type_traits>
@@ -26,22 +27,25 @@ using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse_array(const std::string& text) { throw Error(ErrorCode::invalid_option, text); }
 
-template <class T>
-double load(const std::byte* place) {
+template <class To, class T>
+To load(const std::byte* place) {
   T value;
   std::memcpy(&value, place, sizeof value);
-  return static_cast<double>(value);
+  return static_cast<To>(value);
 }
 
-constexpr std::array<double (*)(const std::byte*), 10> kLoad{
-    load<std::int8_t>,   load<std::uint8_t>, load<std::int16_t>,  load<std::uint16_t>, load<std::int32_t>,
-    load<std::uint32_t>, load<std::int64_t>, load<std::uint64_t>, load<float>,         load<double>};
-static_assert(std::size_t(ArrayType::float64) + 1 == kLoad.size());
+/// Of each ArrayType, in their order.
+template <class To>
+constexpr std::array<To (*)(const std::byte*), 10> kLoad{
+    load<To, std::int8_t>,  load<To, std::uint8_t>,  load<To, std::int16_t>, load<To, std::uint16_t>,
+    load<To, std::int32_t>, load<To, std::uint32_t>, load<To, std::int64_t>, load<To, std::uint64_t>,
+    load<To, float>,        load<To, double>};
+static_assert(std::size_t(ArrayType::float64) + 1 == kLoad<double>.size());
 
 /// An array that may be read: its type and shape are right.
 const ArrayView& checked(const ArrayView& view, std::size_t place) {
   const auto type = static_cast<std::int32_t>(view.type);
-  if (type < 0 || std::size_t(type) >= kLoad.size())
+  if (type < 0 || std::size_t(type) >= kLoad<double>.size())
     refuse_array(fmt::format("array {} has no known type: {}", place, type));
   if (view.dimensions < 1 || view.dimensions > 2) {
     refuse_array(fmt::format("array {} has {} dimensions; give 1 or 2", place, view.dimensions));
@@ -56,10 +60,11 @@ const ArrayView& checked(const ArrayView& view, std::size_t place) {
   return view;
 }
 
-double number_at(const ArrayView& view, std::int64_t row, std::int64_t column) {
+template <class To = double>
+To number_at(const ArrayView& view, std::int64_t row, std::int64_t column) {
   const auto* const first = static_cast<const std::byte*>(view.data);
   const std::int64_t offset = row * view.strides[0] + (view.dimensions == 2 ? column * view.strides[1] : 0);
-  return kLoad[std::size_t(view.type)](first + offset);
+  return kLoad<To>[std::size_t(view.type)](first + offset);
 }
 
 const ArrayView& find_array(const Json& value, const Arrays& arrays) {
@@ -73,32 +78,49 @@ const ArrayView& find_array(const Json& value, const Arrays& arrays) {
 
 std::int64_t columns_of(const ArrayView& view) { return view.dimensions == 2 ? view.shape[1] : 1; }
 
-std::int64_t to_index(double value, std::int64_t row) {
-  if (value >= 0 && value == std::floor(value) && value <= 0x1p53) return static_cast<std::int64_t>(value);
+template <class Value>
+[[noreturn]] void refuse_index(const Value& value, std::int64_t row) {
   refuse_array(fmt::format("element {} is {}; give whole numbers from 0 on", row, value));
 }
 
-GeneratorEntry make_entry(const ArrayView& view, std::int64_t row) {
-  const auto at = [&](std::int64_t column) { return number_at(view, row, column); };
-  switch (columns_of(view)) {
-    case 1:
-      return {GeneratorEntry::Kind::vertex, to_index(at(0), row), {}, 0};
-    case 3:
-      return {GeneratorEntry::Kind::position, 0, {at(0), at(1), at(2)}, 0};
-    default:
-      return {GeneratorEntry::Kind::face, to_index(at(0), row), {at(1), at(2), at(3)}, 0};
-  }
+/// Beyond there are doubles that stand for several whole numbers.
+constexpr double kMostWhole = 0x1p53;
+
+std::int64_t to_index(double value, std::int64_t row) {
+  if (value >= 0 && value == std::floor(value) && value < kMostWhole) return static_cast<std::int64_t>(value);
+  refuse_index(value, row);
+}
+
+std::int64_t index_at(const ArrayView& view, std::int64_t row) {
+  if (view.type == ArrayType::float32 || view.type == ArrayType::float64) return to_index(number_at(view, row, 0), row);
+  const auto whole = number_at<std::int64_t>(view, row, 0);
+  if (whole < 0) refuse_index(number_at(view, row, 0), row);
+  return whole;
+}
+
+/// A point of a vertex alone, of a position, or of a face and barycentric coordinates.
+template <class Index, class Number>
+GeneratorEntry make_entry(std::int64_t columns, const Index& index, const Number& at) {
+  if (columns == 1) return {GeneratorEntry::Kind::vertex, index(), {}, 0};
+  if (columns == 3) return {GeneratorEntry::Kind::position, 0, {at(0), at(1), at(2)}, 0};
+  return {GeneratorEntry::Kind::face, index(), {at(1), at(2), at(3)}, 0};
+}
+
+void check_columns(std::int64_t columns) {
+  if (columns == 1 || columns == 3 || columns == 4) return;
+  refuse_array(fmt::format(
+      "points have {} columns; give vertices, positions in 3 columns, or faces and barycentric coordinates in 4",
+      columns));
 }
 
 GeneratorList to_list(const ArrayView& view, const std::string& name) {
-  const std::int64_t columns = columns_of(view);
-  if (columns != 1 && columns != 3 && columns != 4) {
-    refuse_array(fmt::format(
-        "points have {} columns; give vertices, positions in 3 columns, or faces and barycentric coordinates in 4",
-        columns));
-  }
+  check_columns(columns_of(view));
   GeneratorList list{name, {}};
-  for (std::int64_t row = 0; row < view.shape[0]; ++row) list.entries.push_back(make_entry(view, row));
+  for (std::int64_t row = 0; row < view.shape[0]; ++row) {
+    list.entries.push_back(make_entry(
+        columns_of(view), [&] { return index_at(view, row); },
+        [&](std::int64_t column) { return number_at(view, row, column); }));
+  }
   if (list.entries.empty()) refuse_array("there is no point");
   return list;
 }
@@ -111,17 +133,48 @@ double to_number(const Json& value) {
   return *parsed;
 }
 
+std::int64_t to_index(const Json& value, std::int64_t row) {
+  if (!value.is_number_integer()) return to_index(to_number(value), row);
+  const auto whole = value.get<std::int64_t>();
+  if (whole < 0) refuse_index(value.dump(), row);
+  return whole;
+}
+
+/// Rows of JSON: all of positions, or all of faces and barycentric coordinates.
+GeneratorList to_list(const Json& rows, const std::string& name) {
+  GeneratorList list{name, {}};
+  const auto columns = std::ssize(rows.front());
+  check_columns(columns);
+  for (const Json& row : rows) {
+    if (!row.is_array() || std::ssize(row) != columns) {
+      refuse_array(fmt::format("{} is no row of {} numbers, as the first point is", gvd::quoted(row.dump()), columns));
+    }
+    list.entries.push_back(make_entry(
+        columns, [&] { return to_index(row.front(), std::ssize(list.entries)); },
+        [&](std::int64_t column) { return to_number(row.at(std::size_t(column))); }));
+  }
+  return list;
+}
+
+[[noreturn]] void refuse_list(const Json& value) {
+  refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
+}
+
+/// An array of one column.
+const ArrayView& find_column(const Json& value, const Arrays& arrays) {
+  const ArrayView& view = find_array(value, arrays);
+  if (columns_of(view) == 1) return view;
+  refuse_array(fmt::format("the array has {} columns; give one number each", columns_of(view)));
+}
+
 std::vector<double> to_numbers(const Json& value, const Arrays& arrays) {
   std::vector<double> numbers;
   if (is_array_reference(value)) {
-    const ArrayView& view = find_array(value, arrays);
-    if (columns_of(view) != 1)
-      refuse_array(fmt::format("the array has {} columns; give one number each", columns_of(view)));
+    const ArrayView& view = find_column(value, arrays);
     for (std::int64_t row = 0; row < view.shape[0]; ++row) numbers.push_back(number_at(view, row, 0));
     return numbers;
   }
-  if (!value.is_array())
-    refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
+  if (!value.is_array()) refuse_list(value);
   for (const Json& one : value) numbers.push_back(to_number(one));
   return numbers;
 }
@@ -155,7 +208,13 @@ std::string read_bytes(const Json& value, const Arrays& arrays) {
 
 std::vector<std::int64_t> read_indices(const Json& value, const Arrays& arrays) {
   std::vector<std::int64_t> indices;
-  for (const double number : to_numbers(value, arrays)) indices.push_back(to_index(number, std::ssize(indices)));
+  if (is_array_reference(value)) {
+    const ArrayView& view = find_column(value, arrays);
+    for (std::int64_t row = 0; row < view.shape[0]; ++row) indices.push_back(index_at(view, row));
+    return indices;
+  }
+  if (!value.is_array()) refuse_list(value);
+  for (const Json& one : value) indices.push_back(to_index(one, std::ssize(indices)));
   return indices;
 }
 
@@ -171,6 +230,7 @@ GeneratorList read_points(const Json& value, const Arrays& arrays, const std::st
     }
     return list;
   }
+  if (value.front().is_array()) return to_list(value, name);
   return parse_generators(Json{{"generators", value}}.dump(), GeneratorFormat::json, name);
 }
 
@@ -195,9 +255,13 @@ CurveList read_curves(const Json& value, const Arrays& arrays, const std::string
   if (offsets.size() < 2 || offsets.front() != 0 || offsets.back() != count) {
     refuse_array(fmt::format("the offsets of curves begin with 0 and end with the number of points, {}", count));
   }
+  const auto wrong = std::ranges::adjacent_find(offsets, std::greater_equal());
+  if (wrong != offsets.end()) {
+    refuse_array(
+        fmt::format("curve {} has no point: it is from offset {} to {}", wrong - offsets.begin(), wrong[0], wrong[1]));
+  }
   for (std::size_t c = 0; c + 1 < offsets.size(); ++c) {
     const std::int64_t first = offsets[c], end = offsets[c + 1];
-    if (end <= first) refuse_array(fmt::format("curve {} has no point", c));
     list.curve.resize(std::size_t(end), std::int32_t(c));
     for (std::int64_t i = first + 1; i < end; ++i) list.segments.push_back({std::int32_t(i - 1), std::int32_t(i)});
     if (closed && end - first > 2) list.segments.push_back({std::int32_t(end - 1), std::int32_t(first)});

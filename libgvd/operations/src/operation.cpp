@@ -19,12 +19,26 @@
 namespace gvd {
 namespace {
 
+/// Finds a part of a kind.
+struct PartFinder : ObjectVisitor {
+  void part(const Meaning& meaning, std::string_view kind, const PartMaker& make) override {
+    if (name.empty() && kind == wanted && make()) name = meaning.name;
+  }
+  std::string_view wanted;
+  std::string name = {};  ///< empty: there is none
+};
+
 /// What an operation works on.
 template <class Kind>
 const Kind& cast(const Object& object, std::string_view wanted) {
   const auto* const taken = dynamic_cast<const Kind*>(&object);
   if (taken != nullptr) return *taken;
-  throw Error(ErrorCode::invalid_option, fmt::format("this takes a {}, and the object is a {}", wanted, object.kind()));
+  PartFinder finder;
+  finder.wanted = wanted;
+  object.visit(finder);
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("this takes a {}, and the object is a {}{}", wanted, object.kind(),
+                          finder.name.empty() ? "" : fmt::format("; take its part \"{}\"", finder.name)));
 }
 
 /// A call of the operation with these options, on an object of this kind.
@@ -98,11 +112,14 @@ const std::vector<Operation>& operations() {
   return kOperations;
 }
 
-const MeshPtr& mesh_of(const Object& object) {
-  if (const auto* const diagram = dynamic_cast<const DiagramObject*>(&object)) return diagram->mesh();
-  if (const auto* const remesh = dynamic_cast<const RemeshOutcome*>(&object)) return remesh->input;
-  if (const auto* const distances = dynamic_cast<const DistancesOutcome*>(&object)) return distances->input;
-  return cast<MeshObject>(object, "mesh").mesh();
+const MeshPtr& mesh_of(const Operation& operation, const Object& object) {
+  if (operation.on == kSceneSubjects) {
+    if (const auto* const distances = dynamic_cast<const DistancesOutcome*>(&object)) return distances->input;
+    if (const auto* const remesh = dynamic_cast<const RemeshOutcome*>(&object)) return remesh->input;
+  }
+  if (operation.on == "mesh") return cast<MeshObject>(object, "mesh").mesh();
+  if (operation.on == "remesh") return cast<RemeshOutcome>(object, "remesh").input;
+  return cast<DiagramObject>(object, "diagram").mesh();
 }
 
 const Operation* find_operation(std::string_view name) {

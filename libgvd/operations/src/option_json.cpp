@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -23,15 +24,18 @@ Json or_null(const std::optional<T>& value) {
 Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 Json value_of(const Field& field) {
-  const auto plain = [](const auto* value) { return Json(*value); };
   return std::visit(
       Overload{[](const Flag& flag) { return Json(*flag.value == flag.given_as); },
                [](const Switch& on_off) { return or_null(*on_off.value); },
-               [&](const Number& number) {
-                 return std::visit(Overload{plain, [](const std::optional<std::int32_t>* v) { return or_null(*v); },
-                                            [](const std::optional<std::int64_t>* v) { return or_null(*v); },
-                                            [](const std::optional<double>* v) { return or_null(*v); }},
-                                   number.value);
+               [](const Number& number) {
+                 const Json value = std::visit(
+                     Overload{[](const auto* v) { return Json(*v); },
+                              [](const std::optional<std::int32_t>* v) { return or_null(*v); },
+                              [](const std::optional<std::int64_t>* v) { return or_null(*v); },
+                              [](const std::optional<double>* v) { return or_null(*v); }},
+                     number.value);
+                 const auto word = value.is_null() ? std::string_view() : name_in(number.words, value.get<double>());
+                 return word.empty() ? value : Json(word);
                },
                [](const Choice& choice) {
                  const auto place = choice.get();
@@ -44,26 +48,20 @@ Json value_of(const Field& field) {
                                    file.value);
                },
                [](const PointList& list) {
-                 const auto& [vertices, file, given] = *list.value;
-                 if (vertices) return Json(*vertices);
-                 return given && file.empty() ? Json{{"points", given->entries.size()}} : or_null(file);
+                 return list.value->vertices ? Json(*list.value->vertices) : or_null(list.value->file);
                },
-               [](const Curves& curves) {
-                 const auto& [name, given] = *curves.value;
-                 return given && name.empty() ? Json{{"points", given->points.entries.size()}} : or_null(name);
-               },
+               [](const Curves& curves) { return or_null(curves.value->name); },
                [](const Counts& counts) { return counts.value->empty() ? Json() : Json(*counts.value); },
-               [](const ValueSource& values) {
-                 const auto& [name, given] = *values.value;
-                 return given && name.empty() ? Json{{"numbers", given->soup.values.size()}} : or_null(name);
-               },
+               [](const ValueSource& values) { return or_null(values.value->name); },
                [](const ByteSize& size) { return or_null(*size.value); },
                [](const SizeOrPercent& size) {
                  if (!*size.value) return Json();
                  const ErrorBound& bound = **size.value;
                  return bound.in_diagonals ? Json(fmt::format("{:.15g}%", bound.value * 100)) : Json(bound.value);
                },
-               [](const CreaseAngle& angle) { return *angle.automatic ? Json("auto") : or_null(*angle.value); }},
+               [](const CreaseAngle& angle) {
+                 return *angle.automatic ? Json("auto") : *angle.value ? Json(**angle.value) : Json("none");
+               }},
       field);
 }
 
@@ -111,6 +109,19 @@ Json describe_kind(const Field& field) {
       field);
 }
 
+/// The value that an option stands for: null where it does nothing beside others.
+Json used_value(const OptionList& list, const Given& given, const Option& option) {
+  const Given::Source* const source = given.find(option.name);
+  if (source != nullptr && !source->value.empty()) return Json::parse(source->value);
+  Json value = value_of(option.field);
+  if (!takes_value(option.field) || (value.is_array() && value.empty())) return value;
+  const auto excludes_it = [&](const Option* other) {
+    return given.has(other->name) && list.exclude_each_other(option.name, other->name);
+  };
+  const bool is_idle = source == nullptr && std::ranges::any_of(list.options(), excludes_it);
+  return is_idle || !list.why_idle(option, given).empty() ? Json() : value;
+}
+
 }  // namespace
 
 std::string value_json(const Field& field) {
@@ -124,8 +135,7 @@ std::string options_json(const OptionList& list, const Given& given) {
   for (const Option* const option : list.options()) {
     const bool is_question = option->spec.shown == Shown::answered || option->spec.shown == Shown::hidden;
     if (is_question) continue;
-    const bool is_used = !takes_value(option->field) || list.why_idle(*option, given).empty();
-    values[option->name] = is_used ? value_of(option->field) : Json();
+    values[option->name] = used_value(list, given, *option);
   }
   return values.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -63,9 +64,15 @@ Json parse(std::string_view text) {
   }
 }
 
-/// The text that a command line has for a value; nothing for lists and objects.
+/// The text that a command line has for a value; nothing for lists and objects. 3.0 is the whole number 3: languages
+/// differ in how they write it.
 std::optional<std::string> to_text(const Json& value) {
+  constexpr double kMostWhole = 0x1p53;
   if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) {
+    const auto number = value.get<double>();
+    if (std::abs(number) < kMostWhole && number == std::trunc(number)) return fmt::format("{:.0f}", number);
+  }
   if (value.is_number() || value.is_boolean()) return value.dump();
   return std::nullopt;
 }
@@ -95,55 +102,67 @@ CurveList read_curve_file(const Json& value, const Arrays& arrays) {
 
 /// Reads one option. Returns what is wrong; empty where nothing is.
 std::string read_value(const Option& option, const Json& value, const Arrays& arrays) {
-  const std::string name = fmt::format("{{option:{}}}", option.name);
+  const std::string name = fmt::format("\1{}\2", option.name);
   const auto as_text = [&] { return read_option(option, {to_text(value).value_or(value.dump())}); };
   return std::visit(
-      Overload{[&](const PointList& list) -> std::string {
-                 if (list.named == PointList::Named::vertices) {
-                   *list.value = {read_indices(value, arrays), {}, nullptr};
-                 } else {
-                   *list.value = {{}, {}, std::make_shared<GeneratorList>(read_points(value, arrays, name))};
-                 }
-                 return "";
-               },
-               [&](const Curves& curves) -> std::string {
-                 if (value.is_object() && value.contains("file")) {
-                   *curves.value = {{}, std::make_shared<CurveList>(read_curve_file(value, arrays))};
-                   return std::string();
-                 }
-                 const std::string word = value.is_string() ? value.get<std::string>() : "";
-                 if (word == "boundary" || word == "creases" || word.starts_with("creases:")) return as_text();
-                 if (value.is_string()) {
-                   return gvd::quoted(word) + " is none of boundary, creases and creases:ANGLE; or give points";
-                 }
-                 *curves.value = {{}, std::make_shared<CurveList>(gvd::read_curves(value, arrays, name))};
-                 return std::string();
-               },
-               [&](const ValueSource& values) -> std::string {
-                 const std::string word = value.is_string() ? value.get<std::string>() : "";
-                 if (std::find(values.words.begin(), values.words.end(), word) != values.words.end()) return as_text();
-                 if (value.is_string() && !values.words.empty()) {
-                   return fmt::format("{} (numbers serve, too)", describe_unknown(word, values.words));
-                 }
-                 *values.value = {{}, std::make_shared<ElementValues>(read_numbers(value, arrays, values.of, name))};
-                 return "";
-               },
-               [&](const Flag&) -> std::string {
-                 return value.is_boolean() ? as_text() : gvd::quoted(value.dump()) + " is neither true nor false";
-               },
-               [&](const Switch&) -> std::string {
-                 return value.is_boolean() || value.is_string()
-                            ? as_text()
-                            : gvd::quoted(value.dump()) + " is neither true nor false";
-               },
-               [&](const File&) {  // its name may be no UTF-8, which JSON has to be
-                 return is_array_reference(value) ? read_option(option, {read_bytes(value, arrays)})
-                                                  : read_option(option, to_texts(value));
-               },
-               [&](const Counts&) { return read_option(option, to_texts(value)); },
-               [&](const ChoiceList&) { return read_option(option, to_texts(value)); },
-               [&](const auto&) { return as_text(); }},
+      Overload{
+          [&](const PointList& list) -> std::string {
+            if (list.named == PointList::Named::vertices) {
+              *list.value = {read_indices(value, arrays), {}, nullptr};
+            } else {
+              *list.value = {{}, {}, std::make_shared<GeneratorList>(read_points(value, arrays, name))};
+            }
+            return "";
+          },
+          [&](const Curves& curves) -> std::string {
+            if (value.is_object() && value.contains("file")) {
+              *curves.value = {{}, std::make_shared<CurveList>(read_curve_file(value, arrays))};
+              return "";
+            }
+            const std::string word = value.is_string() ? value.get<std::string>() : "";
+            if (word == "boundary" || word == "creases" || word.starts_with("creases:")) return as_text();
+            if (value.is_string()) {
+              return gvd::quoted(word) + " is none of boundary, creases and creases:ANGLE; or give points";
+            }
+            *curves.value = {{}, std::make_shared<CurveList>(gvd::read_curves(value, arrays, name))};
+            return "";
+          },
+          [&](const ValueSource& values) -> std::string {
+            const std::string word = value.is_string() ? value.get<std::string>() : "";
+            if (std::find(values.words.begin(), values.words.end(), word) != values.words.end()) return as_text();
+            if (value.is_string() && !values.words.empty()) {
+              return fmt::format("{} (numbers serve, too)", describe_unknown(word, values.words));
+            }
+            *values.value = {{}, std::make_shared<ElementValues>(read_numbers(value, arrays, values.of, name))};
+            return "";
+          },
+          [&](const Flag&) -> std::string {
+            return value.is_boolean() ? as_text() : gvd::quoted(value.dump()) + " is neither true nor false";
+          },
+          [&](const Switch&) -> std::string {
+            return value.is_boolean() || value.is_string() ? as_text()
+                                                           : gvd::quoted(value.dump()) + " is neither true nor false";
+          },
+          [&](const File&) -> std::string {  // its name may be no UTF-8, which JSON has to be
+            if (is_array_reference(value)) return read_option(option, {read_bytes(value, arrays)});
+            const bool is_text =
+                value.is_string() || (value.is_array() && std::ranges::all_of(value, [](const Json& one) { return one.is_string(); }));
+            return is_text ? read_option(option, to_texts(value)) : gvd::quoted(value.dump()) + " is no text";
+          },
+          [&](const Counts&) {
+            return read_option(option, to_texts(is_array_reference(value) ? Json(read_indices(value, arrays)) : value));
+          },
+          [&](const ChoiceList&) { return read_option(option, to_texts(value)); },
+          [&](const auto&) { return as_text(); }},
       option.field);
+}
+
+/// Whether an option takes points, curves or numbers, of which its field does not know how they were given.
+bool has_values(const Field& field) {
+  return std::visit(
+      Overload{[](const PointList&) { return true; }, [](const Curves& curves) { return bool(curves.value->list); },
+               [](const ValueSource& values) { return bool(values.value->values); }, [](const auto&) { return false; }},
+      field);
 }
 
 [[noreturn]] void refuse_name(const OptionList& list, const std::string& wrong) {
@@ -170,10 +189,10 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
     } catch (const Error& error) {
       wrong = error.text();
     }
-    if (!wrong.empty()) refuse_json(fmt::format("{{option:{}}}: {}", name, wrong));
+    if (!wrong.empty()) refuse_json(fmt::format("\1{}\2: {}", name, wrong));
     // A flag with its default says nothing, as --cut=false of a command.
     const bool is_set = !std::holds_alternative<Flag>(option->field) || value.get<bool>() != option->is_on;
-    if (is_set) given.add(name, {fmt::format("\"{}\"", name), "", 0});
+    if (is_set) given.add(name, {fmt::format("\"{}\"", name), "", 0, has_values(option->field) ? value.dump() : ""});
   }
   if (const auto problem = list.find_problem(given)) refuse_json(problem->text);
   if (const auto missing = list.find_missing(given)) refuse_json(missing->text);

@@ -16,7 +16,7 @@ namespace {
 std::vector<SurfacePoint> resolve_fixed(const CheckedMesh& input, const GivenPoints& given, Observer& observer) {
   if (!given.is_given()) return {};
   ResolvedGenerators fixed =
-      resolve_generators(input.mesh, list_points(given, "{option:fixed}"), {.input_vertices = &input.mesh_vertex});
+      resolve_generators(input.mesh, list_points(given, "\1fixed\2"), {.input_vertices = &input.mesh_vertex});
   note_far_entry(observer, fixed, input.mesh.bbox_diagonal());
   return std::move(fixed.points);
 }
@@ -26,15 +26,15 @@ void note_unfollowed_curves(Observer& observer, const ConstrainedStart& start) {
   if (start.unfollowed_loops > 0) {
     observer.note(
         fmt::format("boundary: {} of {} not followed, because this would take more than half of the generators; "
-                    "{{option:count={}}} puts some on each",
+                    "\1count={}\2 puts some on each",
                     start.unfollowed_loops, counted(start.loops, "loop is", "loops are"), start.enough_for_loops));
   }
   if (start.leaves_creases) {
     const std::string enough =
-        start.enough_for_creases > 0 ? fmt::format("{{option:count={}}} or ", start.enough_for_creases) : std::string();
+        start.enough_for_creases > 0 ? fmt::format("\1count={}\2 or ", start.enough_for_creases) : std::string();
     observer.note(
         fmt::format("creases: not followed, because this would take too many of the generators; "
-                    "{}{{option:features={}}} follows them",
+                    "{}\1features={}\2 follows them",
                     enough, kUsualCreaseAngle));
   }
 }
@@ -44,7 +44,7 @@ void note_unused_copy(Observer& observer, const Mesh& mesh, std::int64_t faces, 
   const bool is_small = faces < kCopyFacesPerGenerator * std::int64_t(generators);
   const std::string reason = is_small ? fmt::format("it has less than {} faces for a generator", kCopyFacesPerGenerator)
                                       : fmt::format("the mesh has {} faces", mesh.face_count());
-  observer.note(fmt::format("{{option:coarse={}}}: not used, because {}", faces, reason));
+  observer.note(fmt::format("\1coarse={}\2: not used, because {}", faces, reason));
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ void note_unused_copy(Observer& observer, const Mesh& mesh, std::int64_t faces, 
 void describe(OptionList& list, GivenConstraints& given) {
   list.group("Constraints");
   list.option("fixed", PointList{&given.fixed, PointList::Named::file},
-              {.help = "File that lists generators to keep in place", .more = "; {option:count} includes them"});
+              {.help = "File that lists generators to keep in place", .more = "; \1count\2 includes them"});
   list.option("density", ValueSource{&given.density, {"curvature"}},
               {.help = "Weight of the surface, above 0, which makes cells smaller where it is larger",
                .more = ": 'curvature', a file with a number for each vertex or each face (text, .npy, .shape.gii or "

@@ -22,7 +22,7 @@ namespace gvd {
 namespace {
 
 void describe_sizes(OptionList& list, GeneratorOptions& generators) {
-  list.group("Sizes (in place of {option:count}, {option:generators}, {option:vertices} and {option:radius})");
+  list.group("Sizes (in place of \1count\2, \1generators\2, \1vertices\2 and \1radius\2)");
   list.option("target_edge", Number{&generators.target_edge, above(0)},
               {.help = "Sample as many generators as give edges of this average length",
                .unit = "mesh units",
@@ -41,17 +41,17 @@ void describe_rules(OptionList& list, const RemeshCall& call) {
     list.rule({name, {"relax", "generators", "vertices"}, [&call, is_listed, name](const Given& given) -> std::string {
                  const bool off = std::string_view(name) == "coarse" && call.remesh.start.copy.faces.value_or(0) == 0;
                  if (off || call.remesh.relaxation.value_or(is_listed() ? 0 : kRemeshRelaxation) > 0) return "";
-                 return fmt::format("{{option:{}}}: no generator is moved; {}", name,
-                                    given.has("relax") ? "leave it out, or leave out {option:relax=none}"
-                                                       : "ask for it with {option:relax=N}");
+                 return fmt::format(
+                     "\1{}\2: no generator is moved; {}", name,
+                     given.has("relax") ? "leave it out, or leave out \1relax=none\2" : "ask for it with \1relax=N\2");
                }});
   }
   list.rule({"shape", {"place", "generators", "vertices"}, [&call, is_listed](const Given& given) -> std::string {
                const Placement usual = is_listed() ? Placement::generator : Placement::fit;
                if (call.remesh.placement.value_or(usual) == Placement::fit) return "";
-               return fmt::format("{{option:shape}}: no vertex is fitted; {}",
-                                  given.has("place") ? "leave it out, or take {option:place=fit}"
-                                                     : "ask for it with {option:place=fit}");
+               return fmt::format("\1shape\2: no vertex is fitted; {}", given.has("place")
+                                                                            ? "leave it out, or take \1place=fit\2"
+                                                                            : "ask for it with \1place=fit\2");
              }});
 }
 
@@ -93,9 +93,8 @@ std::int32_t search_count(const Mesh& mesh, const ErrorBound& bound, const Surfa
 std::int32_t count_for(const Mesh& mesh, double edge) {
   const double count = even_count(compute_area(mesh), edge);
   if (count <= std::numeric_limits<std::int32_t>::max()) return static_cast<std::int32_t>(count);
-  throw Error(
-      ErrorCode::invalid_option,
-      fmt::format("{{option:target_edge={}}}: this takes {:.3g} generators; ask for longer edges", edge, count));
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("\1target_edge={}\2: this takes {:.3g} generators; ask for longer edges", edge, count));
 }
 
 /// Generators and their remesh, with the time of every step.

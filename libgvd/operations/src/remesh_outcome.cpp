@@ -115,8 +115,8 @@ std::string describe_defects(const std::vector<DualDefect>& defects) {
 /// Advice that lets the edges follow more of the creases.
 const char* following_advice(const RemeshResult& result, const RemeshOptions& options) {
   if (!options.refine || options.vertex_count)
-    return "without {option:refine=false} and {option:exact_count}, generators are added there";
-  if (result.creases_lack_added) return "raise {option:max_added}";
+    return "without \1refine=false\2 and \1exact_count\2, generators are added there";
+  if (result.creases_lack_added) return "raise \1max_added\2";
   return "give more generators";
 }
 
@@ -195,9 +195,8 @@ void describe_distance(const RemeshResult& result, std::vector<std::string>& lin
   const SurfaceDistance &there = result.input_to_output, &back = result.output_to_input;
   if (const Nearness nearness = nearness_of(result); nearness.is_far()) {
     std::string advice = "give more generators";
-    if (result.crease_length > 0) advice += ", or compare {option:features=none}";
-    if (result.crease_length > 0 && result.certificate.input.boundary_loops > 0)
-      advice += " and {option:loose_boundary}";
+    if (result.crease_length > 0) advice += ", or compare \1features=none\2";
+    if (result.crease_length > 0 && result.certificate.input.boundary_loops > 0) advice += " and \1loose_boundary\2";
     lines.push_back(
         fmt::format("part of the input has too few vertices: its distance is {:.3g} times that between "
                     "vertices, where at most {} is usual; {}",

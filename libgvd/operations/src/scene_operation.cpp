@@ -15,7 +15,6 @@
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/mesh_objects.hpp"
-#include "gvd/operation.hpp"
 #include "gvd/read_values.hpp"
 #include "gvd/remesh_operation.hpp"
 #include "gvd/remesh_scenes.hpp"
@@ -40,7 +39,7 @@ std::vector<Rgb> colors_of(const GivenNumbers& given) {
   const bool is_right = numbers.size() % 3 == 0 &&
                         std::ranges::all_of(numbers, [](double n) { return n >= 0 && n <= 255 && n == std::floor(n); });
   if (!is_right) {
-    throw Error(ErrorCode::invalid_option, "{option:colors}: three whole numbers from 0 to 255 are needed for each region");
+    throw Error(ErrorCode::invalid_option, "\1colors\2: three whole numbers from 0 to 255 are needed for each region");
   }
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(numbers[i]); };
   for (std::size_t i = 0; i < numbers.size(); i += 3) colors.push_back({byte(i), byte(i + 1), byte(i + 2)});
@@ -86,15 +85,18 @@ std::shared_ptr<const SceneObject> run(const Object& on, SceneCall& call, Observ
   const Step step(observer, "scene");
   const std::vector<Rgb> before = colors_of(call.colors);
   Mesh unplaced;  // a scene refers to its meshes
+  MeshPtr input;
   ViewScene scene;
   if (const auto* const diagram = dynamic_cast<const DiagramObject*>(&on)) {
-    scene = make_view_scene("", diagram->mesh()->mesh, diagram->diagram());
+    input = diagram->mesh();
+    scene = make_view_scene("", input->mesh, diagram->diagram());
   } else if (const auto* const distances = dynamic_cast<const DistancesOutcome*>(&on)) {
+    input = distances->input;
     scene = scene_of(*distances, call.isolines);
   } else if (const auto* const remesh = dynamic_cast<const RemeshOutcome*>(&on)) {
-    unplaced = make_unplaced(remesh->input->mesh, remesh->result());
-    scene = make_remesh_scenes(remesh->input->mesh, remesh->result(), unplaced, observer.threads, progress_of(observer))
-                .front();
+    input = remesh->input;
+    unplaced = make_unplaced(input->mesh, remesh->result());
+    scene = make_remesh_scenes(input->mesh, remesh->result(), unplaced, observer.threads, progress_of(observer)).front();
   } else {
     throw Error(ErrorCode::invalid_option,
                 fmt::format("this takes a {}, and the object is a {}", kSceneSubjects, on.kind()));
@@ -108,7 +110,7 @@ std::shared_ptr<const SceneObject> run(const Object& on, SceneCall& call, Observ
     scene.region_color = made->colors;
   }
   io::ViewBlobs blobs;
-  const auto manifest = io::make_view_manifest({std::move(scene)}, frame_of(mesh_of(on)->mesh),
+  const auto manifest = io::make_view_manifest({std::move(scene)}, frame_of(input->mesh),
                                                {.progress = progress_of(observer)}, blobs);
   made->manifest = manifest.dump();
   made->offsets = {0};

@@ -83,7 +83,7 @@ void tell_samples(Observer& observer, const PartedMesh& parted, bool each_region
   if (samples.empty_parts == 0) return;
   observer.note(fmt::format("{} no generator, because there are too few; {}",
                             counted(samples.empty_parts, "part of a region has", "parts of regions have"),
-                            each_region ? "raise {option:per_region}" : fmt::format("{} reach all", samples.parts)));
+                            each_region ? "raise \1per_region\2" : fmt::format("{} reach all", samples.parts)));
 }
 
 // ---- the generators and their diagram
@@ -176,7 +176,7 @@ void note_long_borders(Observer& observer, double ratio) {
   if (ratio <= kUsualBorderRatio) return;
   observer.note(
       fmt::format("borders are {:.2f} times as long as the bisectors (usually at most {}): no shorter ones were found "
-                  "along edges near these; {{option:cut}} follows the bisectors",
+                  "along edges near these; \1cut\2 follows the bisectors",
                   ratio, kUsualBorderRatio));
 }
 
@@ -198,8 +198,7 @@ void label_whole_faces(const SegmentCall& call, Observer& observer, SegmentOutco
   outcome.unreached_faces = note_unreached(observer, outcome);
   if (options.labels == FaceLabels::smooth) note_long_borders(observer, ratio);
   if (!call.disc) return;
-  note_non_discs(observer, outcome.input->mesh, labels,
-                 "whole faces join or touch there; {option:cut} follows the cells");
+  note_non_discs(observer, outcome.input->mesh, labels, "whole faces join or touch there; \1cut\2 follows the cells");
 }
 
 void tell_charts(Observer& observer, const Charts& charts, ChartMap map) {
@@ -212,7 +211,7 @@ void tell_charts(Observer& observer, const Charts& charts, ChartMap map) {
   if (has(&Chart::flipped_area)) {
     observer.note(fmt::format("{} of the area is flipped{}", percent(&Chart::flipped_area),
                               is_flat ? ": limbs too long for double precision; give more generators"
-                                      : " where shortest paths meet, or flat behind saddles; {option:uv=flat} flips "
+                                      : " where shortest paths meet, or flat behind saddles; \1uv=flat\2 flips "
                                         "none"));
   }
   if (has(&Chart::torn_area)) {
@@ -259,11 +258,10 @@ void cut_along_bisectors(const SegmentCall& call, Observer& observer, SegmentOut
 void describe_regions(OptionList& list, SegmentCall& call) {
   describe(list, call.regions, "regions and distances");
   list.option("per_region", Number{&call.per_region, {.least = 1}},
-              {.help = "Number of generators to sample in each region of {option:within}"});
-  list.option(
-      "levels", Counts{&call.levels},
-      {.help = "Segment several times, each inside the regions of the time before",
-       .more = ": the numbers of generators, as in 10,100,1000; {option:cut} cuts along those of the last level"});
+              {.help = "Number of generators to sample in each region of \1within\2"});
+  list.option("levels", Counts{&call.levels},
+              {.help = "Segment several times, each inside the regions of the time before",
+               .more = ": the numbers of generators, as in 10,100,1000; \1cut\2 cuts along those of the last level"});
   list.needs("per_region", "within");
 }
 
@@ -281,13 +279,14 @@ void describe(OptionList& list, LabelCall& call) {
   describe(list, call.segmentation);
   list.option(
       "uv", choice(call.uv, kChartMapNames),
-      {.help = "Give each region texture coordinates, in a file that holds them",
+      {.help =
+           "Give each region texture coordinates, in a " + list_extensions(output_extensions(Content::texture), "or"),
        .more = ": distance and direction from its generator, or a map that flips no face and needs discs (implies "
-               "{option:cut})"});
+               "\1cut\2)"});
   list.excludes("cut", {"labels"});
   list.excludes("uv", {"labels"});
   list.rule({"labels", {"cut", "uv"}, [&call](const Given&) -> std::string {
-               return call.cut || call.uv ? "{option:labels}: no whole face is labelled; leave it out" : "";
+               return call.cut || call.uv ? "\1labels\2: no whole face is labelled; leave it out" : "";
              }});
 }
 
@@ -303,11 +302,16 @@ void describe(OptionList& list, SegmentCall& call) {
   list.excludes("curves",
                 {"sampling", "seed", "merge_coincident", "within", "mask", "balance", "weights", "disc", "uv"});
   list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
-               return call.diagram.method == Method::exact ? "" : "{option:curves} needs {option:method=exact}";
+               return call.diagram.method == Method::exact ? "" : "\1curves\2 needs \1method=exact\2";
              }});
 }
 
 std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& call, Observer& observer) {
+  if (call.uv && !on.diagram().curves.empty()) {
+    throw Error(ErrorCode::invalid_option,
+                "\1uv\2: the generators are curves, and charts are laid around points; leave it out, or take a diagram "
+                "of points");
+  }
   SegmentCall whole;  // regions and levels are those of the diagram
   static_cast<LabelCall&>(whole) = call;
   whole.complete();

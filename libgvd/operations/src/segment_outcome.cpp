@@ -211,7 +211,7 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
                  if (const auto shown = labelled()) return std::make_shared<ColorsObject>(region_colors(*shown));
                  return nullptr;
                });
-  visitor.part({"cut_mesh", "", "the pieces of the faces, with cut"}, "mesh",
+  visitor.part({"cut_mesh", "", "the pieces of the faces, made with cut"}, "mesh",
                [this]() -> std::shared_ptr<const Object> {
                  if (!cut) return nullptr;
                  auto pieces = std::make_shared<CheckedMesh>(as_input(cut->mesh));

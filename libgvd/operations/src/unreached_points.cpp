@@ -5,8 +5,8 @@
 namespace gvd {
 
 std::string UnreachedPoints::inside() const {
-  if (!surface_.is_parted()) return "beyond {option:max_distance}";
-  return has_limit_ ? "in another region, in another part of its region, or beyond {option:max_distance}"
+  if (!surface_.is_parted()) return "beyond \1max_distance\2";
+  return has_limit_ ? "in another region, in another part of its region, or beyond \1max_distance\2"
                     : "in another region, or in another part of its region";
 }
 

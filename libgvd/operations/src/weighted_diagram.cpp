@@ -26,8 +26,8 @@ struct NumberKind {
   const char* range;
   double above;  ///< all numbers are finite and greater
 };
-constexpr NumberKind kWeights{"{option:weights}", "weight", "finite numbers", -kInfinity};
-constexpr NumberKind kShares{"{option:shares}", "share", "finite numbers above 0", 0};
+constexpr NumberKind kWeights{"\1weights\2", "weight", "finite numbers", -kInfinity};
+constexpr NumberKind kShares{"\1shares\2", "share", "finite numbers above 0", 0};
 
 /// A number for each generator; none where none is given.
 std::vector<double> numbers_of(const NumberKind& kind, const GivenNumbers& given, std::size_t generators) {
@@ -59,15 +59,13 @@ void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& dia
        .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
                "the input"});
   list.option("shares", ValueSource{&weights.shares, {}, Of::generators},
-              {.help = "With {option:balance}, the share of each generator, in any unit", .usual = "equal"});
+              {.help = "With \1balance\2, the share of each generator, in any unit", .usual = "equal"});
   list.option("weights", ValueSource{&weights.weights, {}, Of::generators},
               {.help = "Make the distances of each generator longer by its number in FILE", .unit = "mesh units"});
   list.needs("shares", "balance");
   for (const char* name : {"balance", "weights"}) {
     list.rule({name, {"method"}, [&diagram, name](const Given&) {
-                 return diagram.method == Method::exact
-                            ? ""
-                            : fmt::format("{{option:{}}} needs {{option:method=exact}}", name);
+                 return diagram.method == Method::exact ? "" : fmt::format("\1{}\2 needs \1method=exact\2", name);
                }});
   }
 }

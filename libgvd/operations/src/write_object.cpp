@@ -46,52 +46,66 @@ void describe(OptionList& list, FileOptions& options) {
 
 namespace {
 
-/// Calls write_own(writer) for a format that is the object's own, or write_surface(mesh, format). `shown`: for messages.
-template <class WriteOwn, class WriteSurface>
-void write_by_extension(const std::string& shown, const std::string& extension, const Object& object,
-                        const FileOptions& options, const WriteOwn& write_own, const WriteSurface& write_surface) {
-  const bool is_whole = options.part.empty();
-  OwnWriters own = is_whole ? object.own_writers() : object.part_writers(options.part);
-  if (!is_whole && own.empty()) {
+/// A file of an object in memory, or at a path.
+struct Target {
+  std::string name;       ///< for messages
+  std::string extension;  ///< without the dot
+  std::function<void(const std::function<void(std::ostream&)>&)> write;
+  std::function<void(const LabelledMesh&, const Format&)> write_surface;
+};
+
+void write_to(const Target& target, const Object& object, const FileOptions& options) {
+  const auto& [name, extension, write, write_surface] = target;
+  if (!options.part.empty()) {
+    const OwnWriters own = object.part_writers(options.part);
+    const auto writer = own.find(extension);
+    if (own.empty()) {
+      throw Error(ErrorCode::invalid_option,
+                  fmt::format("\1part\2: a {} has no part {}", object.kind(), gvd::quoted(options.part)));
+    }
+    if (writer != own.end()) return write(writer->second);
+    std::vector<std::string> known;
+    for (const auto& [one, writes] : own) known.push_back(one);
     throw Error(ErrorCode::invalid_option,
-                fmt::format("{{option:part}}: a {} has no part {}", object.kind(), gvd::quoted(options.part)));
+                fmt::format("{}: the extension must be one of {}", name, list_extensions(known, "or")));
   }
-  std::optional<LabelledMesh> mesh = is_whole ? object.labelled() : std::nullopt;
-  if (mesh) own.try_emplace("html", [&](std::ostream& out) { out << object.page(options); });
-  if (const auto writer = own.find(extension); writer != own.end()) return write_own(writer->second);
-  if (mesh) {
-    mesh->no_bisectors = options.no_curves;
-    mesh->ascii_ply = options.ascii_ply;
-    mesh->region_materials = options.region_materials;
+  const Content content = object.content();
+  if (content == Content::nothing) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("{}: a {} has no file; write what it consists of", name, object.kind()));
   }
+  if (extension == "html") return write([&](std::ostream& out) { out << object.page(options); });
   const Format* const format = find_output(extension);
-  if (mesh && format != nullptr && format->write != nullptr) return write_surface(*mesh, format->id);
-  std::vector<std::string> known;
-  for (const auto& [name, writer] : own) known.push_back(name);
-  for (const Format& row : formats()) {
-    if (mesh && row.write != nullptr && !own.contains(row.extensions.front())) known.push_back(row.extensions.front());
+  if (format == nullptr || !has_any(format->carries, content)) {
+    throw Error(ErrorCode::invalid_option, fmt::format("{}: the extension must be one of {}", name,
+                                                       list_extensions(output_extensions(content), "or")));
   }
-  throw Error(ErrorCode::invalid_option,
-              known.empty()
-                  ? fmt::format("{}: a {} has no file; write what it consists of", shown, object.kind())
-                  : fmt::format("{}: the extension must be one of .{}", shown, fmt::join(known, ", .")));
+  object.check_file({name, format});
+  const OwnWriters own = object.own_writers();
+  const auto writer = own.find(format->extensions.front());
+  if (writer != own.end()) return write(writer->second);
+  LabelledMesh mesh = object.labelled().value();
+  mesh.no_bisectors = options.no_curves;
+  mesh.ascii_ply = options.ascii_ply;
+  mesh.region_materials = options.region_materials;
+  write_surface(mesh, *format);
 }
 
 }  // namespace
 
 void write_object(const std::filesystem::path& path, const Object& object, const FileOptions& options,
                   const Progress& progress) {
-  write_by_extension(
-      path.string(), format_extension(path), object, options, [&](const auto& writer) { write_file(path, writer, progress); },
-      [&](const LabelledMesh& mesh, MeshFormat) { write_mesh(path, mesh, progress); });
+  write_to({path.string(), format_extension(path), [&](const auto& write) { write_file(path, write, progress); },
+            [&](const LabelledMesh& mesh, const Format&) { write_mesh(path, mesh, progress); }},
+           object, options);
 }
 
 std::string file_bytes(const std::string& format, const Object& object, const FileOptions& options) {
   std::ostringstream out;
   const std::string bare = format.starts_with('.') ? format.substr(1) : format;
-  write_by_extension(
-      gvd::quoted(format), format_extension("file." + bare), object, options, [&](const auto& writer) { writer(out); },
-      [&](const LabelledMesh& mesh, MeshFormat id) { write_mesh(out, mesh, id); });
+  write_to({gvd::quoted(format), format_extension("file." + bare), [&](const auto& write) { write(out); },
+            [&](const LabelledMesh& mesh, const Format& row) { write_mesh(out, mesh, row.id); }},
+           object, options);
   return std::move(out).str();
 }
 

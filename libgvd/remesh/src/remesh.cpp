@@ -61,8 +61,8 @@ std::string describe(const Mesh& mesh, const NarrowTip& narrow) {
   const std::string advice =
       narrow.least_distance < mesh.bbox_diagonal()
           ? fmt::format(
-                "no generator may be nearer to it than {:.3g}; choose others, by another list, {{option:count}} or "
-                "{{option:seed}}",
+                "no generator may be nearer to it than {:.3g}; choose others, by another list, \1count\2 or "
+                "\1seed\2",
                 narrow.least_distance)
           : "cut the surface off there";
   return fmt::format(
@@ -304,7 +304,7 @@ class Remesher {
   }
 
   void refine(const std::vector<DualDefect>& defects) {
-    if (!options_.refine) refuse(defects, "give more generators there, or leave {given:refine=false|exact_count} out");
+    if (!options_.refine) refuse(defects, "give more generators there, or leave \1?refine=false|exact_count\2 out");
     if (result_.added >= max_added_) raise_limit();
     const std::int64_t may_add = max_added_ - result_.added;
     if (may_add <= 0 || result_.rounds >= kMaxRemeshRounds) {
@@ -340,11 +340,10 @@ class Remesher {
   [[noreturn]] void refuse(const std::vector<DualDefect>& defects, const std::string& advice) const {
     const auto& cells = defects.front().cells;
     const bool intersects = defects.front().property == DualProperty::no_self_intersection;
-    throw Error(
-        ErrorCode::no_valid_result,
-        fmt::format("the dual of {} is no valid mesh: {}{}; {}{}", all_generators(), defects.front().message,
-                    others(defects.size() - 1), advice, intersects ? ", or give {option:allow_intersections}" : ""),
-        cells.empty() ? -1 : cells.front().value());
+    throw Error(ErrorCode::no_valid_result,
+                fmt::format("the dual of {} is no valid mesh: {}{}; {}{}", all_generators(), defects.front().message,
+                            others(defects.size() - 1), advice, intersects ? ", or give \1allow_intersections\2" : ""),
+                cells.empty() ? -1 : cells.front().value());
   }
 
   std::int64_t given_count() const { return std::ssize(result_.generators) - result_.added; }

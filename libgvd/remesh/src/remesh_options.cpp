@@ -21,14 +21,14 @@ void describe_mesh(OptionList& list, SurfaceRemeshOptions& options) {
       "exact_count", Flag{&options.exact_count},
       {.help = "Exactly as many vertices as asked for, or no mesh",
        .more = ": leave out a generator where the mesh can do without it for each one that is added (generators "
-               "of a list stay: the same as {option:refine})"});
+               "of a list stay: the same as \1refine\2)"});
   list.option(
       "place", choice(options.placement, kPlacementNames),
       {.help = "Where to put vertices",
        .more = ": at the generators, at the best points for the planes of their cells, or fitted to the surface",
-       .usual = "fit; generator with {option:generators} and {option:vertices}"});
+       .usual = "fit; generator with \1generators\2 and \1vertices\2"});
   list.option("shape", Number{&remesh.placement.shape, {.least = 0, .most = 1}},
-              {.help = "With {option:place=fit}: from 0, the nearest to the surface, to 1, the best triangles"});
+              {.help = "With \1place=fit\2: from 0, the nearest to the surface, to 1, the best triangles"});
   list.option("allow_intersections", Flag{&remesh.allow_intersections},
               {.help = "Accept triangles that intersect each other instead of adding generators there"});
   list.excludes("refine", {"max_added"});
@@ -42,12 +42,12 @@ void describe(OptionList& list, SurfaceRemeshOptions& options) {
   list.option("relax", Number{&options.relaxation, {.least = 0, .most = 1'000'000}, {{"none", 0}}},
               {.help = "Iterations that first move the generators to the centroids of their cells",
                .more = "; 'none' leaves them in place",
-               .usual = fmt::format("{}; none with {{option:generators}} and {{option:vertices}}", kRemeshRelaxation)});
+               .usual = fmt::format("{}; none with \1generators\2 and \1vertices\2", kRemeshRelaxation)});
   describe(list, options.start);
   list.option("loose_boundary", Flag{&options.start.constraints.prefers_boundary, false},
               {.help = "Put no generators on the boundary",
                .more = "; the outline then runs through generators beside it",
-               .usual = "with {option:count} and {option:radius}: {option:keep_boundary}, if it takes at most half of "
+               .usual = "with \1count\2 and \1radius\2: \1keep_boundary\2, if it takes at most half of "
                         "the generators"});
   list.excludes("loose_boundary", {"keep_boundary"});
   describe_mesh(list, options);

@@ -83,12 +83,11 @@ class ChartMaker {
   void check_disc(const Island& island) const {
     const std::int64_t euler = euler_characteristic(mesh(), island);
     if (euler == 1) return;
-    throw Error(
-        ErrorCode::no_valid_result,
-        fmt::format("region {} is no disc (Euler characteristic {}), and can't be laid flat; {{option:disc}} adds "
-                    "generators until every region is a disc",
-                    island.generator.value(), euler),
-        island.generator.value());
+    throw Error(ErrorCode::no_valid_result,
+                fmt::format("region {} is no disc (Euler characteristic {}), and can't be laid flat; \1disc\2 adds "
+                            "generators until every region is a disc",
+                            island.generator.value(), euler),
+                island.generator.value());
   }
 
   bool has_flip(std::size_t i) const {
@@ -297,10 +296,10 @@ Charts make_charts(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
 
 void replace_texture(std::vector<Uv> charts, Appearance& appearance) {
   if (!appearance.texture.empty()) {
-    appearance.unread.emplace_back("texture coordinates of the input, for those of {option:uv}");
+    appearance.unread.emplace_back("texture coordinates of the input, for those of \1uv\2");
   }
   if (!appearance.material.empty()) {
-    appearance.unread.emplace_back("materials of the input, whose images do not fit those of {option:uv}");
+    appearance.unread.emplace_back("materials of the input, whose images do not fit those of \1uv\2");
   }
   appearance.texture = std::move(charts);
   appearance.material.clear();

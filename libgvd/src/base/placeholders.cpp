@@ -9,7 +9,7 @@
 namespace gvd {
 namespace {
 
-constexpr std::string_view kOption = "{option:", kGiven = "{given:";
+constexpr char kBegin = '\1', kEnd = '\2', kIfGiven = '?';
 
 std::string spell_one(std::string_view inside, const OptionSpelling& spelling) {
   const std::size_t equals = inside.find('=');
@@ -36,20 +36,26 @@ std::string spell_given(std::string_view inside, const OptionSpelling& spelling)
 
 }  // namespace
 
+std::string placeholder(std::string_view name, std::string_view value) {
+  std::string text = kBegin + std::string(name);
+  if (!value.empty()) text += '=' + std::string(value);
+  return text + kEnd;
+}
+
+bool has_placeholder_mark(std::string_view text) {
+  return text.find(kBegin) != text.npos || text.find(kEnd) != text.npos;
+}
+
 std::string spell_options(std::string_view text, const OptionSpelling& spelling) {
   std::string spelled;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::string_view rest = text.substr(at);
-    const bool is_option = rest.starts_with(kOption), is_given = rest.starts_with(kGiven);
-    const std::size_t end = is_option || is_given ? rest.find('}') : rest.npos;
-    if (end == rest.npos) {
-      spelled += text[at++];
-      continue;
-    }
-    const std::size_t begin = (is_option ? kOption : kGiven).size();
-    const std::string_view inside = rest.substr(begin, end - begin);
-    spelled += is_option ? spell_one(inside, spelling) : spell_given(inside, spelling);
-    at += end + 1;
+  while (!text.empty()) {
+    const std::size_t begin = text.find(kBegin), end = text.find(kEnd, std::min(begin, text.size()));
+    spelled += text.substr(0, begin);
+    if (begin == text.npos) break;
+    if (end == text.npos) return spelled += text.substr(begin + 1);
+    const std::string_view inside = text.substr(begin + 1, end - begin - 1);
+    spelled += inside.starts_with(kIfGiven) ? spell_given(inside.substr(1), spelling) : spell_one(inside, spelling);
+    text.remove_prefix(end + 1);
   }
   return spelled;
 }
@@ -58,6 +64,10 @@ std::string spell_options(std::string_view text) {
   return spell_options(text, {.spell = [](std::string_view name, std::string_view value) {
                          return value.empty() ? std::string(name) : std::string(name) + '=' + std::string(value);
                        }});
+}
+
+std::string_view first_option(std::string_view text) {
+  return text.starts_with(kBegin) ? text.substr(1, text.find_first_of("=\2") - 1) : std::string_view();
 }
 
 }  // namespace gvd

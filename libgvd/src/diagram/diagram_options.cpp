@@ -11,7 +11,7 @@ constexpr int kMostThreads = 4096;
 
 void describe_rules(OptionList& list, const DiagramOptions& options) {
   const auto clash = [&options] {
-    return fmt::format("{{option:method={}}} and {{option:chord_tolerance}} exclude each other: keep one",
+    return fmt::format("\1method={}\2 and \1chord_tolerance\2 exclude each other: keep one",
                        name_in(kMethodNames, options.method));
   };
   list.rule({"method", {"chord_tolerance"}, [&options, clash](const Given& given) {
@@ -22,8 +22,8 @@ void describe_rules(OptionList& list, const DiagramOptions& options) {
              }});
   list.rule({"front", {"method", "chord_tolerance"}, [&options](const Given&) -> std::string {
                if (options.method != Method::exact) return "";
-               return "{option:front} does nothing here: add {option:method=gbgvd} or {option:method=paper}, or leave "
-                      "{option:front} out";
+               return "\1front\2 does nothing here: add \1method=gbgvd\2 or \1method=paper\2, or leave "
+                      "\1front\2 out";
              }});
 }
 
@@ -40,7 +40,7 @@ void describe(OptionList& list, DiagramOptions& options) {
                .unit = "mean edge lengths"});
   list.option("front", choice(options.front, kFrontNames),
               {.help = "Shape of the front in fast marching",
-               .usual = "planar with {option:method=paper}, circle with {option:method=gbgvd}"});
+               .usual = "planar with \1method=paper\2, circle with \1method=gbgvd\2"});
   describe_rules(list, options);
 }
 

@@ -291,7 +291,7 @@ class Resolver {
     if (options_.max_snap && !(closest.distance <= *options_.max_snap)) {
       refuse(
           fmt::format("this position is {} from the surface, more than the {} allowed; move it, or raise "
-                      "{{option:max_snap}}",
+                      "\1max_snap\2",
                       closest.distance, *options_.max_snap));
     }
     result_.snap_distance.back() = closest.distance;
@@ -315,8 +315,7 @@ class Resolver {
         kept.snap_distance.push_back(result_.snap_distance[i]);
         kept.vertex.push_back(result_.vertex[i]);
       } else if (!options_.merge_coincident) {
-        refuse(i, describe_coincident(std::size_t(i), std::size_t(twin)) +
-                      "; remove one, or add {option:merge_coincident}");
+        refuse(i, describe_coincident(std::size_t(i), std::size_t(twin)) + "; remove one, or add \1merge_coincident\2");
       }
     }
     kept.merged = std::int32_t(first.size() - kept.points.size());

@@ -338,7 +338,7 @@ std::vector<GeneratorEntry> parse_text(std::string_view content, const std::stri
   for (const auto& [text, number] : split_lines(content)) {
     if (text.find(',') != text.npos) {
       ListLocation{name, number}.refuse(
-          "has a comma; part the fields by blanks, or give the list as CSV with {option:generators_format=csv}");
+          "has a comma; part the fields by blanks, or give the list as CSV with \1generators_format=csv\2");
     }
     rows.push_back({split_fields(text), number});
   }

@@ -96,7 +96,7 @@ MeshFormat require_format(std::string_view bytes, std::string_view name) {
 }  // namespace
 
 std::string input_format_option() {
-  return "{option:input_format=" + join_words(names_in(input_format_names()), "or") + '}';
+  return placeholder("input_format", join_words(names_in(input_format_names()), "or"));
 }
 
 std::optional<MeshFormat> format_from_extension(std::string_view name) {

@@ -136,14 +136,14 @@ void WorkingMesh::claim_for(VertexId v, GeneratorId g) {
   if (known.valid() && (owner_.empty() || known != g)) {
     const auto [first, second] = std::minmax({known.value(), g.value()});
     const Vec3& at = (split_ ? copy_ : *input_).position(v);
-    throw Error(ErrorCode::precondition,
-                owner_.empty()
-                    ? fmt::format("generators {} and {} coincide; remove one, or add {{option:merge_coincident}}",
-                                  first, second)
-                    : fmt::format("curves {} and {} meet at ({:.6g}, {:.6g}, {:.6g}); give both a point there, which "
-                                  "makes them one curve, or move one away",
-                                  first, second, at.x(), at.y(), at.z()),
-                second);
+    throw Error(
+        ErrorCode::precondition,
+        owner_.empty()
+            ? fmt::format("generators {} and {} coincide; remove one, or add \1merge_coincident\2", first, second)
+            : fmt::format("curves {} and {} meet at ({:.6g}, {:.6g}, {:.6g}); give both a point there, which "
+                          "makes them one curve, or move one away",
+                          first, second, at.x(), at.y(), at.z()),
+        second);
   }
   known = g;
   if (!generator_vertex_[g].valid()) generator_vertex_[g] = v;

@@ -52,29 +52,12 @@ std::function<void()> make_reset(const Field& field) {
                     field);
 }
 
-/// The default of a number or a name, in words.
-std::string default_of(const Field& field) {
-  const auto text = [&] {
-    const auto texts = write_option(field);
-    return texts ? fmt::format("{}", fmt::join(*texts, ",")) : std::string();
-  };
-  const auto none = [](const auto&) { return std::string(); };
-  return std::visit(Overload{[&](const Number&) { return text(); }, [&](const Choice&) { return text(); },
-                             [&](const ChoiceList&) { return text(); },
-                             [&](const CreaseAngle&) {
-                               const std::string angle = text();
-                               return angle.empty() ? std::string("none") : angle;
-                             },
-                             none},
-                    field);
-}
-
 /// Their placeholders, as in "A, B or C".
 std::string list_placeholders(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
     text += i == 0 ? "" : i + 1 < names.size() ? ", " : " or ";
-    text += "{option:" + names[i] + '}';
+    text += placeholder(names[i]);
   }
   return text;
 }
@@ -84,12 +67,12 @@ std::optional<Problem> find_exclusion(const OptionList& list, const Given& given
   const std::vector<const Option*> all = list.options();
   for (auto a = all.begin(); a != all.end(); ++a) {
     for (auto b = a + 1; given.has((*a)->name) && b != all.end(); ++b) {
-      if (!given.has((*b)->name) || !list.exclude_each_other((*a)->name, (*b)->name)) continue;
+      const std::string reason = given.has((*b)->name) ? list.why_excluded((*a)->name, (*b)->name) : std::string();
+      if (reason.empty()) continue;
       // The later one is to blame: options of a file come behind those of the command line.
       const bool is_first_later = given.find((*a)->name)->order > given.find((*b)->name)->order;
       const std::string& blamed = is_first_later ? (*a)->name : (*b)->name;
-      return Problem{
-          blamed, fmt::format("{{option:{}}} and {{option:{}}} exclude each other: keep one", (*a)->name, (*b)->name)};
+      return Problem{blamed, fmt::format("\1{}\2 and \1{}\2 exclude each other: {}", (*a)->name, (*b)->name, reason)};
     }
   }
   return std::nullopt;
@@ -105,13 +88,13 @@ void OptionList::group(const std::string& title) {
 void OptionList::option(const std::string& name, Field field, Spec spec) {
   const auto* const flag = std::get_if<Flag>(&field);
   const bool is_on = flag != nullptr && *flag->value == flag->given_as;
-  if (spec.usual.empty()) spec.usual = default_of(field);
+  if (spec.usual.empty()) spec.usual = default_text(field);
   std::function<void()> reset = make_reset(field);
   options_.push_back({name, group_, std::move(field), std::move(spec), std::move(reset), is_on});
 }
 
-void OptionList::excludes(const std::string& name, const std::vector<std::string>& others) {
-  for (const std::string& other : others) excluded_.emplace_back(name, other);
+void OptionList::excludes(const std::string& name, const std::vector<std::string>& others, const std::string& reason) {
+  for (const std::string& other : others) excluded_[{name, other}] = reason;
 }
 
 void OptionList::needs(const std::string& name, const std::string& other) { needed_.emplace_back(name, other); }
@@ -135,15 +118,17 @@ const Option* OptionList::find(std::string_view name) const {
   return found == options_.end() ? nullptr : &*found;
 }
 
-bool OptionList::exclude_each_other(const std::string& a, const std::string& b) const {
-  if (a == b) return false;
+std::string OptionList::why_excluded(const std::string& a, const std::string& b) const {
+  if (a == b) return "";
+  for (const auto& pair : {std::pair(a, b), std::pair(b, a)}) {
+    if (const auto found = excluded_.find(pair); found != excluded_.end()) return found->second;
+  }
   const auto has = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  return std::any_of(excluded_.begin(), excluded_.end(),
-                     [&](const auto& pair) { return pair == std::pair(a, b) || pair == std::pair(b, a); }) ||
-         std::any_of(sets_.begin(), sets_.end(),
-                     [&](const OneOf& set) { return has(set.options, a) && has(set.options, b); });
+  const bool is_of_set = std::any_of(sets_.begin(), sets_.end(),
+                                     [&](const OneOf& set) { return has(set.options, a) && has(set.options, b); });
+  return is_of_set ? "keep one" : "";
 }
 
 std::vector<std::string> OptionList::needed_by(const std::string& name) const {
@@ -166,8 +151,7 @@ std::optional<Problem> OptionList::find_problem(const Given& given) const {
   if (auto exclusion = find_exclusion(*this, given)) return exclusion;
   for (const auto& [name, other] : needed_) {
     if (!given.has(name) || given.has(other)) continue;
-    return Problem{
-        name, fmt::format("{{option:{0}}} needs {{option:{1}}}: add it, or leave {{option:{0}}} out", name, other)};
+    return Problem{name, fmt::format("\1{0}\2 needs \1{1}\2: add it, or leave \1{0}\2 out", name, other)};
   }
   for (const ValueRule& rule : rules_) {
     if (!given.has(rule.option)) continue;
@@ -194,9 +178,11 @@ std::vector<std::string> OptionList::find_unknown_names() const {
                     return *named.insert(std::string(name)).first;
                   }});
   };
-  for (const auto* const pairs : {&excluded_, &needed_}) {
-    for (const auto& [a, b] : *pairs) named.insert({a, b});
+  for (const auto& [pair, reason] : excluded_) {
+    named.insert({pair.first, pair.second});
+    read(reason);
   }
+  for (const auto& [a, b] : needed_) named.insert({a, b});
   for (const OneOf& set : sets_) named.insert(set.options.begin(), set.options.end());
   for (const ValueRule& rule : rules_) {
     named.insert(rule.option);

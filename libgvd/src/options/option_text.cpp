@@ -359,9 +359,11 @@ const auto kWriteAngle = [](const CreaseAngle& angle) {
 
 std::string read_option(const Option& option, const Texts& texts) {
   if (texts.empty() && !stands_alone(option.field)) {
-    return fmt::format("its value is missing; write {{option:{}={}}}", option.name, value_name(option.field));
+    return fmt::format("its value is missing; write \1{}={}\2", option.name, value_name(option.field));
   }
   if (texts.size() > 1 && !is_repeatable(option.field)) return "given twice; keep one";
+  const auto marked = std::find_if(texts.begin(), texts.end(), has_placeholder_mark);
+  if (marked != texts.end()) return shown(*marked) + " has a control character; write it without";
   return std::visit(Overload{[&](const Flag& flag) -> std::string {
                                const auto on = parse_flag(texts.empty() ? "true" : texts.back());
                                if (!on) return fmt::format("{} is neither true nor false", shown(texts.back()));
@@ -459,6 +461,22 @@ std::optional<Texts> write_option(const Field& field) {
                [](const ValueSource& values) { return write_text(values.value->name); },
                [](const ByteSize& size) { return write_any(*size.value); }, kWriteBound, kWriteAngle},
       field);
+}
+
+std::string default_text(const Field& field) {
+  const auto text = [&] {
+    const auto texts = write_option(field);
+    return texts ? fmt::format("{}", fmt::join(*texts, ",")) : std::string();
+  };
+  const auto none = [](const auto&) { return std::string(); };
+  return std::visit(Overload{[&](const Number&) { return text(); }, [&](const Choice&) { return text(); },
+                             [&](const ChoiceList&) { return text(); },
+                             [&](const CreaseAngle&) {
+                               const std::string angle = text();
+                               return angle.empty() ? std::string("none") : angle;
+                             },
+                             none},
+                    field);
 }
 
 bool is_real(const Number& number) {

@@ -28,7 +28,7 @@ using Catch::Matchers::StartsWith;
 TEST_CASE("work that returns is done, and what it throws becomes a code and a message") {
   CHECK(run_guarded([] {}).exit_code == 0);
   CHECK(run_guarded([] {}).message.empty());
-  const Outcome refused = run_guarded([] { throw Error(ErrorCode::precondition, "too far; raise {option:max_snap}"); });
+  const Outcome refused = run_guarded([] { throw Error(ErrorCode::precondition, "too far; raise \1max_snap\2"); });
   CHECK(refused.exit_code == 4);
   CHECK(refused.message == "too far; raise max_snap");  // no options are known yet
   const Outcome strange = run_guarded([] { throw std::runtime_error("x"); });
@@ -172,26 +172,26 @@ struct Command : Options {
 
 TEST_CASE("a message spells options as the user of the command writes them") {
   Command command;
-  CHECK(command.message("raise {option:max_snap}") == "raise --max-snap");
-  CHECK(command.message("give {option:max_snap=3}") == "give --max-snap 3");
-  CHECK(command.message("leave {option:refine=false} out") == "leave --no-refine out");
-  CHECK(command.message("leave {given:refine=false|max_snap} out") == "leave --no-refine or --max-snap out");
+  CHECK(command.message("raise \1max_snap\2") == "raise --max-snap");
+  CHECK(command.message("give \1max_snap=3\2") == "give --max-snap 3");
+  CHECK(command.message("leave \1refine=false\2 out") == "leave --no-refine out");
+  CHECK(command.message("leave \1?refine=false|max_snap\2 out") == "leave --no-refine or --max-snap out");
   command.names.add("refine", {.spelling = "--no-r", .place = ""});
-  CHECK(command.message("leave {given:refine=false|max_snap} out") == "leave --no-r out");
+  CHECK(command.message("leave \1?refine=false|max_snap\2 out") == "leave --no-r out");
 }
 
 TEST_CASE("a message spells options of a file as this does") {
   Command command;
   command.names.add("refine", {.spelling = "no-refine", .place = "a.toml:3"});
   command.names.add("max_snap", {.spelling = "max-snap", .place = "a.toml:4"});
-  CHECK(command.message("leave {given:refine=false} out") == "leave no-refine = true out");
-  CHECK(command.message("give {option:max_snap=3}") == "give max-snap = 3");
+  CHECK(command.message("leave \1?refine=false\2 out") == "leave no-refine = true out");
+  CHECK(command.message("give \1max_snap=3\2") == "give max-snap = 3");
 }
 
 TEST_CASE("an error that tells where keeps its placeholders, its code and its element") {
-  const Error error = Error(ErrorCode::precondition, "raise {option:max_snap}", 7).at("list:3");
+  const Error error = Error(ErrorCode::precondition, "raise \1max_snap\2", 7).at("list:3");
   CHECK(std::string(error.what()) == "list:3: raise max_snap");
-  CHECK(std::string(error.text()) == "list:3: raise {option:max_snap}");
+  CHECK(std::string(error.text()) == "list:3: raise \1max_snap\2");
   CHECK(error.code() == ErrorCode::precondition);
   CHECK(error.element() == 7);
 }

@@ -1,5 +1,6 @@
 // gvd, the program that all commands are: which command a call means, and what gvd itself answers.
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <tuple>
@@ -179,6 +180,28 @@ TEST_CASE("gvd: its completion has the commands and all that they complete") {
   require_error("gvd", "--completion", 2, "--completion: its value is missing; write --completion bash|zsh|fish");
   require_error("gvd", "--completion ksh", 2, "--completion: 'ksh' is not one of bash|zsh|fish; did you mean zsh?");
   require_error("gvd", "--completion bash zsh", 2, "--completion: given twice; keep one");
+}
+
+/// What bash offers for the last of these words.
+std::string completed(const std::string& words, int last) {
+  const std::string bin = GVD_BIN_DIR;
+  const ScratchFolder scratch;
+  write_text(scratch / "ask", "source <(" + bin + "/gvd --completion bash)\nCOMP_WORDS=(" + words + ") COMP_CWORD=" +
+                                  std::to_string(last) + "\n_${COMP_WORDS[0]//-/_}\necho ${COMPREPLY[*]}\n");
+  const int status = std::system(("bash " + scratch / "ask" + " > " + scratch / "answer").c_str());
+  CHECK(status == 0);
+  return ' ' + read_text(scratch / "answer");
+}
+
+TEST_CASE("gvd: completion offers each word of a list once, and knows the commands by their full names") {
+  const std::string first = completed("gvd-distance --output-format ''", 2);
+  CHECK_THAT(first, Contains(" ply ") && Contains(" obj "));
+  const std::string second = completed("gvd-distance --output-format ply,", 2);
+  CHECK_THAT(second, Contains(" ply,obj ") && !Contains(" ply,ply "));
+  const std::string third = completed("gvd-distance --output-format ply,obj,", 2);
+  CHECK_THAT(third, Contains(" ply,obj,vtp ") && !Contains(" ply,obj,ply ") && !Contains(" ply,obj,obj "));
+  CHECK(completed("gvd gvd-segment --bal", 2) == " --balance\n");
+  CHECK(completed("gvd segment --bal", 2) == " --balance\n");
 }
 
 }  // namespace gvd::test_gvd_command

@@ -83,7 +83,7 @@ TEST_CASE("without welding, a note counts the open edges that it would close") {
   CHECK(checked.defects.closable_edges == 2);
   CHECK(checked.defects.messages ==
         std::vector<std::string>{"2 boundary vertices are at the position of another one: not joined, the surface is "
-                                 "open there; {option:weld} would close 2 open edges"});
+                                 "open there; \1weld\2 would close 2 open edges"});
 }
 
 TEST_CASE("a tolerance joins pairs up to it, and no others") {

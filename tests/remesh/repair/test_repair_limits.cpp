@@ -94,11 +94,11 @@ TEST_CASE("remesh: at a limit, more generators are advised unless many of them m
     return advise_at_limit(sphere, generators, history, is_max_added, usual);
   };
   const std::string shrink = ", and 100 defects became 60; about 50 are likely to be needed: give more or other ones";
-  CHECK(advice({{0, 100}, {10, 80}, {20, 60}}, true) == shrink + ", or raise {option:max_added}");
+  CHECK(advice({{0, 100}, {10, 80}, {20, 60}}, true) == shrink + ", or raise \1max_added\2");
   CHECK(advice({{0, 100}, {10, 80}, {20, 60}}, false) == shrink);  // the limit of rounds
   CHECK(advice({{0, 10}, {20, 100}, {40, 60}}, true) ==
         ", and 10 defects became 100, then 60; about 70 are likely to be needed: give more or other ones, or raise "
-        "{option:max_added}");
+        "\1max_added\2");
   // As many as the default allows: ten for each given generator and component, and 100 more.
   const std::string grow =
       ", and 100 defects became 150; so far, added generators make it worse, so look at the surface there: it may be "
@@ -107,17 +107,16 @@ TEST_CASE("remesh: at a limit, more generators are advised unless many of them m
   CHECK(advice({{0, 100}, {20, 150}}, false) == grow);  // the limit of rounds
   CHECK(advice({{0, 100}, {209, 150}}, true, 219) ==
         ", and 100 defects became 150; by default, 210 may be added: give more or other ones, or raise "
-        "{option:max_added}");
+        "\1max_added\2");
   // As many, but not more defects than chance may make.
   CHECK(advice({{0, 100}, {210, 128}}, true, 220) ==
-        ", and 100 defects became 128: give more or other ones, or raise {option:max_added}");
+        ", and 100 defects became 128: give more or other ones, or raise \1max_added\2");
   CHECK(advice({{0, 100}, {20, 100}}, false) == ", and 100 defects became 100: give more or other ones");
   CHECK(advice({{0, 5}}, true) ==  // none may be added
-        "; by default, 610 may be added: give more or other ones, or raise {option:max_added}");
+        "; by default, 610 may be added: give more or other ones, or raise \1max_added\2");
   // Defects that grow while the topology needs more generators: two for three vertices are too few.
-  CHECK_THAT(
-      advice({{0, 1}, {1, 3}}, true, 2),
-      EndsWith("became 3; about 3 are likely to be needed: give more or other ones, or raise {option:max_added}"));
+  CHECK_THAT(advice({{0, 1}, {1, 3}}, true, 2),
+             EndsWith("became 3; about 3 are likely to be needed: give more or other ones, or raise \1max_added\2"));
 }
 
 }  // namespace gvd::test_repair_limits

@@ -112,11 +112,14 @@ GVD_API gvd_status gvd_call(int32_t abi, const char* operation, const gvd_object
  * an array of length 0. Points are two arrays, NAME_faces and NAME_bary; curves have NAME_offsets, too: the place of
  * the first point of each, and the number of all. */
 GVD_API gvd_status gvd_array_of(const gvd_object* object, const char* name, gvd_array* view);
-/* A part of an object, such as the diagram of a result; to be released by itself. */
+/* A part of an object, such as the diagram of a result; to be released by itself. One that the options of the result do
+ * not make is GVD_INVALID_OPTION. */
 GVD_API gvd_status gvd_object_of(const gvd_object* object, const char* name, gvd_object** part);
-/* The figures of an object as JSON, and of a result its options and notes. Lives as long as the object. */
+/* The figures of an object as JSON, and of a result its options and notes. The options can be given to gvd_call again,
+ * with the same arrays. Lives as long as the object. */
 GVD_API const char* gvd_figures(const gvd_object* object);
-/* Writes what an object is, as the command writes it with -o: by the extension of the file. */
+/* Writes what an object is, as the command writes it with -o: by the extension of the file. GVD_INVALID_OPTION where
+ * that format would lose what was asked for, as the command says, too. */
 GVD_API gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* run);
 /* The same with options, as {"ascii_ply": true}; NULL: none. They are the `file_options` of gvd_describe(). */
 GVD_API gvd_status gvd_write_as(const gvd_object* object, const char* path, const char* options, const gvd_run* run);

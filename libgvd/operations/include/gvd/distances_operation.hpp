@@ -36,6 +36,18 @@ struct DistancesCall {
   double most_bytes = std::numeric_limits<double>::infinity();
 };
 
+/// What is asked for beside the distances of all vertices from the nearest source.
+struct AskedDistances {
+  bool targets = false, each = false, paths = false, isolines = false;
+};
+
+AskedDistances asked_of(const DistancesCall& call);
+
+/// Throws Error{invalid_option} where the files together would lose some of it. `others`: what else holds all, in
+/// messages; `has_other`: whether that is written, too.
+void check_files(const AskedDistances& asked, const std::vector<WrittenFile>& files,
+                 const std::vector<std::string>& others = {}, bool has_other = false);
+
 /// Describes them, but for those that only programs have, as `logarithm`, which no file of the command holds.
 void describe(OptionList& list, DistancesCall& call);
 void describe_for_programs(OptionList& list, DistancesCall& call);
@@ -43,7 +55,11 @@ void describe_for_programs(OptionList& list, DistancesCall& call);
 /// Distances from sources, with paths and isolines.
 class DistancesOutcome : public Object {
  public:
+  static constexpr Content kContent =
+      Content::distances | Content::rows | Content::targets | Content::curves | Content::paths | Content::isolines;
   std::string_view kind() const override { return "distances"; }
+  Content content() const override { return kContent; }
+  void check_file(const WrittenFile& file) const override { check_files(asked, {file}); }
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;
@@ -51,6 +67,7 @@ class DistancesOutcome : public Object {
   OwnWriters part_writers(std::string_view part) const override;
   const Mesh& surface() const { return measured->mesh(); }
 
+  AskedDistances asked;
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const MeasuredSurface> measured;
   std::vector<std::optional<double>> snap_distance;  ///< of the sources, from where they were given

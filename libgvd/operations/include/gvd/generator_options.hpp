@@ -19,7 +19,7 @@ namespace gvd {
 /// implied_count is set.
 struct GeneratorOptions {
   /// What messages call the points, and the options that list them: names or placeholders.
-  std::string points_name = "generators", vertices_name = "{option:vertices}";
+  std::string points_name = "generators", vertices_name = "\1vertices\2";
   std::optional<std::int32_t> count;       ///< >= 1
   Sampling sampling = Sampling::farthest;  ///< of `count` ones
   std::uint64_t seed = 0;
@@ -40,7 +40,7 @@ struct GeneratorOptions {
 
 /// The heading of their options.
 inline constexpr const char* kGeneratorGroup =
-    "Generators (one of {option:count}, {option:generators}, {option:vertices}, {option:radius})";
+    "Generators (one of \1count\2, \1generators\2, \1vertices\2, \1radius\2)";
 
 /// Describes them; one of `others` may take the place of the four that say which generators there are.
 void describe(OptionList& list, GeneratorOptions& generators, const std::vector<std::string>& others = {});

@@ -31,7 +31,9 @@ inline constexpr const char* kRelaxationStep = "relaxation";
 /// Relaxed generators with their diagram.
 class LloydOutcome : public Object {
  public:
+  static constexpr Content kContent = DiagramObject::kContent;
   std::string_view kind() const override { return "lloyd"; }
+  Content content() const override { return kContent; }
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override { return diagram().labelled(); }
   OwnWriters own_writers() const override { return list_writers(input->mesh, relaxed->generators); }

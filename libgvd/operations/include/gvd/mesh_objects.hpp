@@ -24,9 +24,11 @@ OwnWriters list_writers(const Mesh& mesh, const std::vector<SurfacePoint>& point
 class MeshObject : public Object {
  public:
   MeshObject() = default;
+  static constexpr Content kContent = Content::surface;
   explicit MeshObject(MeshPtr mesh) : mesh_(std::move(mesh)) {}
   const MeshPtr& mesh() const { return mesh_; }
   std::string_view kind() const override { return "mesh"; }
+  Content content() const override { return kContent; }
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override;
 
@@ -44,6 +46,8 @@ struct PartedDiagram {
 
 class DiagramObject : public Object {
  public:
+  static constexpr Content kContent =
+      Content::surface | Content::vertex_labels | Content::distances | Content::diagram | Content::generators;
   DiagramObject() : DiagramObject(std::make_shared<CheckedMesh>(), std::make_shared<Diagram>(), {}) {}
   /// `options`: those that made the diagram; none for one that keeps to regions of the mesh.
   DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram, std::optional<DiagramOptions> options,
@@ -58,6 +62,7 @@ class DiagramObject : public Object {
   const std::shared_ptr<const Diagram>& shared() const { return diagram_; }
   const std::optional<DiagramOptions>& options() const { return options_; }
   std::string_view kind() const override { return "diagram"; }
+  Content content() const override { return kContent; }
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;

@@ -149,6 +149,12 @@ struct FileOptions {
 /// Writers of formats by extension, without the dot.
 using OwnWriters = std::map<std::string, std::function<void(std::ostream&)>, std::less<>>;
 
+/// A file that is to hold an object: what messages call it, and its format.
+struct WrittenFile {
+  std::string name;
+  const Format* format;
+};
+
 class Object;
 using PartMaker = std::function<std::shared_ptr<const Object>()>;
 
@@ -178,8 +184,12 @@ class Object {
   virtual std::string_view kind() const = 0;  ///< "mesh", "diagram", or the name of the operation
   virtual void visit(ObjectVisitor& visitor) const = 0;
 
-  // What files hold of it. Both refer to the object, which must outlive them.
+  // What files hold of it. What they return refers to the object, which must outlive it.
 
+  /// A file can have any format that carries some of this.
+  virtual Content content() const { return Content::nothing; }
+  /// Throws Error{invalid_option} where a file would lose what was asked for.
+  virtual void check_file(const WrittenFile&) const {}
   /// The mesh that formats of meshes have; nothing where there is none.
   virtual std::optional<LabelledMesh> labelled() const { return std::nullopt; }
   /// Formats of its own, by extension, which go before those of meshes.
@@ -195,8 +205,8 @@ class OptionList;
 
 void describe(OptionList& list, FileOptions& options);
 
-/// Writes a complete file or none, in the format of its extension. Throws Error{invalid_option} for another extension,
-/// and what write_mesh and write_file throw.
+/// Writes a complete file or none, in the format of its extension. Throws Error{invalid_option} where that format does
+/// not carry what the object consists of, and what check_file, write_mesh and write_file throw.
 void write_object(const std::filesystem::path& path, const Object& object, const FileOptions& options = {},
                   const Progress& progress = {});
 /// The bytes of that file. `format`: an extension, as "ply". An OBJ has no file of materials beside it, and names none.

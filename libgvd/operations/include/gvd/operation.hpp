@@ -36,8 +36,8 @@ struct Operation {
 
 const std::vector<Operation>& operations();
 
-/// The mesh that an object is, or is of. Throws Error{invalid_option} for one that no operation takes.
-const MeshPtr& mesh_of(const Object& object);
+/// The mesh that an object is, or is of. Throws Error{invalid_option} for one that the operation does not take.
+const MeshPtr& mesh_of(const Operation& operation, const Object& object);
 
 /// Null where there is none of that name.
 const Operation* find_operation(std::string_view name);

@@ -15,9 +15,10 @@ namespace gvd {
 /// Stores the options of a JSON object, and returns which ones it has. The numbers of `arrays` are options' values
 /// where the JSON has {"array": 0} for the first one. Numbers may be strings; null is as if the option were not there.
 ///
-/// Points are an array of vertices, of positions in three columns, or of faces and barycentric coordinates in four; or
-/// a list as in JSON files of generators. Curves are {"points": ..., "offsets": ...}, where an offset is the place of
-/// the first point of a curve and the last one the number of points, with "closed": true for loops.
+/// Points are an array of vertices, of positions in three columns, or of faces and barycentric coordinates in four; a
+/// list of vertices or of such rows; or one as in JSON files of generators. Curves are {"points": ..., "offsets": ...},
+/// where an offset is the place of the first point of a curve and the last one the number of points, with "closed":
+/// true for loops.
 /// Throws Error{invalid_option} with one line for the first mistake. Cost: O(length and numbers).
 Given read_json_options(const OptionList& list, const CheckedMesh& input, std::string_view json,
                         std::span<const ArrayView> arrays);
@@ -36,7 +37,8 @@ inline std::string spell_for_json(const std::string& text, const Given* given = 
 std::string value_json(const Field& field);
 std::string kind_json(const Field& field);
 
-/// Every option with its value; null where it is not set or does nothing. Of values that are no names, the number.
+/// Every option with its value; null where it is not set or does nothing. Given back, they are the same options:
+/// points, curves and numbers are as they were given, and refer to the same arrays.
 std::string options_json(const OptionList& list, const Given& given);
 
 /// The figures of an object, nested at the dots of their names.

@@ -37,7 +37,9 @@ void describe_for_programs(OptionList& list, RemeshCall& call);
 /// A coarse mesh with its diagram.
 class RemeshOutcome : public Object {
  public:
+  static constexpr Content kContent = Content::surface | Content::diagram;
   std::string_view kind() const override { return "remesh"; }
+  Content content() const override { return kContent; }
   void visit(ObjectVisitor& visitor) const override;
   const RemeshResult& result() const { return made->result; }
   std::optional<LabelledMesh> labelled() const override;

@@ -68,7 +68,9 @@ struct PartedMesh {
 /// A segmented mesh: its own faces with labels, or pieces of them.
 class SegmentOutcome : public Object {
  public:
+  static constexpr Content kContent = Content::surface | Content::vertex_labels | Content::distances | Content::diagram;
   std::string_view kind() const override { return "segment"; }
+  Content content() const override { return kContent; }
   void visit(ObjectVisitor& visitor) const override;
 
   /// The mesh of `diagram`, which has the input's faces, with the vertices on borders of regions doubled.

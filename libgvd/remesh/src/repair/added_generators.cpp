@@ -101,7 +101,7 @@ std::string advise_at_limit(const MeshSummary& mesh, std::size_t generators, con
            "; so far, added generators make it worse, so look at the surface there: it may be thin, folded "
            "or far too coarse";
   }
-  return advice + ": give more or other ones" + (is_max_added ? ", or raise {option:max_added}" : "");
+  return advice + ": give more or other ones" + (is_max_added ? ", or raise \1max_added\2" : "");
 }
 
 std::vector<SurfacePoint> propose_farthest(const Mesh& mesh, const Diagram& diagram, std::size_t count) {

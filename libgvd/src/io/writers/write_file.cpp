@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "gvd/error.hpp"
+#include "gvd/text.hpp"
 
 namespace gvd {
 namespace {
@@ -153,6 +154,8 @@ class AtomicFile {
     std::error_code failed;
     const fs::file_status status = fs::status(file_, failed);
     if (target.empty()) fail(name_, "the name is empty; name a file");
+    if (has_placeholder_mark(name_))
+      fail(printable(name_, name_.size()), "the name has a control character; choose another one");
     if (failed == std::errc::filename_too_long) fail(name_, failed.message());
     check(status);
     if (fs::exists(status) && !fs::is_regular_file(status)) {

@@ -18,6 +18,10 @@ void unpack(std::string& bytes, std::string_view name) {
 
 std::string read_file_bytes(const std::filesystem::path& path) {
   const std::string name = path.string();
+  if (has_placeholder_mark(name)) {
+    throw Error(ErrorCode::unreadable_input,
+                printable(name, name.size()) + ": the name has a control character; rename the file");
+  }
   const auto refuse = [&](std::string_view message) {
     throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name, message));
   };

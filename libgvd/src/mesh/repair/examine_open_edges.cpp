@@ -139,12 +139,12 @@ void examine_open_edges(CheckedMesh& checked, std::optional<double> weld_toleran
   }
   if (report.coincident_vertices == 0) return;
   report.closable_edges = count_closable_edges(checked, placed);
-  report.messages.push_back(
-      fmt::format("{} at the position of another one: not joined, the surface is open there{}",
-                  counted(report.coincident_vertices, "boundary vertex is", "boundary vertices are"),
-                  report.closable_edges == 0 ? ""
-                                             : fmt::format("; {{option:weld}} would close {}",
-                                                           counted(report.closable_edges, "open edge", "open edges"))));
+  report.messages.push_back(fmt::format(
+      "{} at the position of another one: not joined, the surface is open there{}",
+      counted(report.coincident_vertices, "boundary vertex is", "boundary vertices are"),
+      report.closable_edges == 0
+          ? ""
+          : fmt::format("; \1weld\2 would close {}", counted(report.closable_edges, "open edge", "open edges"))));
 }
 
 }  // namespace gvd

@@ -3,7 +3,9 @@
 #include "common/options/command_line.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/options/spelling.hpp"
+#include "common/outcome.hpp"
 #include "gvd/diagram_options.hpp"
+#include "gvd/error.hpp"
 
 namespace gvd::test {
 
@@ -41,9 +43,13 @@ void check_line(SharedLine& line, const std::vector<std::string>& arguments, con
   line.parse(arguments);
   line.options.list = &line.list;
   line.options.given = &line.given;
-  app::check_inputs(line.options, formats);
-  if (const auto missing = line.list.find_missing(line.given)) app::refuse_option(line.list, line.given, *missing);
-  app::check_outputs(line.options, formats);
+  try {
+    app::check_inputs(line.options, formats);
+    if (const auto missing = line.list.find_missing(line.given)) app::refuse_option(line.list, line.given, *missing);
+    app::check_outputs(line.options, formats);
+  } catch (const Error& error) {  // in the words of a command
+    throw Error(error.code(), app::run_guarded([&] { throw error; }, &line.options).message);
+  }
 }
 
 }  // namespace gvd::test

@@ -59,7 +59,7 @@ TEST_CASE("a stray word is told as such, with what it may have been meant for") 
 }
 
 TEST_CASE("standard input needs a format") {
-  CHECK_THAT(refusal({"-", "-n", "3"}), Contains("name its format with input_format=ply, obj"));
+  CHECK_THAT(refusal({"-", "-n", "3"}), Contains("name its format with --input-format ply, obj"));
   CHECK_NOTHROW(check_line({"-", "-n", "3", "--input-format", "off"}));
 }
 

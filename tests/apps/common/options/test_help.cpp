@@ -31,7 +31,7 @@ TEST_CASE("options are listed in groups, in full or with their first line") {
   list.option("output_with_a_long_name", File{&file}, {.help = "Write it"});
   list.group("Input");
   list.option("length", Number{&length},
-              {.help = "Its length", .more = "; see {option:quiet}", .unit = "mesh units", .shown = Shown::main});
+              {.help = "Its length", .more = "; see \1quiet\2", .unit = "mesh units", .shown = Shown::main});
   list.group("General");
   list.option("quiet", Flag{&quiet}, {.help = "Say nothing but errors", .short_name = "q"});
   list.option("secret", Flag{&quiet}, {.help = "Hidden", .shown = Shown::hidden});
