@@ -28,7 +28,8 @@ export function typeOf({ kind, choices, name }) {
 }
 
 function describeOption(option) {
-  const unit = option.unit ? ` (${option.unit})` : '', usual = option.default === null ? '' : `. Default: ${option.default}`;
+  const unit = option.unit ? ` (${option.unit})` : '', told = option.usual ?? option.default;
+  const usual = told === null || told === false ? '' : `. Default: ${told}`;
   const text = `${option.summary}${unit}${usual}`.replaceAll('*/', '* /');
   return `  /** ${text} */\n  ${option.name}?: ${typeOf(option)} | null;\n`;
 }

@@ -130,7 +130,7 @@ test('arrays go in and out', () => {
   const square = new Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]);
   assert.deepEqual([...square.distances(0)], [0, 1, Math.SQRT2, 1]);
   assertClose([...square.path(1, 3).positions], [1, 0, 0, 0.5, 0.5, 0, 0, 1, 0], 'path');
-  assert.deepEqual([...square.nearest([0, 2], { at: [[0.9, 0.9, 0]] }).labels], [1]);
+  assert.deepEqual([...square.nearest([0, 2], { to: [[0.9, 0.9, 0]] }).labels], [1]);
   assert.equal(square.distances([0, 1], { each: true }).length, 8);
   const lines = square.isolines(0, [0.5]);
   assert.ok(lines[0].positions.length >= 6 && !lines[0].closed);
@@ -140,7 +140,7 @@ test('arrays go in and out', () => {
   assert.equal(diagram.cut().mesh.summary.area, 1);
   assertClose([...square.log_map(0)].map(Math.abs), [0, 0, 1, 0, Math.SQRT1_2 * Math.SQRT2, 1, 0, 1], 'logarithm');
   const rim = square.curves('boundary');
-  assert.deepEqual([rim.length, ...square.distances(rim, { at: [[0.5, 0.25, 0]] })], [1, 0.25]);
+  assert.deepEqual([rim.length, ...square.distances(rim, { to: [[0.5, 0.25, 0]] })], [1, 0.25]);
   const edge = square.curves([[[0, 0, 0], [1, 0, 0], [1, 1, 0]]], { closed: true });
   assert.deepEqual([...edge.positions[0][0]].length, 12);
   assert.deepEqual([...square.distances(square.curves([[0, 1], [2]]))], [0, 0, 0, 1]);
@@ -179,7 +179,7 @@ test('objects may be frozen, and options null', () => {
   const square = Object.freeze(new Mesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]));
   assert.equal(square.vertices, square.vertices);
   assert.equal(square.lloyd(2, { generators: null, fixed: null, density: null, iterations: 1 }).areas.length, 2);
-  assert.equal(square.distances(0, { at: null }).length, 4);
+  assert.equal(square.distances(0, { to: null }).length, 4);
 });
 
 test('relaxation reports its iterations', () => {
@@ -206,7 +206,7 @@ test('results have the other files of the commands', () => {
   assert.equal(map.origins.face.length, 60);
   const points = new TextDecoder().decode(mesh.lloyd(20, { iterations: 1 }).points_to_bytes('xyz'));
   assert.equal(points.trim().split('\n').length, 20);
-  assert.throws(() => mesh.lloyd(20, { iterations: 1 }).points_to_bytes('obj'), /written as \.ply, \.xyz or \.npy/);
+  assert.throws(() => mesh.lloyd(20, { iterations: 1 }).points_to_bytes('obj'), /extension must be one of \.npy, \.ply or \.xyz/);
 });
 
 test('a file that was written reads back', () => {
@@ -240,7 +240,7 @@ test('copies of vertices are joined where that is asked for', () => {
   assert.deepEqual([read(), read({ weld: false }), read({ weld: null }), read({ weld: true }), read({ weld: 0.25 })], [6, 6, 6, 6, 4]);
   positions.forEach((p) => { p[2] = 0; });
   assert.deepEqual([read(), read({ weld: true }), read({ weld: 0 })], [6, 4, 4]);
-  assert.throws(() => read({ weld: -1 }), { code: 'invalid_option', message: 'weld: the tolerance -1 is not a finite number from 0 on' });
+  assert.throws(() => read({ weld: -1 }), { code: 'invalid_option', message: /^weld: .*-1/ });
   assert.throws(() => read({ weld: 'all' }), { code: 'invalid_option', message: 'weld: true, false or a number is needed, not all' });
 });
 
@@ -258,25 +258,25 @@ test('what can not be done is an error of one line', () => {
     [() => square.voronoi([0, 0]), 'precondition', /coincide/],
     [() => square.voronoi([4]), 'precondition', /4/],
     [() => square.voronoi([-1]), 'invalid_option', /-1 is no whole number/],
-    [() => square.voronoi([0, 1], { methd: 'exact' }), 'invalid_option', /no option 'methd'/],
-    [() => square.voronoi([0, 1], { method: 'quick' }), 'invalid_option', /one of exact, gbgvd, paper is needed/],
-    [() => square.sample(1.5), 'invalid_option', /n: a whole number/],
-    [() => square.to_bytes('xyz'), 'invalid_option', /'xyz' is no format/],
+    [() => square.voronoi([0, 1], { methd: 'exact' }), 'invalid_option', /^voronoi: there is no option "methd"; did you mean "method"\?/],
+    [() => square.voronoi([0, 1], { method: 'quick' }), 'invalid_option', /^method: .*exact, gbgvd/],
+    [() => square.sample(1.5), 'invalid_option', /^count: .*whole number/],
+    [() => square.to_bytes('xyz'), 'invalid_option', /^'xyz': the extension must be one of /],
     [() => square.segment(2, { within: [1] }), 'invalid_option', /within: a number for each of 4 vertices or 2 faces/],
     [() => square.segment(2, { within: [1, 1.5] }), 'precondition', /^within: /],
-    [() => square.segment(null, { per_region: 1 }), 'invalid_option', /give the regions/],
+    [() => square.segment(null, { per_region: 1 }), 'invalid_option', /per_region needs within/],
     [() => square.segment(null, { levels: [2, 2] }), 'invalid_option', /ascending/],
-    [() => square.segment(2, { levels: [1, 2] }), 'invalid_option', /give one of/],
+    [() => square.segment(2, { levels: [1, 2] }), 'invalid_option', /exclude each other/],
     [() => square.curves('creases'), 'precondition', /no two faces/],
     [() => square.curves('creases', { angle: 200 }), 'invalid_option', /below 180/],
     [() => square.curves('rim'), 'invalid_option', /'boundary' or 'creases'/],
     [() => square.curves([[0, 9]]), 'precondition', /9/],
     [() => square.log_map([0, 1]), 'invalid_option', /one point/],
-    [() => square.voronoi([0, 2]).cut({ uv: 'planar' }), 'invalid_option', /one of logmap, flat/],
+    [() => square.voronoi([0, 2]).cut({ uv: 'planar' }), 'invalid_option', /logmap.*flat/],
     [() => square.sample(3, { progress: () => false }), 'interrupted', /./],
     [() => square.sample(3, { progress: 5 }), 'invalid_option', /progress: a function/],
-    [() => square.sample(3, { n: 2 }), 'invalid_option', /n is given twice/],
-    [() => square.isolines(0, 0.1), 'invalid_option', /levels: an array of numbers/],
+    [() => square.sample(3, { count: 2 }), 'invalid_option', /count is given twice/],
+    [() => square.isolines(0, 'all'), 'invalid_option', /levels: an array of numbers/],
     [() => square.voronoi([0, 1], { weights: 3 }), 'invalid_option', /weights: an array/],
     [() => square.voronoi([[0, 0, 0], null]), 'invalid_option', /but not item 1/],
     [() => square.distances(0, { onto: 1 }), 'invalid_option', /^distances: /],
@@ -286,7 +286,7 @@ test('what can not be done is an error of one line', () => {
     [() => new Mesh([[0, 0], [1, 0, 0, 0], [0, 1, 0]], [[0, 1, 2]]), 'invalid_option', /but not item 0/],
     [() => new Mesh([[0, 0, 0], [1, 0, null], [0, 1, 0]], [[0, 1, 2]]), 'invalid_option', /item 5 is null/],
     [() => new Mesh([0, 0, 0], [0, 0, 0], { corners: 0 }), 'invalid_option', /corners: a whole number from 3 on/],
-    [() => new Mesh([0, 0, 0], [0, 0, 0], { on_defect: 3 }), 'invalid_option', /on_defect: text/],
+    [() => new Mesh([0, 0, 0], [0, 0, 0], { on_defect: 3 }), 'invalid_option', /^on_defect: /],
     [() => gvd.read(new Uint8Array([1])), 'invalid_option', /name: text/],
     [() => gvd.read('v 0 0 0', 'a.obj'), 'invalid_option', /a Uint8Array/],
     [() => freed.distances(0), 'invalid_option', /was freed/],
