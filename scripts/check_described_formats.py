@@ -25,9 +25,9 @@ SENTENCES = [
     ("docs/guide/segment.md", "all with the same scale. {} have texture coordinates", "and", {"texture coordinates"}, set()),
     ("docs/guide/segment.md", "`--vertex-labels` also takes {all}, `--vertex-distances`", "and", {"vertex labels"}, {"surface"}),
     ("docs/guide/segment.md", "`--vertex-distances` also {all}, as", "and", {"distances"}, {"surface"}),
-    ("python/gvd/_results.py", " {} (FreeSurfer) hold meshes", "and", {"surface"}, set()),
-    ("python/gvd/_results.py", "hold meshes, {} labels of vertices", "and", {"vertex labels"}, {"surface"}),
-    ("python/gvd/_results.py", "labels of vertices, {} their distances", "and", {"distances"}, {"surface"}),
+    ("python/gvd/_object.py", " {} (FreeSurfer) hold meshes", "and", {"surface"}, set()),
+    ("python/gvd/_object.py", "hold meshes, {} labels of vertices", "and", {"vertex labels"}, {"surface"}),
+    ("python/gvd/_object.py", "labels of vertices, {} their distances", "and", {"distances"}, {"surface"}),
     ("libgvd/c/include/gvd/gvd.h", "Writes the mesh in the format of the extension: {}. */", "or", {"surface"}, set()),
 ]
 

@@ -8,9 +8,10 @@ import numpy
 
 from ._error import Error, refuse
 from ._mesh import Mesh
+from ._object import run
 from ._options import described, whole
 from ._points import Points, make_entries
-from ._results import Diagram, run
+from ._results import Diagram
 
 
 class DiagramEditor:

@@ -11,11 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 from . import _vtk
 from ._error import Error, refuse
 from ._library import Handle
+from ._object import Floats, Ids, Object, PathLike, Writable, figure, run, run_json, view, warn
 from ._options import described, file_name, plain, real, text, to_json
 from ._points import Curves, Entries, Points, as_array, make_entries
 from ._progress import Callback, part_of, reporting
-from ._results import (Balanced, Diagram, Distances, Floats, Ids, Isoline, Object, Path, PathLike, Relaxation, Remesh, Segmentation,
-                       Writable, figure, run, run_json, view, warn)
+from ._results import Balanced, Diagram, Distances, Isoline, Path, Relaxation, Remesh, Segmentation
 
 _ROW_BYTES = 1 << 26
 """Rows of distances are computed in batches of about so many bytes."""

@@ -1,214 +1,22 @@
 """What calls give: diagrams, labelled and cut faces, relaxed generators, coarse meshes, paths and isolines."""
 from __future__ import annotations
 
-import contextlib
-import html
 import os
-import pathlib
-import sys
-import tempfile
-import warnings
-import webbrowser
-from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Optional, Union
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 import numpy
 from numpy.typing import NDArray
 
-from . import _described, _library, _vtk
-from ._error import Error, refuse
+from . import _library, _vtk
+from ._error import refuse
 from ._library import Handle
-from ._options import described, real, text, to_json, whole
+from ._object import Floats, Ids, Object, PathLike, Writable, complete_file, figure, mesh_of, run, view
+from ._options import described
 from ._points import Points
-from ._progress import reporting
 
 if TYPE_CHECKING:
     from ._mesh import Mesh
-
-Floats = NDArray[numpy.float64]
-Ids = NDArray[numpy.int32]
-PathLike = Union[str, bytes, "os.PathLike[str]"]
-
-_MOST_THREADS = (1 << 31) - 1
-_HEIGHT = 600
-"""Height of the page in a notebook, in pixels."""
-
-
-def view(name: str, doc: str) -> Any:
-    """A property: an array of the library."""
-    return property(lambda self: self._array(name), doc=doc)
-
-
-def figure(name: str, doc: str) -> Any:
-    """A property: one of the figures."""
-    return property(lambda self: self.figures[name], doc=doc)
-
-
-class Object:
-    """An object of the library: its handle, and how to make it again.
-
-    Pickled, it is its mesh, options and arrays. What else is asked of it then, such as a file, makes it again first, which
-    takes as long as the call did.
-    """
-
-    _kind = ""
-
-    def __init__(self, handle: Optional[Handle], recipe: tuple[Any, ...], saved: Optional[dict[str, Any]] = None) -> None:
-        self._handle, self._recipe = handle, recipe
-        self._saved: dict[str, Any] = saved or {}
-        self._kept: dict[str, Any] = {}
-
-    @property
-    def _native(self) -> Handle:
-        if self._handle is None:
-            self._handle = _make_again(*self._recipe)
-        return self._handle
-
-    def _array(self, name: str) -> NDArray[Any]:
-        """A view of an array of the library."""
-        if name not in self._saved:
-            self._saved[name] = self._native.array(name)
-        found: NDArray[Any] = self._saved[name]
-        return found
-
-    def _keep(self, name: str, make: Callable[[], Any]) -> Any:
-        """What was made when it was asked for first."""
-        if name not in self._kept:
-            self._kept[name] = make()
-        return self._kept[name]
-
-    def _points(self, name: str, mesh: Mesh) -> Points:
-        return Points(self._array(f"{name}_faces"), self._array(f"{name}_bary"), mesh)
-
-    @property
-    def figures(self) -> dict[str, Any]:
-        """What was measured, by its names in the reports of the commands; of a result with its `options` and `notes`."""
-        if "{figures}" not in self._saved:
-            self._saved["{figures}"] = self._native.figures()
-        found: dict[str, Any] = self._saved["{figures}"]
-        return found
-
-    def _names_to_save(self) -> list[str]:
-        return list(_described.ARRAYS[self._kind])
-
-    def __reduce__(self) -> Any:
-        for name in self._names_to_save():
-            self._array(name)
-        arrays: dict[str, Any] = {name: numpy.array(value) for name, value in self._saved.items() if isinstance(value, numpy.ndarray)}
-        return _unpickle, (type(self), self._recipe, {**arrays, "{figures}": self.figures})
-
-
-def _make_again(operation: str, on: Any, options: Mapping[str, Any], arrays: Sequence[NDArray[Any]]) -> Handle:
-    native: Handle = on._native
-    return native.part(options["part"]) if operation == "part" else _library.call(operation, native, options, arrays)
-
-
-def _unpickle(kind: type[Object], recipe: tuple[Any, ...], saved: dict[str, Any]) -> Object:
-    for array in saved.values():
-        if isinstance(array, numpy.ndarray):
-            array.flags.writeable = False
-    made = kind.__new__(kind)
-    Object.__init__(made, None, recipe, saved)
-    return made
-
-
-RUN = ("threads", "progress", "time_limit")
-"""Options of calls, which are no options of operations."""
-
-
-def run(operation: str, on: Object, mesh: Mesh, options: Mapping[str, Any], more: Mapping[str, Any] = {}) -> tuple[Handle, tuple[Any, ...]]:
-    """Runs an operation with options of the user's; `more` are JSON already. Returns what makes a result of it."""
-    arrays: list[NDArray[Any]] = []
-    given = {**to_json(mesh, operation, {name: value for name, value in options.items() if name not in RUN}, arrays), **more}
-    return run_json(operation, on, given, arrays, {name: options.get(name) for name in RUN}), (operation, on, given, arrays)
-
-
-def run_json(operation: str, on: Optional[Object], options: Mapping[str, Any], arrays: Sequence[NDArray[Any]],
-             how: Mapping[str, Any]) -> Handle:
-    """Runs an operation with JSON. What the commands warn of is a warning of the line that called."""
-    threads, limit = how.get("threads"), how.get("time_limit")
-    with reporting(how.get("progress")) as callback:
-        made = _library.call(operation, None if on is None else on._native, options, arrays,
-                             threads=0 if threads is None else _threads(threads), progress=callback,
-                             time_limit=None if limit is None else float(real("time_limit", limit)))
-    if any(array.ndim == 2 and array.shape[1] == 3 for array in arrays):  # positions may be far away
-        for line in made.figures()["warnings"]:
-            warn(line)
-    return made
-
-
-def _threads(given: Any) -> int:
-    threads = whole("threads", given)
-    if abs(threads) > _MOST_THREADS:
-        refuse(f"threads: {threads} is too large")
-    return threads
-
-
-def warn(line: str) -> None:
-    """Warns of the line outside of the package that called it."""
-    level, frame = 1, sys._getframe()
-    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
-        level, frame = level + 1, frame.f_back
-    warnings.warn(line, stacklevel=level)
-
-
-@contextlib.contextmanager
-def complete_file(name: str) -> Iterator[Any]:
-    """A file that is there once it is complete, or not at all."""
-    part = f"{name}.part"
-    try:
-        with open(part, "wb") as out:
-            yield out
-        os.replace(part, name)
-    except OSError as error:
-        raise Error(f"{name}: {error.strerror}", "unwritable_output") from error
-    finally:
-        with contextlib.suppress(OSError):
-            os.remove(part)
-
-
-class Writable(Object):
-    """A result with a file for each extension and a page."""
-
-    @described("file_options", without="part", runs=False)
-    def to_file(self, path: PathLike, **options: Any) -> None:
-        """Writes a complete file or none, in the format of its extension, as the commands do.
-
-        .ply, .obj, .off, .coff, .stl, .vtp, .vtu, .glb, .surf.gii and .fs (FreeSurfer) hold meshes, .label.gii and
-        .annot labels of vertices, .shape.gii and .curv their distances, .html is the page.
-        """
-        self._write(path, **options)
-
-    def _write(self, path: PathLike, **options: Any) -> None:
-        for name in ("title", "part"):
-            if name in options:
-                text(name, options[name])
-        _library.write(self._native, path, to_json(None, "file_options", options, []))
-
-    def to_html(self, *, title: str = "gvd") -> str:
-        """The page as text: one file that any browser opens, without network."""
-        text("title", title)
-        with tempfile.TemporaryDirectory() as folder:
-            page = pathlib.Path(folder, "page.html")
-            self._write(page, title=title)
-            return page.read_text(encoding="utf-8")
-
-    def show(self, *, title: str = "gvd") -> None:
-        """Opens the page in the browser."""
-        text("title", title)
-        with tempfile.NamedTemporaryFile(suffix=".html", delete=False) as file:
-            pass
-        self._write(file.name, title=title)
-        webbrowser.open(pathlib.Path(file.name).as_uri())
-
-    def _repr_html_(self) -> Optional[str]:
-        try:
-            page = html.escape(self.to_html())
-        except Error as error:
-            if error.code == "invalid_option":  # built without the page: a notebook then prints the object
-                return None
-            raise
-        return f'<iframe srcdoc="{page}" style="width: 100%; height: {_HEIGHT}px; border: 0"></iframe>'
 
 
 class Bisector(NamedTuple):
@@ -396,14 +204,6 @@ class Balanced(NamedTuple):
 
     def __repr__(self) -> str:
         return f"gvd.Balanced({len(self.masses)} cells, {'converged' if self.converged else 'not converged'})"
-
-
-def mesh_of(made: Any) -> Any:
-    """The mesh that an object was made of."""
-    if getattr(made, "_mesh", None) is None:
-        on = made._recipe[1]
-        made._mesh = on if on._kind == "mesh" else mesh_of(on)
-    return made._mesh
 
 
 class Result(Writable):

@@ -1,4 +1,5 @@
-// The C interface as JavaScript calls it: numbers in place of structures, and functions of the page in place of pointers.
+// The C interface as JavaScript calls it: numbers in place of structures, and functions of the page in place of
+// pointers.
 //
 // web/npm/library.mjs calls these and those of gvd/gvd.h that take plain numbers; nobody else does.
 #include <emscripten.h>
@@ -55,8 +56,8 @@ EMSCRIPTEN_KEEPALIVE gvd_status gvd_web_array_of(const gvd_object* object, const
   gvd_array array{};
   const gvd_status status = gvd_array_of(object, name, &array);
   const bool is_table = array.dimensions == 2;
-  const int64_t numbers[] = {reinterpret_cast<int32_t>(array.data), array.type, array.shape[0], is_table ? array.shape[1] : 1,
-                             array.strides[0], is_table ? array.strides[1] : 0};
+  const int64_t numbers[] = {reinterpret_cast<int32_t>(array.data), array.type,       array.shape[0],
+                             is_table ? array.shape[1] : 1,         array.strides[0], is_table ? array.strides[1] : 0};
   std::transform(std::begin(numbers), std::end(numbers), view, [](int64_t number) { return int32_t(number); });
   return status;
 }

@@ -82,8 +82,7 @@ class ViewCollector : public ObjectVisitor {
     for (const Column& column : table) figure({std::string(meaning.name) + '.' + column.name, "", ""}, column.values);
   }
   void part(const Meaning& meaning, std::string_view, const PartMaker& make) override {
-    handle_.parts.insert_or_assign(std::string(meaning.name),
-                                   gvd_object::Views::Part{make, std::string(meaning.text)});
+    handle_.parts.insert_or_assign(std::string(meaning.name), gvd_object::Views::Part{make, std::string(meaning.text)});
   }
 
  private:

@@ -60,9 +60,9 @@ struct gvd_object {
   const std::string& figures() const;  ///< JSON
 
   std::shared_ptr<const gvd::Object> object;
-  gvd::Door door;       ///< of figures
-  std::string told;     ///< further figures of a result, JSON; empty: none
-  std::string repairs;  ///< of a mesh, one line each
+  gvd::Door door;                                            ///< of figures
+  std::string told;                                          ///< further figures of a result, JSON; empty: none
+  std::string repairs;                                       ///< of a mesh, one line each
   std::optional<std::vector<gvd::SurfacePoint>> generators;  ///< of the vertices of a remesh
 
  private:

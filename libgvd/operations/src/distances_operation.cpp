@@ -369,9 +369,9 @@ void describe(OptionList& list, DistancesCall& call) {
 void describe_for_programs(OptionList& list, DistancesCall& call) {
   list.option("logarithm", Flag{&call.logarithm},
               {.help = "Direction and length of the shortest path to each vertex, in the tangent plane of the source"});
-  list.option("levels", ValueSource{&call.levels, {}, ValueSource::Of::generators},
-              {.help = "Trace the curves of equal distance at these distances, ascending and above 0",
-               .unit = "mesh units"});
+  list.option(
+      "levels", ValueSource{&call.levels, {}, ValueSource::Of::generators},
+      {.help = "Trace the curves of equal distance at these distances, ascending and above 0", .unit = "mesh units"});
   list.excludes("levels", {"isolines", "each"});
   list.option("keep_coincident", Flag{&call.keep_coincident}, {.help = "Sources may be in the same place"});
   list.option("mesh_vertices", Flag{&call.mesh_vertices},

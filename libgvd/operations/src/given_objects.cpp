@@ -100,7 +100,8 @@ void describe(OptionList& list, SavedMeshCall& call) {
 std::shared_ptr<const MeshObject> run(SavedMeshCall& call, Observer&) {
   constexpr std::size_t kArrays = 7;
   if (call.arrays.size() != kArrays) {
-    throw Error(ErrorCode::invalid_option, fmt::format("a saved mesh has {} arrays; {} given", kArrays, call.arrays.size()));
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("a saved mesh has {} arrays; {} given", kArrays, call.arrays.size()));
   }
   auto made = std::make_shared<CheckedMesh>(build_mesh(soup_of(call.arrays)));
   const double vertices = made->mesh.vertex_count(), most = std::numeric_limits<std::int32_t>::max();
@@ -109,8 +110,8 @@ std::shared_ptr<const MeshObject> run(SavedMeshCall& call, Observer&) {
                                        [](std::int32_t number) { return number < 0 ? VertexId() : VertexId(number); });
   made->input_vertex = IdVector<VertexId, std::int32_t>(
       places<std::int32_t>(call.arrays[3], 3, made->mesh.vertex_count(), double(made->mesh_vertex.size()), index));
-  made->input_polygon = IdVector<FaceId, std::int32_t>(
-      places<std::int32_t>(call.arrays[4], 4, made->mesh.face_count(), most, index));
+  made->input_polygon =
+      IdVector<FaceId, std::int32_t>(places<std::int32_t>(call.arrays[4], 4, made->mesh.face_count(), most, index));
   made->defects.messages = call.repairs;
   Appearance& look = made->appearance;
   look.materials = call.materials;
@@ -153,7 +154,8 @@ std::shared_ptr<const NumbersObject> run(PropertiesCall& call, Observer&) {
   }
   for (MeshProperty& property : properties) {
     if (property.count_type) continue;  // a list for each element
-    made->numbers.emplace_back((property.of_vertices ? "vertex " : "face ") + property.name, std::move(property.values));
+    made->numbers.emplace_back((property.of_vertices ? "vertex " : "face ") + property.name,
+                               std::move(property.values));
   }
   return made;
 }

@@ -54,7 +54,8 @@ class PiecesObject : public Object {
       std::vector<Vec2> polygon;
       for (const auto& b : piece.corners) polygon.emplace_back(b[1], b[2]);
       for (const auto& triangle : io::triangulate_polygon(polygon)) {
-        for (const std::uint32_t corner : triangle) positions_.push_back(position(mesh, {piece.face, piece.corners[corner]}));
+        for (const std::uint32_t corner : triangle)
+          positions_.push_back(position(mesh, {piece.face, piece.corners[corner]}));
         faces_.push_back(piece.face);
         labels_.push_back(piece.generator);
       }
@@ -81,7 +82,7 @@ struct DiagramObject::KeptEditor {
 };
 
 DiagramObject::DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram,
-                             std::optional<DiagramOptions> options, PartedDiagram parted)
+                             std::optional<DiagramOptions> options, SeparatedDiagram parted)
     : mesh_(std::move(mesh)),
       diagram_(std::move(diagram)),
       options_(std::move(options)),

@@ -76,8 +76,7 @@ Operation make_operation(std::string_view name, std::string_view summary) {
   } else if constexpr (!std::is_void_v<Kind>) {
     on = Kind().kind();  // a text that lives as long as the program
   }
-  return {name, summary, on,
-          []() -> std::unique_ptr<Call> { return std::make_unique<CallWith<Options, Kind>>(); },
+  return {name, summary, on, []() -> std::unique_ptr<Call> { return std::make_unique<CallWith<Options, Kind>>(); },
           []() -> std::shared_ptr<const Object> { return std::make_shared<Outcome>(); }};
 }
 
@@ -100,13 +99,16 @@ const std::vector<Operation>& operations() {
           "lloyd", "Moves generators to the geodesic centroids of their cells until they stop moving"),
       make_operation<RemeshCall, RemeshOutcome>(
           "remesh", "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point"),
-      make_operation<MapCall, RemeshOutcome, RemeshOutcome>("map", "Maps the vertices of a mesh to its remesh, and back"),
+      make_operation<MapCall, RemeshOutcome, RemeshOutcome>("map",
+                                                            "Maps the vertices of a mesh to its remesh, and back"),
       make_operation<CheckCall, CheckOutcome, DiagramObject>("check", "Tests every invariant of a diagram"),
       make_operation<SceneCall, SceneObject, Object>("scene", "Makes a picture for the page"),
-      make_operation<CurvesCall, CurvesOutcome>("curves", "Finds or makes the curves of a mesh that serve as generators"),
+      make_operation<CurvesCall, CurvesOutcome>("curves",
+                                                "Finds or makes the curves of a mesh that serve as generators"),
       make_operation<MeshCall, MeshObject, void>("mesh", "Makes a mesh of two arrays or of a file"),
       make_operation<SavedMeshCall, MeshObject, void>("saved_mesh", "Makes a mesh of all arrays that a mesh has"),
-      make_operation<ValuesCall, NumbersObject, void>("values", "Reads the numbers that a file has for vertices or faces"),
+      make_operation<ValuesCall, NumbersObject, void>("values",
+                                                      "Reads the numbers that a file has for vertices or faces"),
       make_operation<PropertiesCall, NumbersObject, void>("properties", "Reads the properties of a file of a mesh"),
   };
   return kOperations;

@@ -28,12 +28,12 @@ Json value_of(const Field& field) {
       Overload{[](const Flag& flag) { return Json(*flag.value == flag.given_as); },
                [](const Switch& on_off) { return or_null(*on_off.value); },
                [](const Number& number) {
-                 const Json value = std::visit(
-                     Overload{[](const auto* v) { return Json(*v); },
-                              [](const std::optional<std::int32_t>* v) { return or_null(*v); },
-                              [](const std::optional<std::int64_t>* v) { return or_null(*v); },
-                              [](const std::optional<double>* v) { return or_null(*v); }},
-                     number.value);
+                 const Json value =
+                     std::visit(Overload{[](const auto* v) { return Json(*v); },
+                                         [](const std::optional<std::int32_t>* v) { return or_null(*v); },
+                                         [](const std::optional<std::int64_t>* v) { return or_null(*v); },
+                                         [](const std::optional<double>* v) { return or_null(*v); }},
+                                number.value);
                  const auto word = value.is_null() ? std::string_view() : name_in(number.words, value.get<double>());
                  return word.empty() ? value : Json(word);
                },

@@ -146,7 +146,8 @@ std::string read_value(const Option& option, const Json& value, const Arrays& ar
           [&](const File&) -> std::string {  // its name may be no UTF-8, which JSON has to be
             if (is_array_reference(value)) return read_option(option, {read_bytes(value, arrays)});
             const bool is_text =
-                value.is_string() || (value.is_array() && std::ranges::all_of(value, [](const Json& one) { return one.is_string(); }));
+                value.is_string() ||
+                (value.is_array() && std::ranges::all_of(value, [](const Json& one) { return one.is_string(); }));
             return is_text ? read_option(option, to_texts(value)) : gvd::quoted(value.dump()) + " is no text";
           },
           [&](const Counts&) {

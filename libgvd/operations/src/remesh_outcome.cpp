@@ -12,8 +12,8 @@
 #include <string>
 #include <utility>
 
-#include "gvd/quality.hpp"
 #include "gvd/io/view.hpp"
+#include "gvd/quality.hpp"
 #include "gvd/remesh_operation.hpp"
 #include "gvd/remesh_scenes.hpp"
 #include "gvd/sampling.hpp"

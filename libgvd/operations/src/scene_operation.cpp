@@ -96,7 +96,8 @@ std::shared_ptr<const SceneObject> run(const Object& on, SceneCall& call, Observ
   } else if (const auto* const remesh = dynamic_cast<const RemeshOutcome*>(&on)) {
     input = remesh->input;
     unplaced = make_unplaced(input->mesh, remesh->result());
-    scene = make_remesh_scenes(input->mesh, remesh->result(), unplaced, observer.threads, progress_of(observer)).front();
+    scene =
+        make_remesh_scenes(input->mesh, remesh->result(), unplaced, observer.threads, progress_of(observer)).front();
   } else {
     throw Error(ErrorCode::invalid_option,
                 fmt::format("this takes a {}, and the object is a {}", kSceneSubjects, on.kind()));
@@ -110,8 +111,8 @@ std::shared_ptr<const SceneObject> run(const Object& on, SceneCall& call, Observ
     scene.region_color = made->colors;
   }
   io::ViewBlobs blobs;
-  const auto manifest = io::make_view_manifest({std::move(scene)}, frame_of(input->mesh),
-                                               {.progress = progress_of(observer)}, blobs);
+  const auto manifest =
+      io::make_view_manifest({std::move(scene)}, frame_of(input->mesh), {.progress = progress_of(observer)}, blobs);
   made->manifest = manifest.dump();
   made->offsets = {0};
   for (const std::string* const array : blobs.all()) {

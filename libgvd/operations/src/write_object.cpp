@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "gvd/error.hpp"
-#include "gvd/io/view.hpp"
 #include "gvd/io/format.hpp"
+#include "gvd/io/view.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/object.hpp"
 #include "gvd/option_list.hpp"
@@ -25,7 +25,8 @@ std::string Object::page(const FileOptions& options) const {
   std::vector<ViewScene> scenes{plain};
   if (const Diagram* const diagram = mesh->diagram; diagram != nullptr) {
     const bool is_diagram = mesh->face_label == &diagram->face_label;  // its cut faces have pieces, not labels
-    scenes = is_diagram ? std::vector{make_view_scene("Regions", mesh->surface(), *diagram)} : make_region_scenes(*mesh);
+    scenes =
+        is_diagram ? std::vector{make_view_scene("Regions", mesh->surface(), *diagram)} : make_region_scenes(*mesh);
   }
   ViewOptions view;
   view.title = options.title;
@@ -39,9 +40,8 @@ void describe(OptionList& list, FileOptions& options) {
   list.option("no_curves", Flag{&options.no_curves},
               {.help = "Leave the bisectors out of " + list_extensions(output_extensions(Content::curves), "and")});
   list.option("ascii_ply", Flag{&options.ascii_ply}, {.help = "Write .ply as text instead of binary"});
-  list.option(
-      "region_materials", Flag{&options.region_materials},
-      {.help = "In .obj, give each region a material, in place of the materials that the mesh was read with"});
+  list.option("region_materials", Flag{&options.region_materials},
+              {.help = "In .obj, give each region a material, in place of the materials that the mesh was read with"});
 }
 
 namespace {

@@ -63,7 +63,8 @@ typedef struct gvd_run {
   int32_t* due;
   int32_t door; /* how texts write options: one of the constants below */
   /* Called by the calling thread after each iteration of lloyd, with the number of iterations so far, the energy, and
-   * the generators: an object with the arrays points_faces and points_bary that lasts until this returns. May be NULL. */
+   * the generators: an object with the arrays points_faces and points_bary that lasts until this returns. May be NULL.
+   */
   void (*iteration)(void* data, int32_t iterations, double energy, const gvd_object* points);
 } gvd_run;
 
@@ -100,9 +101,8 @@ typedef struct gvd_array {
 /* The number of this interface. It changes where a program has to be compiled again. */
 #define GVD_ABI 1
 
-/* Runs an operation on an object of the kind that gvd_describe() says; NULL where it takes none, as the operation "mesh"
- * that makes one. `abi`: GVD_ABI. `options`: a JSON object,
- * as {"count": 30, "density": {"array": 0}}, where
+/* Runs an operation on an object of the kind that gvd_describe() says; NULL where it takes none, as the operation
+ * "mesh" that makes one. `abi`: GVD_ABI. `options`: a JSON object, as {"count": 30, "density": {"array": 0}}, where
  * {"array": 0} is the first one of `arrays`; NULL: none. Numbers may be strings: JSON has no infinity. `arrays`:
  * `count` of them, which the call reads and does not keep; NULL where there is none. gvd_describe() has the operations
  * and their options. */

@@ -20,8 +20,8 @@ namespace gvd {
 
 /// A file that an operation reads, or its bytes in memory.
 struct GivenFile {
-  std::string file;                ///< empty: none; with `content` its name for messages, whose extension counts
-  bool content = false;            ///< the last array has the bytes
+  std::string file;      ///< empty: none; with `content` its name for messages, whose extension counts
+  bool content = false;  ///< the last array has the bytes
   std::vector<ArrayView> arrays;
   /// Throws Error{invalid_option} without an array of bytes.
   std::string_view bytes() const;

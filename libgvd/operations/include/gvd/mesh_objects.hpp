@@ -39,7 +39,7 @@ class MeshObject : public Object {
 struct PartedMesh;
 
 /// What a diagram was made on that keeps to regions.
-struct PartedDiagram {
+struct SeparatedDiagram {
   std::shared_ptr<const PartedMesh> mesh;
   std::shared_ptr<const Diagram> diagram;  ///< of the separated mesh
 };
@@ -51,10 +51,10 @@ class DiagramObject : public Object {
   DiagramObject() : DiagramObject(std::make_shared<CheckedMesh>(), std::make_shared<Diagram>(), {}) {}
   /// `options`: those that made the diagram; none for one that keeps to regions of the mesh.
   DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram, std::optional<DiagramOptions> options,
-                PartedDiagram parted = {});
+                SeparatedDiagram parted = {});
   const MeshPtr& mesh() const { return mesh_; }
   /// Null where the diagram keeps to no regions.
-  const PartedDiagram& parted() const { return parted_; }
+  const SeparatedDiagram& parted() const { return parted_; }
   /// The mesh and the diagram that has all of its vertices; other ones inside regions.
   const Mesh& surface() const;
   const Diagram& surface_diagram() const { return parted_.diagram ? *parted_.diagram : *diagram_; }
@@ -79,7 +79,7 @@ class DiagramObject : public Object {
   MeshPtr mesh_;
   std::shared_ptr<const Diagram> diagram_;
   std::optional<DiagramOptions> options_;
-  PartedDiagram parted_;
+  SeparatedDiagram parted_;
   std::shared_ptr<KeptEditor> kept_;
 };
 

@@ -28,7 +28,8 @@ class Observer {
   virtual void warn(const std::string& text) { note(text); }
   virtual void detail(const std::string& /*text*/) {}
   /// A relaxation has done so many iterations.
-  virtual void iterated(std::int64_t /*iterations*/, double /*energy*/, const std::vector<SurfacePoint>& /*generators*/) {}
+  virtual void iterated(std::int64_t /*iterations*/, double /*energy*/,
+                        const std::vector<SurfacePoint>& /*generators*/) {}
   /// What the step has found so far; empty: nothing.
   virtual void status(const std::string& /*text*/) {}
 

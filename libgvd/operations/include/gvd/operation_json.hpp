@@ -26,8 +26,8 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
 /// Whoever reads a text writes an option as "count": 30, as count=30, or as count: 30.
 enum class Door : std::int32_t { json, python, javascript };
 
-/// A text with each placeholder as users of this door write the option. `given`: the options of the call; null where there is
-/// none.
+/// A text with each placeholder as users of this door write the option. `given`: the options of the call; null where
+/// there is none.
 std::string spell_for(Door door, const std::string& text, const Given* given = nullptr);
 inline std::string spell_for_json(const std::string& text, const Given* given = nullptr) {
   return spell_for(Door::json, text, given);

@@ -37,8 +37,8 @@ class SceneObject : public Object {
 };
 
 /// Makes the scene in the coordinates of the mesh that the object was made of, so that scenes of one mesh follow each
-/// other. Regions keep the given colours as far as their neighbours allow. Throws Error{invalid_option} for an object of
-/// another kind, Error{precondition} for what does not fit its mesh. Cost: O(n log n).
+/// other. Regions keep the given colours as far as their neighbours allow. Throws Error{invalid_option} for an object
+/// of another kind, Error{precondition} for what does not fit its mesh. Cost: O(n log n).
 std::shared_ptr<const SceneObject> run(const Object& on, SceneCall& call, Observer& observer);
 
 }  // namespace gvd

@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""Objects of the C interface through ctypes: meshes of arrays, of files and saved ones, files of parts, and how a run says
+who reads its texts and how often it reports.
+
+    check_objects.py LIBRARY BIN_FOLDER DATA_FOLDER
+"""
+import ctypes
+import json
+import pathlib
+import tempfile
+import threading
+import time
+
+from check_calls import DATA, INTERRUPTED, INVALID, NOTE, PRECONDITION, PROGRESS, Run, array, call, figures, gvd, make_ball, numbers, read, refused, release, result
+
+
+def check_meshes(folder):
+    """Meshes of arrays, of files and of what was saved of them; numbers of files."""
+    corners = array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (5, 5, 5)])
+    square = array([(0, 1, 2, 3)], ctypes.c_int32)
+    assert refused("mesh", None, {"on_defect": "error"}, corners, square, status=PRECONDITION).startswith("1 vertex is in no face")
+    mesh = result("mesh", None, {}, corners, square)
+    assert figures(mesh)["repairs"] and figures(mesh)["faces"] == 2 and figures(mesh)["edges"] == 5
+    saved = [array(numbers(mesh, name)) for name in ("vertex_positions", "face_vertices", "vertex_of_input", "input_vertex",
+                                                     "input_polygon", "texture", "face_materials")]
+    again = result("saved_mesh", None, {"repairs": figures(mesh)["repairs"]}, *saved)
+    assert numbers(again, "vertex_of_input") == [0, 1, 2, 3, -1] and figures(again)["repairs"] == figures(mesh)["repairs"]
+    assert refused("saved_mesh", None, {}, *saved[:3]) == "a saved mesh has 7 arrays; 3 given"
+    for i in (2, 3, 4, 5, 6):
+        wrong = saved[:i] + [array([7.5])] + saved[i + 1:]
+        assert refused("saved_mesh", None, {}, *wrong, status=PRECONDITION) == f"array {i} is not that of a saved mesh"
+    assert refused("mesh", None, {}) == "a mesh needs two arrays, positions and faces, or a file; 0 given"
+    assert refused("mesh", None, {}, corners, array([0.5])) == "positions have three columns, and faces have three or more"
+    assert refused("mesh", None, {}, corners, array([(0, 1, 2.5)])) == "a face has the vertex 2.5"
+    assert refused("mesh", None, {}, corners, array([(0, 1, 9)]), status=PRECONDITION).startswith("face 0 has the vertex 9")
+    assert refused("mesh", None, {"input_format": "ply"}, corners, square) == '"input_format" needs "file": add it, or leave "input_format" out'
+    name = (folder / "values.txt")
+    name.write_text("1\n2.5\n")
+    values = result("values", None, {"file": {"array": 0}}, array(list(str(name).encode()), ctypes.c_uint8))
+    assert numbers(values, "values") == [1, 2.5]
+    properties = result("properties", None, {"file": str(DATA / "torus.ply")})
+    assert figures(properties)["names"] == [], figures(properties)["names"]
+    status, message = call("values", None, {"file": "/no/such"})
+    assert (status, gvd.gvd_last_error_code(), gvd.gvd_last_error_element()) == (3, b"unreadable_input", -1), message
+    assert refused("mesh", None, {"on_defect": "error"}, corners, array([(0, 1, 2), (0, 1, 2)]), status=PRECONDITION)
+    assert gvd.gvd_last_error_element() == 1
+    release(mesh, again, values, properties)
+
+
+def check_doors():
+    """Errors and notes write options as the door of a run does."""
+    ball = make_ball()
+    told = {}
+    for door in range(3):
+        run = Run(0, PROGRESS(), None, None, NOTE(), None, door)
+        told[door] = call("lloyd", ball, {"vertices": [0, 0]}, run=run)[1].rsplit(" ", 1)[1], call("remesh", ball, {"count": 3}, run=run)[1]
+    assert [told[door][0] for door in range(3)] == ['"merge_coincident"', "merge_coincident", "merge_coincident"], told
+    described = [json.loads(gvd.gvd_describe_for(door)) for door in range(3)]
+    help_of = lambda d: next(o["help"] for one in d["operations"] if one["name"] == "lloyd" for o in one["options"] if o["name"] == "sampling")
+    assert [help_of(d) for d in described] == ['How "count" places generators', "How count places generators", "How count places generators"]
+    assert gvd.gvd_describe_for(3) == b"null"
+    release(ball)
+
+
+def check_files_of_parts(folder):
+    """Pages, parts with files of their own, and options of files."""
+    mesh = read("torus.ply")
+    relaxed, paths = result("lloyd", mesh, {"count": 9}), result("distances", mesh, {"from": [0], "to": [9, 300], "paths": True})
+    coarse = result("remesh", mesh, {"count": 90})
+    mapped, segments = result("map", coarse, {}), result("segment", mesh, {"count": 9})
+
+    def write(thing, name, options):
+        status = gvd.gvd_write_as(thing, str(folder / name).encode(), json.dumps(options).encode(), None)
+        return gvd.gvd_last_error().decode() if status else (folder / name).read_bytes()
+
+    assert write(relaxed, "p.npy", {"part": "points"}).startswith(b"\x93NUMPY")
+    assert write(mapped, "m.json", {"part": "map"}).startswith(b"{")
+    assert write(paths, "one.csv", {"part": "path 1"}).count(b"\n") < write(paths, "all.csv", {}).count(b"\n")
+    assert b"ascii" in write(segments, "a.ply", {"ascii_ply": True})[:40]
+    assert write(segments, "b.obj", {"no_curves": True}).count(b"\nl ") == 0 < write(segments, "c.obj", {}).count(b"\nl ")
+    assert write(relaxed, "p.doc", {"part": "points"}).endswith("the extension must be one of .npy, .ply or .xyz")
+    assert write(coarse, "m.json", {"part": "map"}) == "\"part\": a remesh has no part 'map'"
+    assert write(paths, "one.csv", {"part": "path 2"}) == "\"part\": a distances has no part 'path 2'"
+    assert write(mesh, "a.ply", {"asci_ply": True}) == 'there is no option "asci_ply"; did you mean "ascii_ply"?'
+    release(mesh, relaxed, paths, coarse, mapped, segments)
+
+
+def check_clock():
+    """Without `due`, reports come as they are; with it, one for each time that it is set."""
+    mesh, calls = read("figure.obj"), []
+    due = ctypes.c_int32(1)
+    run = Run(1, PROGRESS(lambda *_: calls.append(1) or 1), None, None, NOTE(), ctypes.pointer(due))
+    release(result("diagram", mesh, {"count": 20}, run=run))
+    assert len(calls) == 1 and due.value == 0, calls
+    run.due = None
+    release(result("diagram", mesh, {"count": 20}, run=run))
+    assert len(calls) > 2
+    release(mesh)
+
+
+def check_runs():
+    """Notes as they happen; a function and a flag that cancel."""
+    mesh, notes, steps = read("figure.obj"), [], set()
+    run = Run(1, PROGRESS(lambda data, step, done: steps.add(step.decode()) is None), None, None,
+              NOTE(lambda data, text: notes.append(text.decode())))
+    made = result("lloyd", mesh, {"count": 10}, run=run)
+    assert notes == figures(made)["notes"] and notes and steps, notes
+    release(made)
+    status, message = call("lloyd", mesh, {"count": 10}, run=Run(0, PROGRESS(lambda *_: 0), None, None, NOTE()))
+    assert status == INTERRUPTED, message
+    flag = ctypes.c_int32(0)
+    found = []
+    work = threading.Thread(target=lambda: found.append(call(
+        "lloyd", mesh, {"count": 2000, "accelerate": "none", "iterations": 1000000, "tolerance": 0, "move_tolerance": 0},
+        run=Run(1, PROGRESS(), None, ctypes.pointer(flag), NOTE()))))
+    work.start()
+    time.sleep(0.3)
+    flag.value = 1
+    work.join(60)
+    assert found and found[0][0] == INTERRUPTED, found
+    assert call("lloyd", mesh, {"count": 3}, run=Run(-1, PROGRESS(), None, None, NOTE()))[0] == INVALID
+    release(mesh)
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    check_meshes(pathlib.Path(scratch))
+    check_doors()
+    check_files_of_parts(pathlib.Path(scratch))
+    check_clock()
+    check_runs()
+print("all checks passed")
