@@ -121,7 +121,7 @@ const MeshPtr& mesh_of(const Operation& operation, const Object& object) {
   }
   if (operation.on == "mesh") return cast<MeshObject>(object, "mesh").mesh();
   if (operation.on == "remesh") return cast<RemeshOutcome>(object, "remesh").input;
-  return cast<DiagramObject>(object, "diagram").mesh();
+  return cast<DiagramObject>(object, operation.on).mesh();
 }
 
 const Operation* find_operation(std::string_view name) {
