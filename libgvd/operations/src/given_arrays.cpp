@@ -255,7 +255,7 @@ CurveList read_curves(const Json& value, const Arrays& arrays, const std::string
   if (offsets.size() < 2 || offsets.front() != 0 || offsets.back() != count) {
     refuse_array(fmt::format("the offsets of curves begin with 0 and end with the number of points, {}", count));
   }
-  const auto wrong = std::ranges::adjacent_find(offsets, std::greater_equal());
+  const auto wrong = std::adjacent_find(offsets.begin(), offsets.end(), std::greater_equal());
   if (wrong != offsets.end()) {
     refuse_array(
         fmt::format("curve {} has no point: it is from offset {} to {}", wrong - offsets.begin(), wrong[0], wrong[1]));
