@@ -116,6 +116,17 @@ for (const name of kMeshes) {
   });
 }
 
+test('types have every option of the description', async () => {
+  const types = readFileSync(join(packed, 'index.d.ts'), 'utf8'), { describe } = await import(pathToFileURL(join(packed, 'library.mjs')).href);
+  const described = describe(), options = [...described.operations.flatMap((one) => one.options), ...described.file_options];
+  // What is an argument, or what the package gives itself.
+  const kOwn = 'from points file content repairs materials material_files part keep_coincident mesh_vertices move add remove map'.split(' ');
+  const missing = options.map(({ name }) => name).filter((name) => !kOwn.includes(name) && !types.includes(`\n  ${name}?: `));
+  assert.deepEqual(missing, []);
+  assert.match(types, /\* Angle above which edges are creases[^\n]*\n {2}features\?: number \| 'auto' \| 'none' \| null;/);
+  assert.doesNotMatch(types, /^\/\/=|undefined/m);
+});
+
 test('the package has the version of the module', () => {
   assert.equal(gvd.version, JSON.parse(readFileSync(join(packed, 'package.json'), 'utf8')).version);
 });
@@ -189,6 +200,72 @@ test('relaxation reports its iterations', () => {
   assert.ok(energies.length > 1 && energies.every(([, points]) => points === 20));
   assert.ok(relaxed.energies.at(-1) < relaxed.energies[0]);
   assert.deepEqual(mesh.voronoi(relaxed.generators).generators, relaxed.generators);
+});
+
+test('a call ends where its time is over, and by what a function of the caller throws', () => {
+  const mesh = gvd.read(readFileSync(join(data, 'torus.ply')), 'torus.ply');
+  assert.throws(() => mesh.remesh(300, { time_limit: 0.001 }), { code: 'interrupted', message: 'the time limit of 0.001 s is over' });
+  for (const option of ['progress', 'on_iteration']) {
+    const thrown = new RangeError('mine');
+    assert.throws(() => mesh.lloyd(20, { [option]: () => { throw thrown; } }), (error) => error === thrown);
+  }
+  const inner = [];
+  mesh.lloyd(20, { iterations: 2, on_iteration: (count, energy, points) => inner.push(mesh.voronoi(points).length) });
+  assert.equal(inner.length, 2);
+});
+
+test('what commands have, the package has', () => {
+  const name = 'torus.ply', mesh = gvd.read(readFileSync(join(data, name)), name), text = new TextDecoder();
+  const bytes = (command, file, option, ...options) => {
+    runNative(command, name, file, option, ...options);
+    return readFileSync(join(folder, file));
+  };
+  assert.deepEqual(mesh.segment(9, { balance: 'area' }).to_bytes('json'), new Uint8Array(bytes('gvd-segment', 'b.json', '-o', '-n', '9', '--balance', 'area')));
+  const cut = mesh.segment(9, { cut: true });
+  assert.ok(cut instanceof gvd.Cut && cut.labels.length > mesh.faces.length / 3 && cut.mesh.faces.length === 3 * cut.labels.length);
+  const measured = mesh.measure([0, 3], { to: [100, 200], paths: true });
+  assert.equal(text.decode(measured.to_bytes('csv')), String(bytes('gvd-distance', 'p.csv', '-o', '--from', '0,3', '--to', '100,200', '--paths')));
+  assert.deepEqual(measured.paths.map(({ end }) => end).length, 2);
+  const [path] = mesh.path([500], mesh.curves([[0, 1]]));
+  assert.ok(path.length > 0 && path.positions.length === 3 * path.points.face.length);
+  const steps = mesh.isolines(0, 0.5), levels = mesh.isolines(0, [...new Set(steps.map(({ level }) => level))]);
+  assert.ok(steps.length > 2);
+  assert.deepEqual(levels, steps);
+  const regions = mesh.segment(9);
+  assert.deepEqual(mesh.remesh(null, { error: '5%' }).figures.search.trials.length > 0, true);
+  assert.equal(Math.abs(regions.areas.reduce((a, b) => a + b) - mesh.area) < 1e-9, true);
+  assert.deepEqual(regions.figures.options.count, 9);
+  assert.equal(mesh.lloyd(9, { balance: 'area', iterations: 5 }).figures.balance.converged, true);
+  const { vertex, face } = gvd.read_properties(regions.to_bytes('ply'), 'x.ply');
+  assert.deepEqual([Object.keys(vertex).length > 0, [...face.label]], [true, [...regions.labels]]);
+  assert.deepEqual(mesh.bounds.map((corner) => corner.length), [3, 3]);
+  const { manifest, blobs, colors } = regions.diagram.scene();
+  assert.deepEqual([JSON.parse(manifest).schema, colors.length], ['gvd-view/1', 27]);
+  assert.ok(blobs.every((blob) => blob.byteOffset === 0 && blob.length > 0));
+});
+
+test('a position that is far from the surface is told on the console', (context) => {
+  const mesh = gvd.read(readFileSync(join(data, 'torus.ply')), 'torus.ply'), told = context.mock.method(console, 'warn', () => {});
+  mesh.distances([[3, 17, 99]]);
+  assert.match(told.mock.calls[0].arguments[0], /^gvd: .*from the surface/);
+  mesh.distances([3, 17, 99]);
+  assert.equal(told.mock.callCount(), 1);
+});
+
+test('calls leave nothing in the memory', () => {
+  const mesh = gvd.read(readFileSync(join(data, 'plate.stl')), 'plate.stl');
+  const make = () => {
+    for (let i = 0; i < 50; ++i) {
+      mesh.distances(i);
+      mesh.path(i, i + 1);
+      mesh.voronoi([i, i + 100]).free();
+    }
+  };
+  const memory = () => process.memoryUsage().external + process.memoryUsage().arrayBuffers;
+  make();
+  const before = memory();
+  for (let i = 0; i < 4; ++i) make();
+  assert.ok(memory() < before + 2 ** 24, `${memory()} is much more than ${before}`);
 });
 
 test('what gzip packed is unpacked', async () => {
