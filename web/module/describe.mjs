@@ -37,7 +37,7 @@ function describeOption(option) {
 /** The types, with an interface in place of each line that stands for one. */
 export function fill(types, { operations, file_options }) {
   const all = new Map([...operations.map(({ name, options }) => [name, options]), ['file', file_options]]);
-  return types.replace(/^\/\/= (\w+): (\w+)(?: without ([\w ]+))?(?: extends (\w+))?$/gm, (_, name, operation, without = '', base = 'Run') => {
+  return types.replace(/^\/\/= (\w+)(?: extends (\w+))?: (\w+)(?: without ([\w ]+))?$/gm, (_, name, base = 'Run', operation, without = '') => {
     const left_out = without.split(' '), options = all.get(operation);
     for (const one of left_out.filter(Boolean)) if (!options.some((option) => option.name === one)) throw new Error(`${operation} has no option ${one}`);
     const shown = options.filter((option) => !left_out.includes(option.name)).map(describeOption).join('');

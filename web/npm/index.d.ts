@@ -38,7 +38,7 @@ interface NoRun {}
 //= SampleOptions: sample without points generators vertices max_snap merge_coincident
 //= PointOptions: sample without count sampling seed radius generators vertices merge_coincident points
 //= DistanceOptions: distances without from curves each merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm
-//= MeasureOptions: distances without from curves keep_coincident mesh_vertices
+//= MeasureOptions: distances without from curves merge_coincident keep_coincident mesh_vertices
 //= CurveOptions: curves without curves
 //= DiagramOptions: diagram without count sampling seed radius generators vertices curves balance shares
 //= BalanceOptions: diagram without count sampling seed radius generators vertices curves method front balance editable
@@ -52,7 +52,7 @@ interface NoRun {}
 //= MapOptions: map
 //= SceneOptions: scene
 //= ReadOptions: mesh without file content weld
-//= FileOptions: file without part extends NoRun
+//= FileOptions extends NoRun: file without part
 
 declare class Thing {
   /** Frees the memory now; what was not asked of the object before can't be asked any more. */

@@ -123,7 +123,7 @@ test('types have every option of the description', async () => {
   const kOwn = 'from points file content repairs materials material_files part keep_coincident mesh_vertices move add remove map'.split(' ');
   const missing = options.map(({ name }) => name).filter((name) => !kOwn.includes(name) && !types.includes(`\n  ${name}?: `));
   assert.deepEqual(missing, []);
-  assert.match(types, /\* Angle above which edges are creases[^\n]*\n {2}features\?: number \| 'auto' \| 'none' \| null;/);
+  assert.match(types, /\* Put generators on corners and creases first[^\n]*\n {2}features\?: number \| 'auto' \| 'none' \| null;/);
   assert.doesNotMatch(types, /^\/\/=|undefined/m);
 });
 
