@@ -64,7 +64,8 @@ void describe_file(OptionList& list, GivenFile& given, Spec spec) {
 }  // namespace
 
 std::string_view GivenFile::bytes() const {
-  if (arrays.empty()) throw Error(ErrorCode::invalid_option, "give the bytes of the file as an array, as \1content\2 says");
+  if (arrays.empty())
+    throw Error(ErrorCode::invalid_option, "give the bytes of the file as an array, as \1content\2 says");
   return bytes_of(arrays.back(), arrays.size() - 1);
 }
 
