@@ -14,7 +14,7 @@ import { checkIndices, checkNumbers, flat, isGiven, isList, isSingle, pointRows 
 
 export { Curves, Error, version };
 
-const kFace = 3;  // corners, and coordinates of a vertex
+const kSummary = ['vertices', 'edges', 'faces', 'components', 'boundary_loops', 'euler_characteristic', 'area', 'bbox_diagonal'];
 
 /** An object of the library, with what was asked of it. */
 class Thing {
@@ -84,21 +84,21 @@ function using(made, take) {
   }
 }
 
-/** Gives a class getters for arrays of the library. */
-function arrays(target, names) {
-  for (const [name, array] of Object.entries(names)) {
-    Object.defineProperty(target.prototype, name, { get() { return this._array(array); }, configurable: true });
+/** Gives a class getters: of an array by its name in the library, or of what a function takes from the object, once. */
+function getters(target, table) {
+  for (const [name, take] of Object.entries(table)) {
+    const get = typeof take === 'string'
+      ? function () { return this._array(take); }
+      : function () { return this._keep(`.${name}`, () => take(this)); };
+    Object.defineProperty(target.prototype, name, { get, configurable: true });
   }
 }
 
 function positionsOf({ vertices, faces }, { face, bary }) {
   const positions = new Float64Array(3 * face.length);
   for (let i = 0; i < face.length; ++i) {
-    const corners = faces.subarray(3 * face[i], 3 * face[i] + 3);
-    for (let k = 0; k < 3; ++k) {
-      const [a, b, c] = [0, 1, 2].map((corner) => bary[3 * i + corner] * vertices[3 * corners[corner] + k]);
-      positions[3 * i + k] = a + b + c;
-    }
+    const [a, b, c] = faces.subarray(3 * face[i], 3 * face[i] + 3), [u, v, w] = bary.subarray(3 * i, 3 * i + 3);
+    for (let k = 0; k < 3; ++k) positions[3 * i + k] = u * vertices[3 * a + k] + v * vertices[3 * b + k] + w * vertices[3 * c + k];
   }
   return positions;
 }
@@ -113,12 +113,12 @@ function withCount(call, count, options) {
 }
 
 export class Mesh extends Thing {
-  constructor(vertices, faces, { on_defect = 'error', corners = kFace, ...others } = {}) {
+  constructor(vertices, faces, { on_defect = 'error', corners = 3, ...others } = {}) {
     if (vertices instanceof Handle) {
       super(vertices);
     } else {
       const size = faces?.[0]?.length ?? corners;
-      if (!Number.isInteger(size) || size < kFace) refuse(`corners: a whole number from 3 on is needed, not ${size}`);
+      if (!Number.isInteger(size) || size < 3) refuse(`corners: a whole number from 3 on is needed, not ${size}`);
       const at = flat('vertices', vertices, 3), of = flat('faces', faces, size);
       checkNumbers('vertices', at);
       checkNumbers('faces', of);
@@ -129,28 +129,6 @@ export class Mesh extends Thing {
       super(run('Mesh', 'mesh', null, null, { on_defect, ...others }, {}, given));
     }
     this._kept.set('mesh', this);
-  }
-
-  get texture_coordinates() {
-    return this._array('texture').length ? this._array('texture') : null;
-  }
-
-  get summary() {
-    const { vertices, edges, faces, components, boundary_loops, euler_characteristic, area, bbox_diagonal } = this.figures;
-    return { vertices, edges, faces, components, boundary_loops, euler_characteristic, area, bbox_diagonal };
-  }
-
-  get area() {
-    return this.figures.area;
-  }
-
-  get bounds() {
-    const along = (k, pick) => this.vertices.reduce((found, x, i) => (i % 3 === k ? pick(found, x) : found), this.vertices[k]);
-    return [Math.min, Math.max].map((pick) => [0, 1, 2].map((k) => along(k, (a, b) => pick(a, b))));
-  }
-
-  get notes() {
-    return this.figures.repairs;
   }
 
   points(points, options = {}) {
@@ -258,7 +236,19 @@ export class Mesh extends Thing {
     return new Remesh(run('remesh', 'remesh', this, this, withCount('remesh', count, options)), this);
   }
 }
-arrays(Mesh, { vertices: 'vertex_positions', faces: 'face_vertices', input_vertex: 'input_vertex', input_face: 'input_polygon', vertex_of_input: 'vertex_of_input' });
+getters(Mesh, {
+  vertices: 'vertex_positions',
+  faces: 'face_vertices',
+  input_vertex: 'input_vertex',
+  input_face: 'input_polygon',
+  vertex_of_input: 'vertex_of_input',
+  texture_coordinates: (mesh) => (mesh._array('texture').length ? mesh._array('texture') : null),
+  summary: ({ figures }) => Object.fromEntries(kSummary.map((name) => [name, figures[name]])),
+  area: ({ figures }) => figures.area,
+  notes: ({ figures }) => figures.repairs,
+  bounds: ({ vertices }) => [Math.min, Math.max].map((pick) => [0, 1, 2].map((k) => (
+    vertices.reduce((found, x, i) => (i % 3 === k ? pick(found, x) : found), vertices[k])))),
+});
 
 const pointsOf = (native) => using(native, (made) => ({ face: made.array('points_faces'), bary: made.array('points_bary') }));
 
@@ -275,73 +265,24 @@ function polylines(mesh, curves, closed, arrays) {
 const pointsLike = (name, line) => (isGiven(line) ? line : refuse(`${name}: points are needed`));
 
 class Distances extends Thing {
-  get paths() {
-    const curves = this._curves('path');
-    return this.figures.paths.map(({ length, complete, source }, i) => ({ ...curves[i], length: length ?? Infinity, complete, end: source }));
-  }
-
-  get isolines() {
-    const [levels, closed] = [this._array('isoline_levels'), this._array('isoline_closed')];
-    return this._curves('isoline').map((curve, i) => ({ level: levels[i], closed: closed[i] === 1, ...curve }));
-  }
-
   scene(options = {}) {
     return this._scene(options);
   }
 }
-arrays(Distances, { distances: 'vertex_distances', labels: 'vertex_labels' });
+getters(Distances, {
+  distances: 'vertex_distances',
+  labels: 'vertex_labels',
+  paths: (made) => made._curves('path').map((curve, i) => {
+    const { length, complete, source } = made.figures.paths[i];
+    return { ...curve, length: length ?? Infinity, complete, end: source };
+  }),
+  isolines(made) {
+    const [levels, closed] = [made._array('isoline_levels'), made._array('isoline_closed')];
+    return made._curves('isoline').map((curve, i) => ({ level: levels[i], closed: closed[i] === 1, ...curve }));
+  },
+});
 
 export class Diagram extends Thing {
-  get length() {
-    return this.figures.length;
-  }
-
-  get generators() {
-    return this._points('generators');
-  }
-
-  get branch_points() {
-    const [offsets, generators] = [this._array('branch_point_generators_offsets'), this._array('branch_point_generators')];
-    return this._keep('branch_points', () => ({
-      points: this._points('branch_point'),
-      positions: this._array('branch_point_positions'),
-      distances: this._array('branch_point_distances'),
-      generators: this._lists(offsets, generators),
-    }));
-  }
-
-  get curves() {
-    return this._keep('curves', () => ({
-      first: Int32Array.from(this._array('bisector_offsets')),
-      left: this._array('bisector_left'),
-      right: this._array('bisector_right'),
-      closed: Int32Array.from(this._array('bisector_closed')),
-      ends: this._array('bisector_ends'),
-      points: this._points('bisector'),
-      positions: positionsOf(this.mesh, this._points('bisector')),
-    }));
-  }
-
-  get bisectors() {
-    const { left, right, closed, ends } = this.curves;
-    return this._keep('bisectors', () => this._curves('bisector').map((curve, i) => (
-      { left: left[i], right: right[i], closed: closed[i] === 1, ends: [ends[2 * i], ends[2 * i + 1]], ...curve })));
-  }
-
-  get cells() {
-    const names = { area: 'cell_areas', euler_characteristic: 'cell_euler_characteristics', components: 'cell_components', boundary_loops: 'cell_boundary_loops' };
-    return this._keep('cells', () => {
-      const columns = Object.entries(names).map(([name, array]) => [name, this._array(array)]);
-      const neighbours = this._lists(this._array('cell_neighbours_offsets'), this._array('cell_neighbours'));
-      return neighbours.map((list, i) => ({ generator: i, ...Object.fromEntries(columns.map(([name, values]) => [name, values[i]])), neighbours: list }));
-    });
-  }
-
-  get pieces() {
-    return this._keep('pieces', () => using(this._native.part('pieces'), (made) => (
-      { positions: Float32Array.from(made.array('positions')), face: made.array('faces'), label: made.array('labels') })));
-  }
-
   check() {
     return using(run('check', 'check', this, this.mesh, {}), (made) => made.figures().violations);
   }
@@ -358,7 +299,44 @@ export class Diagram extends Thing {
     return this._scene(options);
   }
 }
-arrays(Diagram, { labels: 'vertex_labels', distances: 'vertex_distances', face_labels: 'face_labels', weights: 'weights', areas: 'cell_areas' });
+getters(Diagram, {
+  labels: 'vertex_labels',
+  distances: 'vertex_distances',
+  face_labels: 'face_labels',
+  weights: 'weights',
+  areas: 'cell_areas',
+  length: ({ figures }) => figures.length,
+  generators: (diagram) => diagram._points('generators'),
+  branch_points: (diagram) => ({
+    points: diagram._points('branch_point'),
+    positions: diagram._array('branch_point_positions'),
+    distances: diagram._array('branch_point_distances'),
+    generators: diagram._lists(diagram._array('branch_point_generators_offsets'), diagram._array('branch_point_generators')),
+  }),
+  curves: (diagram) => ({
+    first: Int32Array.from(diagram._array('bisector_offsets')),
+    left: diagram._array('bisector_left'),
+    right: diagram._array('bisector_right'),
+    closed: Int32Array.from(diagram._array('bisector_closed')),
+    ends: diagram._array('bisector_ends'),
+    points: diagram._points('bisector'),
+    positions: positionsOf(diagram.mesh, diagram._points('bisector')),
+  }),
+  bisectors(diagram) {
+    const { left, right, closed, ends } = diagram.curves;
+    return diagram._curves('bisector').map((curve, i) => (
+      { left: left[i], right: right[i], closed: closed[i] === 1, ends: [ends[2 * i], ends[2 * i + 1]], ...curve }));
+  },
+  cells(diagram) {
+    const [area, euler_characteristic, components, boundary_loops] = ['areas', 'euler_characteristics', 'components', 'boundary_loops'].map(
+      (name) => diagram._array(`cell_${name}`));
+    const neighbours = diagram._lists(diagram._array('cell_neighbours_offsets'), diagram._array('cell_neighbours'));
+    return neighbours.map((list, i) => ({ generator: i, area: area[i], euler_characteristic: euler_characteristic[i],
+                                          components: components[i], boundary_loops: boundary_loops[i], neighbours: list }));
+  },
+  pieces: (diagram) => using(diagram._native.part('pieces'), (made) => (
+    { positions: Float32Array.from(made.array('positions')), face: made.array('faces'), label: made.array('labels') })),
+});
 
 /** An exact diagram of which one generator after the other is moved, added or removed. */
 export class DiagramEditor {
@@ -418,70 +396,42 @@ function onePoint(name, point, mesh) {
   return count === 1 ? point : refuse(`${name}: one point is needed, not ${count}`);
 }
 
-/** What has a diagram. */
+/** What has a diagram; `surface` is the mesh that it was made on. */
 class Result extends Thing {
   constructor(native, mesh, diagram) {
     super(native, mesh);
-    if (diagram) this._kept.set('diagram', diagram);
-  }
-
-  get diagram() {
-    return this._keep('diagram', () => new Diagram(this._native.part('diagram'), this._kept.get('mesh')));
-  }
-
-  get generators() {
-    return this._points('generators');
+    if (diagram) this._kept.set('.diagram', diagram);
   }
 }
+getters(Result, {
+  surface: (made) => made._kept.get('mesh'),
+  diagram: (made) => new Diagram(made._native.part('diagram'), made.surface),
+  generators: (made) => made._points('generators'),
+});
 
-export class Segmentation extends Result {
-  get without_face() {
-    return Int32Array.from(this.figures.generators_without_face ?? []);
-  }
+export class Segmentation extends Result {}
+getters(Segmentation, {
+  labels: 'face_labels',
+  areas: 'regions.area',
+  without_face: ({ figures }) => Int32Array.from(figures.generators_without_face ?? []),
+  border_length: ({ figures }) => figures.border_length,
+  regions: (made) => (made.figures.options.within ? made._array('region') : null),
+  levels: (made) => (made.figures.options.levels ?? []).map((_, i) => made._array(`label_${i + 1}`)),
+});
 
-  get border_length() {
-    return this.figures.border_length;
-  }
-
-  get areas() {
-    return this._array('regions.area');
-  }
-
-  get regions() {
-    return this.figures.options.within ? this._array('region') : null;
-  }
-
-  get levels() {
-    return (this.figures.options.levels ?? []).map((_, i) => this._array(`label_${i + 1}`));
-  }
-}
-arrays(Segmentation, { labels: 'face_labels' });
-
-export class Cut extends Result {
-  get mesh() {
-    return this._keep('pieces', () => new Mesh(this._native.part('cut_mesh')));
-  }
-
-  get charts() {
-    const pairs = (box) => (box ? [box.slice(0, 2), box.slice(2)] : []);
-    return (this.figures.charts?.charts ?? []).map((chart) => ({ torn_share: 0, origin: [0, 0], ...chart, box: pairs(chart.box) }));
-  }
-
-  get scale() {
-    return this.figures.charts?.scale ?? 0;
-  }
-}
-arrays(Cut, { labels: 'face_labels', parents: 'face_parents', vertex_labels: 'vertex_labels', distances: 'vertex_distances' });
+export class Cut extends Result {}
+getters(Cut, {
+  mesh: (made) => new Mesh(made._native.part('cut_mesh')),
+  labels: 'face_labels',
+  parents: 'face_parents',
+  vertex_labels: 'vertex_labels',
+  distances: 'vertex_distances',
+  scale: ({ figures }) => figures.charts?.scale ?? 0,
+  charts: ({ figures }) => (figures.charts?.charts ?? []).map(({ box, ...chart }) => (
+    { torn_share: 0, origin: [0, 0], ...chart, box: box ? [box.slice(0, 2), box.slice(2)] : [] })),
+});
 
 export class Relaxation extends Result {
-  get residual() {
-    return this.figures.residual;
-  }
-
-  get stop() {
-    return this.figures.stop;
-  }
-
   to_bytes(format, options) {
     return this.diagram.to_bytes(format, options);
   }
@@ -490,41 +440,27 @@ export class Relaxation extends Result {
     return fileOf('points_to_bytes', this._native, format, {}, { part: 'points' });
   }
 }
-arrays(Relaxation, { energies: 'energies', areas: 'areas', cell_energies: 'cell_energies' });
+getters(Relaxation, {
+  energies: 'energies',
+  areas: 'areas',
+  cell_energies: 'cell_energies',
+  residual: ({ figures }) => figures.residual,
+  stop: ({ figures }) => figures.stop,
+});
 
 /** Where the vertices of a surface are on its remesh, and where those of the remesh come from. */
 export class RemeshMap extends Thing {
-  get points() {
-    return this._points('map_points');
-  }
-
-  get origins() {
-    return this._points('map_origins');
-  }
-
-  get one_to_one() {
-    return this.figures.map.one_to_one;
-  }
-
   to_bytes(format) {
     return fileOf('to_bytes', this._native, format, {}, { part: 'map' });
   }
 }
+getters(RemeshMap, {
+  points: (map) => map._points('map_points'),
+  origins: (map) => map._points('map_origins'),
+  one_to_one: ({ figures }) => figures.map.one_to_one,
+});
 
 export class Remesh extends Result {
-  get surface() {
-    return this._kept.get('mesh');
-  }
-
-  get mesh() {
-    return this._keep('coarse', () => new Mesh(this._native.part('mesh')));
-  }
-
-  /** What has no certificate is an error. */
-  get certificate() {
-    return { ok: true, ...this.figures.certificate };
-  }
-
   map(options = {}) {
     return new RemeshMap(run('map', 'map', this, this.surface, options), this.surface);
   }
@@ -533,6 +469,10 @@ export class Remesh extends Result {
     return this._scene(options);
   }
 }
+getters(Remesh, {
+  mesh: (made) => new Mesh(made._native.part('mesh')),
+  certificate: ({ figures }) => ({ ok: true, ...figures.certificate }),  // what has none is an error
+});
 
 /** The bytes of a file, for the library. */
 function contentOf(bytes, name) {
