@@ -190,7 +190,8 @@ std::shared_ptr<const CurvesOutcome> run(const MeshPtr& input, CurvesCall& call,
   return made;
 }
 
-std::shared_ptr<const CheckOutcome> run(const DiagramObject& on, CheckCall&, Observer&) {
+std::shared_ptr<const CheckOutcome> run(const DiagramObject& on, CheckCall&, Observer& observer) {
+  const Step step(observer, "check");
   auto made = std::make_shared<CheckOutcome>();
   made->violations = check_diagram(on.surface(), on.surface_diagram()).violations;
   return made;
