@@ -62,8 +62,9 @@ typedef struct gvd_run {
    * caller's says how often. */
   int32_t* due;
   int32_t door; /* how texts write options: one of the constants below */
-  /* Called by the calling thread after each iteration of lloyd, with the number of iterations so far, the energy, and
-   * the generators: an object with the arrays points_faces and points_bary that lasts until this returns. May be NULL.
+  /* Called by the calling thread before the first iteration of lloyd and after each, with the number of iterations so
+   * far, the energy, and the generators: an object with the arrays points_faces and points_bary that lasts until this
+   * returns. May be NULL.
    */
   void (*iteration)(void* data, int32_t iterations, double energy, const gvd_object* points);
 } gvd_run;
