@@ -10,13 +10,15 @@ const [folder, output, ...models] = process.argv.slice(2);
 const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}">${pack(bytes)}</script>\n`;
 
 const load = new URL('src/playground/load.js', import.meta.url).pathname;  // in place of the package's
-const worker = await bundle('src/playground/worker.js', {
-  format: 'esm',  // since the package awaits its module
+// A page from a disk may start no module as a worker, and scripts can't await outside of functions, as the package does.
+const in_function = (code) => `(async()=>{${code}})()`;
+const worker = in_function(await bundle('src/playground/worker.js', {
+  format: 'esm',
   target: 'es2022',
   alias: { gvd: resolve(folder, 'index.mjs') },
   plugins: [{ name: 'load', setup: (build) => build.onResolve({ filter: /^\.\/load\.mjs$/ }, () => ({ path: load })) }],
   define: { 'import.meta.url': '"file:///"' },  // where the module would look for its bytes, which it is given
-});
+}));
 const data = [
   packed('worker', worker),
   packed('module', readFileSync(`${folder}/gvd.wasm`)),

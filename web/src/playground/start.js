@@ -22,7 +22,7 @@ function bytes_of(file) {
 async function make_engine() {
   const [script, module] = await Promise.all([embedded('worker'), embedded('module')]);
   const address = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
-  const engine = new Engine(new Worker(address, { type: 'module' }));
+  const engine = new Engine(new Worker(address));
   await engine.ask('start', { module }, null, [module]);
   return engine;
 }
