@@ -71,6 +71,8 @@ function exact_diagram(points, use) {
 }
 
 const measure = (points) => kept('measured', points, () => mesh.measure(join(points)));
+// As the page shows them, for formats that hold no distances.
+const with_isolines = ({ figures: { largest } }) => mesh.measure(join(JSON.parse(last.measured.key)), { isolines: largest / (kIsolines + 1) });
 const balance = (points) => {
   const { diagram, converged } = mesh.balance(join(points));
   return Object.assign(diagram, { note: converged ? '' : 'Not all areas are equal: masses jump where a bisector passes a corner of the surface.' });
@@ -103,6 +105,7 @@ const kShows = {
     name: 'distances',
     make: (points, use) => use(measure(points)),
     scene: (measured) => kept('distances', last.measured.key, () => scene_of(measured, { isolines: kIsolines })),
+    part: (measured, use, format) => (format === 'obj' ? using(with_isolines(measured), use) : use(measured)),
   },
   remesh: {
     name: 'coarse',
@@ -157,7 +160,7 @@ const handlers = {
     const points = generators_of(asked), write = (made) => ({ bytes: made.to_bytes(format) });
     if (format === 'csv') return { name: 'generators', ...exact_diagram(points, write) };
     const { name, make, part = (made, use) => use(made) } = kShows[show];
-    return { name, ...make(points, (made) => part(made, write), Boolean(asked.generators)) };
+    return { name, ...make(points, (made) => part(made, write, format), Boolean(asked.generators)) };
   },
 };
 
