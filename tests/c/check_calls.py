@@ -349,7 +349,7 @@ def check_options_come_back():
         "remesh": [{"count": 6}, {"count": 6, "relax": "none"}, {"count": 6, "relax": 2, "features": "none"},
                    {"generators": [0, 1, 2, 3, 4, 5]}, {"vertices": [0, 1, 2, 3, 4, 5]}, {"target_edge": 1.4}, {"error": "50%"},
                    {"count": 6, "place": "generator", "refine": False}, {"count": 6, "map": True, "carry": True, "features": 20}]}
-    others = {"edit", "map", "check", "curves", "mesh", "saved_mesh", "values", "properties"}  # few options, or files
+    others = {"edit", "map", "check", "curves", "scene", "mesh", "saved_mesh", "values", "properties"}  # few options, or files
     assert {*tried, *others} == {operation["name"] for operation in DESCRIBED["operations"]}
     for operation in DESCRIBED["operations"]:
         on = subject(operation, ball)

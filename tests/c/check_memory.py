@@ -16,7 +16,7 @@ def bytes_of(thing, name="bytes"):
 
 
 def file_in_memory(thing, extension, options=None):
-    file = handle("gvd_file_of", thing, extension.encode(), options and json.dumps(options).encode(), None)
+    file = handle("gvd_file_of", thing, extension.encode(), json.dumps(options or {}).encode(), None)
     made = bytes_of(file)
     release(file)
     return made

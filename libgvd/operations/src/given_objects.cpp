@@ -162,7 +162,7 @@ std::shared_ptr<const NumbersObject> run(PropertiesCall& call, Observer&) {
 }
 
 void describe(OptionList& list, CurvesCall& call) {
-  list.group(kGeneratorGroup);
+  list.group("Curves");
   describe_curves(list, call.generators);
   list.option("max_snap", Number{&call.generators.max_snap, {.least = 0}},
               {.help = "Refuse a point that is farther than this from the surface", .unit = "mesh units"});
