@@ -236,7 +236,7 @@ if gvd-segment data/figure.obj -n 24 --verify; then exit 1; fi
 bare python3-gvd "
 scripts/install-deps.sh python
     make package
-    sudo apt-get install ./build/packages/python3-gvd_*.deb
+    sudo apt-get install ./build/packages/libgvd-c0.2_*.deb ./build/packages/python3-gvd_*.deb
 $python_lines
 /usr/bin/python3 /tmp/lines.py
 " regions.html

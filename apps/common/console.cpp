@@ -17,7 +17,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "common/options/options.hpp"
+#include "gvd/option_text.hpp"
 
 namespace gvd::app {
 namespace {
@@ -119,7 +119,7 @@ Console::~Console() { clear_bar(); }
 void Console::line(std::string_view kind, std::string_view message) {
   clear_bar();
   // File names and messages of libraries may hold line breaks, and sequences that change a terminal's state.
-  write_stderr(printable(fmt::format("{}: {}{}", command_, kind, message), std::string::npos) + '\n');
+  write_stderr(user_text(fmt::format("{}: {}{}", command_, kind, message), std::string::npos) + '\n');
 }
 
 void Console::error(std::string_view message) { line("error: ", message); }

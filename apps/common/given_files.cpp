@@ -43,7 +43,7 @@ void read(const std::string& option, const PointList& points, const std::optiona
   if (given.file.empty()) return;
   if (points.named == PointList::Named::any && !is_there(given.file)) {
     refuse_unreadable(fmt::format("{}: there is no such file; name one that lists points, or write vertices, as in {}",
-                                  placeholder(option, printable(given.file)), placeholder(option, "3,17,99")));
+                                  placeholder(option, user_text(given.file)), placeholder(option, "3,17,99")));
   }
   given.list = std::make_shared<GeneratorList>(read_list(given.file, format));
 }

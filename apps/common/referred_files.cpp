@@ -15,6 +15,7 @@
 #include "common/outcome.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/mesh_writer.hpp"
+#include "gvd/option_text.hpp"
 #include "gvd/referred_files.hpp"
 
 namespace gvd::app {
@@ -139,7 +140,7 @@ void check_material_files(Run& run, const Appearance& appearance, bool drops_mat
       if (!is_same(*made, fs::path(input).replace_filename(name))) continue;
       throw Error(ErrorCode::invalid_option,
                   fmt::format("{}: its materials would replace {}, which {} names; choose another name",
-                              placeholder("output", path), printable(name.string()), input));
+                              placeholder("output", path), user_text(name.string()), input));
     }
   }
 }
@@ -148,7 +149,7 @@ void note_material_files(Run& run, const std::string& path, const Appearance& ap
   const std::string& input = run.options().input.path;
   if (appearance.material_files.empty() || input == "-" || folder(path) == folder(input)) return;
   run.console().note(fmt::format("{} names the materials of {}, which is beside {}: copy it, with its images", path,
-                                 printable(fmt::format("{}", fmt::join(appearance.material_files, ", "))), input));
+                                 user_text(fmt::format("{}", fmt::join(appearance.material_files, ", "))), input));
 }
 
 }  // namespace gvd::app

@@ -140,7 +140,7 @@ std::string make_all_completions(const std::string& shell) {
                              : is_input  ? "; name a command in front of it, as in gvd segment {0}"
                                          : "";
   const std::string form = fmt::format("unknown {}: {{0}}{}{}", is_option ? "option" : "command", advice, kHint);
-  throw Error(ErrorCode::invalid_option, fmt::format(fmt::runtime(form), printable(word), meant.value_or("")));
+  throw Error(ErrorCode::invalid_option, fmt::format(fmt::runtime(form), user_text(word), meant.value_or("")));
 }
 
 /// The shell of `--completion SHELL` or `--completion=SHELL`.

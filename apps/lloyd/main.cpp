@@ -205,20 +205,21 @@ void lloyd(Run& run, OwnOptions& own) {
     return gvd::run(input, own.call, observer);
   }();
   const LloydResult& relaxed = *outcome->relaxed;
+  const Mesh& surface = outcome->surface();
   report_figures(run, *outcome);
   run.figures().energy = relaxed.final_energy;
   report_generators(run, mesh, relaxed.generators, outcome->snap_distance);
   set_diagram(run, relaxed.diagram);
   write_output_files(run, *outcome);
-  write_diagram_file(run, mesh, relaxed.diagram);
+  write_diagram_file(run, mesh, *outcome->on_input);
   write_points_file(run, own, mesh, relaxed);
   write_own_file(run, "trace", [&](std::ostream& out) { trace.write(out, relaxed, own.call.diagram.method); });
   write_view_file(run, "gvd-lloyd", [&] {
     DiagramOptions early = own.call.diagram;
     early.progress = run.progress();
-    return make_iteration_scenes(mesh, relaxed, trace, early);
+    return make_iteration_scenes(surface, relaxed, trace, early);
   });
-  finish_run(run, mesh, relaxed.diagram);
+  finish_run(run, surface, relaxed.diagram);
 }
 
 }  // namespace

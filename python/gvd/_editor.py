@@ -35,7 +35,7 @@ class DiagramEditor:
     True
     """
 
-    @described("diagram", without="count sampling seed radius generators vertices curves method front balance shares weights editable")
+    @described("diagram", without="count sampling seed radius generators vertices curves method front balance shares weights within mask editable")
     def __init__(self, mesh: Mesh, points: Any, **options: Any) -> None:
         """The diagram of the first generators."""
         self.mesh: Mesh = mesh

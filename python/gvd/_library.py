@@ -6,6 +6,7 @@ times a second to call back: then a user's function hears of the progress, and C
 """
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import json
 import os
@@ -206,8 +207,9 @@ class _Signals:
         if threading.get_ident() == threading.main_thread().ident:
             before = getsignal(SIGINT)
             if callable(before):
-                self.before = before
-                signal(SIGINT, self.catch)
+                with contextlib.suppress(ValueError):  # an interpreter beside the main one takes no signals
+                    signal(SIGINT, self.catch)
+                    self.before = before
 
     def catch(self, number: int, frame: Any) -> None:
         self.caught = (number, frame)
@@ -265,9 +267,12 @@ def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[
     made = ctypes.c_void_p()
     name, text = operation.encode(), json.dumps(options).encode() if options else None
     address = None if on is None else on.address
-    _run(lambda run: int(_library.gvd_call(_ABI, name, address, text, given, len(views), run, ctypes.byref(made))), threads, progress,
-         time_limit)
-    return Handle(made.value)
+    try:
+        _run(lambda run: int(_library.gvd_call(_ABI, name, address, text, given, len(views), run, ctypes.byref(made))), threads,
+             progress, time_limit)
+    finally:  # Ctrl-C may come behind a result
+        handle = Handle(made.value)
+    return handle
 
 
 def write(handle: Handle, path: Any, options: Mapping[str, Any], threads: int = 0) -> None:

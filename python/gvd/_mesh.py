@@ -315,7 +315,7 @@ class Mesh(Writable):
     def _generators(self, points: Any, options: dict[str, Any]) -> dict[str, Any]:
         return {**options, "curves" if isinstance(points, Curves) else "generators": points}
 
-    @described("diagram", without="count sampling seed radius generators vertices curves balance shares")
+    @described("diagram", without="count sampling seed radius generators vertices curves balance shares editable")
     def voronoi(self, points: Any, **options: Any) -> Diagram:
         """The geodesic Voronoi diagram of points or curves.
 
@@ -326,7 +326,7 @@ class Mesh(Writable):
         """
         return Diagram(self, *run("diagram", self, self, self._generators(points, options)))
 
-    @described("diagram", without="count sampling seed radius generators vertices curves method front balance")
+    @described("diagram", without="count sampling seed radius generators vertices curves method front balance editable")
     def balance(self, points: Any, *, density: Optional[ArrayLike] = None, **options: Any) -> Balanced:
         """The diagram of points with weights by which all cells have the same area.
 

@@ -159,7 +159,8 @@ def least_options(operation):
 
 
 def check_described_options():
-    """Each option alone beside what it needs: taken, or refused for another reason than its value; and a wrong value."""
+    """Each option alone beside what it needs: taken, and told so that it can be given back, or refused for another reason
+    than its value; and a wrong value."""
     ball = make_ball()
     for operation in DESCRIBED["operations"]:
         options = {option["name"]: option for option in operation["options"]}
@@ -174,8 +175,11 @@ def check_described_options():
                     given[fitting[0]] = good_value(options[fitting[0]])
             status, made = call(operation["name"], on, given)
             if status == OK:
-                assert name in figures(made)["options"], name
-                release(made)
+                told = figures(made)
+                assert name in told["options"], name
+                again = result(operation["name"], on, told["options"])  # which say the same
+                assert figures(again) == told, (operation["name"], given, told["options"])
+                release(made, again)
             else:
                 assert not made.startswith(f'"{name}": ') and "no option" not in made, (operation["name"], given, made)
             for wrong in ({"a": 1}, [[]]):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Objects of the C interface through ctypes: meshes of arrays, of files and saved ones, files of parts, and how a run says
-who reads its texts and how often it reports.
+"""Objects of the C interface through ctypes: meshes of arrays, of files and saved ones, files of parts, how a run says who
+reads its texts and how often it reports, and what one operation has as the others do.
 
     check_objects.py LIBRARY BIN_FOLDER DATA_FOLDER
 """
@@ -57,7 +57,7 @@ def check_doors():
     assert [told[door][0] for door in range(3)] == ['"merge_coincident"', "merge_coincident", "merge_coincident"], told
     described = [json.loads(gvd.gvd_describe_for(door)) for door in range(3)]
     help_of = lambda d: next(o["help"] for one in d["operations"] if one["name"] == "lloyd" for o in one["options"] if o["name"] == "sampling")
-    assert [help_of(d) for d in described] == ['How "count" places generators', "How count places generators", "How count places generators"]
+    assert [help_of(d)[:18] for d in described] == ['How "count" places', "How count places g", "How count places g"]
     assert gvd.gvd_describe_for(3) == b"null"
     release(ball)
 
@@ -122,10 +122,48 @@ def check_runs():
     release(mesh)
 
 
+def check_what_all_have():
+    """What one operation has, the others have, too; what can't be says why."""
+    mesh = read("figure.obj")
+    faces = len(numbers(mesh, "face_vertices"))
+    halves = array([int(face >= faces // 2) for face in range(faces)], ctypes.c_uint8)
+    vertices = len(numbers(mesh, "vertex_positions"))
+    for operation, options in (
+            ("segment", {"count": 6, "balance": [1 + v % 3 for v in range(vertices)], "shares": [1, 2, 3, 4, 5, 6]}),
+            ("segment", {"count": 3, "weights": [0, 0.01, 0.02]}), ("segment", {"within": {"array": 0}, "per_region": 3}),
+            ("segment", {"count": 6, "mask": {"array": 0}, "balance": "area"}), ("segment", {"levels": [2, 8], "cut": True}),
+            ("segment", {"count": 2, "disc": True}), ("segment", {"count": 8, "disc": True, "uv": "flat"}),
+            ("diagram", {"count": 6, "within": {"array": 0}}), ("diagram", {"count": 6, "mask": {"array": 0}, "balance": "area"}),
+            ("lloyd", {"count": 6, "balance": "area", "iterations": 5}), ("lloyd", {"count": 6, "within": {"array": 0}}),
+            ("lloyd", {"count": 6, "mask": {"array": 0}, "balance": "area", "iterations": 5}),
+            ("distances", {"from": [3], "within": {"array": 0}, "to": [9], "paths": True, "isolines": 0.2}),
+            ("distances", {"curves": {"points": [3, 40], "offsets": [0, 2]}, "to": [9], "paths": True, "isolines": 0.2}),
+            ("remesh", {"error": "5%"})):
+        made = result(operation, mesh, options, halves)
+        found = figures(made)
+        kept = "within" in options or "mask" in options
+        assert not kept or found["within"]["regions"] >= 1, (operation, options)
+        release(made)
+    diagram = result("diagram", mesh, {"count": 2})
+    labels = result("label", diagram, {"disc": True, "uv": "flat"})
+    assert figures(labels)["disc"]["rounds"] >= 0 and figures(labels)["charts"]["flipped_share"] == 0
+    release(diagram, labels)
+    half = read("half_sphere.off")
+    for operation, options, why in (
+            ("segment", {"balance": "area"}, "bisectors with weights are computed between points alone"),
+            ("diagram", {"weights": [0]}, "bisectors with weights are computed between points alone"),
+            ("segment", {"within": [0] * len(numbers(half, "face_vertices"))}, "a curve may leave its region"),
+            ("segment", {"disc": True}, "the cell of a closed curve is no disc, however many generators are added"),
+            ("segment", {"uv": "flat"}, "charts are laid around points")):
+        assert refused(operation, half, {"curves": "boundary", **options}).endswith(f"exclude each other: {why}; keep one")
+    release(mesh, half)
+
+
 with tempfile.TemporaryDirectory() as scratch:
     check_meshes(pathlib.Path(scratch))
     check_doors()
     check_files_of_parts(pathlib.Path(scratch))
     check_clock()
     check_runs()
+    check_what_all_have()
 print("all checks passed")

@@ -5,12 +5,8 @@
 #include <thread>
 #include <vector>
 
-#include "gvd/diagram_operation.hpp"
-#include "gvd/edit_operation.hpp"
 #include "gvd/error.hpp"
-#include "gvd/operation.hpp"
-#include "gvd/operation_json.hpp"
-#include "operations/recorder.hpp"
+#include "operations/calls.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/same_diagram.hpp"
@@ -18,32 +14,19 @@
 namespace gvd::test_edit_operation {
 
 using Catch::Matchers::Contains;
+using gvd::test::call;
+using gvd::test::diagram_of;
+using gvd::test::ObjectPtr;
+using gvd::test::part_of;
 using gvd::test::Recorder;
-using ObjectPtr = std::shared_ptr<const Object>;
 
 const MeshPtr kBall = std::make_shared<const CheckedMesh>(as_input(test::make_bumpy_sphere(4, 7)));
-
-ObjectPtr call(const char* operation, const ObjectPtr& on, const std::string& options, Observer& observer,
-               const std::vector<ArrayView>& arrays = {}) {
-  const auto made = find_operation(operation)->call();
-  OptionList list;
-  made->describe(list);
-  read_json_options(list, *kBall, options, arrays);
-  return made->run(on, observer);
-}
-
-ObjectPtr call(const char* operation, const ObjectPtr& on, const std::string& options) {
-  Recorder told;
-  return call(operation, on, options, told);
-}
 
 ObjectPtr of_ball(const char* operation, const std::string& options) {
   return call(operation, std::make_shared<MeshObject>(kBall), options);
 }
 
 ObjectPtr edit(const ObjectPtr& on, const std::string& options) { return call("edit", on, options); }
-
-const Diagram& diagram_of(const ObjectPtr& object) { return dynamic_cast<const DiagramObject&>(*object).diagram(); }
 
 /// Whether it is the diagram that its generators have, to the last bit.
 bool is_new(const ObjectPtr& object) {
@@ -57,20 +40,6 @@ std::int32_t propagated(const ObjectPtr& object) {
     }
     std::int32_t found = -1;
   } reader;
-  object->visit(reader);
-  return reader.found;
-}
-
-/// The part of a result of that name.
-ObjectPtr part_of(const ObjectPtr& object, std::string_view name) {
-  struct Reader : ObjectVisitor {
-    void part(const Meaning& meaning, std::string_view, const PartMaker& make) override {
-      if (meaning.name == name) found = make();
-    }
-    std::string_view name;
-    ObjectPtr found;
-  } reader;
-  reader.name = name;
   object->visit(reader);
   return reader.found;
 }

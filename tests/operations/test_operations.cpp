@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "gvd/distances_operation.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/format.hpp"
 #include "gvd/operation.hpp"
@@ -21,28 +22,23 @@ const MeshPtr kBall = std::make_shared<const CheckedMesh>(as_input(test::make_sp
 
 const auto kBallObject = std::make_shared<const MeshObject>(kBall);
 
-std::shared_ptr<const Object> make_of_ball(const char* operation, const char* options) {
+std::shared_ptr<const Object> made_of_ball(std::string_view operation) {
   Recorder told;
   const auto call = find_operation(operation)->call();
   OptionList list;
   call->describe(list);
-  read_json_options(list, *kBall, options, {});
+  read_json_options(list, *kBall, R"({"count": 8})", {});
   return call->run(kBallObject, told);
 }
 
-/// What an operation works on.
-std::shared_ptr<const Object> subject_of(const Operation& operation) {
-  if (operation.on == "mesh") return kBallObject;
-  return operation.on == "remesh" ? make_of_ball("remesh", R"({"count": 40})")
-                                  : make_of_ball("diagram", R"({"count": 8})");
-}
-
-std::string usual_options(const Operation& operation) {
-  if (operation.name == "edit") return R"({"remove": 0})";
-  if (operation.on != "mesh") return "{}";
-  return operation.name == "distances" ? R"({"from": [0]})"
-         : operation.name == "curves"  ? R"({"curves": "creases:5"})"
-                                       : R"({"count": 8})";
+std::string usual_options(std::string_view operation) {
+  return operation == "distances"                     ? R"({"from": [0]})"
+         : operation == "label"                       ? "{}"
+         : operation == "edit"                        ? R"({"remove": 0})"
+         : operation == "curves"                      ? R"({"curves": {"points": [0, 5]}})"
+         : operation == "map" || operation == "check" ? "{}"
+         : operation == "scene"                       ? "{}"
+                                                      : R"({"count": 8})";
 }
 
 std::shared_ptr<const Object> call(const Operation& operation, const std::string& options, Recorder& told) {
@@ -50,7 +46,8 @@ std::shared_ptr<const Object> call(const Operation& operation, const std::string
   OptionList list;
   made->describe(list);
   read_json_options(list, *kBall, options, {});
-  return made->run(subject_of(operation), told);
+  return made->run(
+      operation.on == "mesh" ? kBallObject : made_of_ball(operation.name == "scene" ? "diagram" : operation.on), told);
 }
 
 /// The names of all parts of an object, and whether each figure has a value.
@@ -59,7 +56,6 @@ struct Names : ObjectVisitor {
   void array(const Meaning& meaning, const ArrayView&) override { add(meaning); }
   void points(const Meaning& meaning, const PointsView&) override { add(meaning); }
   void curves(const Meaning& meaning, const PointLists&) override { add(meaning); }
-  void rows(const Meaning& meaning, const std::vector<std::vector<double>>&) override { add(meaning); }
   void table(const Meaning& meaning, const Table&) override { add(meaning); }
   void part(const Meaning& meaning, std::string_view, const PartMaker&) override { add(meaning); }
   void add(const Meaning& meaning) {
@@ -87,26 +83,26 @@ TEST_CASE("operations: no rule and no text names an option that is not there") {
 
 TEST_CASE("operations: each result has the parts that an empty one describes") {
   for (const Operation& operation : operations()) {
-    if (operation.on.empty()) continue;  // those take arrays and files: tests/c/check_objects.py
+    if (operation.on.empty()) continue;  // of files and arrays
     CAPTURE(operation.name);
     Recorder told;
-    const auto made = call(operation, usual_options(operation), told);
+    const auto made = call(operation, usual_options(operation.name), told);
     CHECK(made->kind() == operation.no_result()->kind());
     CHECK(names_of(*made) == names_of(*operation.no_result()));
     CHECK(told.depth == 0);
-    CHECK(!told.steps.empty());
+    CHECK((!told.steps.empty() || operation.name == "check"));
     CHECK(Json::parse(figures_json(*made)).is_object());
   }
 }
 
 TEST_CASE("operations: a progress that says stop cancels each one, and its steps end") {
   for (const Operation& operation : operations()) {
-    if (operation.on.empty() || operation.name == "check" || operation.name == "curves") continue;  // they take no time
+    if (operation.on.empty() || operation.name == "check" || operation.name == "curves") continue;  // quick ones
     CAPTURE(operation.name);
     Recorder told;
     told.cancels = true;
     try {
-      call(operation, usual_options(operation), told);
+      call(operation, usual_options(operation.name), told);
       FAIL("it ran to its end");
     } catch (const Error& error) {
       CHECK(error.code() == ErrorCode::interrupted);
@@ -124,6 +120,24 @@ TEST_CASE("figures are nested at the dots of their names, and a level without an
   const Json equal =
       Json::parse(figures_json(*call(*find_operation("lloyd"), R"({"count": 8, "balance": "area"})", told)));
   CHECK(equal["balance"]["masses"].size() == 8);
+}
+
+TEST_CASE("rows of distances are held once: their array is the table's own memory") {
+  struct Reader : ObjectVisitor {
+    void array(const Meaning& meaning, const ArrayView& view) override {
+      if (meaning.name == "rows") rows = view;
+    }
+    ArrayView rows;
+  } reader;
+  Recorder told;
+  const auto made = call(*find_operation("distances"), R"({"from": [0, 5, 9], "each": true})", told);
+  made->visit(reader);
+  const DistanceRows& rows = dynamic_cast<const DistancesOutcome&>(*made).table.rows;
+  CHECK(reader.rows.data == rows.values().data());
+  CHECK(reader.rows.shape[0] == 3);
+  CHECK(reader.rows.shape[1] == kBall->mesh.vertex_count());
+  CHECK(rows[1][5] == 0);
+  CHECK(rows[2][0] == rows[0][9]);
 }
 
 /// Returns what an operation says against options; empty where it accepts them.
@@ -159,6 +173,9 @@ TEST_CASE("curves are the words for them, or points") {
 TEST_CASE("texts are spelled as JSON has options") {
   CHECK(spell_for_json("\1count\2 or \1features=none\2") == R"("count" or "features": "none")");
   CHECK(spell_for_json("\1count=30\2; \1refine=false\2") == R"("count": 30; "refine": false)");
+  const std::string text = "\1count=30\2; \1refine=false\2; \1method=exact\2; \1from\2";
+  CHECK(spell_for(Door::python, text) == "count=30; refine=False; method='exact'; points");
+  CHECK(spell_for(Door::javascript, text) == "count: 30; refine: false; method: 'exact'; from");
 }
 
 TEST_CASE("the description has every operation, object and format") {

@@ -233,6 +233,7 @@ TEST_CASE("what is written is read again as the same value") {
                                                                               {"memory", {"1024"}},
                                                                               {"error", {"3%"}},
                                                                               {"features", {"auto"}},
+                                                                              {"features", {"none"}},
                                                                               {"features", {"12.5"}}}) {
     CAPTURE(name);
     Toy toy;
@@ -240,10 +241,18 @@ TEST_CASE("what is written is read again as the same value") {
     CHECK(write_option(toy.list.find(name)->field) == texts);
   }
   const Toy toy;
-  for (const char* none : {"count", "front", "output", "vertices", "curves", "memory", "features"}) {
+  for (const char* none : {"count", "front", "output", "vertices", "curves", "memory"}) {
     CAPTURE(none);
     CHECK(!write_option(toy.list.find(none)->field));
   }
+}
+
+TEST_CASE("texts of the user's are printable and short in messages, and keep their letters whole") {
+  CHECK(user_text("-n") == "-n");
+  CHECK(user_text(std::string("a\n\0\x1b", 4) + "\x7f") == "a    ");
+  CHECK(user_text(std::string(61, 'a')) == std::string(60, 'a') + "...");
+  CHECK(user_text("k\u00e4se", 3) == "k\u00e4...");
+  CHECK(user_text("k\u00e4se", 2) == "k...");
 }
 
 }  // namespace gvd::test_option_text

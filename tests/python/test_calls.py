@@ -147,7 +147,8 @@ class Calls(unittest.TestCase):
 
     def end_by_control_c(self, call):
         """What a process prints that is interrupted in the middle of a call, and the seconds until it has ended."""
-        code = ("import gvd, sys\n"
+        code = ("import gvd, signal, sys\n"
+                "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # which a job in the background ignores
                 f"mesh = gvd.read({str(meshes.FIGURE)!r})\n"
                 "print('begins', flush=True)\n"
                 "try:\n"
@@ -169,9 +170,12 @@ class Calls(unittest.TestCase):
                      "mesh.remesh(1500, relax=100000)", "mesh.path(list(range(len(mesh.vertices))), 0)"):
             for progress in ("", ", progress=lambda step, done: None"):
                 with self.subTest(call, progress=progress):
-                    seconds, told = self.end_by_control_c(call[:-1] + progress + ")")
+                    for _ in range(3):  # the machine may be busy with something else
+                        seconds, told = self.end_by_control_c(call[:-1] + progress + ")")
+                        self.assertEqual(told, "")
+                        if seconds < 2:
+                            break
                     self.assertLess(seconds, 2)
-                    self.assertEqual(told, "")
 
     def test_a_handler_of_the_user_s_sees_control_c(self):
         seen = []

@@ -42,7 +42,7 @@ class PointsAsASequence(unittest.TestCase):
     def test_a_far_position_warns_in_the_line_that_gave_it(self):
         mesh = gvd.read(meshes.TORUS)
         for call in (lambda: mesh.distances([3., 17., 99.]), lambda: mesh.voronoi([(9.0, 9.0, 9.0)]), lambda: mesh.positions((9.0, 9.0, 9.0))):
-            with self.assertWarnsRegex(UserWarning, "from the surface, and the model's diagonal is") as caught:
+            with self.assertWarnsRegex(UserWarning, "^point 0 of (points|generators) is .* from the surface, and the model's diagonal is") as caught:
                 call()
             self.assertEqual(pathlib.Path(caught.filename).name, "test_guesses.py")
         with warnings.catch_warnings():
@@ -160,6 +160,9 @@ class OtherDoors(unittest.TestCase):
         numpy.testing.assert_array_equal(
             mesh.segment(generators=mesh.farthest(12), weights=equal.figures["weights"]).labels, equal.labels)
         self.assertEqual(mesh.segment(curves=mesh.curves([[0, 50], [2000, 2100]])).labels.max(), 1)
+        halves = (mesh.vertices[:, 2] > 0).astype(int)
+        kept = mesh.voronoi(mesh.farthest(6), within=halves)
+        self.assertEqual((kept.check(), kept.figures["within"]["regions"]), ([], 2))
         relaxed = mesh.lloyd(12, balance="area")
         numpy.testing.assert_allclose(relaxed.areas, mesh.area / 12, rtol=1e-6)
 
@@ -184,6 +187,16 @@ class OtherDoors(unittest.TestCase):
         percent, length = mesh.remesh(error="2%"), mesh.remesh(error=0.02 * diagonal)
         self.assertEqual(len(percent.mesh.vertices), len(length.mesh.vertices))
         self.assertLessEqual(percent.figures["distance"]["input_to_output"]["hausdorff"], 0.02 * diagonal)
+
+    def test_blue_noise_by_radius(self):
+        mesh = gvd.Mesh(*meshes.make_grid(12))
+        points = mesh.sample(radius=0.1, sampling="poisson", seed=3)
+        between = numpy.linalg.norm(points.position[:, None] - points.position[None], axis=2) + numpy.eye(len(points))
+        self.assertGreater(between.min(), 0.08)
+        self.assertLessEqual(mesh.distances(points).max(), 0.1)
+        self.assertFalse(numpy.array_equal(points.face[:5], mesh.sample(radius=0.1, seed=3).face[:5]))
+        with self.assertRaisesRegex(gvd.Error, "sampling: a radius gives farthest or poisson points; give count, or leave sampling out"):
+            mesh.sample(radius=0.1, sampling="random")
 
     def test_distances_inside_a_mask(self):
         at, faces = meshes.make_grid(6)

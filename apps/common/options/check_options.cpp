@@ -67,7 +67,7 @@ bool may_be_read(const std::string& path) {
   const std::vector<std::string>& paths = options.input.paths;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (may_be_read(paths[i])) continue;
-    const std::string word = printable(paths[i]);
+    const std::string word = user_text(paths[i]);
     refuse(fmt::format("unexpected: '{}' {}", word, describe_stray(word, i > 0, options, formats)));
   }
   const std::string others = paths.size() == 2 ? paths.back() : fmt::format("{} others", paths.size() - 1);

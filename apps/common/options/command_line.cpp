@@ -139,7 +139,7 @@ void check_known(const OptionList& list, const std::vector<std::string>& unknown
                              : !meant   ? "{}"
                              : meant->front() == '-' ? "{} (did you mean {}?)"
                                                      : "{} ({} needs no option in front)";
-    described.push_back(fmt::format(fmt::runtime(form), printable(word), meant.value_or("")));
+    described.push_back(fmt::format(fmt::runtime(form), user_text(word), meant.value_or("")));
   }
   throw Error(ErrorCode::invalid_option,
               fmt::format("unknown option{}: {}{}", unknown.size() > 1 ? "s" : "", fmt::join(described, ", "), hint));
@@ -152,8 +152,8 @@ void store(const OptionList& list, Given& given, const GivenTexts& texts, const 
     // "=" parts a name with two dashes from its value, but "-o=a.ply" is the value "=a.ply".
     refuse_option(
         list, given,
-        {texts.option->name, fmt::format("-o: '{}' begins with =; write -o {}", printable(texts.texts.front()),
-                                         printable(texts.texts.front().substr(1)))},
+        {texts.option->name, fmt::format("-o: '{}' begins with =; write -o {}", user_text(texts.texts.front()),
+                                         user_text(texts.texts.front().substr(1)))},
         hint);
   }
   const std::string wrong = read_option(*texts.option, texts.texts);
@@ -185,13 +185,13 @@ std::vector<GivenTexts> read_file(const OptionList& list, const std::string& pat
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     throw Error(ErrorCode::invalid_option,
-                fmt::format("--config {}: is a directory; name a TOML file of options", printable(path)));
+                fmt::format("--config {}: is a directory; name a TOML file of options", user_text(path)));
   }
   std::ifstream input(path);
   if (!input) {
     throw Error(ErrorCode::invalid_option, fmt::format("--config {}: there is no such file that can be read; name a "
                                                        "TOML file of options",
-                                                       printable(path)));
+                                                       user_text(path)));
   }
   std::vector<GivenTexts> kept = read_config_file(list, input, path);
   std::erase_if(kept, [&](const GivenTexts& given) { return is_overridden(list, *given.option, typed); });

@@ -75,7 +75,7 @@ std::string key_before(const std::string& content, std::size_t line) {
     const std::size_t first = text.find_first_not_of(" \t");
     if (equals == text.npos || first >= equals) continue;
     const std::size_t last = text.find_last_not_of(" \t", equals - 1);
-    key = printable(text.substr(first, last - first + 1)) + ": ";
+    key = user_text(text.substr(first, last - first + 1)) + ": ";
   }
   return key;
 }
@@ -86,7 +86,7 @@ toml::table parse_toml(const std::string& content, const std::string& file) {
   } catch (const toml::parse_error& error) {
     refuse_file(place_in_file(file, error.source()),
                 fmt::format("{}not valid TOML: {}", key_before(content, error.source().begin.line),
-                            printable(std::string(error.description()), kReasonLength)));
+                            user_text(std::string(error.description()), kReasonLength)));
   }
 }
 
@@ -184,7 +184,7 @@ const Option& find_option(const Entry& entry, const OptionList& list) {
       all.push_back(key);
     }
   }
-  const std::string key = printable(entry.key);
+  const std::string key = user_text(entry.key);
   if (entry.node->is_table()) refuse_file(entry.place, key + ": is a table; write its keys outside of tables");
   const auto meant = suggest_name(entry.key, all);
   refuse_file(entry.place, key + ": is not an option; " +

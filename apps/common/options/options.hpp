@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -107,12 +106,6 @@ std::vector<Target> list_targets(const OutputOptions& output);
 /// Whether a file or folder is named that gets a result.
 bool names_file(const OutputOptions& output);
 
-/// A value for the report; null where it is not given, or a text is empty.
-template <class T, class Json = nlohmann::ordered_json>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
-
 /// Whether a name stands for what can be read only once: "-", which is standard input, a pipe or a device.
 bool is_read_once(const std::string& file);
 
@@ -120,8 +113,5 @@ bool is_read_once(const std::string& file);
 std::string file_extension(const std::string& path);
 
 bool contains(const std::vector<std::string>& texts, const std::string& text);
-
-/// A text of the user's for a message: blanks for control characters, and "..." after `longest` bytes.
-std::string printable(std::string text, std::size_t longest = 60);
 
 }  // namespace gvd::app

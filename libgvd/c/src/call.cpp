@@ -119,7 +119,7 @@ gvd_status gvd_array_of(const gvd_object* object, const char* name, gvd_array* v
     const auto& arrays = given(object, "object").views().arrays;
     const auto found = arrays.find(std::string_view(&given(name, "name")));
     if (found == arrays.end()) refuse_name("array", name, arrays);
-    const ArrayView& of = found->second;
+    const ArrayView of = found->second();
     given(view, "view") = {of.data,
                            static_cast<gvd_type>(of.type),
                            of.dimensions,

@@ -1,6 +1,6 @@
 // Handles of the C interface: views of what objects consist of, errors, and what a run tells.
 //
-// Views are made once, with the handle: most refer to the object's own memory; lists of several curves are joined.
+// Most arrays are the object's own memory. Lists of several curves are joined once somebody asks for their points.
 
 #include "handles.hpp"
 
@@ -12,6 +12,7 @@
 namespace {
 
 using namespace gvd;
+using gvd::c::JoinedPoints;
 
 struct LastError {
   std::string text;
@@ -43,22 +44,21 @@ class ViewCollector : public ObjectVisitor {
     }
   }
   void array(const Meaning& meaning, const ArrayView& values) override {
-    handle_.arrays.insert_or_assign(std::string(meaning.name), values);
+    add(std::string(meaning.name), [values] { return values; });
   }
   void points(const Meaning& meaning, const PointsView& points) override {
-    handle_.arrays.insert_or_assign(std::string(meaning.name) + "_faces", points.faces());
-    handle_.arrays.insert_or_assign(std::string(meaning.name) + "_bary", points.bary());
+    add(std::string(meaning.name) + "_faces", [points] { return points.faces(); });
+    add(std::string(meaning.name) + "_bary", [points] { return points.bary(); });
   }
   void curves(const Meaning& meaning, const PointLists& lists) override {
+    JoinedPoints& joined = handle_.joined.emplace_back();
+    joined.lists = lists;
     std::vector<std::int64_t>& offsets = handle_.whole_numbers.emplace_back(1, 0);
-    std::vector<SurfacePoint>& joined = handle_.points.emplace_back();
-    for (std::int64_t i = 0; i < lists.count; ++i) {
-      const auto list = lists.list(i);
-      joined.insert(joined.end(), list.begin(), list.end());
-      offsets.push_back(std::ssize(joined));
-    }
-    handle_.arrays.insert_or_assign(std::string(meaning.name) + "_offsets", view(offsets));
-    points(meaning, joined);
+    for (std::int64_t i = 0; i < lists.count; ++i) offsets.push_back(offsets.back() + std::ssize(lists.list(i)));
+    const std::string name(meaning.name);
+    add(name + "_offsets", [&offsets] { return view(offsets); });
+    add(name + "_faces", [&joined] { return PointsView(joined.all()).faces(); });
+    add(name + "_bary", [&joined] { return PointsView(joined.all()).bary(); });
   }
   void lists(const Meaning& meaning, const GeneratorLists& lists) override {
     std::vector<std::int64_t>& offsets = handle_.whole_numbers.emplace_back(1, 0);
@@ -68,15 +68,8 @@ class ViewCollector : public ObjectVisitor {
       joined.insert(joined.end(), list.begin(), list.end());
       offsets.push_back(std::ssize(joined));
     }
-    handle_.arrays.insert_or_assign(std::string(meaning.name) + "_offsets", view(offsets));
+    add(std::string(meaning.name) + "_offsets", [&offsets] { return view(offsets); });
     array(meaning, view(joined));
-  }
-  void rows(const Meaning& meaning, const std::vector<std::vector<double>>& rows) override {
-    std::vector<double>& joined = handle_.numbers.emplace_back();
-    for (const std::vector<double>& row : rows) joined.insert(joined.end(), row.begin(), row.end());
-    const std::int64_t columns = rows.empty() ? 0 : std::ssize(rows.front());
-    const std::int64_t stride = sizeof(double);
-    array(meaning, {joined.data(), ArrayType::float64, 2, {std::ssize(rows), columns}, {stride * columns, stride}});
   }
   void table(const Meaning& meaning, const Table& table) override {
     for (const Column& column : table) figure({std::string(meaning.name) + '.' + column.name, "", ""}, column.values);
@@ -86,10 +79,24 @@ class ViewCollector : public ObjectVisitor {
   }
 
  private:
+  void add(std::string name, std::function<ArrayView()> view) {
+    handle_.arrays.insert_or_assign(std::move(name), std::move(view));
+  }
+
   gvd_object::Views& handle_;
 };
 
 }  // namespace
+
+const std::vector<gvd::SurfacePoint>& gvd::c::JoinedPoints::all() {
+  std::call_once(made_, [this] {
+    for (std::int64_t i = 0; i < lists.count; ++i) {
+      const auto list = lists.list(i);
+      points_.insert(points_.end(), list.begin(), list.end());
+    }
+  });
+  return points_;
+}
 
 gvd_object::gvd_object(std::shared_ptr<const gvd::Object> made, Door of) : object(std::move(made)), door(of) {
   if (const auto* const surface = dynamic_cast<const MeshObject*>(object.get())) {

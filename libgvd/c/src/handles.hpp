@@ -26,11 +26,26 @@
 
 // What the C interface hands out, and the guard that lets no exception out.
 
+namespace gvd::c {
+
+/// Lists of points as one, made when it is asked for first.
+class JoinedPoints {
+ public:
+  const std::vector<SurfacePoint>& all();
+  PointLists lists;
+
+ private:
+  std::once_flag made_;
+  std::vector<SurfacePoint> points_;
+};
+
+}  // namespace gvd::c
+
 /// An object with the views of its parts. It holds what it refers to, so that handles may be released in any order.
 struct gvd_object {
   /// What an object consists of, by its names.
   struct Views {
-    std::map<std::string, gvd::ArrayView, std::less<>> arrays;
+    std::map<std::string, std::function<gvd::ArrayView()>, std::less<>> arrays;
     struct Part {
       gvd::PartMaker make;  ///< gives null where this object has none
       std::string text;     ///< what it is
@@ -40,7 +55,7 @@ struct gvd_object {
     std::deque<std::vector<double>> numbers;
     std::deque<std::vector<std::int64_t>> whole_numbers;
     std::deque<std::vector<gvd::GeneratorId>> generators;
-    std::deque<std::vector<gvd::SurfacePoint>> points;
+    std::deque<gvd::c::JoinedPoints> joined;
   };
 
   explicit gvd_object(std::shared_ptr<const gvd::Object> made, gvd::Door of = gvd::Door::json);

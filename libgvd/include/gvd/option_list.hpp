@@ -267,9 +267,8 @@ class OptionList {
   /// The field must outlive the list, and its value now is the default.
   void option(const std::string& name, Field field, Spec spec);
 
-  /// `reason`: what the message says behind the names, in place of "keep one".
-  void excludes(const std::string& name, const std::vector<std::string>& others,
-                const std::string& reason = "keep one");
+  /// `why`: what keeps them apart, where it is not plain; it ends in no full stop.
+  void excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why = "");
   void needs(const std::string& name, const std::string& other);
   void one_of(OneOf set);
   void rule(ValueRule rule);
@@ -281,8 +280,8 @@ class OptionList {
   /// Null where there is no such option.
   const Option* find(std::string_view name) const;
 
-  bool exclude_each_other(const std::string& a, const std::string& b) const { return !why_excluded(a, b).empty(); }
-  /// Why two options exclude each other; empty where they don't.
+  bool exclude_each_other(const std::string& a, const std::string& b) const;
+  /// Why they do; empty where it is plain.
   std::string why_excluded(const std::string& a, const std::string& b) const;
   /// The options that one may stand beside only if they are given, too.
   std::vector<std::string> needed_by(const std::string& name) const;
@@ -302,7 +301,7 @@ class OptionList {
   std::vector<std::string> groups_;
   std::string group_;
   std::deque<Option> options_;                                           // references stay
-  std::map<std::pair<std::string, std::string>, std::string> excluded_;  // with the reasons
+  std::map<std::pair<std::string, std::string>, std::string> excluded_;  // and why; both orders of each pair
   std::vector<std::pair<std::string, std::string>> needed_;
   std::vector<OneOf> sets_;
   std::vector<ValueRule> rules_;

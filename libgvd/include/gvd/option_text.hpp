@@ -37,6 +37,10 @@ std::optional<bool> parse_flag(const std::string& text);
 /// The angle that "creases", for `usual` degrees, or "creases:ANGLE" asks for; nothing where the text is neither.
 std::optional<double> parse_creases(const std::string& text, double usual);
 
+/// A text of the user's for a message: blanks for control characters, and "..." after `longest` bytes. Letters of UTF-8
+/// stay whole.
+std::string user_text(std::string text, std::size_t longest = 60);
+
 /// Says that a name is none of these, and which one it may stand for.
 std::string describe_unknown(const std::string& text, const std::vector<std::string>& names);
 
@@ -50,7 +54,7 @@ std::string describe_unknown(const std::string& text, const std::vector<std::str
 /// each name.
 std::optional<std::string> suggest_name(const std::string& wrong, const std::vector<std::string>& names);
 
-/// The value of a number or a name as its default in words; empty for other kinds.
+/// The value of an option as its default in words; empty where it has none, and for flags.
 std::string default_text(const Field& field);
 
 }  // namespace gvd

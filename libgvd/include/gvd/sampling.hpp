@@ -30,6 +30,7 @@ struct SamplingOptions {
   std::int32_t count = 1;       ///< >= 1; ignored for covering_radius
   std::uint64_t seed = 0;       ///< the same seed gives the same points on every platform
   double radius = 0;            ///< mesh units, > 0; only for covering_radius
+  bool blue_noise = false;      ///< only for covering_radius: points in random order in place of farthest ones
   Front front = Front::circle;  ///< of the marches that compute distances
   Progress progress;            ///< may be empty
 };
@@ -48,7 +49,9 @@ struct SamplingOptions {
 ///   at least their number. covering_radius: the same, but with the farthest corner of the face with the largest
 ///   distance bound;
 /// (4) covering_radius: no point of any face is farther than `radius` from its nearest generator, by the distances of
-///   `front`.
+///   `front`;
+/// (5) covering_radius with blue_noise: no two generators of a component are nearer to each other than 0.85 of
+///   `radius`, by the same distances. They come in random order.
 ///
 /// Throws Error{invalid_option} if count < 1 or the radius is not a finite number > 0; Error{interrupted} if the
 /// progress callback cancels; Error{precondition} if the mesh does not allow such points: random and poisson need a

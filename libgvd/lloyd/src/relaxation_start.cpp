@@ -35,6 +35,7 @@ class Starter {
   }
 
   std::optional<CoarseCopy> make_copy(std::int64_t generators) const {
+    if (options_.sample) return std::nullopt;
     const CopyOptions& asked = options_.copy;
     const std::int64_t all = mesh_.face_count();
     const std::int64_t by_default = all > asked.above ? default_copy_faces(all, generators, asked.size) : 0;
@@ -48,6 +49,7 @@ class Starter {
     enter("generators");
     SamplingOptions sampling = options_.sampling;
     sampling.progress = options_.progress;
+    if (options_.sample) return options_.sample(sampling);
     const bool on_copy = copy && sampling.kind == Sampling::farthest;
     return on_copy ? sample_on_copy(mesh_, *copy, sampling) : sample_generators(mesh_, sampling);
   }

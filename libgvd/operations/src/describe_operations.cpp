@@ -43,7 +43,8 @@ class Describer : public ObjectVisitor {
   void array(const Meaning& meaning, const ArrayView& view) override {
     Json& one = kind_["arrays"].emplace_back(describe_meaning(meaning));
     one["type"] = kTypeNames[std::size_t(view.type)];
-    one["columns"] = view.dimensions == 1 ? 1 : view.shape[1];
+    const std::int64_t columns = view.dimensions == 1 ? 1 : view.shape[1];
+    one["columns"] = columns > 0 ? Json(columns) : Json();  // null: as many as there are
   }
   void points(const Meaning& meaning, const PointsView& points) override { add_points(meaning, points); }
   void curves(const Meaning& meaning, const PointLists&) override {
@@ -55,11 +56,6 @@ class Describer : public ObjectVisitor {
     array({std::string(meaning.name) + "_offsets", "", "the place of each list's first number, and the number of all"},
           view(std::vector<std::int64_t>()));
     array(meaning, view(std::vector<GeneratorId>()));
-  }
-  void rows(const Meaning& meaning, const std::vector<std::vector<double>>&) override {
-    Json& one = kind_["arrays"].emplace_back(describe_meaning(meaning));
-    one["type"] = "float64";
-    one["columns"] = nullptr;  // as many as there are
   }
   void table(const Meaning& meaning, const Table& table) override {
     Json& one = kind_["tables"].emplace_back(describe_meaning(meaning));

@@ -47,15 +47,18 @@ void describe(OptionList& list, DiagramCall& call) {
   describe_curves(list, call.generators);
   describe(list, call.diagram);
   describe(list, call.weights, call.diagram);
+  describe(list, call.regions, "cells and distances");
   list.option(
       "editable", Flag{&call.editable},
       {.help = "Keep what an edit of the diagram needs, some 450 bytes a face, so that the first edit is as quick "
                "as the next"});
-  list.excludes("editable", {"curves", "balance", "weights"});
+  const std::string why = "only a diagram of points on the whole mesh, without weights, can be edited";
+  list.excludes("editable", {"curves", "balance", "weights", "within", "mask"}, why);
   list.rule({"editable", {"method"}, [&call](const Given&) -> std::string {
                return call.diagram.method == Method::exact ? "" : "\1editable\2 needs \1method=exact\2";
              }});
-  list.excludes("curves", {"sampling", "seed", "merge_coincident", "balance", "weights"});
+  list.excludes("curves", {"sampling", "seed", "merge_coincident"});
+  exclude_curves(list);
   list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
                return call.diagram.method == Method::exact ? "" : "\1curves\2 needs \1method=exact\2";
              }});
@@ -64,30 +67,35 @@ void describe(OptionList& list, DiagramCall& call) {
 void DiagramOutcome::visit(ObjectVisitor& visitor) const {
   DiagramObject::visit(visitor);
   visit_balance(visitor, balanced_ ? &*balanced_ : nullptr);
+  visit_parted(visitor, parted_);
 }
 
 std::shared_ptr<const DiagramOutcome> run(const MeshPtr& input, DiagramCall& call, Observer& observer) {
   call.diagram.threads = observer.threads;
   std::optional<BalancedDiagram> balanced;
   std::unique_ptr<DiagramEditor> editor;
-  Diagram made;
+  PartedMesh parted = find_parted(*input, call.regions, observer);
+  separate(input->mesh, parted, observer);
+  auto made = std::make_shared<Diagram>();
   if (call.generators.curves.is_given()) {
-    made = compute_of_curves(*input, call.generators, call.diagram, observer);
+    *made = compute_of_curves(*input, call.generators, call.diagram, observer);
   } else {
-    const ResolvedGenerators found = choose_generators(*input, call.generators, call.diagram, observer);
+    const ResolvedGenerators found = choose_inside(*input, parted, call.generators, call.diagram, false, observer);
     if (call.editable) {
-      made = compute_in_steps(observer, call.diagram, [&](const DiagramOptions& stepped) {
+      *made = compute_in_steps(observer, call.diagram, [&](const DiagramOptions& stepped) {
         editor = std::make_unique<DiagramEditor>(input->mesh, found.points, stepped);
         return editor->diagram();
       });
-      tell_diagram(observer, made);
+      tell_diagram(observer, *made);
     } else {
-      made = compute_weighted(*input, input->mesh, found.points, call.weights, call.diagram, observer, balanced);
+      *made = compute_weighted(*input, parted.surface(input->mesh), found.points, call.weights, call.diagram, observer,
+                               balanced);
     }
   }
   resolve(call.diagram);
-  auto outcome = std::make_shared<DiagramOutcome>(input, std::make_shared<const Diagram>(std::move(made)), call.diagram,
-                                                  std::move(balanced));
+  const auto options = parted.is_parted() ? std::nullopt : std::optional(call.diagram);
+  auto outcome = std::make_shared<DiagramOutcome>(DiagramObject(input, parted.on_input(std::move(made)), options),
+                                                  std::move(balanced), std::move(parted));
   if (editor) outcome->keep(std::move(editor));
   return outcome;
 }

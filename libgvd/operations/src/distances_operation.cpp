@@ -100,7 +100,7 @@ void add_nearest(DistancesOutcome& made) {
       found.take(i, vertices.distance[v.index()], vertices.source[v.index()]);
     });
   }
-  table.rows.push_back(std::move(found.distance));
+  table.rows = std::move(found.distance);
   table.nearest = std::move(found.source);
 }
 
@@ -143,7 +143,7 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
                              : call.mesh_vertices ? std::size_t(input.mesh.vertex_count())
                                                   : input.mesh_vertex.size();
   check_table(call.most_bytes, table.sources.size(), points);
-  table.rows.assign(table.sources.size(), std::vector<double>(points, kInfinity));
+  table.rows = {std::vector<double>(table.sources.size() * points, kInfinity), table.sources.size()};
   if (has_targets && made.targets.places.empty()) return;  // all targets are left out
   ExactFieldOptions options = field_options(call, observer);
   std::vector<double> rows, of_vertices;
@@ -157,7 +157,7 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
                           has_points ? &made.targets.places : nullptr, rows, options);
     for (std::size_t source = begin; source < end; ++source) {
       const auto first = rows.begin() + std::ptrdiff_t((source - begin) * places);
-      std::vector<double>& row = table.rows[std::size_t(made.sources.point[source])];
+      const std::span<double> row = table.rows[std::size_t(made.sources.point[source])];
       const auto take = [&](std::size_t i, double d) { row[i] = std::min(row[i], d); };
       if (has_targets) {
         for (std::size_t k = 0; k < made.targets.places.size(); ++k) {
@@ -171,7 +171,7 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
         least = std::min(least, first[v.value()]);
       }
       if (call.mesh_vertices) {
-        row = of_vertices;
+        std::ranges::copy(of_vertices, row.begin());
       } else {
         match_vertices(input, [&](std::size_t i, VertexId v) { take(i, of_vertices[v.index()]); });
       }
@@ -357,7 +357,8 @@ void describe(OptionList& list, DistancesCall& call) {
                .shown = Shown::main});
   describe(list, call.regions, "distances and paths");
   list.one_of({{"from", "curves"}, "no sources"});
-  list.excludes("curves", {"merge_coincident", "within", "mask", "each"});
+  list.excludes("curves", {"merge_coincident", "each"});
+  list.excludes("curves", {"within", "mask"}, "a curve may leave its region");
   list.excludes("each", {"isolines"}, "isolines are of the nearest source");
   list.rule({"paths", {"to"}, [](const Given& given) -> std::string {
                return given.has("to") ? ""
@@ -385,7 +386,7 @@ std::string describe_unreached(const DistancesOutcome& outcome) {
   BarrierCounts barriers;
   std::int64_t count = 0;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    for (std::size_t i = 0; i < table.rows[row].size(); ++i, ++count) {
+    for (std::size_t i = 0; i < table.rows.points(); ++i, ++count) {
       if (!std::isfinite(table.rows[row][i])) barriers.add(unreached.find(row, i));
     }
   }
@@ -422,9 +423,7 @@ std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall&
   check_sources(*made);
   call.each ? measure_each(call, observer, *made) : measure_nearest(call, observer, *made);
   made->polylines = make_curves(input->mesh, table);
-  for (const std::vector<double>& row : table.rows) {
-    made->unreached += std::ranges::count_if(row, [](double d) { return !std::isfinite(d); });
-  }
+  made->unreached = std::ranges::count_if(table.rows.values(), [](double d) { return !std::isfinite(d); });
   const bool is_short = !table.targets.empty() && table.rows.size() * table.targets.size() <= kToldDistances;
   if (made->unreached > 0 && !is_short) observer.note(describe_unreached(*made));
   if (call.isolines) {

@@ -23,7 +23,7 @@ Table list_targets(const Mesh& mesh, const DistanceTable& table) {
     bary.emplace_back(point.bary.begin(), point.bary.end());
     positions.push_back({p.x(), p.y(), p.z()});
     distances.emplace_back();
-    for (const std::vector<double>& row : table.rows) distances.back().push_back(row[i]);
+    for (const std::span<const double> row : table.rows.each()) distances.back().push_back(row[i]);
     if (!table.nearest.empty()) sources.push_back(table.nearest[i].value());
   }
   return {{"vertex", vertices},    {"face", faces},          {"bary", bary},
@@ -73,9 +73,7 @@ Table list_isolines(const Mesh& mesh, const std::vector<Isoline>& lines) {
 
 double largest_of(const DistanceTable& table) {
   double largest = 0;
-  for (const std::vector<double>& row : table.rows) {
-    for (const double d : row) largest = std::isfinite(d) ? std::max(largest, d) : largest;
-  }
+  for (const double d : table.rows.values()) largest = std::isfinite(d) ? std::max(largest, d) : largest;
   return largest;
 }
 
@@ -96,19 +94,24 @@ void DistancesOutcome::visit(ObjectVisitor& visitor) const {
   visitor.figure({"sources", "", "number of sources"}, std::ssize(table.sources));
   visitor.figure({"source_vertices", "", "that they were given as, by the input's numbers; -1: none"},
                  source_vertices(table));
-  visitor.figure({"distances", "", "number of distances"},
-                 std::int64_t(table.rows.size() * (table.rows.empty() ? 0 : table.rows.front().size())));
+  visitor.figure({"distances", "", "number of distances"}, std::ssize(table.rows.values()));
   visitor.figure({"unreached", "", "distances that are infinite"}, unreached);
   visitor.figure({"largest", "mesh units", "largest finite distance"}, largest_of(table));
   visitor.table({"targets", "", "points to measure to"}, list_targets(mesh, table));
   visitor.table({"paths", "", "shortest paths"}, list_paths(table));
   visitor.table({"isolines", "", "curves of each level"}, list_isolines(mesh, table.isolines));
 
-  visitor.rows(
+  const auto columns = std::int64_t(table.rows.points());
+  const std::int64_t stride = sizeof(double);
+  visitor.array(
       {"rows", "mesh units",
        "distances: a row for the nearest source, or for each one; of the targets, or else of the vertices of the "
        "input, by its numbers"},
-      table.rows);
+      {table.rows.values().data(),
+       ArrayType::float64,
+       2,
+       {std::int64_t(table.rows.size()), columns},
+       {columns * stride, stride}});
   visitor.array({"nearest", "", "the nearest source of each of these; empty with each"}, view(table.nearest));
   visitor.array({"vertex_distances", "mesh units", "of the mesh's vertices from the nearest source; empty with each"},
                 view(distance));

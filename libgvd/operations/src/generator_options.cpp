@@ -83,7 +83,8 @@ void describe(OptionList& list, GeneratorOptions& generators, const std::vector<
   list.group(kGeneratorGroup);
   list.option("count", Number{&generators.count, {.least = 1}},
               {.help = "Number of generators to sample", .short_name = "n", .shown = Shown::main});
-  list.option("sampling", choice(generators.sampling, kSamplingNames), {.help = "How \1count\2 places generators"});
+  list.option("sampling", choice(generators.sampling, kSamplingNames),
+              {.help = "How \1count\2 places generators, and \1radius\2 those of farthest and poisson"});
   list.option("seed", Number{&generators.seed}, {.help = "Seed of the random choices"});
   list.option("radius", Number{&generators.radius, above(0)},
               {.help = "Sample generators until no point of the surface is farther than this from the nearest one",
@@ -103,7 +104,14 @@ void describe(OptionList& list, GeneratorOptions& generators, const std::vector<
   OneOf sources{{"count", "generators", "vertices", "radius"}, "no generators"};
   sources.options.insert(sources.options.end(), others.begin(), others.end());
   list.one_of(std::move(sources));
-  list.excludes("sampling", {"radius", "generators", "vertices"});
+  list.excludes("sampling", {"generators", "vertices"});
+  list.rule({"sampling", {"radius"}, [&generators](const Given&) -> std::string {
+               const bool is_even =
+                   generators.sampling == Sampling::farthest || generators.sampling == Sampling::poisson;
+               return !generators.radius || is_even ? ""
+                                                    : "\1sampling\2: a radius gives farthest or poisson points; give "
+                                                      "\1count\2, or leave \1sampling\2 out";
+             }});
   list.excludes("seed", {"generators", "vertices"});
   list.excludes("max_snap", {"count", "radius", "vertices"});
   list.excludes("merge_coincident", {"count", "radius"});
@@ -114,7 +122,7 @@ void describe_curves(OptionList& list, GeneratorOptions& generators) {
       "curves", Curves{&generators.curves, kUsualCreaseAngle},
       {.help = "Use curves as generators",
        .more = fmt::format(": polylines of a file (.obj, .ply, .json or text), the boundary loops, or connected edges "
-                           "whose faces differ by more than ANGLE degrees, which is {} where it is left out",
+                           "whose faces differ by more than ANGLE degrees ({} by default)",
                            kUsualCreaseAngle)});
 }
 
@@ -127,6 +135,7 @@ SamplingOptions make_sampling_options(const GeneratorOptions& asked, const Diagr
   if (asked.wanted()) options.count = *asked.wanted();
   if (asked.radius) options.radius = *asked.radius;
   options.kind = asked.radius ? Sampling::covering_radius : asked.sampling;
+  options.blue_noise = asked.sampling == Sampling::poisson;
   return options;
 }
 

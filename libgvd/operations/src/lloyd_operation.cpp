@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -13,6 +14,7 @@
 
 #include "gvd/diagram_options.hpp"
 #include "gvd/diagram_parts.hpp"
+#include "gvd/error.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd_options.hpp"
 #include "gvd/lloyd_words.hpp"
@@ -39,15 +41,34 @@ double area_variation(const IdVector<GeneratorId, Cell>& cells) {
   return std::sqrt(squares / static_cast<double>(cells.size()));
 }
 
-RelaxationStart start(const CheckedMesh& input, LloydCall& call, ResolvedGenerators& listed, Observer& observer) {
+/// Keeps the generators of a start to regions.
+void keep_inside(const CheckedMesh& input, PartedMesh& parted, RelaxationStartOptions& options, Observer& observer) {
+  const StartOptions& constraints = options.constraints;
+  const bool leaves_out = std::ranges::any_of(parted.regions, [](std::int32_t region) { return region < 0; });
+  if (leaves_out && (constraints.crease_angle || constraints.keep_boundary)) {
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("\1{}\2 would put generators into the faces that are left out; leave it out",
+                            constraints.crease_angle ? "features" : "keep_boundary"));
+  }
+  move_into_regions(input.mesh, parted.regions, options.listed);
+  move_into_regions(input.mesh, parted.regions, options.constraints.fixed);
+  options.sample = [&](const SamplingOptions& sampling) { return sample_inside(parted, sampling, false, observer); };
+}
+
+RelaxationStart start(const CheckedMesh& input, LloydCall& call, ResolvedGenerators& listed, PartedMesh& parted,
+                      Observer& observer) {
   call.start.copy = copy_options(call.relaxation, call.start.copy);
   RelaxationStartOptions options =
       make_start_options(input, call.generators, call.diagram, call.constraints, call.start, listed, observer);
+  if (parted.is_parted()) {
+    keep_inside(input, parted, options, observer);
+    listed.points = options.listed;
+  }
   RelaxationStart made;
   {
     Step step(observer, "generators");
     options.on_step = [&step](std::string_view name) { step.next(name); };
-    made = start_relaxation(input.mesh, options);
+    made = start_relaxation(parted.surface(input.mesh), options);
   }
   tell_start(observer, input.mesh, made, options, call.generators.are_listed());
   return made;
@@ -73,9 +94,10 @@ LloydResult relax(const Mesh& mesh, const RelaxationStart& start, const LloydCal
   return result;
 }
 
-/// Makes the cells of a relaxation equal, and takes what that changes into its result.
-BalancedRelaxation balance(const CheckedMesh& input, const RelaxationStart& start, const LloydCall& call,
-                           LloydResult& relaxed, Observer& observer) {
+/// Makes the cells of a relaxation equal, and takes what that changes into its result. A density of the input's faces
+/// is one of the surface's.
+BalancedRelaxation balance(const CheckedMesh& input, const Mesh& surface, const RelaxationStart& start,
+                           const LloydCall& call, LloydResult& relaxed, Observer& observer) {
   BalancedRelaxationOptions options;
   options.balance.density = find_density(input, call.balance);
   options.balance.diagram = call.diagram;
@@ -84,7 +106,7 @@ BalancedRelaxation balance(const CheckedMesh& input, const RelaxationStart& star
   options.freedom = start.freedom;
   options.creases = start.creases;
   BalancedRelaxation found =
-      as_step(observer, "balance", [&] { return relax_balanced(input.mesh, relaxed.generators, options); });
+      as_step(observer, "balance", [&] { return relax_balanced(surface, relaxed.generators, options); });
   relaxed.generators = found.balanced.diagram.generators;
   relaxed.moments = std::move(found.moments);
   relaxed.final_energy = 0;
@@ -142,6 +164,9 @@ void describe(OptionList& list, LloydCall& call) {
       {.help = "In the end, make all cells equal and keep the generators near their centroids",
        .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
                "the input"});
+  list.group("Constraints");
+  describe(list, call.regions, "cells and distances");
+  list.excludes("coarse", {"within", "mask"}, "there is no copy of regions");
 }
 
 void LloydOutcome::visit(ObjectVisitor& visitor) const {
@@ -157,6 +182,7 @@ void LloydOutcome::visit(ObjectVisitor& visitor) const {
   visitor.figure({"area_variation", "", "standard deviation of the cells' areas by their mean"},
                  area_variation(result.diagram.cells));
   visitor.figure({"final_energy", "mesh units to the fourth", "of the diagram"}, result.final_energy);
+  visit_parted(visitor, parted);
   visit_balance(visitor, balanced ? &balanced->balanced : nullptr);
   visitor.figure({"balance.rounds", "", "moves of all generators"},
                  balanced ? Figure(std::int64_t(balanced->rounds)) : Figure());
@@ -190,15 +216,20 @@ std::shared_ptr<const LloydOutcome> run(const MeshPtr& input, LloydCall& call, O
   call.diagram.threads = observer.threads;
   auto outcome = std::make_shared<LloydOutcome>();
   outcome->input = input;
+  outcome->parted = find_parted(*input, call.regions, observer);
+  separate(input->mesh, outcome->parted, observer);
   ResolvedGenerators listed;
-  const RelaxationStart made = start(*input, call, listed, observer);
-  LloydResult relaxed = relax(input->mesh, made, call, observer);
-  if (call.balance.is_given()) outcome->balanced = balance(*input, made, call, relaxed, observer);
+  const RelaxationStart made = start(*input, call, listed, outcome->parted, observer);
+  LloydResult relaxed = relax(outcome->surface(), made, call, observer);
+  if (call.balance.is_given()) {
+    outcome->balanced = balance(*input, outcome->surface(), made, call, relaxed, observer);
+  }
   tell_diagram(observer, relaxed.diagram);
   outcome->snap_distance = snaps_of_unmoved(listed, relaxed.generators);
   outcome->relaxed = std::make_shared<const LloydResult>(std::move(relaxed));
+  outcome->on_input = outcome->parted.on_input({outcome->relaxed, &outcome->relaxed->diagram});
   resolve(call.diagram);
-  outcome->options = call.diagram;
+  if (!outcome->parted.is_parted()) outcome->options = call.diagram;
   resolve(call.relaxation);
   return outcome;
 }

@@ -9,7 +9,7 @@
 #include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/mesh.hpp"
-#include "gvd/segment_operation.hpp"
+#include "gvd/parted_mesh.hpp"
 #include "io/view/view_steps.hpp"
 
 namespace gvd {
@@ -143,7 +143,7 @@ void MeshObject::visit(ObjectVisitor& visitor) const {
                 view(look.material));
 }
 
-const Mesh& DiagramObject::surface() const { return parted_.mesh ? parted_.mesh->surface(*mesh_) : mesh_->mesh; }
+const Mesh& DiagramObject::surface() const { return parted_.mesh ? parted_.mesh->surface(mesh_->mesh) : mesh_->mesh; }
 
 void DiagramObject::visit(ObjectVisitor& visitor) const {
   const Diagram& diagram = *diagram_;

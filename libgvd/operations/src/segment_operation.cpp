@@ -59,54 +59,14 @@ void label_levels(const Mesh& mesh, const SegmentCall& call, Observer& observer,
 }
 
 PartedMesh part(const CheckedMesh& input, const SegmentCall& call, Observer& observer) {
-  PartedMesh parted;
+  PartedMesh parted = find_parted(input, call.regions, observer);
   parted.levels = call.levels.size();
-  if (call.regions.are_given()) {
-    FoundRegions found = as_step(observer, "regions", [&] { return find_regions(input, call.regions, observer); });
-    if (!found.given.empty()) parted.numbers.push_back({kRegionName, std::move(found.given)});
-    parted.regions = std::move(found.regions);
-  }
   label_levels(input.mesh, call, observer, parted);
-  if (parted.is_parted()) {
-    parted.separated = as_step(observer, "separate", [&] { return separate_regions(input.mesh, parted.regions); });
-  }
+  separate(input.mesh, parted, observer);
   return parted;
 }
 
-void tell_samples(Observer& observer, const PartedMesh& parted, bool each_region) {
-  const RegionSamples& samples = parted.samples;
-  const auto left_out = std::ranges::count_if(parted.regions, [](std::int32_t region) { return region < 0; });
-  observer.note(
-      fmt::format("inside {} of {}{}", counted(samples.regions, "region", "regions"),
-                  counted(samples.parts, "connected part", "connected parts"),
-                  left_out == 0 ? "" : fmt::format("; {} left out", counted(left_out, "face is", "faces are"))));
-  if (samples.empty_parts == 0) return;
-  observer.note(fmt::format("{} no generator, because there are too few; {}",
-                            counted(samples.empty_parts, "part of a region has", "parts of regions have"),
-                            each_region ? "raise \1per_region\2" : fmt::format("{} reach all", samples.parts)));
-}
-
 // ---- the generators and their diagram
-
-// Listed points are resolved on the input, which may see a point on a border from any face beside it; so these are
-// moved into a region.
-std::vector<SurfacePoint> choose(const CheckedMesh& input, const SegmentCall& call, Observer& observer,
-                                 SegmentOutcome& outcome) {
-  PartedMesh& parted = outcome.parted;
-  if (!parted.is_parted() || call.generators.are_listed()) {
-    ResolvedGenerators found = choose_generators(input, call.generators, call.diagram, observer);
-    if (parted.is_parted()) move_into_regions(input.mesh, parted.regions, found.points);
-    outcome.snap_distance = std::move(found.snap_distance);
-    return std::move(found.points);
-  }
-  const Step step(observer, "generators");
-  const RegionSamplingOptions options{make_sampling_options(call.generators, call.diagram, observer),
-                                      call.per_region.has_value()};
-  parted.samples = sample_regions(parted.separated, parted.regions, options);
-  tell_samples(observer, parted, options.each_region);
-  observer.detail(counted(std::ssize(parted.samples.points), "generator", "generators"));
-  return std::exchange(parted.samples.points, {});
-}
 
 Diagram make_cells_discs(const SegmentCall& call, Observer& observer, const Diagram& diagram, SegmentOutcome& outcome) {
   DiscOptions options;
@@ -253,6 +213,17 @@ void cut_along_bisectors(const SegmentCall& call, Observer& observer, SegmentOut
   replace_texture(std::exchange(outcome.charts->texture, {}), outcome.appearance);
 }
 
+/// Throws Error{invalid_option} where generators can't be added to the diagram until its cells are discs.
+void check_discs(const DiagramObject& on) {
+  const char* const why = !on.options()                   ? "the diagram keeps to regions"
+                          : !on.diagram().curves.empty()  ? "the generators are curves"
+                          : !on.diagram().weights.empty() ? "the generators have weights"
+                                                          : nullptr;
+  if (why == nullptr) return;
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("\1disc\2: {}, so that no generators can be added; leave it out", why));
+}
+
 // ---- words for users
 
 void describe_regions(OptionList& list, SegmentCall& call) {
@@ -283,6 +254,7 @@ void describe(OptionList& list, LabelCall& call) {
            "Give each region texture coordinates, in a " + list_extensions(output_extensions(Content::texture), "or"),
        .more = ": distance and direction from its generator, or a map that flips no face and needs discs (implies "
                "\1cut\2)"});
+  list.option("disc", Flag{&call.disc}, {.help = "Add generators, as few as are found, until every region is a disc"});
   list.excludes("cut", {"labels"});
   list.excludes("uv", {"labels"});
   list.rule({"labels", {"cut", "uv"}, [&call](const Given&) -> std::string {
@@ -296,11 +268,12 @@ void describe(OptionList& list, SegmentCall& call) {
   describe(list, static_cast<LabelCall&>(call));
   describe_regions(list, call);
   describe(list, call.weights, call.diagram);
-  list.option("disc", Flag{&call.disc}, {.help = "Add generators, as few as are found, until every region is a disc"});
   describe_curves(list, call.generators);
-  list.excludes("disc", {"balance", "weights"});
-  list.excludes("curves",
-                {"sampling", "seed", "merge_coincident", "within", "mask", "balance", "weights", "disc", "uv"});
+  list.excludes("disc", {"balance", "weights"}, "a generator that is added has no weight");
+  list.excludes("curves", {"sampling", "seed", "merge_coincident"});
+  list.excludes("curves", {"disc"}, "the cell of a closed curve is no disc, however many generators are added");
+  list.excludes("curves", {"uv"}, "charts are laid around points");
+  exclude_curves(list);
   list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
                return call.diagram.method == Method::exact ? "" : "\1curves\2 needs \1method=exact\2";
              }});
@@ -318,11 +291,19 @@ std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& ca
   call.cut = whole.cut;
   auto outcome = std::make_shared<SegmentOutcome>();
   outcome->input = on.mesh();
-  outcome->diagram = outcome->on_input = on.shared();
+  outcome->diagram = on.shared();
+  outcome->options = on.options();
   if (on.parted().mesh) {
     outcome->parted = *on.parted().mesh;
     outcome->diagram = on.parted().diagram;
   }
+  if (call.disc) {
+    check_discs(on);
+    whole.diagram = *on.options();
+    whole.diagram.threads = observer.threads;
+    outcome->diagram = std::make_shared<const Diagram>(make_cells_discs(whole, observer, *outcome->diagram, *outcome));
+  }
+  outcome->on_input = outcome->parted.on_input(outcome->diagram);
   call.cut ? cut_along_bisectors(whole, observer, *outcome) : label_whole_faces(whole, observer, *outcome);
   return outcome;
 }
@@ -333,16 +314,19 @@ std::shared_ptr<const SegmentOutcome> run(const MeshPtr& input, SegmentCall& cal
   auto outcome = std::make_shared<SegmentOutcome>();
   outcome->input = input;
   outcome->parted = part(*input, call, observer);
-  Diagram diagram = call.generators.curves.is_given()
-                        ? compute_of_curves(*input, call.generators, call.diagram, observer)
-                        : compute_weighted(*input, outcome->surface(), choose(*input, call, observer, *outcome),
-                                           call.weights, call.diagram, observer, outcome->balanced);
+  Diagram diagram;
+  if (call.generators.curves.is_given()) {
+    diagram = compute_of_curves(*input, call.generators, call.diagram, observer);
+  } else {
+    ResolvedGenerators found =
+        choose_inside(*input, outcome->parted, call.generators, call.diagram, call.per_region.has_value(), observer);
+    outcome->snap_distance = std::move(found.snap_distance);
+    diagram = compute_weighted(*input, outcome->surface(), found.points, call.weights, call.diagram, observer,
+                               outcome->balanced);
+  }
   if (call.disc) diagram = make_cells_discs(call, observer, diagram, *outcome);
   outcome->diagram = outcome->on_input = std::make_shared<const Diagram>(std::move(diagram));
-  if (outcome->parted.is_parted()) {
-    outcome->on_input =
-        std::make_shared<const Diagram>(restrict_to_input(outcome->parted.separated, *outcome->diagram));
-  }
+  outcome->on_input = outcome->parted.on_input(outcome->diagram);
   call.cut ? cut_along_bisectors(call, observer, *outcome) : label_whole_faces(call, observer, *outcome);
   resolve(call.diagram);
   if (!outcome->parted.is_parted()) outcome->options = call.diagram;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <ostream>
-#include <set>
 #include <utility>
 
 #include "gvd/diagram_parts.hpp"
@@ -12,22 +11,6 @@
 
 namespace gvd {
 namespace {
-
-void visit_parted(ObjectVisitor& visitor, const PartedMesh& parted) {
-  const std::set<std::int32_t> numbers(parted.regions.begin(), parted.regions.end());
-  const auto is_region = [](std::int32_t region) { return region >= 0; };
-  const auto figure = [&](const Meaning& meaning, std::int64_t value) {
-    visitor.figure(meaning, parted.is_parted() ? Figure(value) : Figure());
-  };
-  figure({"within.regions", "", "that the cells keep to"}, std::ranges::count_if(numbers, is_region));
-  figure({"within.left_out_faces", "", "in no region"},
-         std::ssize(parted.regions.raw()) - std::ranges::count_if(parted.regions, is_region));
-  const RegionSamples& samples = parted.samples;
-  const auto sampled = [&](std::int64_t value) { return samples.regions > 0 ? Figure(value) : Figure(); };
-  visitor.figure({"within.parts", "", "connected parts of regions, where generators are sampled"},
-                 sampled(samples.parts));
-  visitor.figure({"within.parts_without_generator", "", "of these"}, sampled(samples.empty_parts));
-}
 
 /// The figures of whole faces.
 void visit_whole(ObjectVisitor& visitor, const SegmentOutcome& made) {

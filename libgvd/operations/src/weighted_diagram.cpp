@@ -70,6 +70,11 @@ void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& dia
   }
 }
 
+void exclude_curves(OptionList& list) {
+  list.excludes("curves", {"balance", "weights"}, "bisectors with weights are computed between points alone");
+  list.excludes("curves", {"within", "mask"}, "a curve may leave its region");
+}
+
 Diagram compute_weighted(const CheckedMesh& input, const Mesh& surface, const std::vector<SurfacePoint>& generators,
                          const GivenWeights& weights, const DiagramOptions& options, Observer& observer,
                          std::optional<BalancedDiagram>& balanced) {

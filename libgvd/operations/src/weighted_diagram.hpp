@@ -14,6 +14,9 @@ namespace gvd {
 
 void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& diagram);
 
+/// Curves have neither weights nor regions: says why.
+void exclude_curves(OptionList& list);
+
 /// Computes the diagram on `surface`, which has the faces of the input, balanced where that is asked for; `balanced`
 /// then has the rest of what is known. Throws what compute_diagram and balance_cells throw, and Error{precondition}
 /// where there is not one number for each generator, or one is out of its range.

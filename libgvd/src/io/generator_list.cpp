@@ -297,7 +297,9 @@ class Resolver {
     result_.snap_distance.back() = closest.distance;
     if (closest.distance > result_.longest_snap.value_or(-1)) {
       result_.longest_snap = closest.distance;
-      result_.farthest = location(result_.points.size());
+      const std::size_t entry = result_.points.size();
+      result_.farthest =
+          list_.entries[entry].line > 0 ? location(entry) : fmt::format("point {} of {}", entry, list_.name);
     }
     return closest.point;
   }

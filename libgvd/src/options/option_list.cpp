@@ -67,12 +67,13 @@ std::optional<Problem> find_exclusion(const OptionList& list, const Given& given
   const std::vector<const Option*> all = list.options();
   for (auto a = all.begin(); a != all.end(); ++a) {
     for (auto b = a + 1; given.has((*a)->name) && b != all.end(); ++b) {
-      const std::string reason = given.has((*b)->name) ? list.why_excluded((*a)->name, (*b)->name) : std::string();
-      if (reason.empty()) continue;
+      if (!given.has((*b)->name) || !list.exclude_each_other((*a)->name, (*b)->name)) continue;
       // The later one is to blame: options of a file come behind those of the command line.
       const bool is_first_later = given.find((*a)->name)->order > given.find((*b)->name)->order;
       const std::string& blamed = is_first_later ? (*a)->name : (*b)->name;
-      return Problem{blamed, fmt::format("\1{}\2 and \1{}\2 exclude each other: {}", (*a)->name, (*b)->name, reason)};
+      const std::string why = list.why_excluded((*a)->name, (*b)->name);
+      return Problem{blamed, fmt::format("\1{}\2 and \1{}\2 exclude each other: {}keep one", (*a)->name, (*b)->name,
+                                         why.empty() ? "" : why + "; ")};
     }
   }
   return std::nullopt;
@@ -93,8 +94,8 @@ void OptionList::option(const std::string& name, Field field, Spec spec) {
   options_.push_back({name, group_, std::move(field), std::move(spec), std::move(reset), is_on});
 }
 
-void OptionList::excludes(const std::string& name, const std::vector<std::string>& others, const std::string& reason) {
-  for (const std::string& other : others) excluded_[{name, other}] = reason;
+void OptionList::excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why) {
+  for (const std::string& other : others) excluded_[{name, other}] = excluded_[{other, name}] = why;
 }
 
 void OptionList::needs(const std::string& name, const std::string& other) { needed_.emplace_back(name, other); }
@@ -118,17 +119,19 @@ const Option* OptionList::find(std::string_view name) const {
   return found == options_.end() ? nullptr : &*found;
 }
 
-std::string OptionList::why_excluded(const std::string& a, const std::string& b) const {
-  if (a == b) return "";
-  for (const auto& pair : {std::pair(a, b), std::pair(b, a)}) {
-    if (const auto found = excluded_.find(pair); found != excluded_.end()) return found->second;
-  }
+bool OptionList::exclude_each_other(const std::string& a, const std::string& b) const {
+  if (a == b) return false;
   const auto has = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  const bool is_of_set = std::any_of(sets_.begin(), sets_.end(),
-                                     [&](const OneOf& set) { return has(set.options, a) && has(set.options, b); });
-  return is_of_set ? "keep one" : "";
+  return excluded_.contains({a, b}) || std::any_of(sets_.begin(), sets_.end(), [&](const OneOf& set) {
+           return has(set.options, a) && has(set.options, b);
+         });
+}
+
+std::string OptionList::why_excluded(const std::string& a, const std::string& b) const {
+  const auto found = excluded_.find({a, b});
+  return found == excluded_.end() ? "" : found->second;
 }
 
 std::vector<std::string> OptionList::needed_by(const std::string& name) const {
@@ -178,9 +181,9 @@ std::vector<std::string> OptionList::find_unknown_names() const {
                     return *named.insert(std::string(name)).first;
                   }});
   };
-  for (const auto& [pair, reason] : excluded_) {
+  for (const auto& [pair, why] : excluded_) {
     named.insert({pair.first, pair.second});
-    read(reason);
+    read(why);
   }
   for (const auto& [a, b] : needed_) named.insert({a, b});
   for (const OneOf& set : sets_) named.insert(set.options.begin(), set.options.end());

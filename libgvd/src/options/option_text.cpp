@@ -18,17 +18,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// A text of the user's in a message is cut behind so many bytes.
-constexpr std::size_t kShown = 60;
-
-/// A text of the user's between quotes, with blanks for control characters. Letters of UTF-8 stay whole.
-std::string shown(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, ' ');
-  std::size_t end = std::min(text.size(), kShown);
-  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return fmt::format("'{}{}'", text.substr(0, end), end < text.size() ? "..." : "");
-}
+std::string shown(const std::string& text) { return '\'' + user_text(text) + '\''; }
 
 bool contains(const Texts& texts, const std::string& text) {
   return std::find(texts.begin(), texts.end(), text) != texts.end();
@@ -352,10 +342,19 @@ const auto kWriteBound = [](const SizeOrPercent& size) {
 };
 
 const auto kWriteAngle = [](const CreaseAngle& angle) {
-  return *angle.automatic ? write_text("auto") : write_any(*angle.value);
+  return *angle.automatic ? write_text("auto") : *angle.value ? write_any(*angle.value) : write_text("none");
 };
 
 }  // namespace
+
+std::string user_text(std::string text, std::size_t longest) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, ' ');
+  if (text.size() <= longest) return text;
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return text.substr(0, end) + "...";
+}
 
 std::string read_option(const Option& option, const Texts& texts) {
   if (texts.empty() && !stands_alone(option.field)) {
@@ -464,19 +463,8 @@ std::optional<Texts> write_option(const Field& field) {
 }
 
 std::string default_text(const Field& field) {
-  const auto text = [&] {
-    const auto texts = write_option(field);
-    return texts ? fmt::format("{}", fmt::join(*texts, ",")) : std::string();
-  };
-  const auto none = [](const auto&) { return std::string(); };
-  return std::visit(Overload{[&](const Number&) { return text(); }, [&](const Choice&) { return text(); },
-                             [&](const ChoiceList&) { return text(); },
-                             [&](const CreaseAngle&) {
-                               const std::string angle = text();
-                               return angle.empty() ? std::string("none") : angle;
-                             },
-                             none},
-                    field);
+  const auto texts = write_option(field);
+  return takes_value(field) && texts ? fmt::format("{}", fmt::join(*texts, ",")) : "";
 }
 
 bool is_real(const Number& number) {

@@ -53,7 +53,7 @@ TEST_CASE("usage errors exit with 2") {
       {"a.obj", "--vertices", "1,,2"},
       {"a.obj", "--vertices", "1,-2"},
       {"a.obj", "--vertices", "1,x"},
-      {"a.obj", "--sampling", "poisson", "--radius", "1"},
+      {"a.obj", "--sampling", "vertices", "--radius", "1"},
       {"a.obj", "-n", "3", "--max-snap", "1"},
       {"a.obj", "-n", "3", "--sampling", "best"},
       {"a.obj", "-n", "3", "--method", "other"},

@@ -110,4 +110,28 @@ TEST_CASE("gvd-lloyd --density: curvature, files for vertices and faces, and pro
   CHECK_THAT(none.err, Contains("--density mass: there is no such file, and"));
 }
 
+TEST_CASE(
+    "gvd-lloyd --within, --mask: generators keep to regions, and the report and the page are those of the surface") {
+  const ScratchFolder scratch;
+  const std::string mesh = data_file("figure.obj");
+  REQUIRE(run_command("gvd-segment", mesh + " -q --levels 2,4 --face-labels " + scratch / "l.csv").exit_code == 0);
+  const std::string run = mesh + " -n 9 --iterations 5 -o " + scratch / "a.json" + " --verify --report " +
+                          scratch / "r.json" + " --view " + scratch / "a.html --within " + scratch / "l.csv";
+  const CommandResult made = lloyd(run);
+  CAPTURE(made.err);
+  REQUIRE(made.exit_code == 0);
+  CHECK_THAT(made.err, Contains("inside 4 regions of 4 connected parts"));
+  const auto report = nlohmann::json::parse(std::ifstream(scratch / "r.json"));
+  CHECK(report["results"]["within"]["regions"] == 4);
+  CHECK(report["results"]["within"]["left_out_faces"] == 0);
+  // The labels of the last level are 0 to 3: all but region 0 are left out.
+  const CommandResult masked = lloyd(mesh + " -n 3 --iterations 5 -o " + scratch / "b.ply --mask " + scratch / "l.csv");
+  CHECK(masked.exit_code == 0);
+  CHECK_THAT(masked.err, Contains("inside 1 region of 1 connected part; "));
+  CHECK_THAT(lloyd(mesh + " -n 3 --features 30 -o " + scratch / "b.ply --mask " + scratch / "l.csv").err,
+             Contains("error: --features would put generators into the faces that are left out; leave it out"));
+  CHECK_THAT(lloyd(mesh + " -n 3 --coarse 500 -o " + scratch / "b.ply --mask " + scratch / "l.csv").err,
+             Contains("--coarse and --mask exclude each other: there is no copy of regions; keep one"));
+}
+
 }  // namespace gvd::test_constraints

@@ -77,6 +77,35 @@ TEST_CASE("a covering splits large faces") {
   CHECK(all_distinct(square, generators));
 }
 
+TEST_CASE("property 5: blue noise by radius covers the surface, and keeps its points apart") {
+  for (const Mesh& mesh : {test::make_grid(1, 1), test::make_grid(8, 5)}) {
+    SamplingOptions options;
+    options.kind = Sampling::covering_radius;
+    options.blue_noise = true;
+    options.radius = 0.1 * mesh.bbox_diagonal();
+    const auto points = sample_generators(mesh, options);
+    const auto farthest = cover(mesh, options.radius);
+    CHECK(points.size() > farthest.size() / 2);
+    CHECK(points.size() < 2 * farthest.size());
+    double least = kInfinity, largest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        least = std::min(least, (position(mesh, points[i]) - position(mesh, points[k])).norm());
+      }
+    }
+    for (const FaceId f : mesh.faces()) {
+      const Vec3 p = position(mesh, SurfacePoint{f, {1.0 / 3, 1.0 / 3, 1.0 / 3}});
+      double nearest = kInfinity;
+      for (const SurfacePoint& point : points) nearest = std::min(nearest, (position(mesh, point) - p).norm());
+      largest = std::max(largest, nearest);
+    }
+    CHECK(least >= 0.8 * options.radius);  // marching measures too long by little
+    CHECK(largest <= options.radius * (1 + 1e-9));
+    options.seed = 1;
+    CHECK(position(mesh, sample_generators(mesh, options)[1]) != position(mesh, points[1]));
+  }
+}
+
 TEST_CASE("a covering that would split the surface too often is refused before it is split") {
   // No edge alone takes many splits: it is the area that does. The progress callback is reached by splitting only.
   const Mesh square = test::make_grid(1, 1);

@@ -83,7 +83,7 @@ TEST_CASE("an annotation has another colour for each region, near that of the re
 
 TEST_CASE("a row of distances is an array of GIFTI") {
   std::ostringstream out;
-  write_distances_gifti(out, {.rows = {{1, 2}, {3, 4}, {5, 6}}});
+  write_distances_gifti(out, {.rows = {{1, 2, 3, 4, 5, 6}, 3}});
   CHECK_THAT(out.str(), Contains("NumberOfDataArrays=\"3\"") && Contains("<Data>AACAPwAAAEA=</Data>"));
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gvd/exact_field.hpp"
@@ -33,6 +36,32 @@ struct TargetPath {
   std::vector<Vec3> positions = {};  ///< of its points, mesh units
 };
 
+/// Rows of distances, all of one length and one behind the other in memory.
+class DistanceRows {
+ public:
+  DistanceRows() = default;
+  /// `values`: those of all rows.
+  DistanceRows(std::vector<double> values, std::size_t rows = 1) : values_(std::move(values)), rows_(rows) {}
+
+  std::size_t size() const { return rows_; }
+  bool empty() const { return rows_ == 0; }
+  /// The length of each.
+  std::size_t points() const { return rows_ == 0 ? 0 : values_.size() / rows_; }
+  const std::vector<double>& values() const { return values_; }
+  std::span<double> operator[](std::size_t row) { return {values_.data() + row * points(), points()}; }
+  std::span<const double> operator[](std::size_t row) const { return {values_.data() + row * points(), points()}; }
+  /// All of them, to walk through.
+  std::vector<std::span<const double>> each() const {
+    std::vector<std::span<const double>> all;
+    for (std::size_t row = 0; row < rows_; ++row) all.push_back((*this)[row]);
+    return all;
+  }
+
+ private:
+  std::vector<double> values_;
+  std::size_t rows_ = 0;
+};
+
 /// Distances of points from sources, and curves of them, for files.
 struct DistanceTable {
   std::vector<SurfacePoint> sources = {};
@@ -42,7 +71,7 @@ struct DistanceTable {
   std::vector<std::int64_t> source_vertices = {}, target_vertices = {};
   /// A row of all points for each source or, where `nearest` is not empty, one row of the nearest source. Mesh units,
   /// infinity where no source reaches.
-  std::vector<std::vector<double>> rows = {};
+  DistanceRows rows = {};
   std::vector<GeneratorId> nearest = {};  ///< of each point; invalid where no source reaches
   std::vector<TargetPath> paths = {};
   std::vector<Isoline> isolines = {};

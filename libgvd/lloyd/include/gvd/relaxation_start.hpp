@@ -32,10 +32,12 @@ CopyOptions copy_options(const LloydOptions& relaxation, CopyOptions asked = {})
 struct RelaxationStartOptions {
   std::vector<SurfacePoint> listed;  ///< the generators; empty: they are sampled
   SamplingOptions sampling;          ///< of sampled ones
-  StartOptions constraints;          ///< `are_listed` is set here; creases that are preferred are for sampled ones
-  Density density;                   ///< of the mesh's faces, or uniform
-  bool weighs_curvature = false;     ///< take make_curvature_density in place of `density`
-  double gradation = 0.3;            ///< of that density
+  /// Samples them in place of sample_generators; there is no copy then. May be empty.
+  std::function<std::vector<SurfacePoint>(const SamplingOptions&)> sample;
+  StartOptions constraints;       ///< `are_listed` is set here; creases that are preferred are for sampled ones
+  Density density;                ///< of the mesh's faces, or uniform
+  bool weighs_curvature = false;  ///< take make_curvature_density in place of `density`
+  double gradation = 0.3;         ///< of that density
   CopyOptions copy;
   int threads = 0;    ///< >= 0; 0: one a core. The result is the same for any number
   Progress progress;  ///< of every step; may be empty

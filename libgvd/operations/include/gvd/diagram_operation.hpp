@@ -11,6 +11,7 @@
 #include "gvd/mesh_objects.hpp"
 #include "gvd/observer.hpp"
 #include "gvd/option_list.hpp"
+#include "gvd/parted_mesh.hpp"
 #include "gvd/segment_operation.hpp"
 
 // Two operations that other ones begin with: points on a surface, and their diagram.
@@ -42,22 +43,23 @@ struct DiagramCall {
   GeneratorOptions generators;  ///< points or curves
   DiagramOptions diagram;
   GivenWeights weights;
+  GivenRegions regions;
   bool editable = false;  ///< keep what edits need
 };
 
 void describe(OptionList& list, DiagramCall& call);
 
-/// A diagram, and how equal its cells are where they were balanced.
+/// A diagram, how equal its cells are where they were balanced, and the regions that they keep to.
 class DiagramOutcome : public DiagramObject {
  public:
   DiagramOutcome() = default;
-  DiagramOutcome(MeshPtr mesh, std::shared_ptr<const Diagram> diagram, std::optional<DiagramOptions> options,
-                 std::optional<BalancedDiagram> balanced)
-      : DiagramObject(std::move(mesh), std::move(diagram), std::move(options)), balanced_(std::move(balanced)) {}
+  DiagramOutcome(DiagramObject diagram, std::optional<BalancedDiagram> balanced, PartedMesh parted)
+      : DiagramObject(std::move(diagram)), balanced_(std::move(balanced)), parted_(std::move(parted)) {}
   void visit(ObjectVisitor& visitor) const override;
 
  private:
   std::optional<BalancedDiagram> balanced_;
+  PartedMesh parted_;
 };
 
 /// Chooses generators, and computes their diagram. Options become what they stand for. Throws what its steps throw.

@@ -9,6 +9,7 @@
 #include "gvd/mesh_objects.hpp"
 #include "gvd/observer.hpp"
 #include "gvd/option_list.hpp"
+#include "gvd/parted_mesh.hpp"
 #include "gvd/relaxation_parts.hpp"
 
 namespace gvd {
@@ -20,6 +21,7 @@ struct LloydCall {
   LloydOptions relaxation;
   RelaxationStartOptions start;
   GivenConstraints constraints;
+  GivenRegions regions;
   GivenNumbers balance;  ///< what cells share in the end: "area" or numbers; none: as they come
 };
 
@@ -38,12 +40,16 @@ class LloydOutcome : public Object {
   std::optional<LabelledMesh> labelled() const override { return diagram().labelled(); }
   OwnWriters own_writers() const override { return list_writers(input->mesh, relaxed->generators); }
   OwnWriters part_writers(std::string_view part) const override;
-  DiagramObject diagram() const { return {input, std::shared_ptr<const Diagram>(relaxed, &relaxed->diagram), options}; }
+  DiagramObject diagram() const { return {input, on_input, options}; }
+  /// The mesh of the relaxed diagram (PartedMesh::surface).
+  const Mesh& surface() const { return parted.surface(input->mesh); }
 
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();  ///< with balanced cells at the end
-  DiagramOptions options;                                                        ///< of the diagram
-  std::optional<BalancedRelaxation> balanced;                                    ///< without its diagram
+  PartedMesh parted;
+  std::shared_ptr<const Diagram> on_input = std::make_shared<Diagram>();  ///< with the vertices of the input alone
+  std::optional<DiagramOptions> options;                                  ///< of the diagram; none inside regions
+  std::optional<BalancedRelaxation> balanced;                             ///< without its diagram
   /// How far each generator is from where it was given; nothing for one that is somewhere else now.
   std::vector<std::optional<double>> snap_distance;
 };

@@ -167,8 +167,6 @@ class ObjectVisitor {
   virtual void points(const Meaning&, const PointsView&) {}
   virtual void curves(const Meaning&, const PointLists&) {}
   virtual void lists(const Meaning&, const GeneratorLists&) {}
-  /// Rows of equal length.
-  virtual void rows(const Meaning&, const std::vector<std::vector<double>>&) {}
   virtual void table(const Meaning&, const Table&) {}
   /// `kind`: of the part. `make` gives it, or null where there is none.
   virtual void part(const Meaning&, std::string_view /*kind*/, const PartMaker& /*make*/) {}

@@ -8,13 +8,13 @@
 
 #include "gvd/balance.hpp"
 #include "gvd/charts.hpp"
-#include "gvd/face_regions.hpp"
 #include "gvd/generator_options.hpp"
 #include "gvd/given_regions.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh_objects.hpp"
 #include "gvd/observer.hpp"
 #include "gvd/option_list.hpp"
+#include "gvd/parted_mesh.hpp"
 #include "gvd/segment.hpp"
 
 namespace gvd {
@@ -31,6 +31,7 @@ struct LabelCall {
   SegmentOptions segmentation;
   bool cut = false;            ///< split faces along the bisectors
   std::optional<ChartMap> uv;  ///< of the texture coordinates, which are those of cut faces; none: no coordinates
+  bool disc = false;           ///< generators are added until every cell is a disc
 };
 
 void describe(OptionList& list, LabelCall& call);
@@ -43,27 +44,12 @@ struct SegmentCall : LabelCall {
   std::optional<std::int32_t> per_region;  ///< generators of each region, >= 1
   std::vector<std::int32_t> levels;        ///< numbers of generators, ascending; empty: one level
   GivenWeights weights;
-  bool disc = false;  ///< generators are added until every cell is a disc
 
   /// Stores what follows from options: the number of generators, and that texture coordinates are those of cut faces.
   void complete();
 };
 
 void describe(OptionList& list, SegmentCall& call);
-
-/// The regions that a segmentation keeps to. A diagram on the separated mesh respects them by itself.
-struct PartedMesh {
-  FaceRegions regions;               ///< empty: all faces are one
-  SeparatedMesh separated;           ///< where there are regions
-  std::vector<FaceNumbers> numbers;  ///< of the input's faces: the region, and the labels of coarser levels
-  RegionSamples samples;             ///< without points; figures of what was sampled
-  std::size_t levels = 0;            ///< of which the last one's labels are among the numbers of a result
-
-  bool is_parted() const { return !regions.empty(); }
-  /// The mesh of a diagram that keeps to them.
-  const Mesh& surface(const CheckedMesh& input) const { return is_parted() ? separated.mesh : input.mesh; }
-  bool is_left_out(FaceId f) const { return is_parted() && regions[f] < 0; }
-};
 
 /// A segmented mesh: its own faces with labels, or pieces of them.
 class SegmentOutcome : public Object {
@@ -74,7 +60,7 @@ class SegmentOutcome : public Object {
   void visit(ObjectVisitor& visitor) const override;
 
   /// The mesh of `diagram`, which has the input's faces, with the vertices on borders of regions doubled.
-  const Mesh& surface() const { return parted.surface(*input); }
+  const Mesh& surface() const { return parted.surface(input->mesh); }
   /// What files hold: the input, or its pieces, with labels and distances.
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;

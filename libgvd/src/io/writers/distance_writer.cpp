@@ -41,7 +41,7 @@ void print_distances(ByteWriter& out, const DistanceTable& table) {
     io::print_lines(out, rows, [&](const auto& row) { io::print_array(out, row, print); });
   };
   out.print(",\n\"points\":\"{}\",\n\"distances\":", table.targets.empty() ? "vertices" : "targets");
-  print_rows(table.rows, [&](double d) { out.text(io::json_number(d)); });
+  print_rows(table.rows.each(), [&](double d) { out.text(io::json_number(d)); });
   out.text(",\n\"nearest\":");
   if (table.nearest.empty()) return out.text("null");
   io::print_ids(out, table.nearest);
@@ -129,19 +129,17 @@ void write_levels_csv(std::ostream& stream, const std::vector<FaceNumbers>& leve
 }
 
 void write_distances_npy(std::ostream& stream, const DistanceTable& table) {
-  const std::size_t points = table.rows.empty() ? 0 : table.rows.front().size();
+  const std::size_t points = table.rows.points();
   const bool is_single = !table.nearest.empty();
   ByteWriter out(stream);
   out.text(io::npy_header("<f8", is_single ? std::vector{points} : std::vector{table.rows.size(), points}));
-  for (const std::vector<double>& row : table.rows) {
-    for (const double d : row) out.binary(d);
-  }
+  for (const double d : table.rows.values()) out.binary(d);
   out.finish();
 }
 
 void write_distances_text(std::ostream& stream, const DistanceTable& table) {
   ByteWriter out(stream);
-  const std::size_t points = table.rows.empty() ? 0 : table.rows.front().size();
+  const std::size_t points = table.rows.points();
   const bool has_targets = !table.targets.empty(), is_single = has_targets && points == 1 && table.rows.size() == 1;
   for (std::size_t i = 0; i < points; ++i) {
     if (!is_single) out.print("{} ", has_targets ? table.target_vertex(i) : std::int64_t(i));

@@ -95,7 +95,7 @@ void write_freesurfer_distances(std::ostream& stream, const ColoredMesh& labelle
 namespace gvd {
 
 void write_distances_freesurfer(std::ostream& stream, const DistanceTable& table, std::int32_t faces) {
-  const std::vector<double>& row = table.rows.front();
+  const std::span<const double> row = table.rows[0];
   io::ByteWriter out(stream);
   out.text("\xff\xff\xff");
   out.big_endian(std::int32_t(row.size()));

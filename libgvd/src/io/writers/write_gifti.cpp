@@ -102,7 +102,7 @@ namespace gvd {
 void write_distances_gifti(std::ostream& stream, const DistanceTable& table) {
   io::ByteWriter out(stream);
   io::open_gifti(out, table.rows.size());
-  for (const std::vector<double>& row : table.rows) {
+  for (const std::span<const double> row : table.rows.each()) {
     io::write_gifti_array<float>(out, {"SHAPE", row.size()}, [&](auto put) {
       for (const double distance : row) put(static_cast<float>(distance));
     });
