@@ -30,13 +30,12 @@ class Array(ctypes.Structure):
 
 PROGRESS = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_double)
 NOTE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_char_p)
-ITERATION = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double, ctypes.c_void_p)
 
 
 class Run(ctypes.Structure):
     _fields_ = [("threads", ctypes.c_int), ("progress", PROGRESS), ("data", ctypes.c_void_p),
                 ("cancel", ctypes.POINTER(ctypes.c_int32)), ("note", NOTE), ("due", ctypes.POINTER(ctypes.c_int32)),
-                ("door", ctypes.c_int32), ("iteration", ITERATION)]
+                ("door", ctypes.c_int32), ("iteration", ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double, ctypes.c_void_p))]
 
 
 def array(rows, kind=ctypes.c_double):
@@ -131,11 +130,9 @@ def good_value(option):
         return 0.5 if option.get("most", 2) < 1 else 1
     if kind == "whole number":
         return 50 if option.get("least", 1) > 1 else 3
-    if kind == "values" and name == "levels":
-        return [0.5, 1, 1.5]
     if kind == "values":
         per = 3 if option["of"] == "generators" else 8
-        return [1] + [0] * 7 if name == "mask" else [1] * per
+        return {"mask": [1] + [0] * 7, "levels": [0.5, 1, 1.5]}.get(name, [1] * per)
     if kind == "input file":
         return str(DATA / "torus.ply")
     return {"flag": True, "switch": "on", "vertices": [0, 1, 2], "points": [0, 1], "curves": "creases", "counts": [2, 3], "bound": "50%", "crease angle": 30, "bytes": "1G"}[kind]
@@ -145,9 +142,8 @@ def subject(operation, ball):
     """What an operation works on."""
     if operation["on"] == "remesh":
         return result("remesh", ball, {"vertices": [0, 1, 2, 3, 4, 5]})
-    if operation["on"] == "diagram, distances or remesh":
-        return result("distances", ball, {"from": [0]})
-    return result("diagram", ball, {"count": 4}) if operation["on"] == "diagram" else ball if operation["on"] else None
+    of_diagram = str(operation["on"]).startswith("diagram")  # or one of several
+    return result("diagram", ball, {"count": 4}) if of_diagram else ball if operation["on"] else None
 
 
 def least_options(operation):

@@ -8,7 +8,7 @@ import json
 import pathlib
 import tempfile
 
-from check_calls import DATA, INVALID, ITERATION, OK, Run, array, figures, gvd, handle, make_ball, numbers, read, refused, release, result
+from check_calls import DATA, INVALID, OK, Run, array, figures, gvd, handle, make_ball, numbers, read, refused, release, result
 
 
 def bytes_of(thing, name="bytes"):
@@ -92,7 +92,7 @@ def check_iterations():
         seen.append((iterations, energy, len(numbers(ctypes.c_void_p(points), "points_faces"))))
 
     mesh = read("torus.ply")
-    made = result("lloyd", mesh, {"count": 9, "iterations": 3}, run=Run(iteration=ITERATION(hear)))
+    made = result("lloyd", mesh, {"count": 9, "iterations": 3}, run=Run(iteration=dict(Run._fields_)["iteration"](hear)))
     energies = figures(made)["energies"]
     assert seen[0] == (0, energies[0], 9) and seen[-1] == (len(energies) - 1, energies[-1], 9), (seen, energies)
     release(made, mesh)
