@@ -252,6 +252,26 @@ test('a position that is far from the surface is told on the console', (context)
   assert.equal(told.mock.callCount(), 1);
 });
 
+test('objects that nobody has any more release themselves', () => {
+  const program = `
+    import { readFileSync } from 'node:fs';
+    import { read } from ${JSON.stringify(pathToFileURL(join(packed, 'index.mjs')).href)};
+    const mesh = read(readFileSync(process.argv[1]), 'torus.ply'), points = mesh.farthest(10);
+    const make = async () => {
+      for (let i = 0; i < 300; ++i) {
+        mesh.voronoi(points, { method: 'gbgvd' });
+        if (i % 20) continue;
+        gc();
+        await new Promise((done) => setTimeout(done));
+      }
+      return process.memoryUsage().rss;
+    };
+    const before = await make(), after = await make();
+    console.log(after - before);`;
+  const grown = execFileSync(process.execPath, ['--expose-gc', '--input-type=module', '--eval', program, join(data, 'torus.ply')], { encoding: 'utf8' });
+  assert.ok(Number(grown) < 2 ** 24, `${grown} bytes more; 300 diagrams have 50 MB`);
+});
+
 test('calls leave nothing in the memory', () => {
   const mesh = gvd.read(readFileSync(join(data, 'plate.stl')), 'plate.stl');
   const make = () => {
