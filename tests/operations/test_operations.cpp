@@ -137,7 +137,7 @@ TEST_CASE("rows of distances are held once: their array is the table's own memor
   CHECK(reader.rows.shape[0] == 3);
   CHECK(reader.rows.shape[1] == kBall->mesh.vertex_count());
   CHECK(rows[1][5] == 0);
-  CHECK(rows[2][0] == rows[0][9]);
+  CHECK(rows[2][0] == Approx(rows[0][9]));
 }
 
 /// Returns what an operation says against options; empty where it accepts them.
