@@ -175,7 +175,7 @@ TEST_CASE("texts are spelled as JSON has options") {
   CHECK(spell_for_json("\1count=30\2; \1refine=false\2") == R"("count": 30; "refine": false)");
   const std::string text = "\1count=30\2; \1refine=false\2; \1method=exact\2; \1from\2";
   CHECK(spell_for(Door::python, text) == "count=30; refine=False; method='exact'; points");
-  CHECK(spell_for(Door::javascript, text) == "count: 30; refine: false; method: 'exact'; from");
+  CHECK(spell_for(Door::javascript, text) == "count: 30; refine: false; method: 'exact'; points");
 }
 
 TEST_CASE("the description has every operation, object and format") {
