@@ -1,6 +1,6 @@
 // Bundles the playground into one page: node build_playground.mjs PACKAGE OUTPUT MODEL ...
 //
-// PACKAGE has gvd.mjs and gvd.wasm. The page holds the worker, the module and the models, deflated: it works from
+// PACKAGE is the npm package. The page holds the worker, the module and the models, deflated: it works from
 // disk without a server.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { basename, resolve } from 'node:path';
@@ -9,10 +9,16 @@ import { bundle, fill_page, pack, read } from './bundle.mjs';
 const [folder, output, ...models] = process.argv.slice(2);
 const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}">${pack(bytes)}</script>\n`;
 
-const worker = await bundle('src/playground/worker.js', {
-  alias: { 'gvd-module': resolve(folder, 'gvd.mjs') },
+const load = new URL('src/playground/load.js', import.meta.url).pathname;  // in place of the package's
+// A page from a disk may start no module as a worker, and scripts can't await outside of functions, as the package does.
+const in_function = (code) => `(async()=>{${code}})()`;
+const worker = in_function(await bundle('src/playground/worker.js', {
+  format: 'esm',
+  target: 'es2022',
+  alias: { gvd: resolve(folder, 'index.mjs') },
+  plugins: [{ name: 'load', setup: (build) => build.onResolve({ filter: /^\.\/load\.mjs$/ }, () => ({ path: load })) }],
   define: { 'import.meta.url': '"file:///"' },  // where the module would look for its bytes, which it is given
-});
+}));
 const data = [
   packed('worker', worker),
   packed('module', readFileSync(`${folder}/gvd.wasm`)),

@@ -41,7 +41,7 @@ _PROGRESS = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_char_p, cty
 
 class _Run(ctypes.Structure):
     _fields_ = [("threads", ctypes.c_int), ("progress", _PROGRESS), ("data", ctypes.c_void_p), ("cancel", ctypes.c_void_p),
-                ("note", ctypes.c_void_p), ("due", ctypes.c_void_p), ("door", ctypes.c_int32)]
+                ("note", ctypes.c_void_p), ("due", ctypes.c_void_p), ("door", ctypes.c_int32), ("iteration", ctypes.c_void_p)]
 
 
 def _load() -> ctypes.CDLL:

@@ -35,7 +35,7 @@ NOTE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_char_p)
 class Run(ctypes.Structure):
     _fields_ = [("threads", ctypes.c_int), ("progress", PROGRESS), ("data", ctypes.c_void_p),
                 ("cancel", ctypes.POINTER(ctypes.c_int32)), ("note", NOTE), ("due", ctypes.POINTER(ctypes.c_int32)),
-                ("door", ctypes.c_int32)]
+                ("door", ctypes.c_int32), ("iteration", ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double, ctypes.c_void_p))]
 
 
 def array(rows, kind=ctypes.c_double):
@@ -132,7 +132,7 @@ def good_value(option):
         return 50 if option.get("least", 1) > 1 else 3
     if kind == "values":
         per = 3 if option["of"] == "generators" else 8
-        return [1] + [0] * 7 if name == "mask" else [1] * per
+        return {"mask": [1] + [0] * 7, "levels": [0.5, 1, 1.5]}.get(name, [1] * per)
     if kind == "input file":
         return str(DATA / "torus.ply")
     return {"flag": True, "switch": "on", "vertices": [0, 1, 2], "points": [0, 1], "curves": "creases", "counts": [2, 3], "bound": "50%", "crease angle": 30, "bytes": "1G"}[kind]
@@ -142,7 +142,8 @@ def subject(operation, ball):
     """What an operation works on."""
     if operation["on"] == "remesh":
         return result("remesh", ball, {"vertices": [0, 1, 2, 3, 4, 5]})
-    return result("diagram", ball, {"count": 4}) if operation["on"] == "diagram" else ball if operation["on"] else None
+    of_diagram = str(operation["on"]).startswith("diagram")  # or one of several
+    return result("diagram", ball, {"count": 4}) if of_diagram else ball if operation["on"] else None
 
 
 def least_options(operation):
@@ -150,7 +151,7 @@ def least_options(operation):
     if operation["on"] is None:
         return {"file": str(DATA / "torus.ply")}
     return {"distances": {"from": [0]}, "edit": {"remove": 0}, "curves": {"curves": "creases"}, "label": {}, "map": {},
-            "check": {}}.get(operation["name"], {"count": 4})
+            "check": {}, "scene": {}}.get(operation["name"], {"count": 4})
 
 
 def check_described_options():
@@ -348,7 +349,7 @@ def check_options_come_back():
         "remesh": [{"count": 6}, {"count": 6, "relax": "none"}, {"count": 6, "relax": 2, "features": "none"},
                    {"generators": [0, 1, 2, 3, 4, 5]}, {"vertices": [0, 1, 2, 3, 4, 5]}, {"target_edge": 1.4}, {"error": "50%"},
                    {"count": 6, "place": "generator", "refine": False}, {"count": 6, "map": True, "carry": True, "features": 20}]}
-    others = {"edit", "map", "check", "curves", "mesh", "saved_mesh", "values", "properties"}  # few options, or files
+    others = {"edit", "map", "check", "curves", "scene", "mesh", "saved_mesh", "values", "properties"}  # few options, or files
     assert {*tried, *others} == {operation["name"] for operation in DESCRIBED["operations"]}
     for operation in DESCRIBED["operations"]:
         on = subject(operation, ball)

@@ -112,7 +112,7 @@ static void test_diagram(const char* file) {
   gvd_diagram* diagram = NULL;
   gvd_point generators[20];
   int calls = 0;
-  const gvd_run counted = {1, count_calls, &calls, NULL, NULL, NULL, GVD_JSON}, cancelled = {0, cancel, NULL, NULL, NULL, NULL, GVD_JSON};
+  const gvd_run counted = {1, count_calls, &calls, NULL, NULL, NULL, GVD_JSON, NULL}, cancelled = {0, cancel, NULL, NULL, NULL, NULL, GVD_JSON, NULL};
   REQUIRE(gvd_mesh_read(file, 1, &mesh) == GVD_OK);
   CHECK(gvd_sample(mesh, 20, GVD_FARTHEST, 0, NULL, generators) == GVD_OK);
   CHECK(gvd_diagram_compute(mesh, generators, 20, GVD_EXACT, &cancelled, &diagram) == GVD_INTERRUPTED);

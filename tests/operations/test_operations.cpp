@@ -37,6 +37,7 @@ std::string usual_options(std::string_view operation) {
          : operation == "edit"                        ? R"({"remove": 0})"
          : operation == "curves"                      ? R"({"curves": {"points": [0, 5]}})"
          : operation == "map" || operation == "check" ? "{}"
+         : operation == "scene"                       ? "{}"
                                                       : R"({"count": 8})";
 }
 
@@ -45,7 +46,8 @@ std::shared_ptr<const Object> call(const Operation& operation, const std::string
   OptionList list;
   made->describe(list);
   read_json_options(list, *kBall, options, {});
-  return made->run(operation.on == "mesh" ? kBallObject : made_of_ball(operation.on), told);
+  return made->run(
+      operation.on == "mesh" ? kBallObject : made_of_ball(operation.name == "scene" ? "diagram" : operation.on), told);
 }
 
 /// The names of all parts of an object, and whether each figure has a value.
@@ -173,7 +175,7 @@ TEST_CASE("texts are spelled as JSON has options") {
   CHECK(spell_for_json("\1count=30\2; \1refine=false\2") == R"("count": 30; "refine": false)");
   const std::string text = "\1count=30\2; \1refine=false\2; \1method=exact\2; \1from\2";
   CHECK(spell_for(Door::python, text) == "count=30; refine=False; method='exact'; points");
-  CHECK(spell_for(Door::javascript, text) == "count: 30; refine: false; method: 'exact'; from");
+  CHECK(spell_for(Door::javascript, text) == "count: 30; refine: false; method: 'exact'; points");
 }
 
 TEST_CASE("the description has every operation, object and format") {

@@ -1,4 +1,4 @@
-/** Exact geodesic Voronoi diagrams, distances, paths and remeshes on triangle meshes. Names are those of Python. */
+/** Exact geodesic Voronoi diagrams, distances, paths and remeshes on triangle meshes. Names are those of the commands. */
 
 export const version: string;
 
@@ -26,93 +26,52 @@ export interface Points {
 export type PointsLike = number | number[] | Int32Array | Uint32Array | { face: Numbers; bary: Numbers } | number[][] |
   Float64Array | Float32Array;
 
-/** Called ten times a second at most with a step and the fraction done; false cancels. */
-type Progress = (step: string, fraction: number) => boolean | void;
-
-interface Reporting {
-  progress?: Progress;
+/** How a call runs. */
+export interface Run {
+  /** Called ten times a second at most with a step and the fraction done; false ends the call. */
+  progress?: ((step: string, fraction: number) => boolean | void) | null;
+  /** Seconds after which the call ends with an error. */
+  time_limit?: number | null;
 }
+interface NoRun {}
 
-export interface ComputeOptions extends Reporting {
-  method?: 'exact' | 'gbgvd' | 'paper';
-  front?: 'planar' | 'circle';
-  /** Largest distance of bisectors from their curves, in mean edge lengths. */
-  chord_tolerance?: number;
-}
+//= SampleOptions: sample without points generators vertices max_snap merge_coincident
+//= PointOptions: sample without count sampling seed radius generators vertices merge_coincident points
+//= DistanceOptions: distances without from curves each merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm
+//= MeasureOptions: distances without from curves merge_coincident keep_coincident mesh_vertices
+//= CurveOptions: curves without curves
+//= DiagramOptions: diagram without count sampling seed radius generators vertices curves balance shares
+//= BalanceOptions: diagram without count sampling seed radius generators vertices curves method front balance editable
+//= EditorOptions: diagram without count sampling seed radius generators vertices curves method front balance shares weights editable
+//= EditOptions: edit without move to add remove
+//= LabelOptions: label without cut uv
+//= CutOptions: label without cut labels
+//= SegmentOptions: segment without cut uv
+//= LloydOptions: lloyd
+//= RemeshOptions: remesh without map
+//= MapOptions: map
+//= SceneOptions: scene
+//= ReadOptions: mesh without file content weld
+//= FileOptions extends NoRun: file without part
 
-export interface SampleOptions extends Reporting {
-  sampling?: 'farthest' | 'random' | 'vertices' | 'poisson';
-  seed?: number;
-  /** In place of n: as many points as leave none farther than this from the nearest one, mesh units. */
-  radius?: number;
-}
-
-interface RelaxOptions extends SampleOptions, ComputeOptions {
-  generators?: PointsLike;
-  fixed?: PointsLike;
-  /** Angle of creases that generators keep to, degrees, or whether they are found. */
-  features?: number | 'auto' | 'none';
-  keep_boundary?: boolean;
-  /** A number above 0 for each vertex or face; larger ones make smaller cells. */
-  density?: 'curvature' | Numbers;
-  gradation?: number;
-  coarse?: number;
-}
-
-export interface SegmentOptions extends SampleOptions, ComputeOptions {
-  generators?: PointsLike;
-  /** Short borders, or the largest share of each face. */
-  labels?: 'smooth' | 'nearest';
-  /** A whole number for each face or vertex: no region crosses the borders between them. */
-  within?: Numbers;
-  /** Not 0 for each face or vertex to leave out. */
-  mask?: Numbers | boolean[];
-  /** In place of n: points of each region of `within`, or ascending numbers, each level inside the one before. */
-  per_region?: number;
-  levels?: Numbers;
-  /** Adds points until each cell is a disc. */
-  disc?: boolean;
-}
-
-export interface LloydOptions extends RelaxOptions {
-  accelerate?: 'lbfgs' | 'anderson' | 'none';
-  relocate?: boolean;
-  iterations?: number;
-  tolerance?: number;
-  move_tolerance?: number;
-  step?: number;
-  /** Called with the iterations so far, the energy and the generators. */
-  on_iteration?: (iterations: number, energy: number, generators: Points) => void;
-}
-
-export interface RemeshOptions extends RelaxOptions {
-  /** In place of n: the mean length of edges, or the largest distance from the surface; mesh units. */
-  target_edge?: number;
-  error?: number;
-  relax?: number;
-  loose_boundary?: boolean;
-  place?: 'generator' | 'quadric' | 'fit';
-  shape?: number;
-  exact_count?: boolean;
-  max_added?: number;
-  no_refine?: boolean;
-  allow_intersections?: boolean;
-}
-
-interface WriteOptions {
-  no_curves?: boolean;
-  ascii_ply?: boolean;
-  region_materials?: boolean;
-}
-
-declare class Handle {
-  /** Frees the memory now; nothing may be asked of the object any more. */
+declare class Thing {
+  /** Frees the memory now; what was not asked of the object before can't be asked any more. */
   free(): void;
+  /** What was measured, by its names in the reports of the commands; of a result with its `options` and `notes`. */
+  readonly figures: any;
   /**
    * The bytes of a file in the format of an extension: ply, obj, off, stl, vtp, vtu, glb, surf.gii, fs. Results other
    * than meshes have json, too, and diagrams txt and csv: the generators.
    */
-  to_bytes(format: string, options?: WriteOptions): Uint8Array;
+  to_bytes(format: string, options?: FileOptions): Uint8Array;
+}
+
+/** A picture as the viewer's page reads it (docs/developer/viewer.md): `manifest` is JSON, `blobs` are its arrays. */
+export interface Scene {
+  manifest: string;
+  blobs: Uint8Array[];
+  /** Red, green and blue of each region, for the next scene. */
+  colors: Uint8Array;
 }
 
 export interface Summary {
@@ -144,57 +103,81 @@ export interface Isoline {
 }
 
 /** A triangle mesh: `vertices` has three coordinates each, `faces` three vertices each. */
-export class Mesh extends Handle {
+export class Mesh extends Thing {
   /** `corners`: of each polygon, where `faces` is one flat array. */
-  constructor(vertices: Numbers | number[][], faces: Numbers | number[][],
-              options?: { on_defect?: 'error' | 'repair' | 'largest'; corners?: number });
+  constructor(vertices: Numbers | number[][], faces: Numbers | number[][], options?: ReadOptions & { corners?: number });
   readonly vertices: Float64Array;
   readonly faces: Int32Array;
+  /** The input's vertex for each vertex, -1 for the middle of a split edge; the input's polygon for each face. */
   readonly input_vertex: Int32Array;
   readonly input_face: Int32Array;
+  /** The vertex that each vertex of the input became, -1 for none. */
+  readonly vertex_of_input: Int32Array;
   /** u and v of each face's corners, v upwards, NaN where there are none; null without a texture. */
   readonly texture_coordinates: Float64Array | null;
   readonly summary: Summary;
+  readonly area: number;
+  /** The least and the largest coordinates. */
+  readonly bounds: [number[], number[]];
   /** What was repaired, one line each. */
   readonly notes: string[];
-  points(points: PointsLike, options?: { max_snap?: number }): Points;
+  points(points: PointsLike, options?: PointOptions): Points;
   positions(points: PointsLike): Float64Array;
-  sample(n?: number | null, options?: SampleOptions): Points;
-  farthest(n: number, options?: SampleOptions): Points;
-  /** Exact distances of all vertices, or of `at`, to the nearest point; `each`: a row for each point, one after the other. */
-  distances(points: PointsLike | Curves, options?: { each?: boolean; at?: PointsLike } & Reporting): Float64Array;
+  sample(count?: number | null, options?: SampleOptions): Points;
+  farthest(count: number, options?: SampleOptions): Points;
+  /** Exact distances of all vertices, or of `to`, to the nearest point; `each`: a row for each point, one after the other. */
+  distances(points: PointsLike | Curves, options?: DistanceOptions & { each?: boolean }): Float64Array;
   /** The rows of `distances(points, { each: true })`, one after the other, in the memory of one. */
-  distance_rows(points: PointsLike, options?: { at?: PointsLike } & Reporting): Generator<Float64Array>;
+  distance_rows(points: PointsLike, options?: DistanceOptions): Generator<Float64Array>;
   /** The distances, and which point is nearest. */
-  nearest(points: PointsLike | Curves, options?: { at?: PointsLike } & Reporting): { distances: Float64Array; labels: Int32Array };
+  nearest(points: PointsLike | Curves, options?: DistanceOptions): { distances: Float64Array; labels: Int32Array };
+  /** What gvd-distance computes, with its files. */
+  measure(points: PointsLike | Curves, options?: MeasureOptions): Distances;
   /** A shortest path to the nearest end; several starts: a path for each. */
-  path(start: number, end: PointsLike, options?: Reporting): Path;
-  path(start: PointsLike, end: PointsLike, options?: Reporting): Path | Path[];
+  path(start: number, end: PointsLike | Curves, options?: DistanceOptions): Path;
+  path(start: PointsLike, end: PointsLike | Curves, options?: DistanceOptions): Path | Path[];
   /**
    * The logarithm of every vertex at a point, two numbers each: the vector in whose direction the shortest path departs,
    * as long as that, mesh units. The x axis is the direction of the first edge at the point. NaN where no path leads.
    */
-  log_map(point: PointsLike, options?: Reporting): Float64Array;
+  log_map(point: PointsLike, options?: DistanceOptions): Float64Array;
   /**
    * Curves as generators: the boundary; the creases, whose faces differ by more than `angle` degrees (default 40);
    * polylines through points, which `closed` closes; or those of the bytes of a file with this `name`.
    */
   curves(curves: 'boundary' | 'creases' | PointsLike[] | Uint8Array | ArrayBuffer,
-         options?: { closed?: boolean; angle?: number; max_snap?: number; name?: string }): Curves;
-  /** Curves of equal distance at these levels, ascending, above 0. */
-  isolines(points: PointsLike, levels: Numbers, options?: Reporting): Isoline[];
-  voronoi(points: PointsLike | Curves,
-          options?: { max_snap?: number; merge_coincident?: boolean; weights?: Numbers } & ComputeOptions): Diagram;
-  balance(points: PointsLike, options?: { density?: Numbers; shares?: Numbers; weights?: Numbers } & Reporting): Balanced;
-  segment(n?: number | null, options?: SegmentOptions): Segmentation;
-  lloyd(n?: number | null, options?: LloydOptions): Relaxation;
-  remesh(n?: number | null, options?: RemeshOptions): Remesh;
+         options?: CurveOptions & { closed?: boolean; angle?: number; name?: string }): Curves;
+  /** Curves of equal distance at these levels, ascending, or at each multiple of a number. */
+  isolines(points: PointsLike | Curves, levels: number | Numbers, options?: DistanceOptions): Isoline[];
+  voronoi(points: PointsLike | Curves, options?: DiagramOptions): Diagram;
+  /** The diagram whose weights give all cells the same area, or the same integral of `density`, or their `shares`. */
+  balance(points: PointsLike, options?: BalanceOptions & { density?: Numbers | null }): Balanced;
+  /** As gvd-segment; with `cut` or `uv` it splits faces. */
+  segment(count: number | null | undefined, options: SegmentOptions & { cut: true; uv?: CutOptions['uv'] }): Cut;
+  segment(count: number | null | undefined, options: SegmentOptions & { uv: 'logmap' | 'flat' }): Cut;
+  segment(count?: number | null, options?: SegmentOptions): Segmentation;
+  /** As gvd-lloyd. `on_iteration` is called with the iterations so far, the energy and the generators. */
+  lloyd(count?: number | null, options?: LloydOptions &
+        { on_iteration?: ((iterations: number, energy: number, generators: Points) => void) | null }): Relaxation;
+  /** As gvd-remesh. */
+  remesh(count?: number | null, options?: RemeshOptions): Remesh;
 }
 
 /** Curves of a mesh; `positions` has the polylines of each, three coordinates a point. */
-export class Curves extends Handle {
+export class Curves {
+  private constructor();
   readonly positions: Float64Array[][];
   readonly length: number;
+}
+
+/** Distances from the nearest source: of all vertices, and what gvd-distance adds to them. */
+export interface Distances extends Thing {
+  readonly mesh: Mesh;
+  readonly distances: Float64Array;
+  readonly labels: Int32Array;
+  readonly paths: Path[];
+  readonly isolines: Isoline[];
+  scene(options?: SceneOptions): Scene;
 }
 
 export interface Bisector {
@@ -223,8 +206,10 @@ export interface Cell {
   neighbours: Int32Array;
 }
 
-export class Diagram extends Handle {
+export class Diagram extends Thing {
   readonly mesh: Mesh;
+  /** The area of each cell. */
+  readonly areas: Float64Array;
   /** The nearest generator of each vertex, -1 for none, and its distance. */
   readonly labels: Int32Array;
   readonly distances: Float64Array;
@@ -243,9 +228,10 @@ export class Diagram extends Handle {
   readonly pieces: { positions: Float32Array; face: Int32Array; label: Int32Array };
   /** What violates the invariants of a diagram: normally nothing. */
   check(): string[];
-  segment(options?: { labels?: 'smooth' | 'nearest' } & Reporting): Segmentation;
+  segment(options?: LabelOptions): Segmentation;
   /** `uv` gives the pieces texture coordinates; "flat" needs cells that are discs. */
-  cut(options?: { uv?: 'logmap' | 'flat' } & Reporting): Cut;
+  cut(options?: CutOptions): Cut;
+  scene(options?: SceneOptions): Scene;
 }
 
 /**
@@ -253,17 +239,20 @@ export class Diagram extends Handle {
  * has an effect on; the diagram is that of `mesh.voronoi(generators)`, bit for bit unless shortest paths tie.
  * Throws `precondition` for a generator that does not exist, a point on another generator, and the last one's removal.
  */
-export class DiagramEditor extends Handle {
-  constructor(mesh: Mesh, points: PointsLike, options?: { max_snap?: number } & ComputeOptions);
+export class DiagramEditor {
+  constructor(mesh: Mesh, points: PointsLike, options?: EditorOptions);
   readonly mesh: Mesh;
   /** Of the present generators; it stays as it is when the editor changes. */
   readonly diagram: Diagram;
   readonly generators: Points;
-  move(generator: number, to: PointsLike): this;
+  move(generator: number, to: PointsLike, options?: EditOptions): this;
   /** The new generator has the next number. */
-  add(point: PointsLike): this;
+  add(point: PointsLike, options?: EditOptions): this;
   /** The last generator gets the number of the one that is removed. */
-  remove(generator: number): this;
+  remove(generator: number, options?: EditOptions): this;
+  /** Frees the present diagram, unless somebody has asked for it. */
+  free(): void;
+  to_bytes(format: string, options?: FileOptions): Uint8Array;
 }
 
 export interface Balanced {
@@ -274,8 +263,12 @@ export interface Balanced {
   converged: boolean;
 }
 
-export class Segmentation extends Handle {
+export class Segmentation extends Thing {
+  readonly mesh: Mesh;
   readonly diagram: Diagram;
+  readonly generators: Points;
+  /** The area of the faces of each label. */
+  readonly areas: Float64Array;
   readonly labels: Int32Array;
   readonly without_face: Int32Array;
   readonly border_length: number;
@@ -285,21 +278,24 @@ export class Segmentation extends Handle {
   readonly levels: Int32Array[];
 }
 
-/** A connected part of a region in the unit square. Areas are those of faces on the surface, square mesh units. */
+/**
+ * A connected part of a region in the unit square: its area on the surface, the shares of it that are flipped or torn off,
+ * its largest stretch, the least and the largest corner of its box, and the place of its generator.
+ */
 export interface Chart {
   label: number;
   faces: number;
   area: number;
-  flipped_area: number;
-  torn_area: number;
-  unplaced_area: number;
+  flipped_share: number;
+  torn_share: number;
   stretch: number;
-  box: [[number, number], [number, number]];
+  box: [[number, number], [number, number]] | [];
   origin: [number, number];
 }
 
-export class Cut extends Handle {
+export class Cut extends Thing {
   readonly diagram: Diagram;
+  readonly generators: Points;
   readonly mesh: Mesh;
   readonly labels: Int32Array;
   readonly parents: Int32Array;
@@ -310,7 +306,7 @@ export class Cut extends Handle {
   readonly scale: number;
 }
 
-export class Relaxation extends Handle {
+export class Relaxation extends Thing {
   readonly diagram: Diagram;
   readonly generators: Points;
   readonly energies: Float64Array;
@@ -322,28 +318,26 @@ export class Relaxation extends Handle {
   points_to_bytes(format: 'ply' | 'xyz' | 'npy'): Uint8Array;
 }
 
-interface Distance {
-  hausdorff: number;
-  rms: number;
-}
-
-export class Remesh extends Handle {
+export class Remesh extends Thing {
+  readonly generators: Points;
   readonly surface: Mesh;
   readonly mesh: Mesh;
   readonly diagram: Diagram;
-  readonly figures: { added: number; left_out: number; input_to_output: Distance; output_to_input: Distance;
-                      q_average: number; angle_min: number };
-  readonly certificate: { ok: boolean; manifold: boolean; closed_as_input: boolean; same_euler_characteristic: boolean;
+  /** What holds of every remesh: what has no certificate is an error. */
+  readonly certificate: { ok: true; manifold: boolean; closed_as_input: boolean; same_euler_characteristic: boolean;
                           same_components: boolean; same_boundary_loops: boolean; same_in_each_component: boolean;
-                          flipped_faces: number; self_intersections: number; inherited_intersections: number };
-  map(options?: Reporting): RemeshMap;
+                          flipped_faces: number; unused_generators: number; self_intersections: number;
+                          inherited_intersections: number; intersections_allowed: boolean };
+  map(options?: MapOptions): RemeshMap;
+  /** The coarse mesh, with the input over it. */
+  scene(options?: SceneOptions): Scene;
 }
 
 /**
  * For each vertex of the surface its point of the remesh, and for each of the remesh its point of the surface; whether
  * both come from a map that was checked to be one-to-one. `to_bytes('json')` is the file of gvd-remesh --map.
  */
-export class RemeshMap extends Handle {
+export class RemeshMap extends Thing {
   readonly points: Points;
   readonly origins: Points;
   readonly one_to_one: boolean;
@@ -353,11 +347,14 @@ export class RemeshMap extends Handle {
  * Reads the bytes of an OBJ, PLY, OFF, STL, glTF (buffers inside), MNI or legacy VTK file; `name` is the file's, for messages.
  * `weld`: true joins vertices at the same place, a number also those at most so many mesh units apart.
  */
-export function read(bytes: Uint8Array | ArrayBuffer, name: string,
-                     options?: { on_defect?: 'error' | 'repair' | 'largest'; weld?: boolean | number | null }): Mesh;
+export function read(bytes: Uint8Array | ArrayBuffer, name: string, options?: ReadOptions & { weld?: boolean | number | null }): Mesh;
 
 /** The numbers of a file that has one for each vertex or face: text, .npy, and FreeSurfer's .annot and values. */
 export function read_values(bytes: Uint8Array | ArrayBuffer, name: string): Float64Array;
+
+/** The properties of a PLY or OBJ but coordinates and texture: of its vertices and of its faces, by their names. */
+export function read_properties(bytes: Uint8Array | ArrayBuffer, name: string):
+  { vertex: Record<string, Float64Array>; face: Record<string, Float64Array> };
 
 /** The bytes that gzip packed, as `read` takes them; other bytes as they are. */
 export function unpack(bytes: Uint8Array | ArrayBuffer): Promise<Uint8Array | ArrayBuffer>;

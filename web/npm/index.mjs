@@ -5,118 +5,165 @@
 //   const regions = mesh.segment(30);
 //   const file = regions.to_bytes('ply');
 //
-// What has a name in Python has the same name here, and gives the same results; index.d.ts has the documents. Calls
-// block, so pages make them in a worker. Objects free their memory when they are collected, or by free().
-import create from './gvd.mjs';
-import wasmBinary from './load.mjs';
-import { checkIndices, checkNames, checkNumbers, checkText, entries, Error, flat, isGiven, isSingle, oneOf, refuse } from './points.mjs';
+// What has a name in the commands has the same name here, and gives the same results; index.d.ts has the documents.
+// Calls block, so pages make them in a worker. Objects free their memory when they are collected, or by free().
+import { Error, refuse } from './error.mjs';
+import { call, Handle, version } from './library.mjs';
+import { Curves, fileOf, run } from './options.mjs';
+import { checkIndices, checkNumbers, flat, isGiven, isList, isSingle, pointRows } from './points.mjs';
 
-const native = await create({ wasmBinary, Error });
-const collected = new FinalizationRegistry((handle) => handle.delete());
+export { Curves, Error, version };
 
-export { Error };
-export const version = native.version();
+const kSummary = ['vertices', 'edges', 'faces', 'components', 'boundary_loops', 'euler_characteristic', 'area', 'bbox_diagonal'];
 
-/** An object of the module. */
-class Handle {
-  constructor(handle) {
-    this._handle = { native: handle };
-    collected.register(this, handle, this);
+/** An object of the library, with what was asked of it. */
+class Thing {
+  constructor(native, mesh = null) {
+    this._native = native;
+    this._kept = new Map(mesh ? [['mesh', mesh]] : []);
   }
 
-  get _native() {
-    return this._handle.native ?? refuse('this object was freed');
+  /** What `make` gives, which is asked once. */
+  _keep(name, make) {
+    if (!this._kept.has(name)) this._kept.set(name, make());
+    return this._kept.get(name);
+  }
+
+  _array(name) {
+    return this._keep(name, () => this._native.array(name));
+  }
+
+  _points(name) {
+    return this._keep(`${name} points`, () => ({ face: this._array(`${name}_faces`), bary: this._array(`${name}_bary`) }));
+  }
+
+  /** Lists that `offsets` parts, of `size` numbers an item. */
+  _lists(offsets, values, size = 1) {
+    return Array.from({ length: Math.max(offsets.length - 1, 0) }, (_, i) => values.subarray(size * offsets[i], size * offsets[i + 1]));
+  }
+
+  /** {points, positions} of each of several curves. */
+  _curves(name) {
+    const offsets = this._array(`${name}_offsets`), { face, bary } = this._points(name);
+    const parts = [this._lists(offsets, face), this._lists(offsets, bary, 3), this._lists(offsets, positionsOf(this.mesh, { face, bary }), 3)];
+    return parts[0].map((_, i) => ({ points: { face: parts[0][i], bary: parts[1][i] }, positions: parts[2][i] }));
+  }
+
+  get mesh() {
+    return this._kept.get('mesh');
+  }
+
+  get figures() {
+    return this._keep('figures', () => this._native.figures());
   }
 
   free() {
-    if (!this._handle.native) return;
-    collected.unregister(this);
-    this._handle.native.delete();
-    this._handle.native = null;
+    this._native.free();
   }
 
   to_bytes(format, options = {}) {
-    checkText('format', format);
-    checkNames('to_bytes', options, 'no_curves ascii_ply region_materials');
-    return this._native.write(format.toLowerCase().replace(/^\./, ''), options);
+    return fileOf('to_bytes', this._native, format, options);
+  }
+
+  _scene({ colors, ...options }) {
+    const given = { ...options, colors: colors?.length ? colors : null };
+    return using(new Thing(run('scene', 'scene', this, null, given)), (made) => ({
+      manifest: made.figures.manifest,
+      blobs: this._lists(made._array('offsets'), made._array('bytes')).map((bytes) => bytes.slice()),
+      colors: made._array('colors'),
+    }));
   }
 }
 
-/** Gives a class getters for what its object in the module has by the same names; each value is taken once. */
-function forward(target, ...names) {
-  for (const name of names) lazy(target, name, (self) => self._native[name]());
+/** What `take` makes of an object, which is freed then. */
+function using(made, take) {
+  try {
+    return take(made);
+  } finally {
+    made.free();
+  }
 }
 
-function lazy(target, name, take) {
-  const values = new WeakMap();
-  const get = function () {
-    if (!values.has(this)) values.set(this, take(this));
-    return values.get(this);
-  };
-  Object.defineProperty(target.prototype, name, { get, configurable: true });
+/** Gives a class getters: of an array by its name in the library, or of what a function takes from the object, once. */
+function getters(target, table) {
+  for (const [name, take] of Object.entries(table)) {
+    const get = typeof take === 'string'
+      ? function () { return this._array(take); }
+      : function () { return this._keep(`.${name}`, () => take(this)); };
+    Object.defineProperty(target.prototype, name, { get, configurable: true });
+  }
 }
 
-const SAMPLE = 'sampling seed radius progress';
-const COMPUTE = 'method front chord_tolerance progress';
-const RELAX = `${SAMPLE} ${COMPUTE} generators fixed features keep_boundary density gradation coarse`;
-
-const isAscending = (levels) =>
-  levels.length > 0 && Array.from(levels).every((n, i) => Number.isSafeInteger(n) && n > (i ? levels[i - 1] : 0));
-
-/** n as a first argument, or in the options. */
-function withCount(n, options) {
-  if (isGiven(n) && isGiven(options.n)) refuse('n is given twice');
-  return isGiven(n) ? { ...options, n } : options;
+function positionsOf({ vertices, faces }, { face, bary }) {
+  const positions = new Float64Array(3 * face.length);
+  for (let i = 0; i < face.length; ++i) {
+    const [a, b, c] = faces.subarray(3 * face[i], 3 * face[i] + 3), [u, v, w] = bary.subarray(3 * i, 3 * i + 3);
+    for (let k = 0; k < 3; ++k) positions[3 * i + k] = u * vertices[3 * a + k] + v * vertices[3 * b + k] + w * vertices[3 * c + k];
+  }
+  return positions;
 }
 
-export class Mesh extends Handle {
+const distanceSources = (points) => (points instanceof Curves ? { curves: points } : { from: points, keep_coincident: true });
+const generatorsOf = (points) => ({ [points instanceof Curves ? 'curves' : 'generators']: points });
+
+/** A first argument, or the option of its name. */
+function withCount(call, count, options) {
+  if (isGiven(count) && isGiven(options.count)) refuse(`${call}: count is given twice`);
+  return isGiven(count) ? { ...options, count } : options;
+}
+
+export class Mesh extends Thing {
   constructor(vertices, faces, { on_defect = 'error', corners = 3, ...others } = {}) {
-    checkNames('Mesh', others, 'on_defect corners');
-    checkText('on_defect', on_defect);
-    const size = faces?.[0]?.length ?? corners;
-    if (!Number.isInteger(size) || size < 3) refuse(`corners: a whole number from 3 on is needed, not ${size}`);
-    const [at, of] = [flat('vertices', vertices, 3), flat('faces', faces, size)];
-    checkNumbers('vertices', at);
-    checkNumbers('faces', of);
-    checkIndices('faces', of);
-    if (at.length % 3) refuse(`vertices: three coordinates each are needed, not ${at.length} in all`);
-    if (of.length % size) refuse(`faces: ${size} corners each are needed, not ${of.length} in all`);
-    super(native.mesh_from_arrays(at, of, size, on_defect));
-  }
-
-  static _wrap(handle) {
-    const mesh = Object.create(Mesh.prototype);
-    mesh._handle = { native: handle };
-    collected.register(mesh, handle, mesh);
-    return mesh;
+    if (vertices instanceof Handle) {
+      super(vertices);
+    } else {
+      const size = faces?.[0]?.length ?? corners;
+      if (!Number.isInteger(size) || size < 3) refuse(`corners: a whole number from 3 on is needed, not ${size}`);
+      const at = flat('vertices', vertices, 3), of = flat('faces', faces, size);
+      checkNumbers('vertices', at);
+      checkNumbers('faces', of);
+      checkIndices('faces', of);
+      if (at.length % 3) refuse(`vertices: three coordinates each are needed, not ${at.length} in all`);
+      if (of.length % size) refuse(`faces: ${size} corners each are needed, not ${of.length} in all`);
+      const given = [{ numbers: new Float64Array(at), columns: 3 }, { numbers: new Float64Array(of), columns: size }];
+      super(run('Mesh', 'mesh', null, null, { on_defect, ...others }, {}, given));
+    }
+    this._kept.set('mesh', this);
   }
 
   points(points, options = {}) {
-    checkNames('points', options, 'max_snap');
-    return this._native.points(entries('points', points, options));
+    return pointsOf(run('points', 'sample', this, this, { ...options, points }));
   }
 
   positions(points) {
-    return this._native.positions(entries('points', points));
+    return positionsOf(this, this.points(points));
   }
 
-  sample(n, options = {}) {
-    const all = withCount(n, options);
-    checkNames('sample', all, `n ${SAMPLE}`);
-    oneOf('sample', all, ['n', 'radius']);
-    return this._native.sample(all);
+  sample(count, options = {}) {
+    return pointsOf(run('sample', 'sample', this, this, withCount('sample', count, options)));
   }
 
-  farthest(n, options = {}) {
-    return this.sample(n, options);
+  farthest(count, options = {}) {
+    return this.sample(count, options);
+  }
+
+  measure(points, options = {}) {
+    return this._measured('measure', points, options);
+  }
+
+  _measured(name, points, options) {
+    return new Distances(run(name, 'distances', this, this, { ...options, ...distanceSources(points) }), this);
+  }
+
+  _measure(name, points, options, take) {
+    return using(this._measured(name, points, options), take);
   }
 
   distances(points, { each = false, ...options } = {}) {
-    const given = this._at('distances', options);
-    return each ? this._native.rows(entries('points', points), given) : this._native.nearest(sources(points), given).distances;
+    const given = { ...options, each, mesh_vertices: each && !isGiven(options.to) };
+    return this._measure('distances', points, given, (made) => (each || isGiven(options.to) ? made._array('rows') : made.distances));
   }
 
-  /** The rows of distances(points, { each: true }), one after the other, in the memory of one. */
   *distance_rows(points, options = {}) {
     const { face, bary } = this.points(points);
     for (let i = 0; i < face.length; ++i) {
@@ -125,302 +172,336 @@ export class Mesh extends Handle {
   }
 
   nearest(points, options = {}) {
-    return this._native.nearest(sources(points), this._at('nearest', options));
+    return this._measure('nearest', points, options, (made) => (
+      isGiven(options.to) ? { distances: made._array('rows'), labels: made._array('nearest') } : { distances: made.distances, labels: made.labels }));
   }
 
   log_map(point, options = {}) {
-    checkNames('log_map', options, 'progress');
-    const at = entries('point', point);
-    if (at.id.length !== 1) refuse(`point: one point is needed, not ${at.id.length}`);
-    return this._native.log_map(at, options);
-  }
-
-  curves(curves, { closed = false, angle, ...options } = {}) {
-    checkNames('curves', options, 'closed angle max_snap name');
-    const isWord = typeof curves === 'string', isFile = curves instanceof Uint8Array || curves instanceof ArrayBuffer;
-    if (closed && (isWord || isFile)) refuse('closed: it is for polylines');
-    if (angle !== undefined && curves !== 'creases') refuse("angle: it is for 'creases'");
-    if (isWord) {
-      if (curves !== 'boundary' && curves !== 'creases') refuse(`curves: 'boundary' or 'creases' is needed, not '${curves}'`);
-      return new Curves(this, native.find_curves(this._native, curves, { angle }));
-    }
-    if (isFile) return new Curves(this, native.read_curves(this._native, curves, options.name ?? 'curves', options));
-    const lines = Array.from(curves, (line, i) => entries(`curves[${i}]`, line));
-    if (lines.length === 0) refuse('curves: empty');
-    return new Curves(this, native.join_curves(this._native, lines, closed, options));
-  }
-
-  _at(call, options) {
-    checkNames(call, options, 'at progress');
-    return isGiven(options.at) ? { ...options, at: entries('at', options.at) } : options;
+    const { numbers, columns = 1 } = pointRows('point', point, this), count = numbers.length / columns;
+    if (count !== 1) refuse(`point: one point is needed, not ${count}`);
+    return this._measure('log_map', point, { ...options, logarithm: true }, (made) => made._array('logarithms'));
   }
 
   path(start, end, options = {}) {
-    checkNames('path', options, 'progress');
-    const paths = this._native.paths(entries('start', start), entries('end', end), options);
-    return isSingle(start) || (start.face && start.face.length === 1) ? paths[0] : paths;
+    const paths = this._measure('path', end, { ...options, to: start, paths: true }, (made) => made.paths);
+    return isSingle(start) ? paths[0] : paths;
   }
 
   isolines(points, levels, options = {}) {
-    checkNames('isolines', options, 'progress');
-    checkNumbers('levels', levels);
-    return this._native.isolines(entries('points', points), levels, options);
+    const given = { ...options, [typeof levels === 'number' ? 'isolines' : 'levels']: levels };
+    return this._measure('isolines', points, given, (made) => made.isolines);
   }
 
-  voronoi(points, { max_snap, merge_coincident = false, ...options } = {}) {
-    checkNames('voronoi', options, `max_snap merge_coincident weights ${COMPUTE}`);
-    if (isGiven(options.weights)) checkNumbers('weights', options.weights);
-    const coincident = merge_coincident ? 'merge' : 'refuse';
-    return new Diagram(this, native.voronoi(this._native, sources(points, { max_snap, coincident }), options));
-  }
-
-  balance(points, options = {}) {
-    checkNames('balance', options, 'density shares weights progress');
-    for (const name of ['shares', 'weights']) if (isGiven(options[name])) checkNumbers(name, options[name]);
-    this._checkElements('density', options.density);
-    const found = native.balance(this._native, entries('points', points, { coincident: 'refuse' }), options);
-    return { ...found, diagram: new Diagram(this, found.diagram) };
-  }
-
-  segment(n, options = {}) {
-    const { generators, labels, within, mask, per_region, levels, disc = false, ...all } = withCount(n, options);
-    checkNames('segment', all, `n generators labels within mask per_region levels disc ${SAMPLE} ${COMPUTE}`);
-    oneOf('segment', { ...all, generators, per_region, levels }, ['n', 'generators', 'radius', 'per_region', 'levels']);
-    if (isGiven(per_region) && !isGiven(within)) refuse('per_region: give the regions, as within');
-    if (isGiven(levels) && !isAscending(levels)) refuse(`levels: ascending whole numbers from 1 on are needed, not ${levels}`);
-    const { n: count, sampling, seed, radius, ...compute } = all;
-    const sampler = { ...compute, n: per_region ?? levels?.[levels.length - 1] ?? count, sampling, seed, radius };
-    const regions = { within, mask, levels };
-    const diagram = Object.values(regions).some(isGiven)
-      ? this._inside(generators, { ...sampler, ...regions, per_region, labels })
-      : this.voronoi(generators ?? this._native.sample(sampler), compute);
-    const made = disc ? new Diagram(this, diagram._native.discs(compute)) : diagram;
-    return made.segment({ labels, progress: all.progress });
-  }
-
-  /** The diagram inside regions. */
-  _inside(generators, options) {
-    this._checkElements('within', options.within);
-    this._checkElements('mask', options.mask);
-    const listed = isGiven(generators) ? { generators: entries('generators', generators, { coincident: 'refuse' }) } : {};
-    return new Diagram(this, native.diagram_inside(this._native, { ...options, ...listed }));
-  }
-
-  lloyd(n, options = {}) {
-    const all = withCount(n, options);
-    checkNames('lloyd', all, `n ${RELAX} accelerate relocate iterations tolerance move_tolerance step on_iteration`);
-    oneOf('lloyd', all, ['n', 'generators', 'radius']);
-    return new Relaxation(this, native.lloyd(this._native, this._start(all)));
-  }
-
-  remesh(n, options = {}) {
-    const all = withCount(n, options);
-    checkNames('remesh', all, `n ${RELAX} target_edge error relax loose_boundary place shape exact_count max_added no_refine allow_intersections`);
-    oneOf('remesh', all, ['n', 'generators', 'radius', 'target_edge', 'error']);
-    const { loose_boundary = false, no_refine = false, ...others } = all;
-    const given = { ...this._start(others), prefers_boundary: !loose_boundary, refine: !no_refine };
-    return new Remesh(this, native.remesh(this._native, given));
-  }
-
-  /** The options of a relaxation as the module takes them. */
-  _start(options) {
-    const given = { ...options };
-    for (const name of ['generators', 'fixed']) {
-      if (isGiven(given[name])) given[name] = entries(name, given[name], { coincident: 'refuse' });
+  curves(curves, { closed = false, angle, name = 'curves', ...options } = {}) {
+    const isWord = typeof curves === 'string', isFile = curves instanceof Uint8Array || curves instanceof ArrayBuffer;
+    if (closed && (isWord || isFile)) refuse('closed: it is for polylines');
+    if (angle !== undefined && curves !== 'creases') refuse("angle: it is for 'creases'");
+    if (isWord && curves !== 'boundary' && curves !== 'creases') refuse(`curves: 'boundary' or 'creases' is needed, not '${curves}'`);
+    const given = [];
+    let option = isWord && angle !== undefined ? `creases:${angle}` : curves;
+    if (isFile) {
+      given.push({ numbers: new Uint8Array(curves) });
+      option = { file: name, content: { array: 0 } };
+    } else if (!isWord) {
+      option = polylines(this, curves, closed, given);
     }
-    if (!isGiven(given.generators)) given.sampler = true;
-    if (typeof given.density === 'string') {
-      if (given.density !== 'curvature') refuse(`density: 'curvature' or an array is needed, not '${given.density}'`);
-      given.weighs_curvature = true;
-      delete given.density;
-    }
-    this._checkElements('density', given.density);
-    return given;
+    return using(new Thing(run('curves', 'curves', this, this, options, { curves: option }, given)), (made) => {
+      const lines = this._lists(made._array('offsets'), made._array('positions'), 3), found = Array.from({ length: made.figures.count }, () => []);
+      made._array('curve').forEach((curve, i) => found[curve].push(lines[i]));
+      return new Curves(option, given, found);
+    });
   }
 
-  _checkElements(name, values) {
-    if (!isGiven(values)) return;
-    checkNumbers(name, values);
-    const counts = [this.vertices.length / 3, this.faces.length / 3];
-    if (!counts.includes(values.length)) {
-      refuse(`${name}: a number for each of ${counts[0]} vertices or ${counts[1]} faces is needed, not ${values.length}`);
-    }
+  voronoi(points, options = {}) {
+    return new Diagram(run('voronoi', 'diagram', this, this, { ...options, ...generatorsOf(points) }), this);
+  }
+
+  balance(points, { density, ...options } = {}) {
+    const diagram = new Diagram(run('balance', 'diagram', this, this, { ...options, balance: density ?? 'area', generators: points }), this);
+    const { tied, converged } = diagram.figures.balance;
+    const sets = (tied ?? []).map((cells) => Int32Array.from(cells));
+    return { diagram, masses: diagram._array('balance.masses'), targets: diagram._array('balance.targets'), tied: sets, converged };
+  }
+
+  segment(count, options = {}) {
+    const made = run('segment', 'segment', this, this, withCount('segment', count, options));
+    return new (options.cut || isGiven(options.uv) ? Cut : Segmentation)(made, this);
+  }
+
+  lloyd(count, options = {}) {
+    return new Relaxation(run('lloyd', 'lloyd', this, this, withCount('lloyd', count, options)), this);
+  }
+
+  remesh(count, options = {}) {
+    return new Remesh(run('remesh', 'remesh', this, this, withCount('remesh', count, options)), this);
   }
 }
-forward(Mesh, 'vertices', 'faces', 'input_vertex', 'input_face', 'summary', 'notes');
-lazy(Mesh, 'texture_coordinates', (self) => {
-  const corners = self._native.texture_coordinates();
-  return corners.length ? corners : null;
+getters(Mesh, {
+  vertices: 'vertex_positions',
+  faces: 'face_vertices',
+  input_vertex: 'input_vertex',
+  input_face: 'input_polygon',
+  vertex_of_input: 'vertex_of_input',
+  texture_coordinates: (mesh) => (mesh._array('texture').length ? mesh._array('texture') : null),
+  summary: ({ figures }) => Object.fromEntries(kSummary.map((name) => [name, figures[name]])),
+  area: ({ figures }) => figures.area,
+  notes: ({ figures }) => figures.repairs,
+  bounds: ({ vertices }) => [Math.min, Math.max].map((pick) => [0, 1, 2].map((k) => (
+    vertices.reduce((found, x, i) => (i % 3 === k ? pick(found, x) : found), vertices[k])))),
 });
 
-export class Curves extends Handle {
-  constructor(mesh, handle) {
-    super(handle);
-    this.positions = handle.positions(mesh._native);
-    this.length = this.positions.length;
-  }
+const pointsOf = (native) => using(native, (made) => ({ face: made.array('points_faces'), bary: made.array('points_bary') }));
+
+/** Polylines through points, as the library takes curves. */
+function polylines(mesh, curves, closed, arrays) {
+  if (!isList(curves) || curves.length === 0) refuse(`curves: an array of polylines is needed, not ${curves?.length === 0 ? 'an empty one' : typeof curves}`);
+  const lines = Array.from(curves, (line, i) => mesh.points(pointsLike(`curves[${i}]`, line)));
+  const rows = lines.flatMap(({ face, bary }) => Array.from(face, (f, i) => [f, ...bary.subarray(3 * i, 3 * i + 3)]));
+  arrays.push({ numbers: new Float64Array(rows.flat()), columns: 4 });
+  const offsets = lines.reduce((all, { face }) => [...all, all.at(-1) + face.length], [0]);
+  return { points: { array: 0 }, offsets, closed };
 }
 
-/** Curves, or points, for the calls that take both. */
-const sources = (points, rules) => (points instanceof Curves ? { curves: points._native } : entries('points', points, rules));
+const pointsLike = (name, line) => (isGiven(line) ? line : refuse(`${name}: points are needed`));
 
-export class Diagram extends Handle {
-  constructor(mesh, handle) {
-    super(handle);
-    this.mesh = mesh;
+class Distances extends Thing {
+  scene(options = {}) {
+    return this._scene(options);
   }
+}
+getters(Distances, {
+  distances: 'vertex_distances',
+  labels: 'vertex_labels',
+  paths: (made) => made._curves('path').map((curve, i) => {
+    const { length, complete, source } = made.figures.paths[i];
+    return { ...curve, length: length ?? Infinity, complete, end: source };
+  }),
+  isolines(made) {
+    const [levels, closed] = [made._array('isoline_levels'), made._array('isoline_closed')];
+    return made._curves('isoline').map((curve, i) => ({ level: levels[i], closed: closed[i] === 1, ...curve }));
+  },
+});
 
+export class Diagram extends Thing {
   check() {
-    return this._native.check();
+    return using(run('check', 'check', this, this.mesh, {}), (made) => made.figures().violations);
   }
 
   segment(options = {}) {
-    checkNames('segment', options, 'labels progress');
-    return new Segmentation(this, this._native.segment(options));
+    return new Segmentation(run('segment', 'label', this, this.mesh, options), this.mesh, this);
   }
 
   cut(options = {}) {
-    checkNames('cut', options, 'uv progress');
-    return new Cut(this, this._native.cut(options));
+    return new Cut(run('cut', 'label', this, this.mesh, options, { cut: true }), this.mesh, this);
+  }
+
+  scene(options = {}) {
+    return this._scene(options);
   }
 }
-forward(Diagram, 'labels', 'distances', 'face_labels', 'weights', 'generators', 'length', 'branch_points', 'cells', 'pieces');
-lazy(Diagram, 'curves', (self) => self._native.bisectors());
-lazy(Diagram, 'bisectors', ({ curves }) =>
-  Array.from(curves.left, (left, i) => {
-    const [begin, end] = [curves.first[i], curves.first[i + 1]];
-    const bary = curves.points.bary.subarray(3 * begin, 3 * end);
-    return {
-      left,
-      right: curves.right[i],
-      closed: curves.closed[i] === 1,
-      ends: [curves.ends[2 * i], curves.ends[2 * i + 1]],
-      points: { face: curves.points.face.subarray(begin, end), bary },
-      positions: curves.positions.subarray(3 * begin, 3 * end),
-    };
-  }));
+getters(Diagram, {
+  labels: 'vertex_labels',
+  distances: 'vertex_distances',
+  face_labels: 'face_labels',
+  weights: 'weights',
+  areas: 'cell_areas',
+  length: ({ figures }) => figures.length,
+  generators: (diagram) => diagram._points('generators'),
+  branch_points: (diagram) => ({
+    points: diagram._points('branch_point'),
+    positions: diagram._array('branch_point_positions'),
+    distances: diagram._array('branch_point_distances'),
+    generators: diagram._lists(diagram._array('branch_point_generators_offsets'), diagram._array('branch_point_generators')),
+  }),
+  curves: (diagram) => ({
+    first: Int32Array.from(diagram._array('bisector_offsets')),
+    left: diagram._array('bisector_left'),
+    right: diagram._array('bisector_right'),
+    closed: Int32Array.from(diagram._array('bisector_closed')),
+    ends: diagram._array('bisector_ends'),
+    points: diagram._points('bisector'),
+    positions: positionsOf(diagram.mesh, diagram._points('bisector')),
+  }),
+  bisectors(diagram) {
+    const { left, right, closed, ends } = diagram.curves;
+    return diagram._curves('bisector').map((curve, i) => (
+      { left: left[i], right: right[i], closed: closed[i] === 1, ends: [ends[2 * i], ends[2 * i + 1]], ...curve }));
+  },
+  cells(diagram) {
+    const [area, euler_characteristic, components, boundary_loops] = ['areas', 'euler_characteristics', 'components', 'boundary_loops'].map(
+      (name) => diagram._array(`cell_${name}`));
+    const neighbours = diagram._lists(diagram._array('cell_neighbours_offsets'), diagram._array('cell_neighbours'));
+    return neighbours.map((list, i) => ({ generator: i, area: area[i], euler_characteristic: euler_characteristic[i],
+                                          components: components[i], boundary_loops: boundary_loops[i], neighbours: list }));
+  },
+  pieces: (diagram) => using(diagram._native.part('pieces'), (made) => (
+    { positions: Float32Array.from(made.array('positions')), face: made.array('faces'), label: made.array('labels') })),
+});
 
 /** An exact diagram of which one generator after the other is moved, added or removed. */
-export class DiagramEditor extends Handle {
-  constructor(mesh, points, { max_snap, ...options } = {}) {
-    checkNames('DiagramEditor', options, `max_snap ${COMPUTE}`);
-    super(native.edit(mesh._native, entries('points', points, { max_snap, coincident: 'refuse' }), options));
+export class DiagramEditor {
+  constructor(mesh, points, options = {}) {
     this.mesh = mesh;
+    this._state = { given: false };  // whether somebody has the diagram
+    this._state.diagram = new Diagram(run('DiagramEditor', 'diagram', mesh, mesh, { ...options, editable: true, generators: points }), mesh);
   }
 
-  /** A copy, which stays as it is when the editor changes. */
   get diagram() {
-    return (this._diagram ??= new Diagram(this.mesh, this._native.diagram()));
+    this._state.given = true;
+    return this._state.diagram;
   }
 
   get generators() {
-    return this._native.generators();
+    return this._state.diagram.generators;
   }
 
-  move(generator, to) {
-    return this._change('move', generator, entries('to', to));
+  move(generator, to, options = {}) {
+    return this._change('move', { ...options, move: this._find(generator), to: onePoint('to', to, this.mesh) });
   }
 
-  add(point) {
-    return this._change('add', entries('point', point));
+  add(point, options = {}) {
+    return this._change('add', { ...options, add: onePoint('point', point, this.mesh) });
   }
 
-  remove(generator) {
-    return this._change('remove', generator);
+  remove(generator, options = {}) {
+    return this._change('remove', { ...options, remove: this._find(generator) });
+  }
+
+  _find(generator) {
+    checkIndices('generator', [generator]);
+    if (generator < 2 ** 31) return generator;  // the library knows how many there are
+    throw new Error(`generator: there is no generator ${generator}`, 'precondition', generator);
   }
 
   /** What throws leaves the diagram as it was. */
-  _change(name, ...args) {
-    if (name !== 'add') checkIndices('generator', [args[0]]);
-    this._native[name](...args);
-    this._diagram = undefined;
+  _change(name, options) {
+    const made = new Diagram(run(name, 'edit', this._state.diagram, this.mesh, options), this.mesh);
+    this.free();
+    Object.assign(this._state, { diagram: made, given: false });
     return this;
   }
 
+  /** A diagram that was asked for stays. */
+  free() {
+    if (!this._state.given) this._state.diagram.free();
+  }
+
   to_bytes(format, options) {
-    return this.diagram.to_bytes(format, options);
+    return this._state.diagram.to_bytes(format, options);
   }
 }
 
-export class Segmentation extends Handle {
-  constructor(diagram, handle) {
-    super(handle);
-    this.diagram = diagram;
+function onePoint(name, point, mesh) {
+  const { numbers, columns = 1 } = pointRows(name, point, mesh), count = numbers.length / columns;
+  return count === 1 ? point : refuse(`${name}: one point is needed, not ${count}`);
+}
+
+/** What has a diagram; `surface` is the mesh that it was made on. */
+class Result extends Thing {
+  constructor(native, mesh, diagram) {
+    super(native, mesh);
+    if (diagram) this._kept.set('.diagram', diagram);
   }
 }
-forward(Segmentation, 'labels', 'without_face', 'border_length');
-lazy(Segmentation, 'regions', (self) => self._native.numbers().region ?? null);
-lazy(Segmentation, 'levels', (self) =>
-  Object.entries(self._native.numbers()).filter(([name]) => name.startsWith('label_')).map(([, labels]) => labels));
+getters(Result, {
+  surface: (made) => made._kept.get('mesh'),
+  diagram: (made) => new Diagram(made._native.part('diagram'), made.surface),
+  generators: (made) => made._points('generators'),
+});
 
-export class Cut extends Handle {
-  constructor(diagram, handle) {
-    super(handle);
-    this.diagram = diagram;
-  }
-}
-forward(Cut, 'labels', 'parents', 'vertex_labels', 'distances', 'charts', 'scale');
-lazy(Cut, 'mesh', (self) => Mesh._wrap(self._native.mesh()));
+export class Segmentation extends Result {}
+getters(Segmentation, {
+  labels: 'face_labels',
+  areas: 'regions.area',
+  without_face: ({ figures }) => Int32Array.from(figures.generators_without_face ?? []),
+  border_length: ({ figures }) => figures.border_length,
+  regions: (made) => (made.figures.options.within ? made._array('region') : null),
+  levels: (made) => (made.figures.options.levels ?? []).map((_, i) => made._array(`label_${i + 1}`)),
+});
 
-export class Relaxation extends Handle {
-  constructor(mesh, handle) {
-    super(handle);
-    this.diagram = new Diagram(mesh, handle.diagram());
-  }
+export class Cut extends Result {}
+getters(Cut, {
+  mesh: (made) => new Mesh(made._native.part('cut_mesh')),
+  labels: 'face_labels',
+  parents: 'face_parents',
+  vertex_labels: 'vertex_labels',
+  distances: 'vertex_distances',
+  scale: ({ figures }) => figures.charts?.scale ?? 0,
+  charts: ({ figures }) => (figures.charts?.charts ?? []).map(({ box, ...chart }) => (
+    { torn_share: 0, origin: [0, 0], ...chart, box: box ? [box.slice(0, 2), box.slice(2)] : [] })),
+});
 
+export class Relaxation extends Result {
   to_bytes(format, options) {
     return this.diagram.to_bytes(format, options);
   }
 
   points_to_bytes(format) {
-    checkText('format', format);
-    return this._native.write_samples(format);
+    return fileOf('points_to_bytes', this._native, format, {}, { part: 'points' });
   }
 }
-forward(Relaxation, 'energies', 'areas', 'cell_energies', 'residual', 'stop');
-lazy(Relaxation, 'generators', (self) => self.diagram.generators);
+getters(Relaxation, {
+  energies: 'energies',
+  areas: 'areas',
+  cell_energies: 'cell_energies',
+  residual: ({ figures }) => figures.residual,
+  stop: ({ figures }) => figures.stop,
+});
 
-export class RemeshMap extends Handle {}
-forward(RemeshMap, 'points', 'origins', 'one_to_one');
-
-export class Remesh extends Handle {
-  constructor(surface, handle) {
-    super(handle);
-    this.surface = surface;
+/** Where the vertices of a surface are on its remesh, and where those of the remesh come from. */
+export class RemeshMap extends Thing {
+  to_bytes(format) {
+    return fileOf('to_bytes', this._native, format, {}, { part: 'map' });
   }
+}
+getters(RemeshMap, {
+  points: (map) => map._points('map_points'),
+  origins: (map) => map._points('map_origins'),
+  one_to_one: ({ figures }) => figures.map.one_to_one,
+});
 
+export class Remesh extends Result {
   map(options = {}) {
-    checkNames('map', options, 'progress');
-    return new RemeshMap(this._native.map(options));
+    return new RemeshMap(run('map', 'map', this, this.surface, options), this.surface);
+  }
+
+  scene(options = {}) {
+    return this._scene(options);
   }
 }
-forward(Remesh, 'figures', 'certificate');
-lazy(Remesh, 'mesh', (self) => Mesh._wrap(self._native.mesh()));
-lazy(Remesh, 'diagram', (self) => new Diagram(self.surface, self._native.diagram()));
+getters(Remesh, {
+  mesh: (made) => new Mesh(made._native.part('mesh')),
+  certificate: ({ figures }) => ({ ok: true, ...figures.certificate }),  // what has none is an error
+});
 
-function checkBytes(bytes) {
+/** The bytes of a file, for the library. */
+function contentOf(bytes, name) {
   if (!(bytes instanceof Uint8Array || bytes instanceof ArrayBuffer)) refuse('a Uint8Array or an ArrayBuffer is needed');
+  if (typeof name !== 'string') refuse(`name: text is needed, not ${name}`);
+  return [{ numbers: bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes) }];
 }
 
-/**
- * Reads the bytes of an OBJ, PLY, OFF, STL, glTF (buffers inside), MNI or legacy VTK file; `name` is the file's, for messages.
- * `weld`: true joins vertices at the same place, a number also those at most so many mesh units apart.
- */
-export function read(bytes, name, { on_defect = 'repair', weld = false, ...others } = {}) {
-  checkNames('read', others, 'on_defect weld');
-  checkBytes(bytes);
-  checkText('name', name);
-  checkText('on_defect', on_defect);
+export function read(bytes, name, { weld = false, ...options } = {}) {
   if (!['boolean', 'number'].includes(typeof (weld ?? false))) refuse(`weld: true, false or a number is needed, not ${weld}`);
-  const tolerance = weld === true ? 0 : weld === false ? null : weld ?? null;
-  return Mesh._wrap(native.mesh_from_bytes(bytes, name, on_defect, tolerance));
+  const given = contentOf(bytes, name), joined = weld === true ? 0 : weld === false ? null : weld;
+  return new Mesh(run('read', 'mesh', null, null, { ...options, weld: joined }, { file: name, content: true }, given));
 }
 
-/** The numbers of a file that has one for each vertex or face: text, .npy, and FreeSurfer's .annot and values. */
+function readNumbers(operation, bytes, name) {
+  return new Thing(call(operation, null, { file: name, content: true }, contentOf(bytes, name)));
+}
+
 export function read_values(bytes, name) {
-  checkBytes(bytes);
-  checkText('name', name);
-  return native.parse_values(bytes, name);
+  return readNumbers('values', bytes, name)._array('values');
+}
+
+export function read_properties(bytes, name) {
+  const made = readNumbers('properties', bytes, name), found = { vertex: {}, face: {} };
+  for (const full of made.figures.names) {
+    const [element, ...own] = full.split(' ');
+    found[element][own.join(' ')] = made._array(full);
+  }
+  return found;
 }
 
 /** The bytes that gzip packed, as `read` takes them; other bytes as they are. */

@@ -268,7 +268,7 @@ const tests = {
     assert.equal(await page.textContent('#title'), 'plate.stl');
     await page.setInputFiles('#play-file', join(data, 'README.md'));
     await idle(page);
-    assert.match(await message(page), /README.md: neither the content/);
+    assert.match(await message(page), /README.md: neither the name nor the content/);
     assert.equal(await page.textContent('#title'), 'plate.stl', 'what was there stays');
     await page.close();
   },

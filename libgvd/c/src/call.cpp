@@ -55,6 +55,26 @@ template <class Map>
                      meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
 }
 
+void read_file_options(FileOptions& how, const char* options, const gvd_run* run) {
+  how.threads = run == nullptr ? 0 : run->threads;
+  OptionList list;
+  describe(list, how);
+  read_json_options(list, {}, options == nullptr ? "{}" : options, {});
+}
+
+/// A file in memory.
+class FileObject : public Object {
+ public:
+  explicit FileObject(std::string bytes) : bytes_(std::move(bytes)) {}
+  std::string_view kind() const override { return "file"; }
+  void visit(ObjectVisitor& visitor) const override {
+    visitor.array({"bytes", "", "of the file"}, {bytes_.data(), ArrayType::uint8, 1, {std::ssize(bytes_), 1}, {1, 0}});
+  }
+
+ private:
+  std::string bytes_;
+};
+
 }  // namespace
 
 std::unique_ptr<gvd_object> gvd::c::call(const char* name, const gvd_object* on, const std::string& options,
@@ -153,11 +173,19 @@ gvd_status gvd_write_as(const gvd_object* object, const char* path, const char* 
     const std::string name = &given(path, "path");
     CallObserver observer(run);
     FileOptions how;
-    how.threads = observer.threads;
-    OptionList list;
-    describe(list, how);
-    read_json_options(list, {}, options == nullptr ? "{}" : options, {});
+    read_file_options(how, options, run);
     write_object(name, written, how, progress_of(observer));
+  });
+}
+
+gvd_status gvd_file_of(const gvd_object* object, const char* format, const char* options, const gvd_run* run,
+                       gvd_object** file) {
+  return guarded_for(run, [&] {
+    const Object& written = *given(object, "object").object;
+    given(file, "file");
+    FileOptions how;
+    read_file_options(how, options, run);
+    *file = new gvd_object(std::make_shared<FileObject>(file_bytes(&given(format, "format"), written, how)));
   });
 }
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <utility>
 
+#include "gvd/diagram_operation.hpp"
+
 namespace {
 
 using namespace gvd;
@@ -196,6 +198,14 @@ void CallObserver::enter(std::string_view step) {
 void CallObserver::note(const std::string& text) {
   notes_.push_back(spell_for(door(), text));
   if (run_.note != nullptr) run_.note(run_.data, notes_.back().c_str());
+}
+
+void CallObserver::iterated(std::int64_t iterations, double energy, const std::vector<SurfacePoint>& generators) {
+  if (run_.iteration == nullptr) return;
+  auto points = std::make_shared<SampleOutcome>();
+  points->found.points = generators;
+  const gvd_object object(std::move(points));
+  run_.iteration(run_.data, std::int32_t(iterations), energy, &object);
 }
 
 void CallObserver::warn(const std::string& text) {

@@ -148,6 +148,7 @@ class CallObserver : public Observer {
   void enter(std::string_view step) override;
   void note(const std::string& text) override;
   void warn(const std::string& text) override;
+  void iterated(std::int64_t iterations, double energy, const std::vector<SurfacePoint>& generators) override;
   const std::vector<std::string>& notes() const { return notes_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   Door door() const { return door_of(&run_); }

@@ -46,8 +46,9 @@ PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshForma
 std::optional<SoupProperty> read_soup_property(const std::filesystem::path& path, std::string_view property,
                                                SoupElement preferred = SoupElement::vertex);
 
-/// `read_soup` from bytes in memory; `name` stands for the file in messages. A glTF must have its buffers inside.
-PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name);
+/// `read_soup` from bytes in memory; `name` stands for the file in messages, and its extension may tell the format. A
+/// glTF must have its buffers inside.
+PolygonSoup parse_soup(std::string_view bytes, std::optional<MeshFormat> format, std::string_view name);
 
 /// PLY: the properties of vertices but for their coordinates, and of polygons, in the file's order. Those of a texture,
 /// which `read_soup` reads, and of strips of triangles are left out. OBJ: the colours of vertices as `red`, `green`,

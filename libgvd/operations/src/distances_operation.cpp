@@ -25,6 +25,7 @@
 #include "gvd/barriers.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/format.hpp"
+#include "gvd/read_values.hpp"
 #include "gvd/text.hpp"
 #include "gvd/unreached_points.hpp"
 
@@ -231,6 +232,7 @@ void add_all_paths(const DistancesCall& call, Observer& observer, DistancesOutco
 }
 
 std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, const DistancesCall& call) {
+  if (call.levels.values) return call.levels.values->soup.values;
   double largest = 0;
   for (const VertexId v : mesh.vertices()) {
     if (std::isfinite(field.distance(v))) largest = std::max(largest, field.distance(v));
@@ -254,6 +256,7 @@ std::vector<Isoline> trace_isolines(const DistancesCall& call, Observer& observe
     return field.isolines(levels, {.threads = observer.threads, .progress = progress_of(observer)});
   } catch (const Error& error) {
     if (error.code() != ErrorCode::invalid_option) throw;
+    if (!call.isolines) refuse_call(fmt::format("\1levels\2: {}", error.text()));
     refuse_call(fmt::format("\1isolines={}\2: {}, with a larger step", *call.isolines, error.text()));
   }
 }
@@ -301,7 +304,7 @@ void measure_nearest(const DistancesCall& call, Observer& observer, DistancesOut
     }
     made.logarithms = as_step(observer, "logarithms", [&] { return find_logarithms(observer, made); });
   }
-  if (!call.isolines) return;
+  if (!call.isolines && !call.levels.is_given()) return;
   made.table.isolines =
       as_step(observer, "isolines", [&] { return trace_isolines(call, observer, mesh, *made.field); });
 }
@@ -381,6 +384,10 @@ void describe(OptionList& list, DistancesCall& call) {
 void describe_for_programs(OptionList& list, DistancesCall& call) {
   list.option("logarithm", Flag{&call.logarithm},
               {.help = "Direction and length of the shortest path to each vertex, in the tangent plane of the source"});
+  list.option(
+      "levels", ValueSource{&call.levels, {}, ValueSource::Of::generators},
+      {.help = "Trace the curves of equal distance at these distances, ascending and above 0", .unit = "mesh units"});
+  list.excludes("levels", {"isolines", "each"});
   list.option("keep_coincident", Flag{&call.keep_coincident}, {.help = "Sources may be in the same place"});
   list.option("mesh_vertices", Flag{&call.mesh_vertices},
               {.help = "With \1each\2, rows of the mesh's vertices, where repairs made others than the input's"});

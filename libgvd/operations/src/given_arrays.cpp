@@ -193,6 +193,13 @@ std::vector<double> read_array(const ArrayView& view, std::size_t place) {
   return numbers;
 }
 
+std::string_view bytes_of(const ArrayView& view, std::size_t place) {
+  const bool is_right = view.type == ArrayType::uint8 && columns_of(checked(view, place)) == 1 &&
+                        (view.shape[0] < 2 || view.strides[0] == 1);
+  if (!is_right) refuse_array(fmt::format("array {} has no bytes; give uint8, one column, without gaps", place));
+  return {static_cast<const char*>(view.data), std::size_t(view.shape[0])};
+}
+
 std::string read_bytes(const Json& value, const Arrays& arrays) {
   std::string text;
   for (const double byte : to_numbers(value, arrays)) text.push_back(static_cast<char>(static_cast<int>(byte)));

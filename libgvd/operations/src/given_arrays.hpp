@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gvd/curve_list.hpp"
@@ -35,6 +36,8 @@ std::vector<std::int64_t> read_indices(const nlohmann::ordered_json& value, cons
 
 /// A text, as an array of its bytes.
 std::string read_bytes(const nlohmann::ordered_json& value, const Arrays& arrays);
+/// The bytes of an array of them that has no gaps. `place`: its number, for messages.
+std::string_view bytes_of(const ArrayView& view, std::size_t place);
 /// All numbers of an array, row by row. `place`: its number, for messages.
 std::vector<double> read_array(const ArrayView& view, std::size_t place);
 

@@ -53,11 +53,24 @@ std::vector<T> places(const ArrayView& view, std::size_t place, std::int64_t cou
   return made;
 }
 
+void describe_file(OptionList& list, GivenFile& given, Spec spec) {
+  list.group("Input");
+  list.option("file", File{&given.file}, std::move(spec));
+  list.option("content", Flag{&given.content},
+              {.help = "The last array has the bytes of the file; its name is for messages, and for its format"});
+  list.needs("content", "file");
+}
+
 }  // namespace
 
+std::string_view GivenFile::bytes() const {
+  if (arrays.empty())
+    throw Error(ErrorCode::invalid_option, "give the bytes of the file as an array, as \1content\2 says");
+  return bytes_of(arrays.back(), arrays.size() - 1);
+}
+
 void describe(OptionList& list, MeshCall& call) {
-  list.group("Input");
-  list.option("file", File{&call.file}, {.help = "File of the mesh; without it, two arrays are the mesh"});
+  describe_file(list, call, {.help = "File of the mesh; without it, two arrays are the mesh"});
   list.option("input_format", choice(call.format, input_format_names()),
               {.help = "Format of the file, otherwise detected from content and extension"});
   list.option("on_defect", choice(call.on_defect, kDefectPolicyNames),
@@ -69,8 +82,10 @@ void describe(OptionList& list, MeshCall& call) {
 }
 
 std::shared_ptr<const MeshObject> run(MeshCall& call, Observer& observer) {
-  PolygonSoup soup = as_step(
-      observer, "read", [&] { return call.file.empty() ? soup_of(call.arrays) : read_soup(call.file, call.format); });
+  PolygonSoup soup = as_step(observer, "read", [&] {
+    if (call.content) return parse_soup(call.bytes(), call.format, call.file);
+    return call.file.empty() ? soup_of(call.arrays) : read_soup(call.file, call.format);
+  });
   const Step step(observer, "check");
   if (call.weld) weld_soup(soup, *call.weld);
   return std::make_shared<MeshObject>(std::make_shared<CheckedMesh>(build_mesh(soup, call.on_defect, call.file)));
@@ -114,8 +129,7 @@ std::shared_ptr<const MeshObject> run(SavedMeshCall& call, Observer&) {
 }
 
 void describe(OptionList& list, ValuesCall& call) {
-  list.group("Input");
-  list.option("file", File{&call.file}, {.help = "File to read", .required = true});
+  describe_file(list, call, {.help = "File to read", .required = true});
 }
 
 void NumbersObject::visit(ObjectVisitor& visitor) const {
@@ -127,13 +141,19 @@ void NumbersObject::visit(ObjectVisitor& visitor) const {
 
 std::shared_ptr<const NumbersObject> run(ValuesCall& call, Observer&) {
   auto made = std::make_shared<NumbersObject>();
-  made->numbers.emplace_back("values", read_values(call.file));
+  made->numbers.emplace_back("values", call.content ? parse_values(call.bytes(), call.file) : read_values(call.file));
   return made;
 }
 
 std::shared_ptr<const NumbersObject> run(PropertiesCall& call, Observer&) {
   auto made = std::make_shared<NumbersObject>();
-  for (MeshProperty& property : read_mesh_properties(call.file)) {
+  std::vector<MeshProperty> properties;
+  if (!call.content) {
+    properties = read_mesh_properties(call.file);
+  } else if (const auto format = detect_format(call.bytes(), call.file)) {
+    properties = parse_mesh_properties(call.bytes(), *format, call.file);
+  }
+  for (MeshProperty& property : properties) {
     if (property.count_type) continue;  // a list for each element
     made->numbers.emplace_back((property.of_vertices ? "vertex " : "face ") + property.name,
                                std::move(property.values));
@@ -170,7 +190,8 @@ std::shared_ptr<const CurvesOutcome> run(const MeshPtr& input, CurvesCall& call,
   return made;
 }
 
-std::shared_ptr<const CheckOutcome> run(const DiagramObject& on, CheckCall&, Observer&) {
+std::shared_ptr<const CheckOutcome> run(const DiagramObject& on, CheckCall&, Observer& observer) {
+  const Step step(observer, "check");
   auto made = std::make_shared<CheckOutcome>();
   made->violations = check_diagram(on.surface(), on.surface_diagram()).violations;
   return made;

@@ -80,6 +80,7 @@ LloydResult relax(const Mesh& mesh, const RelaxationStart& start, const LloydCal
   options.progress = progress_of(observer);
   options.on_iteration = [&](std::int64_t iterations, double energy, const std::vector<SurfacePoint>& generators) {
     if (call.relaxation.on_iteration) call.relaxation.on_iteration(iterations, energy, generators);
+    observer.iterated(iterations, energy, generators);
     show_iteration(observer, iterations, energy);
   };
   LloydResult result = as_step(observer, kRelaxationStep, [&] { return relax_generators(mesh, start, options); });
@@ -199,14 +200,15 @@ void LloydOutcome::visit(ObjectVisitor& visitor) const {
 OwnWriters LloydOutcome::part_writers(std::string_view part) const {
   OwnWriters writers;
   if (part != "points") return writers;
-  for (const auto& [name, format] : kPointFormatNames) {
-    writers[std::string(name)] = [this, as = format](std::ostream& out) {
+  for (const auto& [name, known] : kPointFormatNames) {
+    const PointFormat format = known;  // clang 14 captures no structured bindings
+    writers[std::string(name)] = [this, format](std::ostream& out) {
       std::vector<SurfaceSample> samples;
       for (const GeneratorId g : relaxed->moments.ids()) {
         const CellMoments& moments = relaxed->moments[g];
         samples.push_back({relaxed->generators[g.index()], moments.area, moments.energy});
       }
-      write_points(out, input->mesh, samples, as);
+      write_points(out, input->mesh, samples, format);
     };
   }
   return writers;

@@ -10,6 +10,7 @@
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/parted_mesh.hpp"
+#include "io/view/view_steps.hpp"
 
 namespace gvd {
 namespace {
@@ -40,6 +41,38 @@ void visit_report(ObjectVisitor& visitor, const Diagram& diagram) {
   visitor.figure({"straightened_error", "mesh units", "largest difference of the two distances there"},
                  report.straightened_error);
 }
+
+}  // namespace
+
+namespace {
+
+/// The faces that bisectors cut, in triangles.
+class PiecesObject : public Object {
+ public:
+  PiecesObject(const Mesh& mesh, const Diagram& diagram) {
+    for (const FacePiece& piece : diagram.pieces) {
+      std::vector<Vec2> polygon;
+      for (const auto& b : piece.corners) polygon.emplace_back(b[1], b[2]);
+      for (const auto& triangle : io::triangulate_polygon(polygon)) {
+        for (const std::uint32_t corner : triangle)
+          positions_.push_back(position(mesh, {piece.face, piece.corners[corner]}));
+        faces_.push_back(piece.face);
+        labels_.push_back(piece.generator);
+      }
+    }
+  }
+  std::string_view kind() const override { return "pieces"; }
+  void visit(ObjectVisitor& visitor) const override {
+    visitor.array({"positions", "mesh units", "of three corners each"}, view(positions_));
+    visitor.array({"faces", "", "that the triangles are parts of"}, view(faces_));
+    visitor.array({"labels", "", "the generator of each triangle"}, view(labels_));
+  }
+
+ private:
+  std::vector<Vec3> positions_;
+  std::vector<FaceId> faces_;
+  std::vector<GeneratorId> labels_;
+};
 
 }  // namespace
 
@@ -154,6 +187,8 @@ void DiagramObject::visit(ObjectVisitor& visitor) const {
                  {std::ssize(bisectors), [&bisectors](std::int64_t i) {
                     return std::span<const SurfacePoint>(bisectors[std::size_t(i)].points);
                   }});
+  visitor.part({"pieces", "", "the faces that bisectors cut, in triangles"}, "pieces",
+               [this] { return std::make_shared<PiecesObject>(mesh_->mesh, *diagram_); });
 }
 
 OwnWriters list_writers(const Mesh& mesh, const std::vector<SurfacePoint>& points) {

@@ -13,6 +13,7 @@
 #include "gvd/given_objects.hpp"
 #include "gvd/lloyd_operation.hpp"
 #include "gvd/remesh_operation.hpp"
+#include "gvd/scene_operation.hpp"
 #include "gvd/segment_operation.hpp"
 
 namespace gvd {
@@ -54,6 +55,8 @@ class CallWith : public Call {
   std::shared_ptr<const Object> run(const std::shared_ptr<const Object>& on, Observer& observer) override {
     if constexpr (std::is_void_v<Kind>) {
       return gvd::run(options_, observer);
+    } else if constexpr (std::is_abstract_v<Kind>) {  // objects of several kinds
+      return gvd::run(*on, options_, observer);
     } else if constexpr (std::is_same_v<Kind, MeshObject>) {
       return gvd::run(cast<MeshObject>(*on, "mesh").mesh(), options_, observer);
     } else {
@@ -68,7 +71,11 @@ class CallWith : public Call {
 template <class Options, class Outcome, class Kind = MeshObject>
 Operation make_operation(std::string_view name, std::string_view summary) {
   std::string_view on;
-  if constexpr (!std::is_void_v<Kind>) on = Kind().kind();  // a text that lives as long as the program
+  if constexpr (std::is_abstract_v<Kind>) {
+    on = kSceneSubjects;
+  } else if constexpr (!std::is_void_v<Kind>) {
+    on = Kind().kind();  // a text that lives as long as the program
+  }
   return {name, summary, on, []() -> std::unique_ptr<Call> { return std::make_unique<CallWith<Options, Kind>>(); },
           []() -> std::shared_ptr<const Object> { return std::make_shared<Outcome>(); }};
 }
@@ -95,6 +102,7 @@ const std::vector<Operation>& operations() {
       make_operation<MapCall, RemeshOutcome, RemeshOutcome>("map",
                                                             "Maps the vertices of a mesh to its remesh, and back"),
       make_operation<CheckCall, CheckOutcome, DiagramObject>("check", "Tests every invariant of a diagram"),
+      make_operation<SceneCall, SceneObject, Object>("scene", "Makes a picture for the page"),
       make_operation<CurvesCall, CurvesOutcome>("curves",
                                                 "Finds or makes the curves of a mesh that serve as generators"),
       make_operation<MeshCall, MeshObject, void>("mesh", "Makes a mesh of two arrays or of a file"),
@@ -107,9 +115,13 @@ const std::vector<Operation>& operations() {
 }
 
 const MeshPtr& mesh_of(const Operation& operation, const Object& object) {
+  if (operation.on == kSceneSubjects) {
+    if (const auto* const distances = dynamic_cast<const DistancesOutcome*>(&object)) return distances->input;
+    if (const auto* const remesh = dynamic_cast<const RemeshOutcome*>(&object)) return remesh->input;
+  }
   if (operation.on == "mesh") return cast<MeshObject>(object, "mesh").mesh();
   if (operation.on == "remesh") return cast<RemeshOutcome>(object, "remesh").input;
-  return cast<DiagramObject>(object, "diagram").mesh();
+  return cast<DiagramObject>(object, operation.on).mesh();
 }
 
 const Operation* find_operation(std::string_view name) {

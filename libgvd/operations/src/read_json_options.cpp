@@ -88,6 +88,18 @@ std::vector<std::string> to_texts(const Json& value) {
   return texts;
 }
 
+/// Curves of {"file": NAME}; with "content", an array, these are its bytes.
+CurveList read_curve_file(const Json& value, const Arrays& arrays) {
+  const Json& file = value.at("file");
+  const bool is_text = file.is_string();
+  if (!is_text && !is_array_reference(file)) refuse_json("\"file\": a name is needed");
+  const std::string path = is_text ? file.get<std::string>() : read_bytes(file, arrays);
+  if (value.size() == 1) return gvd::read_curves(path);
+  const bool has_content = value.size() == 2 && value.contains("content") && is_array_reference(value["content"]);
+  if (!has_content) refuse_json("beside \"file\" there is \"content\" only, an array of the file's bytes");
+  return parse_curves(read_bytes(value["content"], arrays), path);
+}
+
 /// Reads one option. Each function returns what is wrong; empty where nothing is.
 class OptionReader {
  public:
@@ -104,12 +116,8 @@ class OptionReader {
   }
 
   std::string operator()(const Curves& curves) const {
-    if (value_.is_object() && value_.size() == 1 && value_.contains("file")) {
-      const Json& file = value_.at("file");
-      const bool is_text = file.is_string();
-      if (!is_text && !is_array_reference(file)) return "\"file\": a name is needed";
-      const std::string path = is_text ? file.get<std::string>() : read_bytes(file, arrays_);
-      *curves.value = {{}, std::make_shared<CurveList>(gvd::read_curves(path))};
+    if (value_.is_object() && value_.contains("file")) {
+      *curves.value = {{}, std::make_shared<CurveList>(read_curve_file(value_, arrays_))};
       return "";
     }
     if (word() == "boundary" || word() == "creases" || word().starts_with("creases:")) return as_text();

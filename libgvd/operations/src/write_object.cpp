@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gvd/error.hpp"
@@ -42,19 +44,28 @@ void describe(OptionList& list, FileOptions& options) {
               {.help = "In .obj, give each region a material, in place of the materials that the mesh was read with"});
 }
 
-void write_object(const std::filesystem::path& path, const Object& object, const FileOptions& options,
-                  const Progress& progress) {
-  const std::string name = path.string();
+namespace {
+
+/// A file of an object in memory, or at a path.
+struct Target {
+  std::string name;       ///< for messages
+  std::string extension;  ///< without the dot
+  std::function<void(const std::function<void(std::ostream&)>&)> write;
+  std::function<void(const LabelledMesh&, const Format&)> write_surface;
+};
+
+void write_to(const Target& target, const Object& object, const FileOptions& options) {
+  const auto& [name, extension, write, write_surface] = target;
   if (!options.part.empty()) {
     const OwnWriters own = object.part_writers(options.part);
-    const auto writer = own.find(format_extension(path));
+    const auto writer = own.find(extension);
     if (own.empty()) {
       throw Error(ErrorCode::invalid_option,
                   fmt::format("\1part\2: a {} has no part {}", object.kind(), gvd::quoted(options.part)));
     }
-    if (writer != own.end()) return write_file(path, writer->second, progress);
+    if (writer != own.end()) return write(writer->second);
     std::vector<std::string> known;
-    for (const auto& [extension, write] : own) known.push_back(extension);
+    for (const auto& [one, writes] : own) known.push_back(one);
     throw Error(ErrorCode::invalid_option,
                 fmt::format("{}: the extension must be one of {}", name, list_extensions(known, "or")));
   }
@@ -63,11 +74,8 @@ void write_object(const std::filesystem::path& path, const Object& object, const
     throw Error(ErrorCode::invalid_option,
                 fmt::format("{}: a {} has no file; write what it consists of", name, object.kind()));
   }
-  if (format_extension(path) == "html") {
-    return write_file(
-        path, [&](std::ostream& out) { out << object.page(options); }, progress);
-  }
-  const Format* const format = find_output(format_extension(path));
+  if (extension == "html") return write([&](std::ostream& out) { out << object.page(options); });
+  const Format* const format = find_output(extension);
   if (format == nullptr || !has_any(format->carries, content)) {
     throw Error(ErrorCode::invalid_option, fmt::format("{}: the extension must be one of {}", name,
                                                        list_extensions(output_extensions(content), "or")));
@@ -75,12 +83,30 @@ void write_object(const std::filesystem::path& path, const Object& object, const
   object.check_file({name, format});
   const OwnWriters own = object.own_writers();
   const auto writer = own.find(format->extensions.front());
-  if (writer != own.end()) return write_file(path, writer->second, progress);
+  if (writer != own.end()) return write(writer->second);
   LabelledMesh mesh = object.labelled().value();
   mesh.no_bisectors = options.no_curves;
   mesh.ascii_ply = options.ascii_ply;
   mesh.region_materials = options.region_materials;
-  write_mesh(path, mesh, progress);
+  write_surface(mesh, *format);
+}
+
+}  // namespace
+
+void write_object(const std::filesystem::path& path, const Object& object, const FileOptions& options,
+                  const Progress& progress) {
+  write_to({path.string(), format_extension(path), [&](const auto& write) { write_file(path, write, progress); },
+            [&](const LabelledMesh& mesh, const Format&) { write_mesh(path, mesh, progress); }},
+           object, options);
+}
+
+std::string file_bytes(const std::string& format, const Object& object, const FileOptions& options) {
+  std::ostringstream out;
+  const std::string bare = format.starts_with('.') ? format.substr(1) : format;
+  write_to({gvd::quoted(format), format_extension("file." + bare), [&](const auto& write) { write(out); },
+            [&](const LabelledMesh& mesh, const Format& row) { write_mesh(out, mesh, row.id); }},
+           object, options);
+  return std::move(out).str();
 }
 
 }  // namespace gvd

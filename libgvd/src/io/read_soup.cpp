@@ -84,6 +84,15 @@ std::vector<std::string_view> list_titles() {
   return titles;
 }
 
+/// The format of a file that must have one.
+MeshFormat require_format(std::string_view bytes, std::string_view name) {
+  if (bytes.empty()) refuse_file(name, "the file is empty");
+  if (const auto format = detect_format(bytes, name)) return *format;
+  refuse_foreign_file(bytes, name);
+  refuse_file(name, fmt::format("neither the name nor the content is that of a {} file; name the format with {}",
+                                join_words(list_titles(), "or"), input_format_option()));
+}
+
 }  // namespace
 
 std::string input_format_option() {
@@ -109,21 +118,16 @@ std::optional<MeshFormat> detect_format(std::string_view bytes, std::string_view
   return name.find('.') == name.npos ? std::nullopt : format_from_extension(name);
 }
 
-PolygonSoup parse_soup(std::string_view bytes, MeshFormat format, std::string_view name) {
-  return with_unpacked(bytes, name,
-                       [&](std::string_view content) { return parse_unpacked(content, format, name, std::nullopt); });
+PolygonSoup parse_soup(std::string_view bytes, std::optional<MeshFormat> format, std::string_view name) {
+  return with_unpacked(bytes, name, [&](std::string_view content) {
+    return parse_unpacked(content, format ? *format : require_format(content, name), name, std::nullopt);
+  });
 }
 
 PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshFormat> format) {
   const std::string name = path.string();
   const std::string bytes = read_file_bytes(path);
-  if (bytes.empty()) refuse_file(name, "the file is empty");
-  if (!format) format = detect_format(bytes, name);
-  if (!format) {
-    refuse_foreign_file(bytes, name);
-    refuse_file(name, fmt::format("neither the name nor the content is that of a {} file; name the format with {}",
-                                  join_words(list_titles(), "or"), input_format_option()));
-  }
+  if (!format) format = require_format(bytes, name);
   std::error_code ignored;
   const bool has_folder = std::filesystem::is_regular_file(path, ignored);  // which a pipe has not
   return parse_unpacked(bytes, *format, name, has_folder ? std::optional(path.parent_path()) : std::nullopt);

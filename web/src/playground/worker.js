@@ -1,21 +1,15 @@
 // The worker of the playground: one mesh, and what the page asks about it. Messages {id, kind, args} are answered by {id,
 // result}, {id, error}, or first {id, progress}.
-import make_module from 'gvd-module';
 import { find_change } from './edits.js';
+import { give } from './load.js';
 
-class GvdError extends Error {
-  constructor(message, code) {
-    super(message);
-    this.code = code;
-  }
-}
+const kIsolines = 12;  // levels up to the largest distance
 
-let gvd, mesh, scenes;
+let gvd, mesh, page;  // `page`: the last manifest, whose frame is that of all scenes, and the colours of the last regions
 const last = {};  // what was made last: the farthest generators, the editor of the exact diagram, and the result of each kind
 
-// Points of the page as the module takes them.
-const kFace = 1;
-const entries = (points) => ({ kind: kFace, id: points.map(({ face }) => face), at: points.flatMap(({ bary }) => bary), coincident: 'refuse' });
+// Points of the page as the package takes them.
+const join = (points) => ({ face: points.map(({ face }) => face), bary: points.flatMap(({ bary }) => bary) });
 const to_points = ({ face, bary }) => Array.from(face, (f, i) => ({ face: f, bary: [...bary.subarray(3 * i, 3 * i + 3)] }));
 
 // What `make` returns lives in the module's memory: it is freed after `use`.
@@ -23,13 +17,22 @@ function using(made, use) {
   try {
     return use(made);
   } finally {
-    made.delete();
+    made.free();
   }
+}
+
+// Regions keep their colours as far as their neighbours allow.
+function scene_of(made, options) {
+  const { colors, ...scene } = made.scene({ ...options, colors: page.colors });
+  if (colors.length) page.colors = colors;
+  page.manifest = scene.manifest;
+  return scene;
 }
 
 function forget(...kinds) {
   for (const kind of kinds) {
-    last[kind]?.made.delete?.();
+    const { made } = last[kind] ?? {};
+    (made?.diagram ?? made)?.free?.();  // of an editor its diagram
     delete last[kind];
   }
 }
@@ -45,39 +48,42 @@ function kept(kind, of, make) {
 }
 
 // The given generators, or the farthest ones.
-const generators_of = ({ count, generators }) => generators ?? kept('farthest', count, () => to_points(mesh.sample({ n: count, sampling: 'farthest' })));
+const generators_of = ({ count, generators }) => generators ?? kept('farthest', count, () => to_points(mesh.farthest(count)));
 
 // The exact diagram of points, by changing the last one where a single generator differs.
 function exact_diagram(points, use) {
   const change = last.editor && find_change(last.editor.points, points);
   try {
     if (change) {
-      const [name, ...args] = change;
-      if (name) last.editor.made[name](...args.map((arg) => (arg.face === undefined ? arg : entries([arg]))));
+      const [name, ...args] = change, { made } = last.editor, before = made.diagram;
+      if (name) made[name](...args.map((arg) => (arg.face === undefined ? arg : join([arg]))));
+      if (before !== made.diagram) before.free();
     } else {
       forget('editor');
-      last.editor = { made: gvd.edit(mesh, entries(points), {}) };
+      last.editor = { made: new gvd.DiagramEditor(mesh, join(points)) };
     }
     last.editor.points = points;
   } catch (error) {
     forget('editor');
     throw error;
   }
-  return using(last.editor.made.shown(), use);
+  return use(last.editor.made.diagram);
 }
 
-const of_diagram = (diagram) => scenes.of_diagram(diagram);
+const measure = (points) => kept('measured', points, () => mesh.measure(join(points)));
+// As the page shows them, for formats that hold no distances.
+const with_isolines = ({ figures: { largest } }) => mesh.measure(join(JSON.parse(last.measured.key)), { isolines: largest / (kIsolines + 1) });
 const balance = (points) => {
-  const { diagram, converged } = gvd.balance(mesh, entries(points), {});
+  const { diagram, converged } = mesh.balance(join(points));
   return Object.assign(diagram, { note: converged ? '' : 'Not all areas are equal: masses jump where a bisector passes a corner of the surface.' });
 };
 // Farthest generators are relaxed before, as by the command; lists stay where they are.
-const remesh = (points, listed) => gvd.remesh(mesh, listed ? { generators: entries(points) } : { n: points.length, sampler: true });
+const remesh = (points, listed) => (listed ? mesh.remesh(null, { generators: join(points) }) : mesh.remesh(points.length));
 
 // What a remesh has kept of the surface. One without a certificate is an error.
 function describe_remesh(made) {
-  const { input_to_output, output_to_input } = made.figures(), farthest = Math.max(input_to_output.hausdorff, output_to_input.hausdorff);
-  const percent = ((100 * farthest) / mesh.summary().bbox_diagonal).toPrecision(3);
+  const { input_to_output, output_to_input } = made.figures.distance, farthest = Math.max(input_to_output.hausdorff, output_to_input.hausdorff);
+  const percent = ((100 * farthest) / mesh.summary.bbox_diagonal).toPrecision(3);
   return `A manifold with the topology of the surface; at most ${percent} % of the diagonal from it.`;
 }
 
@@ -86,48 +92,48 @@ const kShows = {
   diagram: {
     name: 'regions',
     make: exact_diagram,
-    scene: of_diagram,
-    part: (diagram, use) => using(diagram.segment({}), use),
+    scene: (diagram) => scene_of(diagram),
+    part: (diagram, use) => using(diagram.segment(), use),
   },
   equal: {
     name: 'equal',
     make: (points, use) => use(kept('equal', points, () => balance(points))),
-    scene: (diagram) => ({ ...of_diagram(diagram), note: diagram.note }),
-    part: (diagram, use) => using(diagram.cut({}), use),
+    scene: (diagram) => ({ ...scene_of(diagram), note: diagram.note }),
+    part: (diagram, use) => using(diagram.cut(), use),
   },
   distances: {
     name: 'distances',
-    make: (points, use) => use(points),
-    scene: (points) => kept('distances', points, () => scenes.of_distances(entries(points))),
-    part: (points, use) => use({ write: (format) => scenes.write_distances(entries(points), format) }),
+    make: (points, use) => use(measure(points)),
+    scene: (measured) => kept('distances', last.measured.key, () => scene_of(measured, { isolines: kIsolines })),
+    part: (measured, use, format) => (format === 'obj' ? using(with_isolines(measured), use) : use(measured)),
   },
   remesh: {
     name: 'coarse',
     make: (points, use, listed) => use(kept('remesh', { points, listed }, () => remesh(points, listed))),
-    scene: (made) => ({ ...gvd.remesh_scene(scenes, made), note: describe_remesh(made) }),
+    scene: (made) => ({ ...scene_of(made), note: describe_remesh(made) }),
   },
 };
 
 const handlers = {
   async start({ module }) {
-    gvd = await make_module({ wasmBinary: module, Error: GvdError });
+    give(module);
+    gvd = await import('gvd');
   },
 
   // Reads a mesh and shows its first state. What was there stays until both are done.
   open({ name, bytes, state }) {
     forget(...Object.keys(last));
-    const before = [mesh, scenes], made = [];
+    const before = [mesh, page];
     try {
-      made.push((mesh = gvd.mesh_from_bytes(new Uint8Array(bytes), name, 'repair', null)));
-      made.push((scenes = new gvd.Scenes(mesh)));
-      const opened = { name, faces: mesh.summary().faces, notes: mesh.notes() };
+      [mesh, page] = [gvd.read(new Uint8Array(bytes), name), {}];
+      const opened = { name, faces: mesh.summary.faces, notes: mesh.notes };
       const scene = handlers.show(state);
-      for (const old of before) old?.delete();
+      before[0]?.free();
       return { opened, scene };
     } catch (error) {
       forget(...Object.keys(last));
-      for (const one of made) one.delete();
-      [mesh, scenes] = before;
+      if (mesh !== before[0]) mesh.free();
+      [mesh, page] = before;
       throw error;
     }
   },
@@ -139,22 +145,22 @@ const handlers = {
 
   // Each iteration is shown, by the diagram of its generators.
   relax(asked, report) {
-    const on_iteration = (count, energy, points) => report(using(gvd.voronoi(mesh, entries(to_points(points)), { method: 'gbgvd' }), of_diagram));
-    return using(gvd.lloyd(mesh, { generators: entries(generators_of(asked)), on_iteration }), (relaxed) =>
-      using(relaxed.diagram(), (diagram) => ({ points: to_points(diagram.generators()) })));
+    const on_iteration = (count, energy, points) => report(using(mesh.voronoi(points, { method: 'gbgvd' }), (diagram) => scene_of(diagram)));
+    return using(mesh.lloyd(null, { generators: join(generators_of(asked)), on_iteration }), ({ generators }) => ({ points: to_points(generators) }));
   },
 
   path({ from, to }) {
-    const [path] = mesh.paths(entries([from]), entries([to]), {});
-    if (path.end < 0) throw new GvdError('no path leads there');
-    return { points: scenes.to_page(path.positions), length: path.length };
+    const { end, positions, length } = mesh.path(join([from]), join([to]));
+    if (end < 0) throw new gvd.Error('no path leads there', 'no_valid_result');
+    const { origin, scale } = JSON.parse(page.manifest);
+    return { points: Float32Array.from(positions, (x, i) => (x - origin[i % 3]) / scale), length };
   },
 
   file({ show, format, ...asked }) {
-    const points = generators_of(asked), write = (made) => ({ bytes: made.write(format, {}) });
+    const points = generators_of(asked), write = (made) => ({ bytes: made.to_bytes(format) });
     if (format === 'csv') return { name: 'generators', ...exact_diagram(points, write) };
     const { name, make, part = (made, use) => use(made) } = kShows[show];
-    return { name, ...make(points, (made) => part(made, write), Boolean(asked.generators)) };
+    return { name, ...make(points, (made) => part(made, write, format), Boolean(asked.generators)) };
   },
 };
 

@@ -44,13 +44,16 @@ GVD_API int64_t gvd_last_error_element(void);
 /* The version of the library, such as "0.2.0". */
 GVD_API const char* gvd_version(void);
 
+/* A mesh, a diagram, or the result of an operation. It keeps alive what it was made of, and never changes. */
+typedef struct gvd_object gvd_object;
+
 /* How a call runs; NULL stands for all zeros. */
 typedef struct gvd_run {
   int threads; /* 0: one a core */
   /* Called by the calling thread with the name of a step and the fraction of it that is done; 0 cancels. May be NULL.
    */
   int (*progress)(void* data, const char* step, double fraction);
-  void* data; /* for `progress` and `note` */
+  void* data; /* for `progress`, `note` and `iteration` */
   /* Cancels the call once it is not 0: any thread may set it. May be NULL. */
   const int32_t* cancel;
   /* Called by the calling thread with what users should not miss, a line each. May be NULL. */
@@ -59,14 +62,16 @@ typedef struct gvd_run {
    * caller's says how often. */
   int32_t* due;
   int32_t door; /* how texts write options: one of the constants below */
+  /* Called by the calling thread before the first iteration of lloyd and after each, with the number of iterations so
+   * far, the energy, and the generators: an object with the arrays points_faces and points_bary that lasts until this
+   * returns. May be NULL.
+   */
+  void (*iteration)(void* data, int32_t iterations, double energy, const gvd_object* points);
 } gvd_run;
 
 enum { GVD_JSON = 0, GVD_PYTHON = 1, GVD_JAVASCRIPT = 2 }; /* "count": 30, count=30, count: 30 */
 
 /* ---- Objects, and operations on them ---- */
-
-/* A mesh, a diagram, or the result of an operation. It keeps alive what it was made of, and never changes. */
-typedef struct gvd_object gvd_object;
 
 /* Objects may be released in any order. NULL is released, too. */
 GVD_API void gvd_release(gvd_object* object);
@@ -97,9 +102,8 @@ typedef struct gvd_array {
 /* The number of this interface. It changes where a program has to be compiled again. */
 #define GVD_ABI 1
 
-/* Runs an operation on an object of the kind that gvd_describe() says; NULL where it takes none, as the operation "mesh"
- * that makes one. `abi`: GVD_ABI. `options`: a JSON object,
- * as {"count": 30, "density": {"array": 0}}, where
+/* Runs an operation on an object of the kind that gvd_describe() says; NULL where it takes none, as the operation
+ * "mesh" that makes one. `abi`: GVD_ABI. `options`: a JSON object, as {"count": 30, "density": {"array": 0}}, where
  * {"array": 0} is the first one of `arrays`; NULL: none. Numbers may be strings: JSON has no infinity. `arrays`:
  * `count` of them, which the call reads and does not keep; NULL where there is none. gvd_describe() has the operations
  * and their options. */
@@ -120,6 +124,9 @@ GVD_API const char* gvd_figures(const gvd_object* object);
 GVD_API gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* run);
 /* The same with options, as {"ascii_ply": true}; NULL: none. They are the `file_options` of gvd_describe(). */
 GVD_API gvd_status gvd_write_as(const gvd_object* object, const char* path, const char* options, const gvd_run* run);
+/* The bytes of that file, without one: an object whose array "bytes" has them. `format`: an extension, as "ply". */
+GVD_API gvd_status gvd_file_of(const gvd_object* object, const char* format, const char* options, const gvd_run* run,
+                               gvd_object** file);
 /* The operations with their options and results, the kinds of objects and the formats, as JSON. */
 GVD_API const char* gvd_describe(void);
 /* The same, with options as a door writes them: GVD_PYTHON, for instance. */

@@ -27,6 +27,7 @@ struct DistancesCall {
   bool each = false;                             ///< measure from each source alone
   bool paths = false;                            ///< from each target
   std::optional<double> max_distance, isolines;  ///< mesh units; of isolines the step between levels
+  GivenNumbers levels;                           ///< of isolines, in place of a step
   bool logarithm = false;                        ///< of every vertex, at the only source
   bool keep_coincident = false;                  ///< sources may be in the same place
   bool mesh_vertices = false;                    ///< rows are those of the mesh's vertices, not of the input's
@@ -47,7 +48,7 @@ AskedDistances asked_of(const DistancesCall& call);
 void check_files(const AskedDistances& asked, const std::vector<WrittenFile>& files,
                  const std::vector<std::string>& others = {}, bool has_other = false);
 
-/// Describes them, but for `logarithm`, which no file of the command holds.
+/// Describes them, but for those that only programs have, as `logarithm`, which no file of the command holds.
 void describe(OptionList& list, DistancesCall& call);
 void describe_for_programs(OptionList& list, DistancesCall& call);
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gvd/generator_curve.hpp"
@@ -17,14 +18,21 @@
 // What programs give: meshes, numbers of files, curves; and what they ask of a diagram.
 namespace gvd {
 
+/// A file that an operation reads, or its bytes in memory.
+struct GivenFile {
+  std::string file;      ///< empty: none; with `content` its name for messages, whose extension counts
+  bool content = false;  ///< the last array has the bytes
+  std::vector<ArrayView> arrays;
+  /// Throws Error{invalid_option} without an array of bytes.
+  std::string_view bytes() const;
+};
+
 /// The options of the operation `mesh`, of a file or of two arrays: positions in three columns, and polygons, whose
 /// corners are in three columns or more.
-struct MeshCall {
-  std::string file;  ///< empty: the arrays
+struct MeshCall : GivenFile {
   std::optional<MeshFormat> format;
   DefectPolicy on_defect = DefectPolicy::repair;
   std::optional<double> weld;  ///< mesh units
-  std::vector<ArrayView> arrays;
 };
 void describe(OptionList& list, MeshCall& call);
 /// Throws what read_soup, weld_soup and build_mesh throw.
@@ -41,9 +49,7 @@ void describe(OptionList& list, SavedMeshCall& call);
 std::shared_ptr<const MeshObject> run(SavedMeshCall& call, Observer& observer);
 
 /// The options of the operation `values`: numbers that a file has for each vertex or face.
-struct ValuesCall {
-  std::string file;
-};
+struct ValuesCall : GivenFile {};
 void describe(OptionList& list, ValuesCall& call);
 
 /// Numbers by their names: "values", or "vertex NAME" and "face NAME".

@@ -207,5 +207,7 @@ void describe(OptionList& list, FileOptions& options);
 /// not carry what the object consists of, and what check_file, write_mesh and write_file throw.
 void write_object(const std::filesystem::path& path, const Object& object, const FileOptions& options = {},
                   const Progress& progress = {});
+/// The bytes of that file. `format`: an extension, as "ply". An OBJ has no file of materials beside it, and names none.
+std::string file_bytes(const std::string& format, const Object& object, const FileOptions& options = {});
 
 }  // namespace gvd

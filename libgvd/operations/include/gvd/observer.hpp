@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "gvd/progress.hpp"
+#include "gvd/surface_point.hpp"
 
 namespace gvd {
 
@@ -24,6 +27,9 @@ class Observer {
   /// A note that something is probably not as the user meant it.
   virtual void warn(const std::string& text) { note(text); }
   virtual void detail(const std::string& /*text*/) {}
+  /// A relaxation has done so many iterations.
+  virtual void iterated(std::int64_t /*iterations*/, double /*energy*/,
+                        const std::vector<SurfacePoint>& /*generators*/) {}
   /// What the step has found so far; empty: nothing.
   virtual void status(const std::string& /*text*/) {}
 

@@ -29,7 +29,7 @@ class Call {
 struct Operation {
   std::string_view name;
   std::string_view summary;
-  std::string_view on;                           ///< the kind of object that it takes, such as "mesh"; empty: none
+  std::string_view on;                           ///< the kinds of objects that it takes, such as "mesh"; empty: none
   std::unique_ptr<Call> (*call)();               ///< with the default options
   std::shared_ptr<const Object> (*no_result)();  ///< that describes the results
 };

@@ -1,0 +1,15 @@
+/** What can't be done: one line in `message`, `code` as in Python, and the first offending `element`, -1 for none. */
+class GvdError extends Error {
+  constructor(message, code, element = -1) {
+    super(message);
+    this.name = 'gvd.Error';
+    this.code = code;
+    this.element = element;
+  }
+}
+
+export { GvdError as Error };
+
+export function refuse(message, element) {
+  throw new GvdError(message, 'invalid_option', element);
+}

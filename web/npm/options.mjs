@@ -1,0 +1,114 @@
+// Options by their names and kinds, as the library describes them.
+import { refuse } from './error.mjs';
+import { call, describe } from './library.mjs';
+import { checkNumbers, isGiven, isList, pointRows } from './points.mjs';
+
+/** Curves of a mesh as generators: Mesh.curves makes them. `positions` has the polylines of each. */
+export class Curves {
+  constructor(option, arrays, positions) {
+    Object.assign(this, { option, arrays, positions });
+  }
+
+  get length() {
+    return this.positions.length;
+  }
+}
+
+let kinds;
+
+/** The options of each operation by their names, and those of files. */
+function optionsOf(operation) {
+  if (!kinds) {
+    const { operations, file_options } = describe();
+    const by_name = (options) => new Map(options.map((option) => [option.name, option]));
+    kinds = new Map([...operations.map(({ name, options }) => [name, by_name(options)]), ['file', by_name(file_options)]]);
+  }
+  return kinds.get(operation);
+}
+
+function refer(arrays, array) {
+  arrays.push(array);
+  return { array: arrays.length - 1 };
+}
+
+/** The same value, with the places of arrays after those that are there. */
+function shift(value, by) {
+  if (value === null || typeof value !== 'object' || Array.isArray(value)) return value;
+  return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, key === 'array' ? one + by : shift(one, by)]));
+}
+
+function curvesOption(value, arrays) {
+  if (typeof value === 'string') return value;
+  if (!(value instanceof Curves)) refuse(`curves: what Mesh.curves makes is needed, not ${typeof value}`);
+  const by = arrays.push(...value.arrays) - value.arrays.length;
+  return shift(value.option, by);
+}
+
+function checkCount(name, values, mesh) {
+  const counts = [mesh.vertices.length / 3, mesh.faces.length / 3];
+  if (![...counts, mesh.vertex_of_input.length].includes(values.length)) {
+    refuse(`${name}: a number for each of ${counts[0]} vertices or ${counts[1]} faces is needed, not ${values.length}`);
+  }
+}
+
+/** JSON has neither infinity nor NaN, and loses whole numbers beyond 2^53; texts of numbers serve. */
+function plain(name, value) {
+  if (typeof value === 'bigint') return String(value);
+  if (typeof value === 'number') return Number.isFinite(value) ? value : String(value).replace('Infinity', 'inf');
+  if (typeof value === 'string' || typeof value === 'boolean') return value;
+  return refuse(`${name}: a number, a text, true or false is needed, not ${value === Object(value) ? typeof value : value}`);
+}
+
+/** One option as JSON, whose arrays go behind `arrays`. */
+export function optionJson({ name, kind, choices, of }, value, mesh, arrays) {
+  if (kind === 'points' || kind === 'vertices') return refer(arrays, pointRows(name === 'from' ? 'points' : name, value, mesh));
+  if (kind === 'curves') return curvesOption(value, arrays);
+  if (kind === 'values' && !(typeof value === 'string' && choices)) {
+    checkNumbers(name, value);
+    if (of !== 'generators') checkCount(name, value, mesh);
+    return refer(arrays, { numbers: Float64Array.from(value, Number) });
+  }
+  if (kind === 'counts') return isList(value) ? Array.from(value, (one) => plain(name, one)) : refuse(`${name}: an array of whole numbers is needed, not ${value}`);
+  return plain(name, value);
+}
+
+function toJson(operation, mesh, options, arrays) {
+  const known = optionsOf(operation), made = {};
+  for (const [name, value] of Object.entries(options)) {
+    if (isGiven(value)) made[name] = known.has(name) ? optionJson(known.get(name), value, mesh, arrays) : null;
+    else if (!known.has(name)) made[name] = null;  // which the library tells the user
+  }
+  return made;
+}
+
+const kRunOptions = ['progress', 'on_iteration'];
+
+/**
+ * Runs an operation with the options of the call of this name. `more` are JSON already. What the commands warn of goes to
+ * the console: a position that is far from the surface, say.
+ */
+export function run(name, operation, on, mesh, { progress, on_iteration, time_limit, ...options }, more = {}, arrays = []) {
+  const told = { progress, on_iteration, time_limit };
+  for (const one of kRunOptions) if (isGiven(told[one]) && typeof told[one] !== 'function') refuse(`${one}: a function is needed`);
+  if (isGiven(time_limit) && !(time_limit >= 0)) refuse(`time_limit: a number of seconds is needed, not ${time_limit}`);
+  const given = { ...toJson(operation, mesh, options, arrays), ...more };
+  const made = named(name, () => call(operation, on?._native, given, arrays, told));
+  if (arrays.some(({ columns }) => columns === 3) && operation !== 'mesh') for (const line of made.figures().warnings) console.warn(`gvd: ${line}`);
+  return made;
+}
+
+/** The bytes of a file of an object. */
+export function fileOf(name, native, format, options, more = {}) {
+  if (typeof format !== 'string') refuse(`format: text is needed, not ${format}`);
+  return named(name, () => native.file(format.toLowerCase(), { ...toJson('file', null, options, []), ...more }));
+}
+
+/** Says which call has no such option. */
+function named(name, work) {
+  try {
+    return work();
+  } catch (error) {
+    if (error.code === 'invalid_option' && error.message.startsWith('there is no option')) error.message = `${name}: ${error.message}`;
+    throw error;
+  }
+}
