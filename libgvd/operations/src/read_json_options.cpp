@@ -215,7 +215,7 @@ namespace {
 /// An option as a program of the door writes it, with a value unless that is empty.
 std::string spell(Door door, std::string_view name, std::string_view value) {
   const bool is_python = door == Door::python;
-  if (is_python && name == "from") name = "points";  // a keyword of Python's
+  if (door != Door::json && name == "from") name = "points";  // a keyword of Python's; both languages have it first
   if (value.empty()) return door == Door::json ? fmt::format("\"{}\"", name) : std::string(name);
   const bool is_flag = value == "true" || value == "false";
   std::string shown(value);
