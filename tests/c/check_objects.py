@@ -11,7 +11,7 @@ import tempfile
 import threading
 import time
 
-from check_calls import DATA, INTERRUPTED, INVALID, NOTE, PRECONDITION, PROGRESS, Run, array, call, figures, gvd, make_ball, numbers, read, refused, release, result
+from check_calls import DATA, INTERRUPTED, INVALID, NOTE, OK, PRECONDITION, PROGRESS, Run, array, call, diagram_parts, figures, gvd, handle, make_ball, numbers, read, refused, release, result
 
 
 def check_meshes(folder):
@@ -159,6 +159,55 @@ def check_what_all_have():
     release(mesh, half)
 
 
+class Point(ctypes.Structure):
+    _fields_ = [("face", ctypes.c_int32), ("bary", ctypes.c_double * 3)]
+
+
+def check_typed():
+    """The functions for people give what operations give, and refuse in the same words."""
+    mesh, count = read("figure.obj"), 30
+    rows = lambda points: [(p.face, *p.bary) for p in points]
+    called = lambda thing, name: [(f, *b) for f, b in zip(numbers(thing, name + "_faces"), numbers(thing, name + "_bary"))]
+    points = (Point * count)()
+    for kind, name in enumerate(("farthest", "random", "poisson", "vertices")):
+        assert gvd.gvd_sample(mesh, count, kind, ctypes.c_uint64(2**63 + 5), None, points) == OK
+        made = result("sample", mesh, {"count": count, "sampling": name, "seed": str(2**63 + 5)})
+        assert rows(points) == called(made, "points")
+        release(made)
+    given = array(rows(points))
+    diagram = handle("gvd_diagram_compute", mesh, points, count, 0, None)
+    made = result("diagram", mesh, {"generators": {"array": 0}}, given)
+    assert diagram_parts(diagram) == diagram_parts(made)
+    labels = (ctypes.c_int32 * len(numbers(mesh, "face_vertices")))()
+    assert gvd.gvd_segment(diagram, 0, None, labels) == OK
+    labelled = result("label", diagram, {"labels": "nearest"})
+    assert list(labels) == numbers(labelled, "face_labels")
+    release(diagram, made, labelled)
+    path = handle("gvd_path_compute", mesh, ctypes.byref(points[3]), ctypes.byref(points[9]), None)
+    on_path = (Point * gvd.gvd_path_point_count(path))()
+    gvd.gvd_path_points(path, on_path)
+    gvd.gvd_path_free(path)
+    made = result("distances", mesh, {"from": {"array": 0}, "to": {"array": 1}, "paths": True}, array(rows(points)[9:10]),
+                  array(rows(points)[3:4]))
+    assert rows(on_path) == called(made, "path") and on_path[0].face == points[3].face
+    release(made)
+    relaxed, energy = (Point * count)(), ctypes.c_double()
+    assert gvd.gvd_lloyd(mesh, points, count, None, None, relaxed, ctypes.byref(energy)) == OK
+    made = result("lloyd", mesh, {"generators": {"array": 0}}, given)
+    assert rows(relaxed) == called(made, "generators") and energy.value == figures(made)["final_energy"]
+    release(made)
+    coarse = handle("gvd_remesh", mesh, None, 90, None, None)
+    made = result("remesh", mesh, {"count": 90})
+    part = handle("gvd_object_of", made, b"mesh")
+    assert numbers(coarse, "vertex_positions") == numbers(part, "vertex_positions")
+    generators = (Point * len(numbers(coarse, "vertex_positions")))()
+    assert gvd.gvd_mesh_generators(coarse, generators) == OK and rows(generators) == called(made, "generators")
+    release(coarse, made, part)
+    assert gvd.gvd_sample(mesh, 0, 0, ctypes.c_uint64(0), None, points) == INVALID
+    assert gvd.gvd_last_error().startswith(b"\"count\": '0' is not a whole number from 1")
+    release(mesh)
+
+
 with tempfile.TemporaryDirectory() as scratch:
     check_meshes(pathlib.Path(scratch))
     check_doors()
@@ -166,4 +215,5 @@ with tempfile.TemporaryDirectory() as scratch:
     check_clock()
     check_runs()
     check_what_all_have()
+    check_typed()
 print("all checks passed")

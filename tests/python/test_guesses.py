@@ -163,6 +163,9 @@ class OtherDoors(unittest.TestCase):
         halves = (mesh.vertices[:, 2] > 0).astype(int)
         kept = mesh.voronoi(mesh.farthest(6), within=halves)
         self.assertEqual((kept.check(), kept.figures["within"]["regions"]), ([], 2))
+        labels = kept.segment().labels
+        self.assertEqual(mesh.lloyd(6, within=halves).diagram.check(), [])
+        numpy.testing.assert_array_equal(labels, mesh.segment(generators=mesh.farthest(6), within=halves).labels)
         relaxed = mesh.lloyd(12, balance="area")
         numpy.testing.assert_allclose(relaxed.areas, mesh.area / 12, rtol=1e-6)
 

@@ -1,27 +1,28 @@
-// The C interface on top of the C++ library: handles that own C++ objects, and a guard that lets no exception out.
+// The functions of the C interface that people write by hand. Those that compute call an operation, as gvd_call does,
+// with a few of its options, and copy what they are asked for out of its arrays. Only gvd_distances does not: it keeps
+// nothing for paths.
 //
 // Arguments of callers are checked where C++ types would rule the mistake out: null pointers, faces out of range,
 // barycentric coordinates.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "gvd/closest_point.hpp"
 #include "gvd/diagram.hpp"
+#include "gvd/distances_operation.hpp"
 #include "gvd/error.hpp"
 #include "gvd/exact_field.hpp"
-#include "gvd/generator_list.hpp"
 #include "gvd/gvd.h"
-#include "gvd/lloyd_operation.hpp"
 #include "gvd/read_soup.hpp"
-#include "gvd/remesh_operation.hpp"
-#include "gvd/sampling.hpp"
-#include "gvd/segment.hpp"
-#include "gvd/segment_operation.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/version.hpp"
 #include "handles.hpp"
@@ -32,12 +33,15 @@ using namespace gvd;
 
 using namespace gvd::c;
 
+using Json = nlohmann::ordered_json;
+
 }  // namespace
 
 struct gvd_path {
-  std::vector<gvd::SurfacePoint> points;
-  double length = 0;
+  std::shared_ptr<const gvd::DistancesOutcome> found;  // of one path
+  const gvd::GeodesicPath& path() const { return found->table.paths.front().path; }
 };
+
 namespace {
 
 SurfacePoint to_point(const Mesh& mesh, const gvd_point& point) {
@@ -55,12 +59,13 @@ std::vector<SurfacePoint> to_points(const Mesh& mesh, const gvd_point* points, s
   return made;
 }
 
-GeneratorList to_list(const Mesh& mesh, const gvd_point* points, std::int32_t count) {
-  GeneratorList list{"generators", {}};
-  for (const SurfacePoint& point : to_points(mesh, points, count)) {
-    list.entries.push_back({GeneratorEntry::Kind::face, point.face.value(), point.bary, 0});
+/// Points as options of operations have them: faces and barycentric coordinates.
+std::vector<std::array<double, 4>> to_rows(const Mesh& mesh, const gvd_point* points, std::int32_t count) {
+  std::vector<std::array<double, 4>> rows;
+  for (const SurfacePoint& p : to_points(mesh, points, count)) {
+    rows.push_back({double(p.face.value()), p.bary[0], p.bary[1], p.bary[2]});
   }
-  return list;
+  return rows;
 }
 
 gvd_point to_c(const SurfacePoint& point) {
@@ -71,30 +76,46 @@ void copy_points(const std::vector<SurfacePoint>& points, gvd_point* out) {
   std::transform(points.begin(), points.end(), out, to_c);
 }
 
-Progress progress_of(const gvd_run* run) {
-  if (run == nullptr) return {};
-  return [observer = std::make_shared<CallObserver>(run)](std::string_view step, double fraction) {
-    return observer->progress(step, fraction);
-  };
+template <class T>
+T number_at(const ArrayView& view, std::int64_t row, std::int64_t column = 0) {
+  return *reinterpret_cast<const T*>(static_cast<const std::byte*>(view.data) + row * view.strides[0] +
+                                     column * view.strides[1]);
 }
 
-int threads_of(const gvd_run* run) { return run == nullptr ? 0 : run->threads; }
-
-DiagramOptions diagram_options(const gvd_run* run) {
-  DiagramOptions options;
-  options.threads = threads_of(run);
-  options.progress = progress_of(run);
-  return options;
+/// Copies an array of an object whose numbers are of this type.
+template <class T>
+void copy_array(const gvd_object& from, const char* name, T* out) {
+  const ArrayView view = from.views().arrays.at(name)();
+  for (std::int64_t i = 0; i < view.shape[0]; ++i) out[i] = number_at<T>(view, i);
 }
 
-SamplingOptions sampling_options(gvd_sampling kind, std::int32_t count, std::uint64_t seed) {
-  constexpr std::array<Sampling, 4> kKinds{Sampling::farthest, Sampling::random, Sampling::poisson, Sampling::vertices};
+/// Copies points of an object.
+std::vector<gvd_point> points_of(const gvd_object& from, const std::string& name) {
+  const ArrayView faces = from.views().arrays.at(name + "_faces")(), bary = from.views().arrays.at(name + "_bary")();
+  std::vector<gvd_point> points;
+  for (std::int64_t i = 0; i < faces.shape[0]; ++i) {
+    const auto at = [&](std::int64_t column) { return number_at<double>(bary, i, column); };
+    points.push_back({number_at<std::int32_t>(faces, i), {at(0), at(1), at(2)}});
+  }
+  return points;
+}
+
+/// A number for JSON, which has no infinity.
+Json to_json(double number) { return fmt::format("{}", number); }
+
+/// Options for generators, which are listed in the array 0, or else sampled.
+Json generator_options(bool are_listed, std::int32_t count, gvd_sampling kind, std::uint64_t seed) {
+  if (are_listed) return {{"generators", {{"array", 0}}}};
+  constexpr std::array kKinds{"farthest", "random", "poisson", "vertices"};  // as in gvd_sampling
   if (kind < 0 || std::size_t(kind) >= kKinds.size()) refuse("sampling is none of gvd_sampling");
-  SamplingOptions options;
-  options.kind = kKinds[std::size_t(kind)];
-  options.count = count;
-  options.seed = seed;
-  return options;
+  return {{"count", count}, {"sampling", kKinds[std::size_t(kind)]}, {"seed", seed}};
+}
+
+/// The result of an operation with points as its array 0.
+std::unique_ptr<gvd_object> call_with(const char* operation, const gvd_object* on, const Json& options,
+                                      const std::vector<std::array<double, 4>>& points, const gvd_run* run) {
+  const std::array arrays{view(points)};
+  return call(operation, on, options.dump(), arrays, run);
 }
 
 std::unique_ptr<gvd_mesh> make_handle(CheckedMesh checked) {
@@ -106,21 +127,6 @@ bool has(const std::vector<VertexId>& vertices, std::int64_t vertex) {
 }
 
 DefectPolicy policy(int repair) { return repair != 0 ? DefectPolicy::repair : DefectPolicy::error; }
-
-/// The generators of gvd_lloyd and gvd_remesh: those of a list, or sampled ones.
-GeneratorOptions generator_options(const Mesh& mesh, const gvd_point* listed, std::int32_t count, gvd_sampling kind,
-                                   std::uint64_t seed) {
-  GeneratorOptions options;
-  if (listed != nullptr) {
-    options.points.list = std::make_shared<GeneratorList>(to_list(mesh, listed, count));
-    return options;
-  }
-  const SamplingOptions sampling = sampling_options(kind, count, seed);
-  options.count = sampling.count;
-  options.sampling = sampling.kind;
-  options.seed = sampling.seed;
-  return options;
-}
 
 }  // namespace
 
@@ -234,10 +240,10 @@ gvd_status gvd_point_position(const gvd_mesh* mesh, const gvd_point* point, doub
 gvd_status gvd_sample(const gvd_mesh* mesh, int32_t count, gvd_sampling kind, uint64_t seed, const gvd_run* run,
                       gvd_point* points) {
   return guarded([&] {
-    SamplingOptions options = sampling_options(kind, count, seed);
-    options.progress = progress_of(run);
-    const std::vector<SurfacePoint> made = sample_generators(given(mesh, "mesh").mesh(), options);
-    copy_points(made, &given(points, "points"));
+    given(mesh, "mesh");
+    given(points, "points");
+    const auto made = call("sample", mesh, generator_options(false, count, kind, seed).dump(), {}, run);
+    std::ranges::copy(points_of(*made, "points"), points);
   });
 }
 
@@ -246,8 +252,10 @@ gvd_status gvd_distances(const gvd_mesh* mesh, const gvd_point* sources, int32_t
   return guarded([&] {
     const Mesh& surface = given(mesh, "mesh").mesh();
     given(distances, "distances");
-    const VertexDistances found = compute_vertex_distances(surface, to_points(surface, sources, source_count),
-                                                           {.progress = progress_of(run), .threads = threads_of(run)});
+    CallObserver observer(run);  // the operation would keep what paths need, in twice the time
+    const VertexDistances found =
+        compute_vertex_distances(surface, to_points(surface, sources, source_count),
+                                 {.progress = progress_of(observer), .threads = observer.threads});
     for (const VertexId v : surface.vertices()) {
       distances[v.index()] = found.distance[v];
       if (nearest != nullptr) nearest[v.index()] = found.label[v].value();
@@ -260,42 +268,42 @@ gvd_status gvd_path_compute(const gvd_mesh* mesh, const gvd_point* from, const g
   return guarded([&] {
     const Mesh& surface = given(mesh, "mesh").mesh();
     given(path, "path");
-    const ExactField field(surface, to_points(surface, to, 1),
-                           {.progress = progress_of(run), .threads = threads_of(run)});
-    GeodesicPath found = field.path(to_point(surface, given(from, "from")));
-    if (!found.generator.valid()) {
+    const auto ends = to_rows(surface, to, 1), begins = to_rows(surface, from, 1);
+    const std::array arrays{view(ends), view(begins)};
+    const auto made =
+        call("distances", mesh, R"({"from": {"array": 0}, "to": {"array": 1}, "paths": true})", arrays, run);
+    auto found = std::dynamic_pointer_cast<const DistancesOutcome>(made->object);
+    if (found->table.paths.empty() || !found->table.paths.front().source.valid()) {
       throw Error(ErrorCode::no_valid_result, "the two points are in different components; there is no path");
     }
-    *path = new gvd_path{std::move(found.points), found.length};
+    *path = new gvd_path{std::move(found)};
   });
 }
 
 void gvd_path_free(gvd_path* path) { delete path; }
 
 double gvd_path_length(const gvd_path* path) {
-  return answered(0.0, [&] { return given(path, "path").length; });
+  return answered(0.0, [&] { return given(path, "path").path().length; });
 }
 
 int32_t gvd_path_point_count(const gvd_path* path) {
-  return answered(0, [&] { return std::int32_t(given(path, "path").points.size()); });
+  return answered(0, [&] { return std::int32_t(given(path, "path").path().points.size()); });
 }
 
 void gvd_path_points(const gvd_path* path, gvd_point* points) {
-  guarded([&] { copy_points(given(path, "path").points, &given(points, "points")); });
+  guarded([&] { copy_points(given(path, "path").path().points, &given(points, "points")); });
 }
 
 gvd_status gvd_diagram_compute(const gvd_mesh* mesh, const gvd_point* generators, int32_t count, gvd_method method,
                                const gvd_run* run, gvd_diagram** diagram) {
   return guarded([&] {
-    constexpr std::array<Method, 3> kMethods{Method::exact, Method::gbgvd, Method::paper};
+    constexpr std::array kMethods{"exact", "gbgvd", "paper"};  // as in gvd_method
     if (method < 0 || std::size_t(method) >= kMethods.size()) refuse("method is none of gvd_method");
     const Mesh& surface = given(mesh, "mesh").mesh();
     given(diagram, "diagram");
-    DiagramOptions options = diagram_options(run);
-    options.method = kMethods[std::size_t(method)];
-    Diagram made = compute_diagram(surface, to_points(surface, generators, count), options);
-    *diagram = new gvd_object(
-        std::make_shared<DiagramObject>(mesh->checked(), std::make_shared<const Diagram>(std::move(made)), options));
+    Json options = generator_options(true, count, 0, 0);
+    options["method"] = kMethods[std::size_t(method)];
+    *diagram = call_with("diagram", mesh, options, to_rows(surface, generators, count), run).release();
   });
 }
 
@@ -365,22 +373,23 @@ gvd_status gvd_diagram_bisector_points(const gvd_diagram* diagram, int32_t index
 
 gvd_status gvd_segment(const gvd_diagram* diagram, int smooth, const gvd_run* run, int32_t* labels) {
   return guarded([&] {
-    const DiagramObject& of = given(diagram, "diagram").diagram_object();
-    const SegmentOptions options{smooth != 0 ? FaceLabels::smooth : FaceLabels::nearest, progress_of(run)};
-    const Segmentation made = segment_faces(of.mesh()->mesh, of.diagram(), options);
-    int32_t* out = &given(labels, "labels");
-    for (const GeneratorId label : made.face_label) *out++ = label.value();
+    given(diagram, "diagram").diagram();
+    given(labels, "labels");
+    const auto made =
+        call("label", diagram, smooth != 0 ? R"({"labels": "smooth"})" : R"({"labels": "nearest"})", {}, run);
+    copy_array(*made, "face_labels", labels);
   });
 }
 
 gvd_status gvd_segment_write(const gvd_diagram* diagram, const char* path, const gvd_run* run) {
-  return guarded([&] {
-    const DiagramObject& of = given(diagram, "diagram").diagram_object();
-    const std::string name = &given(path, "path");
-    LabelCall call;
-    CallObserver observer(run);
-    write_object(name, *gvd::run(of, call, observer), {}, progress_of(observer));
+  gvd_object* labelled = nullptr;
+  gvd_status status = guarded([&] {
+    given(diagram, "diagram").diagram();
+    labelled = call("label", diagram, "{}", {}, run).release();
   });
+  if (status == GVD_OK) status = gvd_write(labelled, path, run);
+  gvd_release(labelled);
+  return status;
 }
 
 void gvd_lloyd_defaults(gvd_lloyd_options* options) { *options = {-1, -1, 0, 0, GVD_FARTHEST, 0}; }
@@ -391,19 +400,17 @@ gvd_status gvd_lloyd(const gvd_mesh* mesh, const gvd_point* listed, int32_t coun
     gvd_lloyd_options asked;
     gvd_lloyd_defaults(&asked);
     if (options != nullptr) asked = *options;
-    const MeshPtr& input = given(mesh, "mesh").checked();
+    const Mesh& surface = given(mesh, "mesh").mesh();
     given(relaxed, "relaxed");
-    LloydCall call;
-    call.generators = generator_options(input->mesh, listed, count, asked.sampling, asked.seed);
-    if (asked.iterations >= 0) call.relaxation.max_iterations = asked.iterations;
-    if (!(asked.tolerance < 0)) call.relaxation.energy_tolerance = asked.tolerance;
-    if (!(asked.crease_angle <= 0)) call.start.constraints.crease_angle = asked.crease_angle;
-    call.start.constraints.keep_boundary = asked.keep_boundary != 0;
-    CallObserver observer(run);
-    const auto outcome = gvd::run(input, call, observer);
-    const LloydResult& result = *outcome->relaxed;
-    copy_points(result.generators, relaxed);
-    if (energy != nullptr) *energy = result.final_energy;
+    Json json = generator_options(listed != nullptr, count, asked.sampling, asked.seed);
+    if (asked.iterations >= 0) json["iterations"] = asked.iterations;
+    if (!(asked.tolerance < 0)) json["tolerance"] = to_json(asked.tolerance);
+    if (!(asked.crease_angle <= 0)) json["features"] = to_json(asked.crease_angle);
+    json["keep_boundary"] = asked.keep_boundary != 0;
+    const auto points = listed == nullptr ? std::vector<std::array<double, 4>>() : to_rows(surface, listed, count);
+    const auto made = call_with("lloyd", mesh, json, points, run);
+    std::ranges::copy(points_of(*made, "generators"), relaxed);
+    if (energy != nullptr) *energy = Json::parse(made->figures()).at("final_energy").get<double>();
   });
 }
 
@@ -415,23 +422,18 @@ gvd_status gvd_remesh(const gvd_mesh* mesh, const gvd_point* listed, int32_t cou
     gvd_remesh_options asked;
     gvd_remesh_defaults(&asked);
     if (options != nullptr) asked = *options;
-    const MeshPtr& input = given(mesh, "mesh").checked();
+    const Mesh& surface = given(mesh, "mesh").mesh();
     given(coarse, "coarse");
-    RemeshCall call;
-    call.generators = generator_options(input->mesh, listed, count, asked.sampling, asked.seed);
-    if (asked.relaxation >= 0) call.remesh.relaxation = asked.relaxation;
-    call.remesh.exact_count = asked.exact_count != 0;
-    StartOptions& constraints = call.remesh.start.constraints;
-    constraints.prefers_boundary = asked.loose_boundary == 0;
-    constraints.prefers_creases = asked.crease_angle < 0;
-    constraints.crease_angle.reset();
-    if (asked.crease_angle < 0) constraints.crease_angle = kUsualCreaseAngle;
-    if (!(asked.crease_angle <= 0)) constraints.crease_angle = asked.crease_angle;
-    CallObserver observer(run);
-    const auto outcome = gvd::run(input, call, observer);
-    const RemeshResult& result = outcome->result();
-    auto handle = make_handle(as_input(result.mesh));
-    handle->generators = result.generators;
+    Json json = generator_options(listed != nullptr, count, asked.sampling, asked.seed);
+    if (asked.relaxation >= 0) json["relax"] = asked.relaxation;
+    json["exact_count"] = asked.exact_count != 0;
+    json["loose_boundary"] = asked.loose_boundary != 0;
+    if (asked.crease_angle == 0) json["features"] = "none";
+    if (!(asked.crease_angle <= 0)) json["features"] = to_json(asked.crease_angle);
+    const auto points = listed == nullptr ? std::vector<std::array<double, 4>>() : to_rows(surface, listed, count);
+    const auto made = call_with("remesh", mesh, json, points, run);
+    auto handle = std::make_unique<gvd_object>(made->views().parts.at("mesh").make());
+    handle->generators = points_of(*made, "generators");
     *coarse = handle.release();
   });
 }
@@ -440,6 +442,6 @@ gvd_status gvd_mesh_generators(const gvd_mesh* coarse, gvd_point* points) {
   return guarded([&] {
     const auto& generators = given(coarse, "coarse").generators;
     if (!generators) refuse("the mesh is no remesh, so its vertices have no generators");
-    copy_points(*generators, &given(points, "points"));
+    std::ranges::copy(*generators, &given(points, "points"));
   });
 }

@@ -77,6 +77,33 @@ class FileObject : public Object {
 
 }  // namespace
 
+std::unique_ptr<gvd_object> gvd::c::call(const char* name, const gvd_object* on, const std::string& options,
+                                         std::span<const ArrayView> arrays, const gvd_run* run) {
+  const Operation& operation = find(name);
+  static const MeshPtr kNoMesh = std::make_shared<CheckedMesh>();
+  const bool takes_object = !operation.on.empty();
+  const auto object = takes_object ? given(on, "the object").object : nullptr;
+  const MeshPtr& mesh = takes_object ? mesh_of(operation, *object) : kNoMesh;
+  CallObserver observer(run);
+  const auto call = operation.call();
+  OptionList list;
+  call->describe(list);
+  call->take(arrays);
+  const Given names = read_json_options(list, *mesh, options, arrays);
+  auto made = [&] {
+    try {
+      return std::make_unique<gvd_object>(call->run(object, observer), observer.door());
+    } catch (const Error& error) {
+      throw Error(error.code(), spell_for(observer.door(), error.text(), &names), error.element());
+    }
+  }();
+  Json more{{"options", Json::parse(options_json(list, names))},
+            {"notes", observer.notes()},
+            {"warnings", observer.warnings()}};
+  made->told = more.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return made;
+}
+
 gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const char* options, const gvd_array* arrays,
                     int32_t count, const gvd_run* run, gvd_object** result) {
   return guarded_for(run, [&] {
@@ -86,31 +113,9 @@ gvd_status gvd_call(int32_t abi, const char* name, const gvd_object* on, const c
                       "library's gvd.h",
                       abi, GVD_ABI));
     }
-    const Operation& operation = find(name);
-    static const MeshPtr kNoMesh = std::make_shared<CheckedMesh>();
-    const bool takes_object = !operation.on.empty();
-    const auto object = takes_object ? given(on, "the object").object : nullptr;
-    const MeshPtr& mesh = takes_object ? mesh_of(operation, *object) : kNoMesh;
+    find(name);
     given(result, "result");
-    const std::vector<ArrayView> views = to_views(arrays, count);
-    CallObserver observer(run);
-    const auto call = operation.call();
-    OptionList list;
-    call->describe(list);
-    call->take(views);
-    const Given names = read_json_options(list, *mesh, options == nullptr ? "{}" : options, views);
-    auto made = [&] {
-      try {
-        return std::make_unique<gvd_object>(call->run(object, observer), observer.door());
-      } catch (const Error& error) {
-        throw Error(error.code(), spell_for(observer.door(), error.text(), &names), error.element());
-      }
-    }();
-    Json more{{"options", Json::parse(options_json(list, names))},
-              {"notes", observer.notes()},
-              {"warnings", observer.warnings()}};
-    made->told = more.dump(-1, ' ', false, Json::error_handler_t::replace);
-    *result = made.release();
+    *result = call(name, on, options == nullptr ? "{}" : options, to_views(arrays, count), run).release();
   });
 }
 

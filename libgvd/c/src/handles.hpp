@@ -10,6 +10,7 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -75,10 +76,10 @@ struct gvd_object {
   const std::string& figures() const;  ///< JSON
 
   std::shared_ptr<const gvd::Object> object;
-  gvd::Door door;                                            ///< of figures
-  std::string told;                                          ///< further figures of a result, JSON; empty: none
-  std::string repairs;                                       ///< of a mesh, one line each
-  std::optional<std::vector<gvd::SurfacePoint>> generators;  ///< of the vertices of a remesh
+  gvd::Door door;                                    ///< of figures
+  std::string told;                                  ///< further figures of a result, JSON; empty: none
+  std::string repairs;                               ///< of a mesh, one line each
+  std::optional<std::vector<gvd_point>> generators;  ///< of the vertices of a remesh
 
  private:
   mutable std::once_flag views_made_, figures_made_;
@@ -134,6 +135,10 @@ T& given(T* argument, const char* name) {
   if (argument == nullptr) refuse(std::string(name) + " is NULL");
   return *argument;
 }
+
+/// The result of an operation, with options as JSON. Throws what the operation throws.
+std::unique_ptr<gvd_object> call(const char* operation, const gvd_object* on, const std::string& options,
+                                 std::span<const ArrayView> arrays, const gvd_run* run);
 
 /// What an operation tells, for the functions and the flag of a run.
 class CallObserver : public Observer {

@@ -94,8 +94,9 @@ std::shared_ptr<const DiagramOutcome> run(const MeshPtr& input, DiagramCall& cal
   }
   resolve(call.diagram);
   const auto options = parted.is_parted() ? std::nullopt : std::optional(call.diagram);
-  auto outcome = std::make_shared<DiagramOutcome>(DiagramObject(input, parted.on_input(std::move(made)), options),
-                                                  std::move(balanced), std::move(parted));
+  const std::shared_ptr<const Diagram> diagram = std::move(made);
+  DiagramObject object(input, parted.on_input(diagram), options, keep_separated(parted, diagram));
+  auto outcome = std::make_shared<DiagramOutcome>(std::move(object), std::move(balanced), std::move(parted));
   if (editor) outcome->keep(std::move(editor));
   return outcome;
 }

@@ -191,8 +191,10 @@ void LloydOutcome::visit(ObjectVisitor& visitor) const {
   visitor.points({"generators", "", "relaxed ones"}, result.generators);
   visitor.array({"areas", "square mesh units", "of the cells"}, view(moments, &CellMoments::area));
   visitor.array({"cell_energies", "mesh units to the fourth", "of the cells"}, view(moments, &CellMoments::energy));
-  visitor.part({"diagram", "", "of the generators"}, "diagram",
-               [this] { return std::make_shared<DiagramObject>(diagram()); });
+  visitor.part({"diagram", "", "of the generators"}, "diagram", [this] {
+    const std::shared_ptr<const Diagram> whole(relaxed, &relaxed->diagram);
+    return std::make_shared<DiagramObject>(input, on_input, options, keep_separated(parted, whole));
+  });
 }
 
 OwnWriters LloydOutcome::part_writers(std::string_view part) const {

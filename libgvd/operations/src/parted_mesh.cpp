@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -31,6 +32,11 @@ void tell_samples(Observer& observer, const PartedMesh& parted, bool each) {
 std::shared_ptr<const Diagram> PartedMesh::on_input(std::shared_ptr<const Diagram> diagram) const {
   if (!is_parted()) return diagram;
   return std::make_shared<const Diagram>(restrict_to_input(separated, *diagram));
+}
+
+SeparatedDiagram keep_separated(const PartedMesh& parted, std::shared_ptr<const Diagram> diagram) {
+  if (!parted.is_parted() && parted.levels == 0) return {};
+  return {std::make_shared<PartedMesh>(parted), std::move(diagram)};
 }
 
 PartedMesh find_parted(const CheckedMesh& input, const GivenRegions& given, Observer& observer) {

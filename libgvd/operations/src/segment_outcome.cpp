@@ -184,9 +184,7 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
   visitor.array({"texture", "", "u and v of the three corners of each piece; empty without uv"},
                 view(charts ? appearance.texture : kNone));
   visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram", [this] {
-    SeparatedDiagram made;
-    if (parted.is_parted() || parted.levels > 0) made = {std::make_shared<PartedMesh>(parted), diagram};
-    return std::make_shared<DiagramObject>(input, on_input, options, std::move(made));
+    return std::make_shared<DiagramObject>(input, on_input, options, keep_separated(parted, diagram));
   });
   visitor.part({"colors", "", "of the labels, as in files and on pages; that of no label follows"}, "colors",
                [this]() -> std::shared_ptr<const Object> {

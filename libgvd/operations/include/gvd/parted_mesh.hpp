@@ -8,6 +8,7 @@
 #include "gvd/face_regions.hpp"
 #include "gvd/generator_options.hpp"
 #include "gvd/given_regions.hpp"
+#include "gvd/mesh_objects.hpp"
 #include "gvd/object.hpp"
 #include "gvd/observer.hpp"
 #include "gvd/soup.hpp"
@@ -30,6 +31,9 @@ struct PartedMesh {
   /// A diagram of the surface, with the vertices of the input alone.
   std::shared_ptr<const Diagram> on_input(std::shared_ptr<const Diagram> diagram) const;
 };
+
+/// What a diagram on a separated mesh keeps of it; nothing of one that is not parted.
+SeparatedDiagram keep_separated(const PartedMesh& parted, std::shared_ptr<const Diagram> diagram);
 
 /// The regions that are given, not yet separated. Throws what find_regions throws.
 PartedMesh find_parted(const CheckedMesh& input, const GivenRegions& given, Observer& observer);
