@@ -158,7 +158,7 @@ def check_default(page, number, cells, by_name, findings):
 
 
 # Options of operations that no command has: describe_for_programs describes them.
-OF_PROGRAMS = {"logarithm", "editable", "move", "add", "remove"}
+OF_PROGRAMS = {"logarithm", "levels", "editable", "move", "add", "remove", "content", "colors", "part"}
 
 
 def check_placeholders(described):

@@ -194,7 +194,7 @@ class Mesh(Writable):
         source: dict[str, Any] = {"curves": points} if isinstance(points, Curves) else {"from": points, "keep_coincident": True}
         return run("distances", self, self, {**source, **options})
 
-    @described("distances", without="from curves merge_coincident keep_coincident mesh_vertices paths isolines logarithm")
+    @described("distances", without="from curves merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm")
     def distances(self, points: Any, *, each: bool = False, out: Any = None, **options: Any) -> Floats:
         """Exact distances of all vertices (or of the points `to`) to the nearest of `points` or curves: an array (n).
 
@@ -222,7 +222,7 @@ class Mesh(Writable):
             options["to"] = self._resolve(options["to"], options.get("max_snap"), "to")
         return options
 
-    @described("distances", without="from curves each merge_coincident keep_coincident mesh_vertices paths isolines logarithm")
+    @described("distances", without="from curves each merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm")
     def distance_rows(self, points: Any, **options: Any) -> Iterator[Floats]:
         """The rows of `distances(points, each=True)`, one after the other, in bounded memory and with all cores.
 
@@ -249,7 +249,7 @@ class Mesh(Writable):
                 made, _ = self._measure(source[begin:end], {**options, **kind, "progress": part})
                 yield begin, made.array("rows")
 
-    @described("distances", without="from curves each merge_coincident keep_coincident mesh_vertices paths isolines logarithm")
+    @described("distances", without="from curves each merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm")
     def nearest(self, points: Any, **options: Any) -> tuple[Floats, Ids]:
         """Distances to the nearest of `points` or curves, and which one it is (-1: none reaches), both (n)."""
         made, _ = self._measure(points, options)
@@ -263,7 +263,7 @@ class Mesh(Writable):
     @overload
     def path(self, start: Any, end: Any, **options: Any) -> Union[Path, list[Path]]: ...
 
-    @described("distances", without="from to curves each paths isolines logarithm merge_coincident keep_coincident mesh_vertices")
+    @described("distances", without="from to curves each paths isolines levels logarithm merge_coincident keep_coincident mesh_vertices")
     def path(self, start: Any, end: Any, **options: Any) -> Union[Path, list[Path]]:
         """A shortest path from `start` to `end`, or to the nearest of several ends or of curves. Several starts: a list.
 
@@ -284,21 +284,22 @@ class Mesh(Writable):
                       row["source"]) for i, row in enumerate(rows)]
         return paths[0] if starts.single else paths
 
-    @described("distances", without="from to curves each paths logarithm merge_coincident keep_coincident mesh_vertices")
-    def isolines(self, points: Any, isolines: float, **options: Any) -> list[Isoline]:
-        """The curves of equal distance from the nearest of `points` or curves, at each multiple of `isolines`, mesh units.
+    @described("distances", without="from to curves each paths levels logarithm merge_coincident keep_coincident mesh_vertices")
+    def isolines(self, points: Any, isolines: Union[float, ArrayLike], **options: Any) -> list[Isoline]:
+        """The curves of equal distance from the nearest of `points` or curves, at each multiple of `isolines`, mesh units, or at
+        these distances, if they are a list.
 
         >>> import gvd
         >>> rings = gvd.read("data/half_sphere.off").isolines(0, 0.5)
         >>> sorted({ring.level for ring in rings})[:2]
         [0.5, 1.0]
         """
-        of = Distances(*self._measure(points, {**options, "isolines": isolines}))
+        of = Distances(*self._measure(points, {**options, "isolines" if numpy.ndim(isolines) == 0 else "levels": isolines}))
         at, offsets = of._points("isoline", self), of._array("isoline_offsets").tolist()
         return [Isoline(level, bool(closed), at[begin:end]) for level, closed, begin, end in
                 zip(of._array("isoline_levels").tolist(), of._array("isoline_closed").tolist(), offsets, offsets[1:])]
 
-    @described("distances", without="from to curves each paths isolines logarithm merge_coincident keep_coincident mesh_vertices")
+    @described("distances", without="from to curves each paths isolines levels logarithm merge_coincident keep_coincident mesh_vertices")
     def log_map(self, point: Any, **options: Any) -> Floats:
         """The logarithm of every vertex at a point, (n, 2): the vector in whose direction the shortest path departs.
 
@@ -434,7 +435,7 @@ def _curve_option(mesh: Mesh, curves: Any, closed: bool, angle: Optional[float])
     return {"points": points, "offsets": offsets, "closed": closed}, arrays
 
 
-@described("mesh", without="file weld", runs=False)
+@described("mesh", without="file content weld", runs=False)
 def read(path: PathLike, *, weld: Union[None, bool, float] = None, **options: Any) -> Mesh:
     """Reads an OBJ, PLY, OFF, STL, VTP, VTU, legacy VTK, glTF, GIFTI, MNI or FreeSurfer file, packed by gzip or not.
 

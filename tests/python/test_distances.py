@@ -9,6 +9,15 @@ import meshes
 
 
 class Distances(unittest.TestCase):
+    def test_isolines_at_listed_distances(self):
+        mesh = gvd.read(meshes.ROOT / "data/figure.obj")
+        steps = mesh.isolines(0, 0.5)
+        listed = mesh.isolines(0, sorted({line.level for line in steps}))
+        self.assertEqual([(line.level, len(line.points)) for line in listed], [(line.level, len(line.points)) for line in steps])
+        with self.assertRaises(gvd.Error) as refused:
+            mesh.isolines(0, [0.5, 0.25])
+        self.assertEqual(refused.exception.code, "invalid_option")
+
     def test_in_the_plane_they_are_euclidean(self):
         at, faces = meshes.make_grid(12)
         mesh = gvd.Mesh(at, faces)
