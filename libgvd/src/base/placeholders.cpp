@@ -9,7 +9,7 @@
 namespace gvd {
 namespace {
 
-constexpr char kBegin = '\1', kEnd = '\2', kIfGiven = '?';
+constexpr char kMarkBegin = '\1', kMarkEnd = '\2', kIfGiven = '?';
 
 std::string spell_one(std::string_view inside, const OptionSpelling& spelling) {
   const std::size_t equals = inside.find('=');
@@ -37,19 +37,19 @@ std::string spell_given(std::string_view inside, const OptionSpelling& spelling)
 }  // namespace
 
 std::string placeholder(std::string_view name, std::string_view value) {
-  std::string text = kBegin + std::string(name);
+  std::string text = kMarkBegin + std::string(name);
   if (!value.empty()) text += '=' + std::string(value);
-  return text + kEnd;
+  return text + kMarkEnd;
 }
 
 bool has_placeholder_mark(std::string_view text) {
-  return text.find(kBegin) != text.npos || text.find(kEnd) != text.npos;
+  return text.find(kMarkBegin) != text.npos || text.find(kMarkEnd) != text.npos;
 }
 
 std::string spell_options(std::string_view text, const OptionSpelling& spelling) {
   std::string spelled;
   while (!text.empty()) {
-    const std::size_t begin = text.find(kBegin), end = text.find(kEnd, std::min(begin, text.size()));
+    const std::size_t begin = text.find(kMarkBegin), end = text.find(kMarkEnd, std::min(begin, text.size()));
     spelled += text.substr(0, begin);
     if (begin == text.npos) break;
     if (end == text.npos) return spelled += text.substr(begin + 1);
@@ -67,7 +67,7 @@ std::string spell_options(std::string_view text) {
 }
 
 std::string_view first_option(std::string_view text) {
-  return text.starts_with(kBegin) ? text.substr(1, text.find_first_of("=\2") - 1) : std::string_view();
+  return text.starts_with(kMarkBegin) ? text.substr(1, text.find_first_of("=\2") - 1) : std::string_view();
 }
 
 }  // namespace gvd
