@@ -83,9 +83,6 @@ template <class Value>
   refuse_array(fmt::format("element {} is {}; give whole numbers from 0 on", row, value));
 }
 
-/// Beyond there are doubles that stand for several whole numbers.
-constexpr double kMostWhole = 0x1p53;
-
 std::int64_t to_index(double value, std::int64_t row) {
   if (value >= 0 && value == std::floor(value) && value < kMostWhole) return static_cast<std::int64_t>(value);
   refuse_index(value, row);

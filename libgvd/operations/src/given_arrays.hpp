@@ -18,6 +18,9 @@
 // Values of options that come as arrays beside JSON, or as lists in it.
 namespace gvd {
 
+/// Beyond there are doubles that stand for several whole numbers.
+inline constexpr double kMostWhole = 0x1p53;
+
 /// What JSON refers to.
 struct Arrays {
   std::span<const ArrayView> views;

@@ -67,7 +67,6 @@ Json parse(std::string_view text) {
 /// The text that a command line has for a value; nothing for lists and objects. 3.0 is the whole number 3: languages
 /// differ in how they write it.
 std::optional<std::string> to_text(const Json& value) {
-  constexpr double kMostWhole = 0x1p53;
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) {
     const auto number = value.get<double>();
