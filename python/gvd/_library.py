@@ -14,7 +14,7 @@ import pathlib
 import threading
 import time
 # The functions of the module signal, without its enumerations: these take 10 us a call.
-from _signal import SIGINT, getsignal, signal  # type: ignore[import]
+import _signal  # type: ignore[import]
 from collections.abc import Mapping, Sequence
 from typing import Any, Callable, Optional
 
@@ -22,7 +22,7 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _described
-from ._error import Error
+from ._error import Error, refuse
 
 _TYPES = [numpy.dtype(name) for name in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8")]
 _PLACES = {dtype: place for place, dtype in enumerate(_TYPES)}
@@ -195,39 +195,49 @@ _KEEP_GOING = _PROGRESS(_keep_going)
 _NO_PROGRESS: Any = _PROGRESS()  # type: ignore[call-overload]
 
 
+# Signals that programs handle. Those of errors, such as SIGSEGV, have nothing to return to.
+_SIGNALS = [getattr(_signal, f"SIG{name}") for name in ("INT", "TERM", "HUP", "QUIT", "ALRM", "VTALRM", "PROF", "USR1", "USR2")
+            if hasattr(_signal, f"SIG{name}")]
+
+
 class _Signals:
-    """Ctrl-C during a call in the main thread: the call ends, and then the handler that was there runs."""
+    """Signals during a call in the main thread. The user's handlers run on the way to a callback, where ctypes would lose
+    what they raise: it is kept, and ends the call. Ctrl-C ends it in any case."""
 
-    __slots__ = ("flags", "before", "caught")
+    __slots__ = ("flags", "raised", "before")
 
-    def __init__(self, flags: _Flags) -> None:
-        self.flags = flags
-        self.caught: Any = None
-        self.before: Any = None
+    def __init__(self, flags: _Flags, raised: list[BaseException]) -> None:
+        self.flags, self.raised = flags, raised
+        self.before: dict[int, Any] = {}
         if threading.get_ident() == threading.main_thread().ident:
-            before = getsignal(SIGINT)
-            if callable(before):
-                with contextlib.suppress(ValueError):  # an interpreter beside the main one takes no signals
-                    signal(SIGINT, self.catch)
-                    self.before = before
+            for number in _SIGNALS:
+                handler = _signal.getsignal(number)
+                if callable(handler):
+                    with contextlib.suppress(ValueError):  # an interpreter beside the main one takes no signals
+                        _signal.signal(number, self.catch)
+                        self.before[number] = handler
 
     def catch(self, number: int, frame: Any) -> None:
-        self.caught = (number, frame)
-        self.flags.cancel.value = 1
+        if number == _signal.SIGINT:  # whatever its handler does
+            self.flags.cancel.value = 1
+        try:
+            self.before[number](number, frame)
+        except BaseException as error:  # raised again when the call has ended
+            self.raised.append(error)
+            self.flags.cancel.value = 1
 
     def restore(self) -> None:
-        if self.before is not None:
-            signal(SIGINT, self.before)
-            if self.caught is not None:
-                self.before(*self.caught)
+        for number, handler in self.before.items():
+            if _signal.getsignal(number) == self.catch:  # a callback may have put another one in its place
+                _signal.signal(number, handler)
 
 
 def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callback], time_limit: Optional[float]) -> None:
     """Calls a function of the library with a run, and raises what ended it."""
     flags = _Flags(float("inf") if time_limit is None else time.monotonic() + time_limit)
     raised: list[BaseException] = []
-    signals = _Signals(flags)
-    callback = _NO_PROGRESS if signals.before is None else _KEEP_GOING
+    signals = _Signals(flags, raised)
+    callback = _KEEP_GOING if signals.before else _NO_PROGRESS
     if progress is not None:
         told = progress
 
@@ -275,9 +285,17 @@ def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[
     return handle
 
 
+def name_bytes(path: Any) -> bytes:
+    """The name of a file for the library, for which a NUL would end it."""
+    name = os.fsencode(path)
+    if b"\0" in name:
+        refuse(f"{os.fsdecode(name)!r}: a name of a file has no NUL in it")
+    return name
+
+
 def write(handle: Handle, path: Any, options: Mapping[str, Any], threads: int = 0) -> None:
     """Writes a complete file or none."""
-    text = json.dumps(options).encode()
-    _run(lambda run: int(_library.gvd_write_as(handle.address, os.fsencode(path), text, run)), threads, None, None)
+    text, name = json.dumps(options).encode(), name_bytes(path)
+    _run(lambda run: int(_library.gvd_write_as(handle.address, name, text, run)), threads, None, None)
 
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from . import _described
 from ._error import refuse
+from ._library import name_bytes
 from ._points import Curves, as_array, make_entries
 
 if TYPE_CHECKING:
@@ -66,6 +67,7 @@ def _counts(name: str, value: Any) -> list[int]:
 def file_name(path: Any, arrays: Arrays) -> Any:
     """A name as a text, or where it is no UTF-8 as an array of its bytes."""
     name = os.fspath(path)
+    name_bytes(name)
     try:
         return name.decode() if isinstance(name, bytes) else name.encode().decode()
     except UnicodeError:

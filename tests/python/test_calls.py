@@ -190,6 +190,36 @@ class Calls(unittest.TestCase):
         finally:
             signal.signal(signal.SIGINT, before)
 
+    def test_what_a_handler_of_any_signal_raises_ends_a_call(self):
+        def alarm(number, frame):
+            raise TimeoutError("alarm")
+
+        mesh = gvd.read(meshes.FIGURE)
+        before = signal.signal(signal.SIGALRM, alarm)
+        try:
+            for progress in (None, lambda step, done: None):
+                signal.setitimer(signal.ITIMER_REAL, 0.3)
+                with self.assertRaisesRegex(TimeoutError, "alarm"):
+                    mesh.lloyd(2000, iterations=100000, tolerance=0.0, progress=progress)
+            self.assertIs(signal.getsignal(signal.SIGALRM), alarm)
+            seen = []
+            signal.signal(signal.SIGALRM, lambda number, frame: seen.append(number))  # raises nothing: the call goes on
+            signal.setitimer(signal.ITIMER_REAL, 0.05)
+            self.assertEqual(len(mesh.lloyd(200, iterations=20).generators), 200)
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            self.assertEqual(seen, [signal.SIGALRM])
+        finally:
+            signal.signal(signal.SIGALRM, before)
+
+    def test_a_name_with_a_nul_is_refused_and_a_message_is_one_line(self):
+        mesh = gvd.Mesh(*meshes.make_box(1, 2, 3))
+        for call in (lambda: mesh.to_file("a.ply\0.obj"), lambda: gvd.read("a.ply\0junk")):
+            with self.assertRaisesRegex(gvd.Error, "a name of a file has no NUL in it"):
+                call()
+        self.assertFalse(os.path.exists("a.ply"))
+        with self.assertRaisesRegex(gvd.Error, r"^no\?such\?\[31m\.ply: there is no such file$"):
+            gvd.read("no\nsuch\x1b[31m.ply")
+
     def test_a_time_limit_ends_a_call(self):
         mesh = gvd.read(meshes.FIGURE)
         work = [lambda: mesh.lloyd(2000, iterations=100000, tolerance=0.0, time_limit=0.3)]

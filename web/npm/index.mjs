@@ -117,6 +117,7 @@ export class Mesh extends Thing {
     if (vertices instanceof Handle) {
       super(vertices);
     } else {
+      if ('file' in others || 'content' in others) refuse('Mesh: there is no option "file"; read makes a mesh of the bytes of a file');
       const size = faces?.[0]?.length ?? corners;
       if (!Number.isInteger(size) || size < 3) refuse(`corners: a whole number from 3 on is needed, not ${size}`);
       const at = flat('vertices', vertices, 3), of = flat('faces', faces, size);
@@ -375,9 +376,15 @@ export class DiagramEditor {
 
   /** What throws leaves the diagram as it was. */
   _change(name, options) {
-    const made = new Diagram(run(name, 'edit', this._state.diagram, this.mesh, options), this.mesh);
-    this.free();
-    Object.assign(this._state, { diagram: made, given: false });
+    if (this._state.changing) refuse(`${name}: the editor is in the middle of a change`);
+    this._state.changing = true;
+    try {
+      const made = new Diagram(run(name, 'edit', this._state.diagram, this.mesh, options), this.mesh);
+      this.free();
+      Object.assign(this._state, { diagram: made, given: false });
+    } finally {
+      this._state.changing = false;
+    }
     return this;
   }
 

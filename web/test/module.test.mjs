@@ -186,6 +186,20 @@ test('an edited diagram is a new one of the same generators', () => {
   assert.deepEqual(editor.generators, there);
 });
 
+test('an editor makes one change at a time', () => {
+  const mesh = gvd.read(readFileSync(join(data, 'figure.obj')), 'figure.obj'), editor = new gvd.DiagramEditor(mesh, mesh.farthest(30));
+  let told = null;
+  editor.move(1, 5, { progress: () => {
+    try {
+      told ?? editor.move(2, 9);
+    } catch (error) {
+      told = error.message;
+    }
+  } });
+  assert.equal(told, 'move: the editor is in the middle of a change');
+  editor.move(2, 9);
+});
+
 test('objects may be frozen, and options null', () => {
   const square = Object.freeze(new Mesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]));
   assert.equal(square.vertices, square.vertices);
@@ -355,6 +369,7 @@ test('what can not be done is an error of one line', () => {
     [() => square.voronoi([0, 0]), 'precondition', /coincide/],
     [() => square.voronoi([4]), 'precondition', /4/],
     [() => square.voronoi([-1]), 'invalid_option', /-1 is no whole number/],
+    [() => new gvd.Mesh(square.vertices, square.faces, { file: 'x' }), 'invalid_option', /^Mesh: there is no option "file"/],
     [() => square.voronoi([0, 1], { methd: 'exact' }), 'invalid_option', /^voronoi: there is no option "methd"; did you mean "method"\?/],
     [() => square.voronoi([0, 1], { method: 'quick' }), 'invalid_option', /^method: 'quick' is not one of exact\|gbgvd\|paper/],
     [() => square.sample(1.5), 'invalid_option', /^count: .*whole number/],

@@ -4,7 +4,9 @@
 
 #include "handles.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
 
 #include "gvd/diagram_operation.hpp"
@@ -167,7 +169,10 @@ Door door_of(const gvd_run* run) noexcept {
 gvd_status fail(const Error& error, Door door) noexcept {
   const gvd_status status = kStatuses[std::size_t(error.code())];
   try {
-    return fail(status, spell_for(door, error.text()).c_str(), kCodeNames[std::size_t(error.code())], error.element());
+    std::string text = spell_for(door, error.text());
+    const auto is_control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };
+    std::ranges::replace_if(text, is_control, '?');  // of names of files: a message is one line
+    return fail(status, text.c_str(), kCodeNames[std::size_t(error.code())], error.element());
   } catch (...) {
     return fail(status, error.what(), kCodeNames[std::size_t(error.code())], error.element());
   }
