@@ -171,7 +171,7 @@ gvd_status fail(const Error& error, Door door) noexcept {
   try {
     std::string text = spell_for(door, error.text());
     const auto is_control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };
-    std::ranges::replace_if(text, is_control, '?');  // of names of files: a message is one line
+    std::replace_if(text.begin(), text.end(), is_control, '?');  // of names of files: a message is one line
     return fail(status, text.c_str(), kCodeNames[std::size_t(error.code())], error.element());
   } catch (...) {
     return fail(status, error.what(), kCodeNames[std::size_t(error.code())], error.element());
