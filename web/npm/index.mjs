@@ -5,7 +5,7 @@
 //   const regions = mesh.segment(30);
 //   const file = regions.to_bytes('ply');
 //
-// What has a name in the commands has the same name here, and gives the same results; index.d.ts has the documents.
+// Operations and options have the names of the commands, and the results are the same; index.d.ts has the documents.
 // Calls block, so pages make them in a worker. Objects free their memory when they are collected, or by free().
 import { Error, refuse } from './error.mjs';
 import { call, Handle, version } from './library.mjs';

@@ -119,7 +119,7 @@ for (const name of kMeshes) {
 test('types have every option of the description', async () => {
   const types = readFileSync(join(packed, 'index.d.ts'), 'utf8'), { describe } = await import(pathToFileURL(join(packed, 'library.mjs')).href);
   const described = describe(), options = [...described.operations.flatMap((one) => one.options), ...described.file_options];
-  // What is an argument, or what the package gives itself.
+  // These are arguments, or the package gives them itself.
   const kOwn = 'from points file content repairs materials material_files part keep_coincident mesh_vertices move add remove map cut weld'.split(' ');
   const missing = options.map(({ name }) => name).filter((name) => !kOwn.includes(name) && !types.includes(`\n  ${name}?: `));
   assert.deepEqual(missing, []);

@@ -36,7 +36,7 @@ struct DistancesCall {
   double most_bytes = std::numeric_limits<double>::infinity();
 };
 
-/// What is asked for beside the distances of all vertices from the nearest source.
+/// The results that a caller wants beside the distances of all vertices from the nearest source.
 struct AskedDistances {
   bool targets = false, each = false, paths = false, isolines = false;
 };

@@ -15,7 +15,8 @@
 #include "gvd/observer.hpp"
 #include "gvd/option_list.hpp"
 
-// What programs give: meshes, numbers of files, curves; and what they ask of a diagram.
+// The operations that only programs call: `mesh`, `saved_mesh`, `values`, `properties`, `curves` and `check`. Commands
+// read files by themselves.
 namespace gvd {
 
 /// A file that an operation reads, or its bytes in memory.
@@ -89,7 +90,7 @@ std::shared_ptr<const CurvesOutcome> run(const MeshPtr& input, CurvesCall& call,
 struct CheckCall {};
 inline void describe(OptionList&, CheckCall&) {}
 
-/// What violates the invariants of a diagram.
+/// The violated invariants of a diagram; none for a sound one.
 class CheckOutcome : public Object {
  public:
   std::string_view kind() const override { return "check"; }

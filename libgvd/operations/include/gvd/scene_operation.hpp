@@ -13,7 +13,7 @@
 
 namespace gvd {
 
-/// What has a scene, as users read it.
+/// The kinds of objects that have a scene, in words for messages.
 inline constexpr std::string_view kSceneSubjects = "diagram, distances or remesh";
 
 /// The options of the operation `scene`, which works on a diagram, on distances or on a remesh.
