@@ -2,7 +2,7 @@
 //
 // Arrays pass the same checks as files: they become a polygon soup, which build_mesh examines. A saved mesh does so,
 // too; it has no defect any more, and gets back the places that its elements had in the input.
-#include "gvd/given_objects.hpp"
+#include "gvd/program_operations.hpp"
 
 #include <fmt/format.h>
 
