@@ -222,8 +222,6 @@ class Grid {
   std::map<Cube, std::vector<Entry>> cubes_;
 };
 
-using Kind = GeneratorEntry::Kind;
-
 class Resolver {
  public:
   Resolver(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options)
@@ -234,7 +232,7 @@ class Resolver {
       report_progress(options_.progress, "generators", double(result_.points.size()) / double(list_.entries.size()));
       result_.snap_distance.emplace_back();
       result_.points.push_back(resolve(entry));
-      result_.vertex.push_back(entry.kind == Kind::vertex ? entry.index : -1);
+      result_.vertex.push_back(entry.kind == GeneratorEntry::Kind::vertex ? entry.index : -1);
     }
     if (!options_.keep_coincident) merge_coincident();
     return std::move(result_);
@@ -253,8 +251,8 @@ class Resolver {
   [[noreturn]] void refuse(const std::string& message) const { refuse(result_.points.size(), message); }
 
   SurfacePoint resolve(const GeneratorEntry& entry) {
-    if (entry.kind == Kind::vertex) return resolve_vertex(entry.index);
-    if (entry.kind == Kind::face) return resolve_face(entry);
+    if (entry.kind == GeneratorEntry::Kind::vertex) return resolve_vertex(entry.index);
+    if (entry.kind == GeneratorEntry::Kind::face) return resolve_face(entry);
     return snap({entry.values[0], entry.values[1], entry.values[2]});
   }
 
@@ -328,7 +326,8 @@ class Resolver {
   std::string describe_coincident(std::size_t entry, std::size_t twin) const {
     const auto name = [&](std::size_t i) {
       const GeneratorEntry& named = list_.entries[i];
-      return named.kind == Kind::vertex ? fmt::format("vertex {}", named.index) : fmt::format("point {}", i);
+      return named.kind == GeneratorEntry::Kind::vertex ? fmt::format("vertex {}", named.index)
+                                                        : fmt::format("point {}", i);
     };
     const std::string line = list_.entries[twin].line > 0 ? fmt::format(" ({})", location(twin)) : "";
     return name(entry) == name(twin) ? name(entry) + " is listed twice" + line
