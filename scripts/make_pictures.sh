@@ -49,11 +49,11 @@ run gvd-segment data/figure.obj -n 100 --sampling poisson --view "$work/poisson.
 run gvd-lloyd   data/figure.obj -n 100 --sampling random --view "$work/relaxed.html"
 
 # The energies of that relaxation, by each kind of step.
-for steps in lbfgs anderson none; do
+for steps in lbfgs none; do
   run gvd-lloyd data/figure.obj -n 100 --sampling random --accelerate $steps --relocate off -o "$work/$steps.txt" \
     --report "$work/$steps.json"
 done
-"$(dirname "$0")"/plot_energies.py "$pictures/energies.svg" "$work/lbfgs.json" "$work/anderson.json" "$work/none.json"
+"$(dirname "$0")"/plot_energies.py "$pictures/energies.svg" "$work/lbfgs.json" "$work/none.json"
 
 # A mesh that is cut along its bisectors.
 run gvd-segment data/figure.obj -n 24 --cut --view "$work/cut.html"

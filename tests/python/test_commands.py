@@ -203,11 +203,11 @@ class SameBytes(unittest.TestCase):
             self.assertTrue((numpy.diff(samples.energies) < 0).all())
             columns = numpy.load(self.folder / "points.npy")
             numpy.testing.assert_array_equal(columns[:, 10:12].T, [samples.areas, samples.cell_energies])
-        given = ["--iterations", 7, "--accelerate", "anderson", "--features", 30, "--keep-boundary", "--seed", 2,
-                 "--density", "curvature", "--gradation", 0.5, "--relocate", "off", "--step", 1.5]
+        given = ["--iterations", 7, "--accelerate", "none", "--features", 30, "--keep-boundary", "--seed", 2,
+                 "--density", "curvature", "--gradation", 0.5, "--relocate", "on"]
         self.run_command("gvd-lloyd", meshes.PLATE, "-n", 40, *given, "-o", "m.json")
-        samples = gvd.read(meshes.PLATE).lloyd(40, iterations=7, accelerate="anderson", features=30, keep_boundary=True, seed=2,
-                                               density="curvature", gradation=0.5, relocate=False, step=1.5)
+        samples = gvd.read(meshes.PLATE).lloyd(40, iterations=7, accelerate="none", features=30, keep_boundary=True, seed=2,
+                                               density="curvature", gradation=0.5, relocate=True)
         self.assert_same_files(samples, "m", ["json"])
         weights = 1 + numpy.arange(len(gvd.read(meshes.TORUS).vertices)) % 5
         (self.folder / "weights.txt").write_text("\n".join(map(str, weights)))

@@ -1,4 +1,4 @@
-// Better steps than Lloyd's, by L-BFGS with the Hessian of the energy or by Anderson's mixing.
+// Better steps than Lloyd's, by L-BFGS with the Hessian of the energy.
 //
 // L-BFGS begins with the Hessian of the energy (energy_hessian.hpp). Small eigenvalues allow long steps: the least one
 // that counts falls while the model predicts what happens, and rises where it does not, as the radius of a trust region
@@ -37,8 +37,7 @@ constexpr double kNearEnd = 1e-3;
 constexpr double kNearVertex = 0.02;
 
 /// Pairs that are kept. With 5, 10 and 20 pairs of L-BFGS runs on the bunny take as many iterations, within 5 %.
-constexpr std::size_t kLbfgsMemory = 7;
-constexpr std::size_t kAndersonMemory = 6;
+constexpr std::size_t kMemory = 7;
 
 /// Longest step of a generator, in mean cell radii, or in ways to its centroid if that is more: beyond this the
 /// neighbours of cells change.
@@ -65,13 +64,13 @@ Accelerator::Accelerator(const Mesh& mesh, const GeneratorConstraints& constrain
     : mesh_(mesh),
       constraints_(constraints),
       kind_(kind),
-      defects_(kind == Acceleration::lbfgs ? angle_defects(mesh) : IdVector<VertexId, double>()),
-      history_(kind == Acceleration::anderson ? kAndersonMemory : kLbfgsMemory) {}
+      defects_(kind == Acceleration::none ? IdVector<VertexId, double>() : angle_defects(mesh)),
+      history_(kMemory) {}
 
 std::optional<ProposedSteps> Accelerator::propose(const RelaxationState& state) const {
   if (kind_ == Acceleration::none) return std::nullopt;
   std::optional<ProposedSteps> proposed = propose_by_history(state);
-  if (kind_ != Acceleration::lbfgs || (proposed && proposed->prediction >= kNearEnd * state.energy)) return proposed;
+  if (proposed && proposed->prediction >= kNearEnd * state.energy) return proposed;
   std::optional<ProposedSteps> by_model = propose_by_model(state);
   return by_model ? by_model : proposed;
 }
@@ -112,7 +111,6 @@ std::optional<ProposedSteps> Accelerator::propose_by_model(const RelaxationState
 }
 
 TangentField Accelerator::direction(const RelaxationState& state, const TangentField& gradient) const {
-  if (kind_ == Acceleration::anderson) return anderson_step(history_, state.to_centroids);
   const EnergyHessian hessian(state, defects_, kNearVertex * state.mean_cell_radius);
   return lbfgs_direction(history_, gradient,
                          [&](const TangentField& field) { return hessian.solve(field, least_eigenvalue_); });
@@ -137,14 +135,11 @@ void Accelerator::learn(const RelaxationState& before, const GeneratorMove& move
   if (kind_ == Acceleration::none) return;
   adapt(before, move, after);
   history_.transport(move.turns);
-  const bool by_gradient = kind_ == Acceleration::lbfgs;
-  const TangentField start = by_gradient ? energy_gradient(before) : before.to_centroids;
-  const TangentField end = by_gradient ? energy_gradient(after) : after.to_centroids;
-  StepPair pair{move.step, add_scaled(end, -1, turned(move.turns, start))};
+  StepPair pair{move.step, add_scaled(energy_gradient(after), -1, turned(move.turns, energy_gradient(before)))};
   for (std::size_t i = 0; i < pair.step.size(); ++i) {
     if (is_at_kink(before, i) || is_at_kink(after, i)) pair.step[i] = pair.change[i] = Vec2::Zero();
   }
-  if (!by_gradient || has_curvature(pair, cell_masses(after))) history_.add(std::move(pair));
+  if (has_curvature(pair, cell_masses(after))) history_.add(std::move(pair));
 }
 
 }  // namespace gvd

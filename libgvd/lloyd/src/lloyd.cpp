@@ -61,7 +61,6 @@ void check_options(const LloydOptions& o) {
   if (!(tolerance >= 0) || !std::isfinite(tolerance)) refuse("the energy tolerance must be 0 or more");
   if (!(o.move_tolerance >= 0) || !std::isfinite(o.move_tolerance)) refuse("the move tolerance must be 0 or more");
   if (!(o.least_promise >= 0)) refuse("the least promise must be 0 or more");
-  if (!(o.step > 0 && o.step < 2)) refuse("the step must be above 0 and below 2");
   check_diagram_options(o.diagram);  // early levels compute no diagram
 }
 

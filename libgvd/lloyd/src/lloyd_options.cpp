@@ -10,10 +10,9 @@ void describe(OptionList& list, LloydOptions& options) {
   LloydOptions plain;
   plain.acceleration = Acceleration::none;
   list.group("Relaxation");
-  list.option("accelerate", choice(options.acceleration, kAccelerationNames),
-              {.help = "How to find the steps",
-               .more = ": by a quasi-Newton method (lbfgs), by Anderson mixing of the last steps, or by Lloyd's method "
-                       "alone"});
+  list.option(
+      "accelerate", choice(options.acceleration, kAccelerationNames),
+      {.help = "How to find the steps", .more = ": by a quasi-Newton method (lbfgs), or by Lloyd's method alone"});
   list.option("relocate", Switch{&options.relocate},
               {.help = "Move generators from cells with little energy to distant cells with much",
                .more = ", where that lowers the energy at once",
@@ -30,9 +29,6 @@ void describe(OptionList& list, LloydOptions& options) {
                                     100 * kSettledFall, *energy_tolerance(plain))});
   list.option("move_tolerance", Number{&options.move_tolerance, {.least = 0}},
               {.help = "Stop once no generator is farther from its centroid than this", .unit = "mean cell radii"});
-  list.option(
-      "step", Number{&options.step, {.least = 0, .most = 2, .above_least = true, .below_most = true}},
-      {.help = "Length of the steps of Lloyd's method, as a fraction of the way to the centroid", .more = ", below 2"});
 }
 
 void describe(OptionList& list, RelaxationStartOptions& options) {

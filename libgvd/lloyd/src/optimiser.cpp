@@ -1,4 +1,4 @@
-// Methods of optimisation on fields of tangent vectors: L-BFGS, Anderson's mixing, the Lanczos process, a line search.
+// Methods of optimisation on fields of tangent vectors: L-BFGS, the Lanczos process, a line search.
 //
 // Nothing here knows a mesh or an energy. The vectors of all earlier steps are transported along the generators' paths,
 // so that differences are formed in one tangent plane for each generator. Sums run in ascending order of the
@@ -19,9 +19,6 @@ double initial_factor(const StepHistory& history, const FieldMap& initial) {
   const StepPair& latest = history.pairs().back();
   return dot(latest.step, latest.change) / dot(latest.change, initial(latest.change));
 }
-
-/// A field as one vector.
-Eigen::Map<const Eigen::VectorXd> flat(const TangentField& field) { return {field[0].data(), 2 * std::ssize(field)}; }
 
 /// A new basis vector below this length, relative to the largest entry of the tridiagonal matrix, is rounding.
 constexpr double kInvariant = 1e-10;
@@ -88,21 +85,6 @@ TangentField lbfgs_direction(const StepHistory& history, const TangentField& gra
     alphas.pop_back();
   }
   return scaled(std::move(r), -1);
-}
-
-TangentField anderson_step(const StepHistory& history, const TangentField& residual) {
-  if (history.pairs().empty()) return residual;
-  Eigen::MatrixXd changes(2 * std::ssize(residual), std::ssize(history.pairs()));
-  Eigen::Index column = 0;
-  for (const StepPair& pair : history.pairs()) changes.col(column++) = flat(pair.change);
-  const Eigen::VectorXd factors = changes.colPivHouseholderQr().solve(flat(residual));
-  TangentField step = residual;
-  column = 0;
-  for (const StepPair& pair : history.pairs()) {
-    step = add_scaled(std::move(step), -factors[column], pair.step);
-    step = add_scaled(std::move(step), -factors[column++], pair.change);
-  }
-  return step;
 }
 
 TangentField apply_matrix_function(const FieldMap& multiply, const std::function<double(double)>& f,

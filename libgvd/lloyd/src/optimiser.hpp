@@ -59,10 +59,10 @@ inline TangentField turned(const std::vector<Turn>& turns, TangentField field) {
 
 // optimiser.cpp
 
-/// A step of all generators, and how much a field of tangent vectors changed by it.
+/// A step of all generators, and how much the gradient of the energy changed by it.
 struct StepPair {
   TangentField step;    ///< mesh units
-  TangentField change;  ///< of the gradient (L-BFGS) or of the way to the centroid (Anderson)
+  TangentField change;  ///< mesh units cubed
 };
 
 /// The latest steps, oldest first. All vectors lie in the tangent planes at the present generators: `transport` takes
@@ -103,15 +103,6 @@ using FieldMap = std::function<TangentField(const TangentField&)>;
 /// Returns: a direction d with d . gradient < 0, unless the gradient is zero. Without pairs, -initial_inverse(gradient).
 /// Cost: O(pairs x generators), and two calls of `initial_inverse`.
 TangentField lbfgs_direction(const StepHistory& history, const TangentField& gradient, const FieldMap& initial_inverse);
-
-/// The step of Anderson's acceleration of the fixed-point iteration whose plain step is `residual`.
-///
-/// Source:  Walker and Ni, Anderson acceleration for fixed-point iterations, 2011.
-/// Inputs:  pairs of steps and changes of the residual; `residual`: the ways to the centroids, mesh units.
-/// Returns: residual - sum over the pairs of c (step + change), where the factors c make |residual - sum c change|
-///          least. Without pairs, the residual.
-/// Cost: O(pairs^2 x generators).
-TangentField anderson_step(const StepHistory& history, const TangentField& residual);
 
 /// The product of f(A) and `b`, where A is the symmetric matrix of `multiply`, and f acts on its eigenvalues.
 ///

@@ -278,11 +278,11 @@ class Relaxer {
 
   /// One iteration by Lloyd's steps: shortens those that went too far until the energy falls. False if it never does.
   bool descend(RelaxationState& state) {
-    std::vector<double> scales(state.generators.size(), options_.step);
+    std::vector<double> scales(state.generators.size(), 1);
     for (int trial = 0; trial < kLloydTrials; ++trial) {
       GeneratorMove next = move_generators(mesh_, state, scaled(state.to_centroids, scales), constraints_,
                                            trial == 0 ? GoToRest::yes : GoToRest::no);
-      next.scale = *std::max_element(scales.begin(), scales.end()) / options_.step;
+      next.scale = *std::max_element(scales.begin(), scales.end());
       const std::optional<RelaxationState> rejected = take_if_below(state.energy, state, next);
       if (!rejected) return true;
       const bool is_any_shortened = shorten_own_steps(state, next, *rejected, scales);

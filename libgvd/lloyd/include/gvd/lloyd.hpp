@@ -20,12 +20,10 @@ struct CoarseCopy;  // coarse_copy.hpp
 
 /// How the steps of an iteration are found.
 enum class Acceleration {
-  none,      ///< Lloyd's method: every generator goes to the centroid of its cell
-  lbfgs,     ///< a quasi-Newton method (L-BFGS) with the Hessian of the centroidal Voronoi energy to begin with
-  anderson,  ///< Anderson's mixing of the last steps
+  none,   ///< Lloyd's method: every generator goes to the centroid of its cell
+  lbfgs,  ///< a quasi-Newton method (L-BFGS) with the Hessian of the centroidal Voronoi energy to begin with
 };
-inline const Choices<Acceleration> kAccelerationNames{
-    {"lbfgs", Acceleration::lbfgs}, {"anderson", Acceleration::anderson}, {"none", Acceleration::none}};
+inline const Choices<Acceleration> kAccelerationNames{{"lbfgs", Acceleration::lbfgs}, {"none", Acceleration::none}};
 
 struct LloydOptions {
   /// How each generator may move, one for each; empty: all are free.
@@ -44,9 +42,6 @@ struct LloydOptions {
   /// Stop where the way to the centroids promises to lower the energy by less than this fraction of it, if all cells
   /// kept their borders. >= 0.
   double least_promise = 0;
-  /// Length of a step that is not accelerated, as a fraction of the way to the centroid: 1 is Lloyd's step, more is
-  /// overrelaxation. In (0, 2).
-  double step = 1;
   /// Move generators from cells with little energy to distant cells with much, where that lowers the energy at once:
   /// this evens out clustered starts. Without a value, accelerated runs do.
   std::optional<bool> relocate;
