@@ -114,42 +114,47 @@ LloydOptions options_on_mesh(const LloydOptions& options, const LloydResult& on_
   return of_mesh;
 }
 
-/// A relaxation that ends on a copy, with the diagram of the mesh. The energies and moments stay those of the copy.
-LloydResult end_on_copy(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LloydOptions& options,
-                        LloydResult&& on_copy) {
-  DiagramOptions of_mesh = options.diagram;
-  of_mesh.progress = part_of(options.progress, kCopyShare, 1);
-  on_copy.generators = generators;
-  on_copy.copy = {options.copy->mesh.face_count(), std::ssize(on_copy.iterations), on_copy.diagrams};
-  on_copy.diagram = compute_diagram(mesh, generators, of_mesh);
-  on_copy.diagrams = 1;
-  return std::move(on_copy);
-}
-
-/// The relaxation on `options.copy` first, and then on the mesh. Nothing where the copy can't be used: it has more than
-/// half of the faces, or generators that are apart on the mesh coincide on it.
-std::optional<LloydResult> relax_from_copy(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                                           const LloydOptions& options) {
+/// The generators on the copy; nothing where it can't be used: no iteration is left, it has more than half of the
+/// faces, or generators that are apart on the mesh coincide on it.
+std::optional<std::vector<SurfacePoint>> start_on_copy(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                                       const LloydOptions& options) {
   const CoarseCopy& copy = *options.copy;
   if (max_iterations(options) == 0 || (options.is_time_over && options.is_time_over())) return std::nullopt;
   if (copy.mesh.face_count() > kLargestShare * mesh.face_count()) return std::nullopt;
-  const std::vector<SurfacePoint> start = to_copy(mesh, copy, generators, options.progress, {kRelaxation, 0, 0});
+  std::vector<SurfacePoint> start = to_copy(mesh, copy, generators, options.progress, {kRelaxation, 0, 0});
   if (!are_apart(copy.mesh, start)) return std::nullopt;
-  const LloydOptions of_copy = options_on_copy(mesh, options);
-  LloydResult on_copy =
-      options.ends_on_copy ? relax_on_mesh(copy.mesh, start, of_copy) : relax_generators(copy.mesh, start, of_copy);
+  return start;
+}
+
+/// The generators of the copy on the mesh. Those that are not free are where they were.
+std::vector<SurfacePoint> back_on_mesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                       const LloydOptions& options, const std::vector<SurfacePoint>& on_copy) {
   std::vector<SurfacePoint> moved =
-      to_input(mesh, copy, on_copy.generators, options.progress, {kRelaxation, kCopyShare, kCopyShare});
+      to_input(mesh, *options.copy, on_copy, options.progress, {kRelaxation, kCopyShare, kCopyShare});
   for (std::size_t i = 0; i < moved.size(); ++i) {
     if (freedom_of(options, i) != Freedom::free) moved[i] = generators[i];
   }
   keep_apart(mesh, generators, coincidence(mesh), moved);
-  if (options.ends_on_copy) return end_on_copy(mesh, moved, options, std::move(on_copy));
-  LloydResult result = relax_generators(mesh, moved, options_on_mesh(options, on_copy));
-  const bool ends_early = !options.energy_tolerance && max_iterations(options) > kFinishIterations;
-  if (ends_early && result.stop == LloydStop::max_iterations) result.stop = LloydStop::prediction;
-  result.extremities = std::move(on_copy.extremities);
-  result.copy = {copy.mesh.face_count(), std::ssize(on_copy.iterations), on_copy.diagrams};
+  return moved;
+}
+
+CoarseRelaxation sum_up(const CoarseCopy& copy, const LloydResult& on_copy) {
+  return {copy.mesh.face_count(), std::ssize(on_copy.iterations), on_copy.diagrams};
+}
+
+/// A relaxation without extremities: on the mesh, or from its start to its end on the copy. Then the energies and
+/// moments are those of the copy, and the diagram is that of the mesh.
+LloydResult relax_once(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LloydOptions& options) {
+  LloydOptions of_mesh = options;
+  of_mesh.ends_on_copy = false;
+  const auto start = options.copy && options.ends_on_copy ? start_on_copy(mesh, generators, options) : std::nullopt;
+  if (!start) return relax_on_mesh(mesh, generators, of_mesh);
+  LloydResult result = relax_on_mesh(options.copy->mesh, *start, options_on_copy(mesh, options));
+  result.copy = sum_up(*options.copy, result);
+  result.generators = back_on_mesh(mesh, generators, options, result.generators);
+  of_mesh.diagram.progress = part_of(options.progress, kCopyShare, 1);
+  result.diagram = compute_diagram(mesh, result.generators, of_mesh.diagram);
+  result.diagrams = 1;
   return result;
 }
 
@@ -190,7 +195,6 @@ std::int64_t count_poor_cells(const Diagram& diagram) {
 /// nothing where generators are too few for the limbs.
 void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult& result) {
   LloydOptions again = options;
-  again.keeps_extremities = false;
   again.freedom.resize(result.generators.size(), Freedom::free);
   std::vector<SurfacePoint> start = result.generators;
   std::vector<GeneratorId> kept;
@@ -205,7 +209,7 @@ void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult
   // Few generators have moved, so that the model predicts little: on the mesh all iterations are made.
   again.energy_tolerance = energy_tolerance(options).value_or(0);
   again.max_iterations = std::min(max_iterations(options), kExtremityIterations);
-  LloydResult second = relax_generators(mesh, start, again);
+  LloydResult second = relax_once(mesh, start, again);
   const double more = double(count_poor_cells(second.diagram) - count_poor_cells(result.diagram));
   if (more > kLargestPoorShare * double(start.size())) return;
   second.extremities = std::move(kept);
@@ -217,6 +221,31 @@ void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult
   result = std::move(second);
 }
 
+/// A relaxation, with extremities where the options ask for them.
+LloydResult relax_with_extremities(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                   const LloydOptions& options) {
+  if (!options.keeps_extremities) return relax_once(mesh, generators, options);
+  LloydOptions part = options;
+  part.progress = part_of(options.progress, 0, kShareBefore);
+  LloydResult result = relax_once(mesh, generators, part);
+  part.progress = part_of(options.progress, kShareBefore, 1);
+  keep_extremities(mesh, part, result);
+  return result;
+}
+
+/// A relaxation on the copy, with its extremities, from the generators `start`; then a few iterations on the mesh.
+LloydResult finish_on_mesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                           const std::vector<SurfacePoint>& start, const LloydOptions& options) {
+  LloydResult on_copy = relax_with_extremities(options.copy->mesh, start, options_on_copy(mesh, options));
+  const std::vector<SurfacePoint> moved = back_on_mesh(mesh, generators, options, on_copy.generators);
+  LloydResult result = relax_on_mesh(mesh, moved, options_on_mesh(options, on_copy));
+  const bool ends_early = !options.energy_tolerance && max_iterations(options) > kFinishIterations;
+  if (ends_early && result.stop == LloydStop::max_iterations) result.stop = LloydStop::prediction;
+  result.extremities = std::move(on_copy.extremities);
+  result.copy = sum_up(*options.copy, on_copy);
+  return result;
+}
+
 }  // namespace
 
 LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
@@ -224,18 +253,11 @@ LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& 
   check_options(options);
   check_density(mesh, options.density);
   if (generators.empty()) throw Error(ErrorCode::precondition, "there are no generators to relax");
-  LloydOptions part = options;
-  if (options.keeps_extremities) part.progress = part_of(options.progress, 0, kShareBefore);
-  std::optional<LloydResult> result;
-  if (options.copy) result = relax_from_copy(mesh, generators, part);
-  if (result && !options.ends_on_copy) return std::move(*result);
-  part.ends_on_copy = false;
-  if (!result) result = relax_on_mesh(mesh, generators, part);
-  if (!options.keeps_extremities) return std::move(*result);
-  part = options;
-  part.progress = part_of(options.progress, kShareBefore, 1);
-  keep_extremities(mesh, part, *result);
-  return std::move(*result);
+  if (options.copy && !options.ends_on_copy) {
+    if (const auto start = start_on_copy(mesh, generators, options))
+      return finish_on_mesh(mesh, generators, *start, options);
+  }
+  return relax_with_extremities(mesh, generators, options);
 }
 
 }  // namespace gvd
