@@ -21,12 +21,10 @@ TEST_CASE("precision levels: accelerated exact runs begin without diagrams and e
   LloydOptions options;
   options.diagram.chord_tolerance = 1e-3;
   const auto levels = make_precision_levels(options);
-  REQUIRE(levels.size() == 3);
+  REQUIRE(levels.size() == 2);
   CHECK(levels[0].skips_diagram);
   CHECK_FALSE(levels[1].skips_diagram);
-  CHECK(levels[1].diagram.chord_tolerance > 1e-3);
-  CHECK_FALSE(levels[2].skips_diagram);
-  CHECK(levels[2].diagram.chord_tolerance == 1e-3);
+  CHECK(levels[1].diagram.chord_tolerance == 1e-3);
 }
 
 TEST_CASE("precision levels: one level for other methods, Lloyd's iteration, and on demand") {
@@ -77,23 +75,18 @@ TEST_CASE("precision levels: relaxed generators are not made worse by early iter
   }
 }
 
-TEST_CASE("state evaluator: levels follow each other, and early ones can be skipped") {
+TEST_CASE("state evaluator: the level of diagrams follows the one without") {
   const Mesh mesh = test::make_sphere(3);
   const LloydOptions options;
   const GeneratorConstraints free;
   StateEvaluator states(mesh, options, free);
   CHECK(states.is_first_level());
-  CHECK(states.is_early_level());
+  CHECK_FALSE(states.is_last_level());
   CHECK(states.precision().skips_diagram);
-  states.skip_early_levels();
-  CHECK_FALSE(states.is_first_level());
-  CHECK_FALSE(states.is_early_level());
-  CHECK_FALSE(states.is_last_level());
-  CHECK_FALSE(states.precision().skips_diagram);
-  states.skip_early_levels();
-  CHECK_FALSE(states.is_last_level());
   states.raise_level();
+  CHECK_FALSE(states.is_first_level());
   CHECK(states.is_last_level());
+  CHECK_FALSE(states.precision().skips_diagram);
 }
 
 TEST_CASE("state evaluator: without early approximation there is one level") {
@@ -104,7 +97,6 @@ TEST_CASE("state evaluator: without early approximation there is one level") {
   StateEvaluator states(mesh, options, free);
   CHECK(states.is_first_level());
   CHECK(states.is_last_level());
-  CHECK_FALSE(states.is_early_level());
 }
 
 TEST_CASE("state evaluator: diagrams are counted, and each reports the fraction that is done") {
@@ -118,7 +110,7 @@ TEST_CASE("state evaluator: diagrams are counted, and each reports the fraction 
   REQUIRE_FALSE(fractions.empty());
   CHECK(*std::min_element(fractions.begin(), fractions.end()) >= 0);
   CHECK(*std::max_element(fractions.begin(), fractions.end()) == 1);
-  states.skip_early_levels();
+  states.raise_level();
   const RelaxationState late = states.evaluate(generators, [](double) {});
   CHECK(states.diagrams() == 2);
   CHECK(early.generators == late.generators);

@@ -1,8 +1,8 @@
 // States of a relaxation: generators with their cells, the energy, and the ways to the centroids.
 //
-// Early levels of precision measure the cells without diagrams; the last one has those that the caller asked for.
-// Energies of one level are compared with each other only: between levels they differ by the errors at the bisectors.
-// A way leads to the centroid, projected to where the generator may go. Sums run in ascending order of the generators.
+// At first the cells are measured without diagrams, at last by those that the caller asked for. Energies of one level
+// are compared with each other only: between the two they differ by the errors at the bisectors. A way leads to the
+// centroid, projected to where the generator may go. Sums run in ascending order of the generators.
 //
 // At a vertex the way is the steepest one instead, because the energy has no gradient there. The directions of all
 // paths that bend at a vertex with curvature jump as the generator passes the vertex. Where a saddle has a minimum, no
@@ -87,10 +87,6 @@ bool would_rest(double total, double ahead, std::span<const PathSample> paths) {
 /// Greatest distance from a saddle vertex from which a generator goes to rest there, in mean cell radii: farther away,
 /// the paths of the generator tell too little about those from the vertex.
 constexpr double kReach = 0.1;
-
-/// Chord tolerance of the last but one level, in mean edge lengths. A diagram takes 5 to 10 % less time than with 1e-4.
-/// The energy rises with the square of the tolerance, for the true bisector is the best one.
-constexpr double kCoarseChords = 0.05;
 
 /// The radius of a disc with the mean area of the cells.
 double mean_radius(double area, std::size_t cells) { return std::sqrt(area / (std::numbers::pi * double(cells))); }
@@ -288,18 +284,12 @@ std::vector<double> cell_masses(const RelaxationState& state) {
 }
 
 std::vector<Precision> make_precision_levels(const LloydOptions& options) {
-  std::vector<Precision> levels;
-  const bool starts_without_diagrams = options.early_approximation && max_iterations(options) > 0 &&
-                                       options.acceleration != Acceleration::none &&
-                                       options.diagram.method == Method::exact;
-  if (starts_without_diagrams) {
-    levels.assign(2, {options.diagram, false});
-    levels[0].skips_diagram = true;
-    if (options.ends_on_copy) return {levels[0]};
-    levels[1].diagram.chord_tolerance = std::max(kCoarseChords, options.diagram.chord_tolerance);
-  }
-  levels.push_back({options.diagram, false});
-  return levels;
+  const Precision by_faces{options.diagram, true}, by_diagrams{options.diagram, false};
+  const bool starts_by_faces = options.early_approximation && max_iterations(options) > 0 &&
+                               options.acceleration != Acceleration::none && options.diagram.method == Method::exact;
+  if (!starts_by_faces) return {by_diagrams};
+  if (options.ends_on_copy) return {by_faces};
+  return {by_faces, by_diagrams};
 }
 
 RelaxationState StateEvaluator::evaluate(const std::vector<SurfacePoint>& generators,

@@ -130,7 +130,7 @@ std::vector<double> cell_masses(const RelaxationState& state);
 /// ends on a copy has no diagrams there.
 std::vector<Precision> make_precision_levels(const LloydOptions& options);
 
-/// Computes the states of a relaxation with the diagrams of one level of precision after the other.
+/// Computes the states of a relaxation with one level of precision after the other.
 class StateEvaluator {
  public:
   /// Begins at the first level. All arguments have to outlive this.
@@ -139,13 +139,7 @@ class StateEvaluator {
 
   bool is_first_level() const { return level_ == 0; }
   bool is_last_level() const { return level_ + 1 == levels_.size(); }
-  /// Whether more than one level follows.
-  bool is_early_level() const { return level_ + 2 < levels_.size(); }
   void raise_level() { ++level_; }
-  /// Where more than one level follows, goes to the last but one.
-  void skip_early_levels() {
-    while (is_early_level()) raise_level();
-  }
   const Precision& precision() const { return levels_[level_]; }
 
   /// The state with the cells of this level. `report` is called with the fraction of the work that is done.

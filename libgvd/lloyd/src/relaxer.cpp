@@ -2,8 +2,9 @@
 //
 // Lloyd's method (S. Lloyd, Least squares quantization in PCM, 1982) moves every generator to the centroid of its cell.
 // Accelerated steps take the way to the centroid for the gradient of the energy. A step is taken only if it lowers the
-// energy, as measured at the present level of precision, so the energies of the iterations fall. Early levels end
-// sooner; the last one has the diagrams of the options. docs/developer/lloyd.md derives what the steps compute.
+// energy, as measured at the present level of precision, so the energies of the iterations fall. At the first level,
+// which ends sooner, cells are measured without diagrams; the last one has the diagrams of the options.
+// docs/developer/lloyd.md derives what the steps compute.
 
 #include "relaxer.hpp"
 
@@ -24,9 +25,9 @@ namespace {
 /// steps. After these all steps are halved too: down to a thousandth.
 constexpr int kLloydTrials = 16, kOwnTrials = 6;
 
-/// Early levels end where iterations lower the energy by less than this fraction of it. Sampled energies are off by
-/// more, but by nearly the same from one iteration to the next. It lies between 1e-4 and 1e-5, which were tried: the
-/// last iterations with 1e-5 lower the energy of 1,000 generators by less than diagrams do.
+/// The level without diagrams ends where iterations lower the energy by less than this fraction of it. Its energies are
+/// off by more, but by nearly the same from one iteration to the next. It lies between 1e-4 and 1e-5, which were tried:
+/// the last iterations with 1e-5 lower the energy of 1,000 generators by less than diagrams do.
 constexpr double kEarlyFall = 3e-5;
 
 /// Accelerated iterations over which the mean fall of the energy decides whether to end.
@@ -35,11 +36,11 @@ constexpr int kStallWindow = 5;
 /// Iterations that the default rule looks ahead.
 constexpr int kIterationsAhead = 5;
 
-/// Where early levels have ended because little is left, exact cells may predict so many times more of it. A relaxation
-/// that goes on there costs a diagram for hardly more than the rounding of the rule.
+/// Where the first level has ended because little is left, exact cells may predict so many times more of it. A
+/// relaxation that goes on there costs a diagram for hardly more than the rounding of the rule.
 constexpr double kDoubt = 2;
 
-/// The early levels have lowered the energy beyond doubt if it is below this fraction of that at the start.
+/// The first level has lowered the energy beyond doubt if it is below this fraction of that at the start.
 constexpr double kClearFall = 0.99;
 
 /// Iterations between a relocation that failed and the next attempt.
@@ -127,10 +128,7 @@ class Relaxer {
     report_iteration(state);
     LloydResult result;
     result.stop = iterate(state);
-    if (!states_.is_last_level()) {
-      states_.skip_early_levels();
-      state = raise_level(state);
-    }
+    if (!states_.is_last_level()) state = raise_level(state);
     result.initial_energy = record_.initial_energy;
     result.iterations = std::move(record_.iterations);
     result.diagrams = states_.diagrams();
@@ -145,14 +143,13 @@ class Relaxer {
 
  private:
   /// Iterates until a rule holds at the last level, or the iterations or the time are used up. Where another rule holds
-  /// before, the next level follows, or the last one where little is left.
+  /// before, the next level follows.
   LloydStop iterate(RelaxationState& state) {
     while (true) {
       const std::optional<LloydStop> stop = advance(state);
       if (!stop) continue;
       const bool is_used_up = *stop == LloydStop::max_iterations || *stop == LloydStop::time_limit;
       if (is_used_up || states_.is_last_level()) return *stop;
-      if (*stop == LloydStop::prediction) states_.skip_early_levels();
       state = raise_level(state);
     }
   }
@@ -171,7 +168,7 @@ class Relaxer {
       if (!states_.is_last_level() || !descend(state)) return LloydStop::no_descent;
     }
     const double tolerance = energy_tolerance(options_).value_or(0);
-    const double least = std::max(states_.is_early_level() ? kEarlyFall : 0, tolerance);
+    const double least = std::max(states_.is_last_level() ? 0 : kEarlyFall, tolerance);
     const int window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
     const std::optional<double> fall = record_.sum_falls(window);
     if (fall) energy_decline_.note(*fall / (window * tolerance));
@@ -184,13 +181,13 @@ class Relaxer {
     if (energy_tolerance(options_)) return false;
     const double ahead = kIterationsAhead * std::max(proposed.prediction / state.energy, record_.largest_fall(2));
     energy_decline_.note(ahead / kSettledFall);
-    const bool has_early_levels = !states_.is_first_level();
-    return ahead < (states_.is_last_level() && has_early_levels ? kDoubt : 1) * kSettledFall;
+    const bool is_after_another = !states_.is_first_level();
+    return ahead < (is_after_another ? kDoubt : 1) * kSettledFall;
   }
 
   bool is_at_centroids(const RelaxationState& state) {
     const double limit = options_.move_tolerance * state.mean_cell_radius;
-    // Early levels end nothing: there the way to the centroids counts as twice the tolerance at least.
+    // The first level ends nothing: there the way to the centroids counts as twice the tolerance at least.
     way_decline_.note(std::max(state.residual / limit, states_.is_last_level() ? 1.0 : 2.0));
     return state.residual <= limit;
   }
@@ -198,7 +195,7 @@ class Relaxer {
   /// The same generators with better diagrams. The energy of the last iteration is measured anew.
   RelaxationState raise_level(const RelaxationState& early) {
     const bool has_moved = early.generators != start_;
-    const bool has_fallen = !states_.is_first_level() || early.energy < kClearFall * record_.initial_energy;
+    const bool has_fallen = early.energy < kClearFall * record_.initial_energy;
     states_.raise_level();
     RelaxationState state = evaluate(early.generators);
     if (has_moved && (!has_fallen || !(state.energy < record_.initial_energy))) {
