@@ -9,38 +9,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "base/union_find.hpp"
 
 namespace gvd {
 namespace {
 
-/// Sets of components, each known by its smallest one.
-class ComponentSets {
- public:
-  explicit ComponentSets(std::size_t components) : parent_(components) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  std::int32_t find(std::int32_t component) {
-    while (parent_[component] != component) component = parent_[component] = parent_[parent_[component]];
-    return component;
-  }
-  void unite(std::int32_t a, std::int32_t b) {
-    const auto [first, second] = std::minmax({find(a), find(b)});
-    parent_[second] = first;
-  }
-  std::vector<std::int32_t> list() {
-    std::vector<std::int32_t> sets;
-    for (std::size_t i = 0; i < parent_.size(); ++i) sets.push_back(find(std::int32_t(i)));
-    return sets;
-  }
-
- private:
-  std::vector<std::int32_t> parent_;
-};
-
 /// Unites the components that have equal keys, each at its neighbours in the sorted list.
 template <class Key>
-void unite_equal(std::vector<std::pair<Key, std::int32_t>> keyed, ComponentSets& sets) {
+void unite_equal(std::vector<std::pair<Key, std::int32_t>> keyed, UnionFind& sets) {
   std::sort(keyed.begin(), keyed.end());
   for (std::size_t i = 1; i < keyed.size(); ++i) {
     if (keyed[i - 1].first == keyed[i].first) sets.unite(keyed[i - 1].second, keyed[i].second);
@@ -74,11 +52,16 @@ Barriers::Barriers(const CheckedMesh& input) : component_(compute_face_component
     if (!is_copy[b]) continue;
     edges.emplace_back(std::minmax({input.input_vertex[a], input.input_vertex[b]}), component_[Mesh::face(h)]);
   }
-  ComponentSets sets(components);
+  UnionFind sets(components);
+  const auto list_sets = [&] {
+    std::vector<std::int32_t> set_of;
+    for (std::size_t i = 0; i < components; ++i) set_of.push_back(sets.find(std::int32_t(i)));
+    return set_of;
+  };
   unite_equal(std::move(edges), sets);
-  by_edges_ = sets.list();
+  by_edges_ = list_sets();
   unite_equal(std::move(points), sets);
-  by_points_ = sets.list();
+  by_points_ = list_sets();
 }
 
 Barriers::Origin Barriers::from(const std::vector<FaceId>& faces) const {
