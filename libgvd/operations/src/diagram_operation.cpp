@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "figures.hpp"
 #include "gvd/diagram_options.hpp"
 #include "gvd/diagram_parts.hpp"
 #include "weighted_diagram.hpp"
@@ -19,13 +20,12 @@ void describe(OptionList& list, SampleCall& call) {
 }
 
 void SampleOutcome::visit(ObjectVisitor& visitor) const {
-  std::vector<double> snapped;
-  for (const auto& distance : found.snap_distance) {
-    snapped.push_back(distance.value_or(std::numeric_limits<double>::quiet_NaN()));
-  }
-  visitor.figure({"count", "", "number of points"}, std::ssize(found.points));
-  visitor.figure({"merged", "", "points that were merged with earlier ones"}, std::int64_t(found.merged));
-  visitor.figure({"snap_distances", "mesh units", "from where each point was given; none for others"}, snapped);
+  const Figures figure(visitor);
+  figure("count", "", "number of points", found.points.size());
+  figure("merged", "", "points that were merged with earlier ones", found.merged);
+  figure(
+      "snap_distances", "mesh units", "from where each point was given; none for others",
+      each_of(found.snap_distance, [](const auto& d) { return d.value_or(std::numeric_limits<double>::quiet_NaN()); }));
   visitor.points({"points", "", "in the order of the list, or as they were sampled"}, found.points);
   visitor.array({"vertices", "", "of the input, that the points were given as; -1: none"}, view(found.vertex));
 }
@@ -66,7 +66,7 @@ void describe(OptionList& list, DiagramCall& call) {
 
 void DiagramOutcome::visit(ObjectVisitor& visitor) const {
   DiagramObject::visit(visitor);
-  visit_balance(visitor, balanced_ ? &*balanced_ : nullptr);
+  visit_balance(visitor, balanced_);
   visit_parted(visitor, parted_);
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "figures.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
@@ -72,24 +73,17 @@ void tell_balance(Observer& observer, const BalancedDiagram& balanced) {
   note_misses(observer, balanced);
 }
 
-void visit_balance(ObjectVisitor& visitor, const BalancedDiagram* found) {
-  const BalancedDiagram none;
-  const BalancedDiagram& balanced = found == nullptr ? none : *found;
-  const auto figure = [&](const Meaning& meaning, Figure value) {
-    visitor.figure(meaning, found == nullptr ? Figure() : std::move(value));
-  };
-  std::vector<std::vector<std::int64_t>> tied;
-  for (const auto& set : balanced.tied) {
-    tied.emplace_back();
-    for (const GeneratorId g : set) tied.back().push_back(g.value());
-  }
-  figure({"balance.converged", "", "whether every cell has its share"}, balanced.converged);
-  figure({"balance.variation", "", "root mean square of mass / target - 1"}, balanced.variation);
-  figure({"balance.largest_error", "", "largest of |mass / target - 1|"}, largest_error(balanced));
-  figure({"balance.diagrams", "", "that were computed"}, std::int64_t(balanced.diagrams));
-  figure({"balance.tied", "", "sets of cells that have their shares together, but not each"}, std::move(tied));
-  figure({"balance.masses", "square mesh units for areas", "of the cells"}, balanced.masses);
-  figure({"balance.targets", "as masses", "the shares of the cells"}, balanced.targets);
+void visit_balance(ObjectVisitor& visitor, const std::optional<BalancedDiagram>& found) {
+  const Figures figure(visitor, "balance", found.has_value());
+  const BalancedDiagram& balanced = or_none(found);
+  figure("converged", "", "whether every cell has its share", balanced.converged);
+  figure("variation", "", "root mean square of mass / target - 1", balanced.variation);
+  figure("largest_error", "", "largest of |mass / target - 1|", largest_error(balanced));
+  figure("diagrams", "", "that were computed", balanced.diagrams);
+  figure("tied", "", "sets of cells that have their shares together, but not each",
+         each_of(balanced.tied, [](const auto& set) { return each_of(set); }));
+  figure("masses", "square mesh units for areas", "of the cells", balanced.masses);
+  figure("targets", "as masses", "the shares of the cells", balanced.targets);
 }
 
 void tell_diagram(Observer& observer, const Diagram& diagram) {

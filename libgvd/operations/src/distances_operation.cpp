@@ -79,7 +79,7 @@ GeneratorId source_at(const DistancesOutcome& made, GeneratorId place) {
 NearestSources find_nearest_of_vertices(const DistancesOutcome& made, const ExactField& field) {
   NearestSources found(std::size_t(made.input->mesh.vertex_count()));
   for (const VertexId v : made.surface().vertices()) {
-    found.take(made.measured->input_vertex(v).index(), field.distance(v), source_at(made, field.label(v)));
+    found.take(made.parted.input_vertex(v).index(), field.distance(v), source_at(made, field.label(v)));
   }
   return found;
 }
@@ -144,7 +144,7 @@ void keep_least_of_vertices(const DistancesCall& call, const DistancesOutcome& m
                             std::vector<double>& of_vertices, std::span<double> row) {
   of_vertices.assign(std::size_t(made.input->mesh.vertex_count()), kInfinity);
   for (const VertexId v : made.surface().vertices()) {
-    double& least = of_vertices[made.measured->input_vertex(v).index()];
+    double& least = of_vertices[made.parted.input_vertex(v).index()];
     least = std::min(least, found[v.index()]);
   }
   if (call.mesh_vertices) {
@@ -267,7 +267,7 @@ std::vector<std::array<double, 2>> find_logarithms(Observer& observer, const Dis
   const Mesh& input = made.input->mesh;
   std::vector<std::optional<VertexId>> place(std::size_t(input.vertex_count()));  // the nearest copy of each vertex
   for (const VertexId v : made.surface().vertices()) {
-    std::optional<VertexId>& nearest = place[made.measured->input_vertex(v).index()];
+    std::optional<VertexId>& nearest = place[made.parted.input_vertex(v).index()];
     if (!nearest || made.field->distance(v) < made.field->distance(*nearest)) nearest = v;
   }
   return ParallelChunks(observer.threads, progress_of(observer))
@@ -431,9 +431,13 @@ std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall&
     table.targets = std::move(targets.points);
     table.target_vertices = std::move(targets.vertex);
   }
-  made->measured = std::make_shared<MeasuredSurface>(*input, call.regions, observer);
-  made->sources = made->measured->place(table.sources);
-  made->targets = made->measured->place(table.targets);
+  PartedMesh& parted = made->parted = find_parted(*input, call.regions, observer);
+  separate(input->mesh, parted, observer);
+  if (parted.is_parted()) {
+    observer.note("inside " + counted(parted.count_regions(), "region", "regions") + describe_left_out(parted));
+  }
+  made->sources = place_points(input->mesh, parted, table.sources);
+  made->targets = place_points(input->mesh, parted, table.targets);
   check_sources(*made);
   call.each ? measure_each(call, observer, *made) : measure_nearest(call, observer, *made);
   made->polylines = make_curves(input->mesh, table);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
-#include <span>
 #include <utility>
 
+#include "figures.hpp"
 #include "gvd/distances_operation.hpp"
 #include "gvd/text.hpp"
 
@@ -13,35 +13,31 @@ namespace gvd {
 namespace {
 
 Table list_targets(const Mesh& mesh, const DistanceTable& table) {
-  std::vector<std::int64_t> vertices, faces, sources;
   std::vector<std::vector<double>> bary, positions, distances;
+  std::vector<std::int64_t> vertices;
   for (std::size_t i = 0; i < table.targets.size(); ++i) {
     const SurfacePoint& point = table.targets[i];
     const Vec3 p = position(mesh, point);
     vertices.push_back(table.target_vertex(i));
-    faces.push_back(point.face.value());
     bary.emplace_back(point.bary.begin(), point.bary.end());
     positions.push_back({p.x(), p.y(), p.z()});
-    distances.emplace_back();
-    for (const std::span<const double> row : table.rows.each()) distances.back().push_back(row[i]);
-    if (!table.nearest.empty()) sources.push_back(table.nearest[i].value());
+    distances.push_back(each_of(table.rows.each(), [i](const auto& row) { return row[i]; }));
   }
-  return {{"vertex", vertices},    {"face", faces},          {"bary", bary},
-          {"position", positions}, {"distances", distances}, {"source", sources}};
+  return {{"vertex", vertices},
+          {"face", each_of(table.targets, &SurfacePoint::face)},
+          {"bary", bary},
+          {"position", positions},
+          {"distances", distances},
+          {"source", table.targets.empty() ? std::vector<std::int64_t>() : each_of(table.nearest)}};
 }
 
-Table list_paths(const DistanceTable& table) {
-  std::vector<std::int64_t> sources, targets, points;
-  std::vector<double> lengths;
-  std::vector<bool> complete;
-  for (const auto& [target, source, path, positions] : table.paths) {
-    sources.push_back(source.value());
-    targets.push_back(target);
-    lengths.push_back(path.length);
-    points.push_back(std::ssize(path.points));
-    complete.push_back(path.complete);
-  }
-  return {{"source", sources}, {"target", targets}, {"length", lengths}, {"points", points}, {"complete", complete}};
+Table list_paths(const std::vector<TargetPath>& paths) {
+  const auto each = [&](auto part) { return each_of(paths, [part](const TargetPath& one) { return part(one.path); }); };
+  return {{"source", each_of(paths, &TargetPath::source)},
+          {"target", each_of(paths, &TargetPath::target)},
+          {"length", each([](const GeodesicPath& path) { return path.length; })},
+          {"points", each([](const GeodesicPath& path) { return path.points.size(); })},
+          {"complete", each([](const GeodesicPath& path) { return path.complete; })}};
 }
 
 double length_of(const Mesh& mesh, const Isoline& line) {
@@ -77,28 +73,20 @@ double largest_of(const DistanceTable& table) {
   return largest;
 }
 
-std::vector<std::int64_t> source_vertices(const DistanceTable& table) {
-  std::vector<std::int64_t> vertices;
-  for (std::size_t i = 0; i < table.sources.size(); ++i) vertices.push_back(table.source_vertex(GeneratorId(i)));
-  return vertices;
-}
-
 }  // namespace
 
 void DistancesOutcome::visit(ObjectVisitor& visitor) const {
   const Mesh& mesh = input->mesh;
-  const bool is_parted = measured && measured->is_parted();
-  visitor.figure({"within.regions", "", "that paths keep to"}, is_parted ? Figure(measured->regions()) : Figure());
-  visitor.figure({"within.left_out_faces", "", "in no region"},
-                 is_parted ? Figure(measured->left_out_faces()) : Figure());
-  visitor.figure({"sources", "", "number of sources"}, std::ssize(table.sources));
-  visitor.figure({"source_vertices", "", "that they were given as, by the input's numbers; -1: none"},
-                 source_vertices(table));
-  visitor.figure({"distances", "", "number of distances"}, std::ssize(table.rows.values()));
-  visitor.figure({"unreached", "", "distances that are infinite"}, unreached);
-  visitor.figure({"largest", "mesh units", "largest finite distance"}, largest_of(table));
+  const Figures figure(visitor);
+  visit_regions(visitor, parted, "that paths keep to");
+  figure("sources", "", "number of sources", table.sources.size());
+  figure("source_vertices", "", "that they were given as, by the input's numbers; -1: none",
+         each_of(IdRange<GeneratorId>(table.sources.size()), [&](GeneratorId g) { return table.source_vertex(g); }));
+  figure("distances", "", "number of distances", table.rows.values().size());
+  figure("unreached", "", "distances that are infinite", unreached);
+  figure("largest", "mesh units", "largest finite distance", largest_of(table));
   visitor.table({"targets", "", "points to measure to"}, list_targets(mesh, table));
-  visitor.table({"paths", "", "shortest paths"}, list_paths(table));
+  visitor.table({"paths", "", "shortest paths"}, list_paths(table.paths));
   visitor.table({"isolines", "", "curves of each level"}, list_isolines(mesh, table.isolines));
 
   const auto columns = std::int64_t(table.rows.points());
@@ -120,16 +108,12 @@ void DistancesOutcome::visit(ObjectVisitor& visitor) const {
                  "of each vertex, in the tangent plane at the source: direction and length of the shortest path; not a "
                  "number where none leads"},
                 view(logarithms));
-  const auto& paths = table.paths;
   visitor.curves({"path", "", "the points of each path, from its target on"},
-                 {std::ssize(paths), [&paths](std::int64_t i) {
-                    return std::span<const SurfacePoint>(paths[std::size_t(i)].path.points);
-                  }});
+                 lists_of(
+                     table.paths, [](const TargetPath& one) -> const auto& { return one.path.points; }));
   const auto& isolines = table.isolines;
   visitor.curves({"isoline", "", "the points of each isoline; the first one of a closed one is not repeated"},
-                 {std::ssize(isolines), [&isolines](std::int64_t i) {
-                    return std::span<const SurfacePoint>(isolines[std::size_t(i)].points);
-                  }});
+                 lists_of(isolines, &Isoline::points));
   visitor.array({"isoline_levels", "mesh units", "the distance of each isoline"}, view(isolines, &Isoline::level));
   visitor.array({"isoline_closed", "", "1 for a loop"}, view(isolines, &Isoline::closed));
 }

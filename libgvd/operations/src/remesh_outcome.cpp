@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "figures.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/remesh_operation.hpp"
@@ -22,63 +23,47 @@
 namespace gvd {
 namespace {
 
-/// Gives figures whose names begin with the same words.
-class FigureGroup {
- public:
-  FigureGroup(ObjectVisitor& visitor, std::string name) : visitor_(visitor), name_(std::move(name)) {}
-  FigureGroup inside(const std::string& name) const { return {visitor_, name_ + '.' + name}; }
-  void figure(const char* name, const char* unit, const char* text, const Figure& value) const {
-    const std::string whole = name_ + '.' + name;
-    visitor_.figure({whole, unit, text}, value);
-  }
-
- private:
-  ObjectVisitor& visitor_;
-  std::string name_;
-};
-
-void visit(const FigureGroup& group, const TriangleQuality& q) {
-  group.figure("q_min", "", "least Q of a triangle: 1 for an equilateral one", q.q_min);
-  group.figure("q_average", "", "mean Q", q.q_average);
-  group.figure("angle_min", "degrees", "least angle", q.angle_min);
-  group.figure("angle_min_average", "degrees", "mean of the triangles' least angles", q.angle_min_average);
-  group.figure("percent_below_30", "percent", "of the triangles have an angle below 30 degrees", q.percent_below_30);
+void tell(const Figures& figure, const TriangleQuality& q) {
+  figure("q_min", "", "least Q of a triangle: 1 for an equilateral one", q.q_min);
+  figure("q_average", "", "mean Q", q.q_average);
+  figure("angle_min", "degrees", "least angle", q.angle_min);
+  figure("angle_min_average", "degrees", "mean of the triangles' least angles", q.angle_min_average);
+  figure("percent_below_30", "percent", "of the triangles have an angle below 30 degrees", q.percent_below_30);
 }
 
-void visit(const FigureGroup& group, const Valences& v) {
-  group.figure("least", "", "edges at a vertex", std::int64_t(v.least));
-  group.figure("largest", "", "edges at a vertex", std::int64_t(v.largest));
-  group.figure("percent_regular", "percent", "of the vertices have six edges, or four on the boundary",
-               v.percent_regular);
+void tell(const Figures& figure, const Valences& v) {
+  figure("least", "", "edges at a vertex", v.least);
+  figure("largest", "", "edges at a vertex", v.largest);
+  figure("percent_regular", "percent", "of the vertices have six edges, or four on the boundary", v.percent_regular);
 }
 
-void visit(const FigureGroup& group, const RemeshCertificate& c) {
-  group.figure("manifold", "", "whether the remesh is", c.manifold);
-  group.figure("closed_as_input", "", "whether it is closed where the input is", c.closed_as_input);
-  group.figure("same_euler_characteristic", "", "as the input has", c.same_euler_characteristic);
-  group.figure("same_components", "", "as the input has", c.same_components);
-  group.figure("same_boundary_loops", "", "as the input has", c.same_boundary_loops);
-  group.figure("same_in_each_component", "", "whether this holds for each component", c.same_in_each_component);
-  group.figure("flipped_faces", "", "number of flipped triangles", std::int64_t(c.flipped_faces));
-  group.figure("unused_generators", "", "without a triangle", std::int64_t(c.unused_generators));
-  group.figure("self_intersections", "", "pairs of triangles that intersect", std::ssize(c.self_intersections));
-  group.figure("inherited_intersections", "", "pairs that do so where the input does", c.inherited_intersections);
-  group.figure("intersections_allowed", "", "whether others are accepted", c.intersections_allowed);
+void tell(const Figures& figure, const RemeshCertificate& c) {
+  figure("manifold", "", "whether the remesh is", c.manifold);
+  figure("closed_as_input", "", "whether it is closed where the input is", c.closed_as_input);
+  figure("same_euler_characteristic", "", "as the input has", c.same_euler_characteristic);
+  figure("same_components", "", "as the input has", c.same_components);
+  figure("same_boundary_loops", "", "as the input has", c.same_boundary_loops);
+  figure("same_in_each_component", "", "whether this holds for each component", c.same_in_each_component);
+  figure("flipped_faces", "", "number of flipped triangles", c.flipped_faces);
+  figure("unused_generators", "", "without a triangle", c.unused_generators);
+  figure("self_intersections", "", "pairs of triangles that intersect", std::ssize(c.self_intersections));
+  figure("inherited_intersections", "", "pairs that do so where the input does", c.inherited_intersections);
+  figure("intersections_allowed", "", "whether others are accepted", c.intersections_allowed);
 }
 
-void visit(const FigureGroup& group, const SurfaceDistance& d) {
-  group.figure("hausdorff", "mesh units", "largest distance that was measured", d.hausdorff);
-  group.figure("hausdorff_bound", "mesh units", "no distance is larger", d.hausdorff_bound);
-  group.figure("rms", "mesh units", "root mean square distance", d.rms);
+void tell(const Figures& figure, const SurfaceDistance& d) {
+  figure("hausdorff", "mesh units", "largest distance that was measured", d.hausdorff);
+  figure("hausdorff_bound", "mesh units", "no distance is larger", d.hausdorff_bound);
+  figure("rms", "mesh units", "root mean square distance", d.rms);
 }
 
-void visit(const FigureGroup& group, const MeshSummary& mesh) {
-  group.figure("vertices", "", "number of vertices", std::int64_t(mesh.vertices));
-  group.figure("faces", "", "number of triangles", std::int64_t(mesh.faces));
-  group.figure("components", "", "connected parts", std::int64_t(mesh.components));
-  group.figure("boundary_loops", "", "loops of boundary edges", std::int64_t(mesh.boundary_loops));
-  group.figure("euler_characteristic", "", "vertices - edges + faces", std::int64_t(mesh.euler_characteristic));
-  group.figure("area", "square mesh units", "of all faces", mesh.area);
+void tell(const Figures& figure, const MeshSummary& mesh) {
+  figure("vertices", "", "number of vertices", mesh.vertices);
+  figure("faces", "", "number of triangles", mesh.faces);
+  figure("components", "", "connected parts", mesh.components);
+  figure("boundary_loops", "", "loops of boundary edges", mesh.boundary_loops);
+  figure("euler_characteristic", "", "vertices - edges + faces", mesh.euler_characteristic);
+  figure("area", "square mesh units", "of all faces", mesh.area);
 }
 
 /// Words for one defect of a property and for several, in the order of the properties.
@@ -207,15 +192,11 @@ void describe_distance(const RemeshResult& result, std::vector<std::string>& lin
                               100 * std::max(there.rms, back.rms) / diagonal));
 }
 
-void visit_relaxation(ObjectVisitor& visitor, const SurfaceRemesh& made) {
-  const FigureGroup group(visitor, "relaxation");
-  const LloydResult none;
-  const LloydResult& relaxed = made.relaxation ? *made.relaxation : none;
-  const auto figure = [&](const char* name, const char* unit, const char* text, Figure value) {
-    group.figure(name, unit, text, made.relaxation ? std::move(value) : Figure());
-  };
+void tell_relaxation(ObjectVisitor& visitor, const SurfaceRemesh& made) {
+  const Figures figure(visitor, "relaxation", made.relaxation.has_value());
+  const LloydResult& relaxed = or_none(made.relaxation);
   figure("iterations", "", "that moved the generators", std::ssize(relaxed.iterations));
-  figure("stop", "", "why they ended", std::string(name_in(kLloydStopNames, relaxed.stop)));
+  figure("stop", "", "why they ended", name_in(kLloydStopNames, relaxed.stop));
   figure("initial_energy", "mesh units to the fourth", "before them", relaxed.initial_energy);
   figure("final_energy", "mesh units to the fourth", "after them", relaxed.final_energy);
   figure("extremities", "", "generators that went to ends of limbs", std::ssize(relaxed.extremities));
@@ -223,26 +204,7 @@ void visit_relaxation(ObjectVisitor& visitor, const SurfaceRemesh& made) {
   visit_copy(visitor, relaxed.copy, "relaxation.coarse");
 }
 
-void visit_search(ObjectVisitor& visitor, const RemeshOutcome& outcome) {
-  visitor.figure({"search.hausdorff", "mesh units", "the distance that was asked for"},
-                 outcome.search ? Figure(outcome.search_distance) : Figure());
-  std::vector<std::int64_t> counts;
-  std::vector<double> errors;
-  for (const CountTrial& trial : outcome.search ? outcome.search->trials : std::vector<CountTrial>()) {
-    counts.push_back(trial.count);
-    errors.push_back(trial.error);
-  }
-  visitor.table({"search.trials", "", "numbers of generators that were tried"},
-                {{"n", std::move(counts)}, {"hausdorff", std::move(errors)}});
-}
-
-void visit_map(ObjectVisitor& visitor, const RemeshMap* found) {
-  const FigureGroup group(visitor, "map");
-  const RemeshMap none;
-  const RemeshMap& map = found == nullptr ? none : *found;
-  const auto figure = [&](const char* name, const char* unit, const char* text, Figure value) {
-    group.figure(name, unit, text, found == nullptr ? Figure() : std::move(value));
-  };
+void tell_map(const Figures& figure, const RemeshMap& map) {
   figure("one_to_one", "", "whether the map is", map.one_to_one);
   figure("obstacle", "", "what is in the way", map.one_to_one ? Figure() : Figure(map.obstacle));
   figure("kept_faces", "", "of the input, whose image is oriented as the remesh", map.kept_faces);
@@ -255,39 +217,42 @@ void visit_map(ObjectVisitor& visitor, const RemeshMap* found) {
 }  // namespace
 
 void RemeshOutcome::visit(ObjectVisitor& visitor) const {
-  const auto group = [&](const char* name) { return FigureGroup(visitor, name); };
-  visit_relaxation(visitor, *made);
+  const auto group = [&](const char* name) { return Figures(visitor, name); };
+  const Figures figure(visitor), creases = group("creases"), distance = group("distance");
   const RemeshResult& result = made->result;
-  visitor.figure({"added_generators", "", "beside the given ones"}, result.added);
-  visitor.figure({"left_out_generators", "", "of the given ones"}, result.left_out);
-  visitor.figure({"rounds", "", "diagrams, before a search for fewer generators"}, std::int64_t(result.rounds));
-  visitor.figure({"search_cut_short", "", "whether fewer generators may do"}, result.search_cut_short);
-  visitor.figure({"slivers", "", "triangles that are nearly flat lines"}, std::ssize(result.slivers));
-  group("creases").figure("length", "mesh units", "of creases and boundary to follow", result.crease_length);
-  group("creases").figure("followed", "mesh units", "that edges follow",
-                          result.crease_length - result.crease_gap_length);
-  group("creases").figure("added_generators", "", "on them", result.added_on_creases);
-  gvd::visit(group("output"), result.certificate.output);
-  gvd::visit(group("certificate"), result.certificate);
-  gvd::visit(group("quality.input"), result.input_quality);
-  gvd::visit(group("quality.output"), result.output_quality);
-  gvd::visit(group("valences.input"), compute_valences(input->mesh));
-  gvd::visit(group("valences.output"), compute_valences(result.mesh));
+  tell_relaxation(visitor, *made);
+  figure("added_generators", "", "beside the given ones", result.added);
+  figure("left_out_generators", "", "of the given ones", result.left_out);
+  figure("rounds", "", "diagrams, before a search for fewer generators", result.rounds);
+  figure("search_cut_short", "", "whether fewer generators may do", result.search_cut_short);
+  figure("slivers", "", "triangles that are nearly flat lines", std::ssize(result.slivers));
+  creases("length", "mesh units", "of creases and boundary to follow", result.crease_length);
+  creases("followed", "mesh units", "that edges follow", result.crease_length - result.crease_gap_length);
+  creases("added_generators", "", "on them", result.added_on_creases);
+  tell(group("output"), result.certificate.output);
+  tell(group("certificate"), result.certificate);
+  tell(group("quality.input"), result.input_quality);
+  tell(group("quality.output"), result.output_quality);
+  tell(group("valences.input"), compute_valences(input->mesh));
+  tell(group("valences.output"), compute_valences(result.mesh));
+  tell(group("distance.input_to_output"), result.input_to_output);
+  tell(group("distance.output_to_input"), result.output_to_input);
   const Nearness nearness = nearness_of(result);
-  gvd::visit(group("distance.input_to_output"), result.input_to_output);
-  gvd::visit(group("distance.output_to_input"), result.output_to_input);
-  group("distance").figure("vertex_spacing", "mesh units", "of as many even vertices", nearness.spacing);
-  group("distance").figure("is_far", "", "whether a part of the input has too few vertices", nearness.is_far());
-  visit_search(visitor, *this);
-  visit_map(visitor, map ? &*map : nullptr);
+  distance("vertex_spacing", "mesh units", "of as many even vertices", nearness.spacing);
+  distance("is_far", "", "whether a part of the input has too few vertices", nearness.is_far());
+  figure("search.hausdorff", "mesh units", "the distance that was asked for",
+         search ? Figure(search_distance) : Figure());
+  const std::vector<CountTrial>& trials = or_none(search).trials;
+  visitor.table({"search.trials", "", "numbers of generators that were tried"},
+                {{"n", each_of(trials, &CountTrial::count)}, {"hausdorff", each_of(trials, &CountTrial::error)}});
+  tell_map(Figures(visitor, "map", map.has_value()), or_none(map));
 
   visitor.points({"generators", "", "of each vertex of the remesh, on the input"}, result.generators);
   visitor.points({"face_points", "", "the branch point of each face, on the input"}, result.face_points);
-  static const std::vector<SurfacePoint> kNone;
   visitor.points({"map_points", "", "of each vertex of the input, on the remesh; empty without map"},
-                 map ? map->points.raw() : kNone);
+                 or_none(map).points.raw());
   visitor.points({"map_origins", "", "of each vertex of the remesh, on the input; empty without map"},
-                 map ? map->origins.raw() : kNone);
+                 or_none(map).origins.raw());
   visitor.part({"mesh", "", "the coarse mesh"}, "mesh", [this]() -> std::shared_ptr<const Object> {
     auto coarse = std::make_shared<CheckedMesh>(as_input(made->result.mesh));
     coarse->appearance = appearance;

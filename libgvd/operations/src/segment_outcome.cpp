@@ -1,10 +1,9 @@
 // What a segmentation consists of: figures, tables of its regions and charts, arrays, and what files hold of it.
 
-#include <algorithm>
-#include <array>
 #include <ostream>
 #include <utility>
 
+#include "figures.hpp"
 #include "gvd/diagram_parts.hpp"
 #include "gvd/io/label_color.hpp"
 #include "gvd/segment_operation.hpp"
@@ -13,85 +12,61 @@ namespace gvd {
 namespace {
 
 /// The figures of whole faces.
-void visit_whole(ObjectVisitor& visitor, const SegmentOutcome& made) {
-  const auto figure = [&](const Meaning& meaning, Figure value) {
-    visitor.figure(meaning, made.whole ? std::move(value) : Figure());
-  };
-  const Segmentation none;
-  const Segmentation& whole = made.whole ? *made.whole : none;
-  std::vector<std::int64_t> without;
-  for (const GeneratorId g : whole.without_face) without.push_back(g.value());
-  figure({"generators_without_face", "", "whose cells lie inside faces of others"}, without);
-  figure({"moved_faces", "", "labelled with a cell that has not the largest share, to connect regions"},
-         std::int64_t(whole.moved_faces));
-  figure({"given_faces", "", "given to generators that would own none"}, std::int64_t(whole.given_faces));
-  figure({"smoothed_faces", "", "with another label than the nearest one has"}, std::int64_t(whole.smoothed_faces));
-  figure({"border_length", "mesh units", "of the edges between regions"}, made.border_length);
+void tell_whole(const Figures& figure, const SegmentOutcome& made) {
+  const Segmentation& whole = or_none(made.whole);
+  figure("generators_without_face", "", "whose cells lie inside faces of others", each_of(whole.without_face));
+  figure("moved_faces", "", "labelled with a cell that has not the largest share, to connect regions",
+         whole.moved_faces);
+  figure("given_faces", "", "given to generators that would own none", whole.given_faces);
+  figure("smoothed_faces", "", "with another label than the nearest one has", whole.smoothed_faces);
+  figure("border_length", "mesh units", "of the edges between regions", made.border_length);
   const double bisectors = made.diagram->length;
-  figure({"border_ratio", "", "that length by that of the bisectors"},
+  figure("border_ratio", "", "that length by that of the bisectors",
          bisectors > 0 ? Figure(made.border_length / bisectors) : Figure());
 }
 
 Table list_regions(const SegmentOutcome& made) {
-  std::vector<std::int64_t> labels, faces;
-  std::vector<double> areas;
   const std::vector<SurfacePoint>& generators = made.diagram->generators;
   const Mesh& mesh = made.cut ? made.cut->mesh : made.input->mesh;
   const IdVector<GeneratorId, RegionSize> sizes = measure_regions(mesh, made.face_labels(), generators.size());
-  for (const GeneratorId g : sizes.ids()) {
-    labels.push_back(g.value());
-    faces.push_back(sizes[g].faces);
-    areas.push_back(sizes[g].area);
-  }
-  Table table{{"label", labels}};
+  Table table{{"label", each_of(sizes.ids())}};
   for (const FaceNumbers& numbers : made.parted.numbers) {
-    std::vector<std::int64_t> values;
-    for (const SurfacePoint& point : generators) values.push_back(numbers.values[point.face]);
-    table.push_back({numbers.name, std::move(values)});
+    table.push_back({numbers.name, each_of(generators, [&](const auto& point) { return numbers.values[point.face]; })});
   }
-  table.push_back({"faces", std::move(faces)});
-  table.push_back({"area", std::move(areas)});
+  table.push_back({"faces", each_of(sizes, &RegionSize::faces)});
+  table.push_back({"area", each_of(sizes, &RegionSize::area)});
   return table;
 }
 
-Table list_charts(const Charts& charts, ChartMap map) {
-  std::vector<std::int64_t> labels, faces;
-  std::vector<double> areas, flipped, torn, stretch;
-  std::vector<std::vector<double>> boxes, origins;
-  for (const Chart& chart : charts.charts) {
-    const auto share = [&](double part) { return chart.area > 0 ? part / chart.area : 0; };
-    const auto& [least, most] = std::pair(chart.box.min(), chart.box.max());
-    labels.push_back(chart.generator.value());
-    faces.push_back(chart.faces);
-    areas.push_back(chart.area);
-    flipped.push_back(share(chart.flipped_area));
-    stretch.push_back(chart.stretch);
-    boxes.push_back(chart.box.isEmpty() ? std::vector<double>()
-                                        : std::vector<double>{least.x(), least.y(), most.x(), most.y()});
-    torn.push_back(share(chart.torn_area));
-    origins.push_back({chart.origin.x(), chart.origin.y()});
-  }
-  Table table{{"label", labels},          {"faces", faces},     {"area", areas},
-              {"flipped_share", flipped}, {"stretch", stretch}, {"box", boxes}};
-  if (map == ChartMap::flat) return table;
-  table.push_back({"torn_share", torn});
-  table.push_back({"origin", origins});
-  return table;
+std::vector<double> box_of(const Chart& chart) {
+  if (chart.box.isEmpty()) return {};
+  return {chart.box.min().x(), chart.box.min().y(), chart.box.max().x(), chart.box.max().y()};
 }
 
-void visit_charts(ObjectVisitor& visitor, const SegmentOutcome& made) {
-  const Charts none;
-  const Charts& charts = made.charts ? *made.charts : none;
-  const auto figure = [&](const Meaning& meaning, double value) {
-    visitor.figure(meaning, made.charts ? Figure(value) : Figure());
+Table list_charts(const std::vector<Chart>& charts, ChartMap map) {
+  const auto share_of = [&](double Chart::*part) {
+    return each_of(charts, [part](const Chart& chart) { return chart.area > 0 ? chart.*part / chart.area : 0; });
   };
-  figure({"charts.scale", "texture units per mesh unit", "of all charts"}, charts.scale);
-  figure({"charts.covered_share", "", "of the texture"}, charts.covered);
-  figure({"charts.flipped_share", "", "of the area: faces that are flipped"}, charts.share(&Chart::flipped_area));
-  figure({"charts.torn_share", "", "of the area: faces that are torn off"}, charts.share(&Chart::torn_area));
-  figure({"charts.unplaced_share", "", "of the area: faces without texture coordinates"},
-         charts.share(&Chart::unplaced_area));
-  visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts, made.chart_map));
+  Table table{{"label", each_of(charts, &Chart::generator)}, {"faces", each_of(charts, &Chart::faces)},
+              {"area", each_of(charts, &Chart::area)},       {"flipped_share", share_of(&Chart::flipped_area)},
+              {"stretch", each_of(charts, &Chart::stretch)}, {"box", each_of(charts, box_of)}};
+  if (map == ChartMap::flat) return table;
+  table.push_back({"torn_share", share_of(&Chart::torn_area)});
+  table.push_back({"origin", each_of(charts, [](const Chart& chart) {
+                     return std::vector<double>{chart.origin.x(), chart.origin.y()};
+                   })});
+  return table;
+}
+
+void tell_charts(ObjectVisitor& visitor, const SegmentOutcome& made) {
+  const Figures figure(visitor, "charts", made.charts.has_value());
+  const Charts& charts = or_none(made.charts);
+  figure("scale", "texture units per mesh unit", "of all charts", charts.scale);
+  figure("covered_share", "", "of the texture", charts.covered);
+  figure("flipped_share", "", "of the area: faces that are flipped", charts.share(&Chart::flipped_area));
+  figure("torn_share", "", "of the area: faces that are torn off", charts.share(&Chart::torn_area));
+  figure("unplaced_share", "", "of the area: faces without texture coordinates", charts.share(&Chart::unplaced_area));
+  visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts.charts, made.chart_map));
 }
 
 /// Colours in sRGB, 0 to 255.
@@ -153,20 +128,19 @@ OwnWriters SegmentOutcome::own_writers() const {
 void SegmentOutcome::visit(ObjectVisitor& visitor) const {
   const Mesh& mesh = cut ? cut->mesh : input->mesh;
   visit_parted(visitor, parted);
-  visit_balance(visitor, balanced ? &*balanced : nullptr);
-  visitor.figure({"weights", "mesh units", "of the generators, where there are any"},
-                 diagram->weights.empty() ? Figure() : Figure(diagram->weights));
-  const auto disc = [&](std::int64_t Discs::*value) { return discs ? Figure((*discs).*value) : Figure(); };
-  visitor.figure({"disc.added", "", "generators, so that every cell is a disc"}, disc(&Discs::added));
-  visitor.figure({"disc.rounds", "", "diagrams to which generators were added"}, disc(&Discs::rounds));
-  visitor.figure({"disc.search_cut_short", "", "whether fewer may do"},
-                 discs ? Figure(discs->search_cut_short) : Figure());
-  visitor.figure({"uncut_faces", "", "that could not be cut"}, cut ? Figure(std::int64_t(cut->uncut_faces)) : Figure());
-  visit_whole(visitor, *this);
-  visitor.figure({"faces", "", "of the labelled mesh"}, std::int64_t(mesh.face_count()));
-  visitor.figure({"unreached_faces", "", "that no generator reaches"}, unreached_faces);
+  visit_balance(visitor, balanced);
+  const Figures figure(visitor), disc(visitor, "disc", discs.has_value());
+  figure("weights", "mesh units", "of the generators, where there are any",
+         diagram->weights.empty() ? Figure() : Figure(diagram->weights));
+  disc("added", "", "generators, so that every cell is a disc", or_none(discs).added);
+  disc("rounds", "", "diagrams to which generators were added", or_none(discs).rounds);
+  disc("search_cut_short", "", "whether fewer may do", or_none(discs).search_cut_short);
+  figure("uncut_faces", "", "that could not be cut", cut ? Figure(plain(cut->uncut_faces)) : Figure());
+  tell_whole(Figures(visitor, "", whole.has_value()), *this);
+  figure("faces", "", "of the labelled mesh", mesh.face_count());
+  figure("unreached_faces", "", "that no generator reaches", unreached_faces);
   visitor.table({"regions", "", "faces and area of each label"}, list_regions(*this));
-  visit_charts(visitor, *this);
+  tell_charts(visitor, *this);
 
   visitor.points({"generators", "", "by their labels"}, diagram->generators);
   visitor.array({"face_labels", "", "the region of each face, or of each piece; -1: none"}, view(face_labels()));

@@ -5,7 +5,7 @@
 namespace gvd {
 
 std::string UnreachedPoints::inside() const {
-  if (!surface_.is_parted()) return "beyond \1max_distance\2";
+  if (!parted_.is_parted()) return "beyond \1max_distance\2";
   return has_limit_ ? "in another region, in another part of its region, or beyond \1max_distance\2"
                     : "in another region, or in another part of its region";
 }
@@ -19,7 +19,7 @@ void UnreachedPoints::find_faces() {
   }
   IdVector<VertexId, char> is_measured(input_.mesh.vertex_count(), 0);
   for (const FaceId f : input_.mesh.faces()) {
-    if (surface_.is_left_out(f)) continue;
+    if (parted_.is_left_out(f)) continue;
     for (const VertexId v : input_.mesh.vertices(f)) is_measured[v] = 1;
   }
   for (const VertexId v : input_.mesh_vertex) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "gvd/balance.hpp"
 #include "gvd/diagram.hpp"
@@ -19,7 +20,7 @@ Diagram compute_in_steps(Observer& observer, DiagramOptions options, const Diagr
 void tell_balance(Observer& observer, const BalancedDiagram& balanced);
 
 /// The same as figures, which are empty without a diagram.
-void visit_balance(ObjectVisitor& visitor, const BalancedDiagram* balanced);
+void visit_balance(ObjectVisitor& visitor, const std::optional<BalancedDiagram>& balanced);
 
 /// Notes the numbers of cells, branch points and bisectors, and what is wrong with them.
 void tell_diagram(Observer& observer, const Diagram& diagram);

@@ -8,7 +8,6 @@
 #include "gvd/barriers.hpp"
 #include "gvd/distances_operation.hpp"
 #include "gvd/io/distance_writer.hpp"
-#include "gvd/measured_surface.hpp"
 
 namespace gvd {
 
@@ -17,7 +16,7 @@ class UnreachedPoints {
  public:
   /// The distances must outlive this.
   explicit UnreachedPoints(const DistancesOutcome& of)
-      : input_(*of.input), surface_(*of.measured), table_(of.table), targets_(of.targets), has_limit_(of.has_limit) {}
+      : input_(*of.input), parted_(of.parted), table_(of.table), targets_(of.targets), has_limit_(of.has_limit) {}
 
   /// What keeps the sources of a row from a point of the table that they do not reach. Cost: O(1), for each row in turn
   /// O(components), and once that of `Barriers`.
@@ -30,7 +29,7 @@ class UnreachedPoints {
   void find_faces();
 
   const CheckedMesh& input_;
-  const MeasuredSurface& surface_;
+  const PartedMesh& parted_;
   const DistanceTable& table_;
   const PlacedPoints& targets_;
   bool has_limit_;
