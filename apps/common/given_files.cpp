@@ -83,7 +83,6 @@ void read(Run& run, const CheckedMesh& input, const std::string& option, const V
 
 void read_given_files(Run& run, const CheckedMesh& input) {
   const Options& options = run.options();
-  if (options.list == nullptr) return;
   for (const Option* const option : options.list->options()) {
     const std::string& name = option->name;
     const auto format = option->name == "generators" ? options.input.list_format : std::nullopt;

@@ -82,7 +82,7 @@ Outcome describe_exception(const std::exception& error) {
 /// the file of options of the one that it begins with.
 std::string describe(const Error& error, const Options* options) {
   if (error.code() == ErrorCode::reader_gone) return "";
-  if (options == nullptr || options->list == nullptr) return error.what();
+  if (options == nullptr) return error.what();
   const Given::Source* const blamed = options->given->find(first_option(error.text()));
   const std::string place = blamed == nullptr || blamed->place.empty() ? "" : blamed->place + ": ";
   return place + spell(*options->list, *options->given, error.text(), !place.empty());
@@ -159,14 +159,22 @@ Outcome run_guarded(const std::function<void()>& work, const Options* options) {
   return failure ? describe_failure(failure, options) : Outcome();
 }
 
+int run_process(const std::string& name, const std::function<int()>& work, const Options* options) {
+  reserve_standard_streams();
+  install_signal_handlers();
+  int exit_code = kDone;
+  const Outcome outcome = run_guarded([&] { exit_code = work(); }, options);
+  if (outcome.exit_code == kReaderGone) return end_by_broken_pipe();
+  if (!outcome.message.empty()) Console(name, {}, false, false).error(outcome.message);
+  return outcome.exit_code != kDone ? outcome.exit_code : exit_code;
+}
+
 void limit_memory_of(const Options& options) {
   const std::optional<std::int64_t> limit = options.compute.max_memory;
   g_memory = {};
   g_memory.is_limited = limit.has_value();
-  const OptionList none;
-  const Given nothing;
-  const OptionList& list = options.list == nullptr ? none : *options.list;
-  const Given& given = options.given == nullptr ? nothing : *options.given;
+  const OptionList& list = *options.list;
+  const Given& given = *options.given;
   // The points of the bisectors are most of an exact diagram. A few long needles take as much memory as many faces.
   const Option* const chords = list.find("chord_tolerance");
   if (chords != nullptr && list.why_idle(*chords, given).empty()) {

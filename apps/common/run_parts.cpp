@@ -19,11 +19,9 @@
 #include <utility>
 
 #include "common/given_files.hpp"
-#include "common/options/option_json.hpp"
 #include "common/options/options.hpp"
 #include "common/process.hpp"
 #include "common/referred_files.hpp"
-#include "common/run_observer.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
@@ -90,7 +88,6 @@ void verify(Run& run, const Mesh& mesh, const Diagram& diagram) {
   options.progress = run.progress();
   const ErrorMeasure error = run.timed("verify", [&] { return verify_diagram(mesh, diagram, options); });
   run.report().set_error_measure(error);
-  run.figures().error_integral = error.error_integral;
   run.console().note(
       fmt::format("error against exact distances: E {:.6g} mesh units^2 (the difference of a bisector's two distances, "
                   "integrated along all bisectors), mean {:.6g}, largest {:.6g} mesh units",
@@ -329,11 +326,6 @@ void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoin
   }
 }
 
-void set_diagram(Run& run, const Diagram& diagram) {
-  run.report().set_diagram(diagram);
-  run.figures().regions = std::ssize(diagram.cells);
-}
-
 void report_figures(Run& run, const Object& object) {
   const OutputOptions& output = run.options().output;
   if (output.report.empty() && output.summary.empty()) return;  // figures of a million regions take time
@@ -371,6 +363,12 @@ void write_own_file(Run& run, const std::string& option, const OutputWriter& wri
   if (target != own.end()) write_timed(run, step, *target->second, write);
 }
 
+void write_part_file(Run& run, const std::string& option, const Object& object) {
+  write_own_file(run, option, [&](std::ostream& out) {
+    object.part_writers(option).at(file_extension(*run.options().output.own.at(option)))(out);
+  });
+}
+
 void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes) {
   const std::string &path = run.options().output.view, &input = run.options().input.path;
   if (path.empty()) return;
@@ -396,10 +394,9 @@ void write_report(Run& run) {
   if (path.empty()) return;
   check_interrupt();
   run.report().set_peak_memory(peak_memory_bytes());
-  if (const Options& options = run.options(); options.list != nullptr) {
-    run.report().options() = report_options(*options.list, *options.given);
-    run.report().options()["input"] = options.input.path;
-  }
+  const Options& options = run.options();
+  run.report().options() = nlohmann::ordered_json::parse(options_json(*options.list, *options.given));
+  run.report().options()["input"] = options.input.path;
   write_file(path, [&](std::ostream& out) { run.report().write(out); });
   run.add_written(path);
 }

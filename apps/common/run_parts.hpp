@@ -61,9 +61,6 @@ void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const 
 /// Adds the figures of an object to the results of the report, if it is written.
 void report_figures(Run& run, const Object& object);
 
-/// Reports the figures of a diagram.
-void set_diagram(Run& run, const Diagram& diagram);
-
 /// Writes to `-o` in one format.
 using OutputWriter = std::function<void(std::ostream&)>;
 
@@ -78,6 +75,8 @@ void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram);
 
 /// Writes the file of an option that `describe_target` described.
 void write_own_file(Run& run, const std::string& option, const OutputWriter& write);
+/// Writes a part of an object (Object::part_writers) to the file of the option of the same name.
+void write_part_file(Run& run, const std::string& option, const Object& object);
 
 /// Writes `--view`; `make_scenes` is called only then. The name of the input file is added to the title.
 void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes);

@@ -15,10 +15,9 @@
 #include <ostream>
 
 #include "common/command.hpp"
-#include "common/console.hpp"
+#include "common/options/completion.hpp"
 #include "common/options/help.hpp"
 #include "common/options/options.hpp"
-#include "common/options/program_completion.hpp"
 #include "common/options/spelling.hpp"
 #include "common/outcome.hpp"
 #include "common/process.hpp"
@@ -179,17 +178,11 @@ Answer answer(const std::vector<std::string>& words) {
 }
 
 int print_answer(const std::vector<std::string>& words) {
-  reserve_standard_streams();
-  install_signal_handlers();
-  int exit_code = kDone;
-  const Outcome outcome = run_guarded([&] {
+  return run_process("gvd", [&] {
     const Answer said = answer(words);
     write_standard_output([&](std::ostream& out) { out << said.text; });
-    exit_code = said.exit_code;
+    return said.exit_code;
   });
-  if (outcome.exit_code == kReaderGone) return end_by_broken_pipe();
-  if (!outcome.message.empty()) Console("gvd", {}, false, false).error(outcome.message);
-  return outcome.exit_code != kDone ? outcome.exit_code : exit_code;
 }
 
 }  // namespace

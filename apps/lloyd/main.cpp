@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -19,12 +20,10 @@
 #include "common/options/options.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/referred_files.hpp"
-#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/lloyd_operation.hpp"
-#include "gvd/lloyd_words.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd::app {
@@ -179,17 +178,6 @@ class TimedObserver : public RunObserver {
   bool relaxes_ = false;
 };
 
-void write_points_file(Run& run, const OwnOptions& own, const Mesh& mesh, const LloydResult& relaxed) {
-  const auto format = parse_point_format(file_extension(own.points));
-  if (!format) return;
-  std::vector<SurfaceSample> samples;
-  for (const SurfacePoint& point : relaxed.generators) {
-    const CellMoments& moments = relaxed.moments[GeneratorId(std::ssize(samples))];
-    samples.push_back({point, moments.area, moments.energy});
-  }
-  write_own_file(run, "points", [&](std::ostream& out) { write_points(out, mesh, samples, *format); });
-}
-
 void lloyd(Run& run, OwnOptions& own) {
   const auto input = std::make_shared<CheckedMesh>(load_input(run));
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
@@ -207,12 +195,12 @@ void lloyd(Run& run, OwnOptions& own) {
   const LloydResult& relaxed = *outcome->relaxed;
   const Mesh& surface = outcome->surface();
   report_figures(run, *outcome);
-  run.figures().energy = relaxed.final_energy;
+  run.report().results()["final_energy"] = relaxed.final_energy;  // also for the table of several inputs
   report_generators(run, mesh, relaxed.generators, outcome->snap_distance);
-  set_diagram(run, relaxed.diagram);
+  run.report().set_diagram(relaxed.diagram);
   write_output_files(run, *outcome);
   write_diagram_file(run, mesh, *outcome->on_input);
-  write_points_file(run, own, mesh, relaxed);
+  write_part_file(run, "points", *outcome);
   write_own_file(run, "trace", [&](std::ostream& out) { trace.write(out, relaxed, own.call.diagram.method); });
   write_view_file(run, "gvd-lloyd", [&] {
     DiagramOptions early = own.call.diagram;

@@ -14,7 +14,6 @@
 #include "common/options/options.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/process.hpp"
-#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/mesh_property.hpp"
 #include "gvd/remesh_map.hpp"
@@ -105,18 +104,15 @@ void run_remesh(Run& run, OwnOptions& own) {
                                    list_extensions(output_extensions(Content::texture | Content::materials), "and")));
   }
   if (carries) own.call.properties = read_properties(run.options().input, piped);
-  const auto made = [&] {
-    RunObserver observer(run);
-    return gvd::run(input, own.call, observer);
-  }();
+  const auto made = run_operation(run, input, own.call);
   const RemeshResult& result = made->result();
   report_figures(run, *made);
-  set_diagram(run, result.diagram);
+  run.report().set_diagram(result.diagram);
   report_generators(run, input->mesh, result.generators, made->snap_distance);
   if (carries) note_carried(run, *made);
   write_output_files(run, *made);
   write_diagram_file(run, input->mesh, result.diagram);
-  write_own_file(run, "map", [&](std::ostream& out) { write_map_json(out, *input, *made->map); });
+  write_part_file(run, "map", *made);
   write_view(run, input->mesh, result);
   finish_run(run, input->mesh, result.diagram);
 }

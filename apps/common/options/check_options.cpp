@@ -300,16 +300,6 @@ void check_folder(const Options& options, const OutputFormats& formats) {
   }
 }
 
-/// Each format once, and one for standard output.
-void check_formats(const OutputOptions& output) {
-  std::set<std::string> names;
-  for (const std::string& format : output.formats) {
-    if (!names.insert(format).second) refuse(fmt::format("\1output_format\2: {} is given twice; keep one", format));
-  }
-  if (output.folder.empty() && names.size() > 1)
-    refuse("\1output_format\2: \1output=-\2 writes one format; choose one");
-}
-
 /// Pages have names of their own only where there is no folder for them.
 void check_view(const OutputOptions& output) {
   if (output.folder.empty() && output.views) {
@@ -325,7 +315,9 @@ void check_view(const OutputOptions& output) {
 void check_outputs(const Options& options, const OutputFormats& formats) {
   check_build(options);
   const OutputOptions& output = options.output;
-  check_formats(output);
+  if (output.folder.empty() && output.formats.size() > 1) {
+    refuse("\1output_format\2: \1output=-\2 writes one format; choose one");
+  }
   check_view(output);
   if (!output.folder.empty()) return check_folder(options, formats);
   for (const std::string& file : output.files) check_extension(output, file, formats.extensions);

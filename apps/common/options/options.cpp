@@ -12,7 +12,7 @@
 namespace gvd::app {
 
 std::uint64_t seed_of(const Options& options) {
-  const Option* const option = options.list == nullptr ? nullptr : options.list->find("seed");
+  const Option* const option = options.list->find("seed");
   const auto* const number = option == nullptr ? nullptr : std::get_if<Number>(&option->field);
   const auto* const seed = number == nullptr ? nullptr : std::get_if<std::uint64_t*>(&number->value);
   return seed == nullptr ? 0 : **seed;

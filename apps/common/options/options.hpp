@@ -64,6 +64,10 @@ struct GeneralOptions {
   bool quiet = false, verbose = false;
 };
 
+/// The options of a run that describes none, and that none is given.
+inline const OptionList kNoOptions;
+inline const Given kNothingGiven;
+
 /// The options that the commands share. A command adds its own in a struct that inherits these.
 struct Options {
   InputOptions input;
@@ -71,8 +75,8 @@ struct Options {
   ComputeOptions compute;
   OutputOptions output;
   GeneralOptions general;
-  const OptionList* list = nullptr;  ///< describes these options and those of the command; null before they are read
-  const Given* given = nullptr;      ///< what the user set of them
+  const OptionList* list = &kNoOptions;  ///< describes these options and those of the command, once they are read
+  const Given* given = &kNothingGiven;   ///< what the user set of them
 };
 
 /// The seed of the random choices; 0 where the command has none.

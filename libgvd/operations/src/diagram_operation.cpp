@@ -8,7 +8,6 @@
 #include "figures.hpp"
 #include "gvd/diagram_options.hpp"
 #include "gvd/diagram_parts.hpp"
-#include "weighted_diagram.hpp"
 
 namespace gvd {
 
@@ -57,11 +56,7 @@ void describe(OptionList& list, DiagramCall& call) {
   list.rule({"editable", {"method"}, [&call](const Given&) -> std::string {
                return call.diagram.method == Method::exact ? "" : "\1editable\2 needs \1method=exact\2";
              }});
-  list.excludes("curves", {"sampling", "seed", "merge_coincident"});
-  exclude_curves(list);
-  list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
-               return call.diagram.method == Method::exact ? "" : "\1curves\2 needs \1method=exact\2";
-             }});
+  describe_curve_rules(list, call.diagram);
 }
 
 void DiagramOutcome::visit(ObjectVisitor& visitor) const {
@@ -77,20 +72,16 @@ std::shared_ptr<const DiagramOutcome> run(const MeshPtr& input, DiagramCall& cal
   PartedMesh parted = find_parted(*input, call.regions, observer);
   separate(input->mesh, parted, observer);
   auto made = std::make_shared<Diagram>();
-  if (call.generators.curves.is_given()) {
-    *made = compute_of_curves(*input, call.generators, call.diagram, observer);
+  ResolvedGenerators found;
+  if (call.editable) {
+    found = choose_generators(*input, call.generators, call.diagram, observer);
+    *made = compute_in_steps(observer, call.diagram, [&](const DiagramOptions& stepped) {
+      editor = std::make_unique<DiagramEditor>(input->mesh, found.points, stepped);
+      return editor->diagram();
+    });
+    tell_diagram(observer, *made);
   } else {
-    const ResolvedGenerators found = choose_inside(*input, parted, call.generators, call.diagram, false, observer);
-    if (call.editable) {
-      *made = compute_in_steps(observer, call.diagram, [&](const DiagramOptions& stepped) {
-        editor = std::make_unique<DiagramEditor>(input->mesh, found.points, stepped);
-        return editor->diagram();
-      });
-      tell_diagram(observer, *made);
-    } else {
-      *made = compute_weighted(*input, parted.surface(input->mesh), found.points, call.weights, call.diagram, observer,
-                               balanced);
-    }
+    *made = compute_parts(*input, parted, call, false, observer, found, balanced);
   }
   resolve(call.diagram);
   const auto options = parted.is_parted() ? std::nullopt : std::optional(call.diagram);

@@ -22,12 +22,10 @@
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
-#include "gvd/barriers.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/format.hpp"
 #include "gvd/read_values.hpp"
 #include "gvd/text.hpp"
-#include "gvd/unreached_points.hpp"
 
 namespace gvd {
 namespace {
@@ -392,23 +390,6 @@ void describe_for_programs(OptionList& list, DistancesCall& call) {
   list.option("mesh_vertices", Flag{&call.mesh_vertices},
               {.help = "With \1each\2, rows of the mesh's vertices, where repairs made others than the input's"});
   list.excludes("logarithm", {"each", "curves"});
-}
-
-std::string describe_unreached(const DistancesOutcome& outcome) {
-  const DistanceTable& table = outcome.table;
-  UnreachedPoints unreached(outcome);
-  BarrierCounts barriers;
-  std::int64_t count = 0;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    for (std::size_t i = 0; i < table.rows.points(); ++i, ++count) {
-      if (!std::isfinite(table.rows[row][i])) barriers.add(unreached.find(row, i));
-    }
-  }
-  if (outcome.unreached == 0) return "";
-  return fmt::format("{} of {}{} {} inf: {}", outcome.unreached, counted(count, "distance", "distances"),
-                     table.targets.empty() ? " to vertices" : "",
-                     table.targets.empty() || outcome.unreached > 1 ? "are" : "is",
-                     barriers.describe(unreached.inside()));
 }
 
 std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall& call, Observer& observer) {

@@ -1,12 +1,19 @@
-// What distances consist of: figures, tables of targets, paths and isolines, and arrays.
+// What distances consist of: figures, tables of targets, paths and isolines, and arrays. Which files hold what was
+// asked for is the same for the commands, before they measure, and for every result that is written later.
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <ostream>
+#include <string>
 #include <utility>
 
 #include "figures.hpp"
+#include "gvd/barriers.hpp"
 #include "gvd/distances_operation.hpp"
+#include "gvd/error.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
@@ -71,6 +78,94 @@ double largest_of(const DistanceTable& table) {
   double largest = 0;
   for (const double d : table.rows.values()) largest = std::isfinite(d) ? std::max(largest, d) : largest;
   return largest;
+}
+
+// ---- files
+
+/// What holds curves without a surface and, of the formats with one, those that draw lines beside it.
+constexpr Content kPaths = Content::curves | Content::paths, kIsolines = Content::curves | Content::isolines;
+constexpr Content kDistances = Content::distances | Content::rows;
+
+[[noreturn]] void refuse_file(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+
+/// The formats to write instead.
+std::string list_formats(Content any) { return list_extensions(output_extensions(any), "or"); }
+
+std::string named(const WrittenFile& file) {
+  return fmt::format("{}: .{}", file.name, file.format->extensions.front());
+}
+
+// ---- why distances are infinite: sources and points in different components, or what parts a component
+
+/// Tells why distances of a table are infinite.
+class UnreachedPoints {
+ public:
+  /// The distances must outlive this.
+  explicit UnreachedPoints(const DistancesOutcome& of)
+      : input_(*of.input), parted_(of.parted), table_(of.table), targets_(of.targets), has_limit_(of.has_limit) {}
+
+  /// What keeps the sources of a row from a point of the table that they do not reach. Cost: O(1), for each row in turn
+  /// O(components), and once that of `Barriers`.
+  Barrier find(std::size_t row, std::size_t point);
+
+  /// Words for Barrier::inside.
+  std::string inside() const;
+
+ private:
+  void find_faces();
+
+  const CheckedMesh& input_;
+  const PartedMesh& parted_;
+  const DistanceTable& table_;
+  const PlacedPoints& targets_;
+  bool has_limit_;
+  std::optional<Barriers> barriers_;
+  std::vector<FaceId> face_;       // of each point of the table; invalid for a vertex in no face
+  std::vector<char> is_left_out_;  // of each point of the table
+  std::optional<std::size_t> row_;
+  Barriers::Origin origin_;  // of that row
+};
+
+std::string UnreachedPoints::inside() const {
+  if (!parted_.is_parted()) return "beyond \1max_distance\2";
+  return has_limit_ ? "in another region, in another part of its region, or beyond \1max_distance\2"
+                    : "in another region, or in another part of its region";
+}
+
+void UnreachedPoints::find_faces() {
+  if (!table_.targets.empty()) {
+    for (const SurfacePoint& target : table_.targets) face_.push_back(target.face);
+    is_left_out_.assign(face_.size(), 1);
+    for (const std::int32_t point : targets_.point) is_left_out_[std::size_t(point)] = 0;
+    return;
+  }
+  IdVector<VertexId, char> is_measured(input_.mesh.vertex_count(), 0);
+  for (const FaceId f : input_.mesh.faces()) {
+    if (parted_.is_left_out(f)) continue;
+    for (const VertexId v : input_.mesh.vertices(f)) is_measured[v] = 1;
+  }
+  for (const VertexId v : input_.mesh_vertex) {
+    face_.push_back(v.valid() ? Mesh::face(input_.mesh.halfedge(v)) : FaceId());
+    is_left_out_.push_back(v.valid() && !is_measured[v] ? 1 : 0);
+  }
+}
+
+Barrier UnreachedPoints::find(std::size_t row, std::size_t point) {
+  if (!barriers_) {
+    barriers_.emplace(input_);
+    find_faces();
+  }
+  if (!face_[point].valid()) return Barrier::no_face;
+  if (is_left_out_[point]) return Barrier::left_out;
+  if (row_ != row) {
+    std::vector<FaceId> sources;
+    for (std::size_t i = 0; i < table_.sources.size(); ++i) {
+      if (!table_.nearest.empty() || i == row) sources.push_back(table_.sources[i].face);
+    }
+    origin_ = barriers_->from(sources);
+    row_ = row;
+  }
+  return barriers_->between(origin_, face_[point]);
 }
 
 }  // namespace
@@ -151,6 +246,93 @@ OwnWriters DistancesOutcome::own_writers() const {
           {"json", [this, &mesh](std::ostream& out) { write_distances_json(out, mesh, table); }},
           {"shape.gii", [this](std::ostream& out) { write_distances_gifti(out, table); }},
           {"curv", [this, &mesh](std::ostream& out) { write_distances_freesurfer(out, table, mesh.face_count()); }}};
+}
+
+AskedDistances asked_of(const DistancesCall& call) {
+  return {call.targets.are_listed(), call.each, call.paths, call.isolines.has_value()};
+}
+
+void check_files(const AskedDistances& asked, const std::vector<WrittenFile>& files,
+                 const std::vector<std::string>& others, bool has_other) {
+  /// The first file that carries any of `any`, but nothing of `none`. Null: there is none.
+  const auto find = [&](Content any, Content none = Content::nothing) {
+    const auto found = std::ranges::find_if(files, [&](const WrittenFile& file) {
+      return has_any(file.format->carries, any) && !has_any(file.format->carries, none);
+    });
+    return found == files.end() ? nullptr : &*found;
+  };
+  const auto loses = [&](bool is_asked, Content any) { return is_asked && !has_other && find(any) == nullptr; };
+  if (find(Content::distances, Content::surface) != nullptr && asked.targets) {
+    refuse_file(fmt::format("\1to\2: {} hold a distance for each vertex; write {}, or leave \1to\2 out",
+                            list_extensions(output_extensions(Content::distances, Content::surface), "and"),
+                            list_formats(Content::targets)));
+  }
+  const WrittenFile* const single = find(Content::distances, Content::rows);
+  const bool has_surface = single != nullptr && has_any(single->format->carries, Content::surface);
+  if (asked.each && single != nullptr && !(asked.paths && has_surface)) {
+    refuse_file(fmt::format("\1each\2: {} hold one distance for each vertex; write {}{}",
+                            list_extensions(output_extensions(Content::distances, Content::rows), "and"),
+                            list_formats(Content::rows), has_surface ? ", or add \1to\2 and \1paths\2" : ""));
+  }
+  if (loses(asked.isolines, kIsolines)) {
+    refuse_file(fmt::format("\1isolines\2: {} curves; write one of them or leave \1isolines\2 out",
+                            only_formats(kIsolines, others)));
+  }
+  const bool has_curves = asked.paths || asked.isolines;
+  if (const WrittenFile* const lines = find(Content::curves, kDistances); lines != nullptr && !has_curves) {
+    refuse_file(asked.targets ? fmt::format("{} holds no distances; add \1paths\2 for the shortest paths, or write {}",
+                                            named(*lines), list_formats(Content::targets))
+                              : fmt::format("{} holds no distances; write {}, or add \1isolines\2", named(*lines),
+                                            list_formats(kDistances)));
+  }
+  const WrittenFile* const mesh = find(Content::distances, Content::targets);
+  if (mesh != nullptr && !has_curves && loses(asked.targets, Content::targets)) {
+    refuse_file(
+        fmt::format("{} has the distances of all vertices, for which \1to\2 does nothing; {}write {}, or leave "
+                    "\1to\2 out",
+                    named(*mesh), has_any(mesh->format->carries, Content::curves) ? "add \1paths\2, " : "",
+                    list_formats(Content::targets)));
+  }
+  if (loses(asked.paths, kPaths)) {
+    refuse_file(
+        fmt::format("\1paths\2: {} paths; write one of them or leave \1paths\2 out", only_formats(kPaths, others)));
+  }
+}
+
+std::string describe_unreached(const DistancesOutcome& outcome) {
+  const DistanceTable& table = outcome.table;
+  UnreachedPoints unreached(outcome);
+  BarrierCounts barriers;
+  std::int64_t count = 0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    for (std::size_t i = 0; i < table.rows.points(); ++i, ++count) {
+      if (!std::isfinite(table.rows[row][i])) barriers.add(unreached.find(row, i));
+    }
+  }
+  if (outcome.unreached == 0) return "";
+  return fmt::format("{} of {}{} {} inf: {}", outcome.unreached, counted(count, "distance", "distances"),
+                     table.targets.empty() ? " to vertices" : "",
+                     table.targets.empty() || outcome.unreached > 1 ? "are" : "is",
+                     barriers.describe(unreached.inside()));
+}
+
+std::vector<std::string> describe_targets(const DistancesOutcome& outcome) {
+  const DistanceTable& table = outcome.table;
+  const std::size_t all = table.rows.size() * table.targets.size();
+  UnreachedPoints unreached(outcome);
+  std::vector<std::string> lines;
+  for (std::size_t told = 0; told < std::min(all, kToldDistances); ++told) {
+    const std::size_t row = told / table.targets.size(), i = told % table.targets.size();
+    const double distance = table.rows[row][i];
+    const std::string target = table.target_name(i);
+    lines.push_back(std::isfinite(distance)
+                        ? fmt::format("{} is {:.9g} from {}", target, distance, table.source_name(table.source(row, i)))
+                        : fmt::format("{} is not reached from {}: it is {}", target,
+                                      table.nearest.empty() ? table.source_name(GeneratorId(row)) : "any source",
+                                      describe(unreached.find(row, i), unreached.inside())));
+  }
+  if (lines.size() < all) lines.push_back(fmt::format("... and {} more", all - lines.size()));
+  return lines;
 }
 
 }  // namespace gvd

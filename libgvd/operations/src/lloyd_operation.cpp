@@ -17,7 +17,6 @@
 #include "gvd/error.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd_options.hpp"
-#include "gvd/lloyd_words.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
@@ -121,7 +120,7 @@ BalancedRelaxation balance(const CheckedMesh& input, const Mesh& surface, const 
 }
 
 /// A list for each figure of the iterations. The first energy is that of the given generators.
-void tell_iterations(const Figures& figure, const LloydResult& result) {
+void add_iterations(const Figures& figure, const LloydResult& result) {
   const std::vector<LloydIteration>& done = result.iterations;
   std::vector<double> energies = each_of(done, &LloydIteration::energy);
   if (!result.generators.empty()) energies.insert(energies.begin(), result.initial_energy);
@@ -170,7 +169,7 @@ void LloydOutcome::visit(ObjectVisitor& visitor) const {
   const Figures figure(visitor);
   figure("iterations", "", "number of iterations", result.iterations.size());
   figure("stop", "", "why the relaxation ended", name_in(kLloydStopNames, result.stop));
-  tell_iterations(figure, result);
+  add_iterations(figure, result);
   visit_copy(visitor, result.copy);
   figure("residual", "mesh units", "largest distance from a generator to its centroid", result.residual);
   figure("mean_cell_radius", "mesh units", "sqrt(area / (pi cells))", result.mean_cell_radius);

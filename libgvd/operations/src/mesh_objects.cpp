@@ -21,7 +21,7 @@ std::int64_t count_disc_cells(const Diagram& diagram) {
                        [](const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; });
 }
 
-void tell_report(const Figures& figure, const Diagram& diagram) {
+void add_report(const Figures& figure, const Diagram& diagram) {
   const DiagramReport& report = diagram.report;
   figure("branch_points", "", "points of three or more cells", diagram.branch_points.count());
   figure("bisectors", "", "curves between two cells", diagram.bisectors.count());
@@ -147,7 +147,7 @@ void DiagramObject::visit(ObjectVisitor& visitor) const {
   const auto& cells = diagram.cells.raw();
   const auto& branch_points = diagram.branch_points.raw();
   const auto& bisectors = diagram.bisectors.raw();
-  tell_report(Figures(visitor), diagram);
+  add_report(Figures(visitor), diagram);
   visitor.points({"generators", "", "the generators; of a curve its first point"}, diagram.generators);
   visitor.array({"weights", "mesh units", "of the generators; empty: 0 for all"}, view(diagram.weights));
   visitor.array({"vertex_labels", "", "the nearest generator of each vertex; -1: none"}, view(diagram.vertex_label));

@@ -39,11 +39,7 @@ class SampleOutcome : public Object {
 std::shared_ptr<const SampleOutcome> run(const MeshPtr& input, SampleCall& call, Observer& observer);
 
 /// The options of the operation `diagram`.
-struct DiagramCall {
-  GeneratorOptions generators;  ///< points or curves
-  DiagramOptions diagram;
-  GivenWeights weights;
-  GivenRegions regions;
+struct DiagramCall : DiagramParts {
   bool editable = false;  ///< keep what edits need
 };
 

@@ -88,6 +88,8 @@ inline constexpr std::size_t kToldDistances = 8;
 
 /// Says how many distances are infinite, and why; empty where none is.
 std::string describe_unreached(const DistancesOutcome& outcome);
+/// The distances to targets, a line each, up to that number; of infinite ones, why.
+std::vector<std::string> describe_targets(const DistancesOutcome& outcome);
 
 /// Measures, traces paths and isolines. Throws what resolve_generators, find_regions and ExactField throw;
 /// Error{precondition} where a source lies in faces that are left out.

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "gvd/balance.hpp"
 #include "gvd/generator_options.hpp"
@@ -29,6 +30,14 @@ void describe(OptionList& list, LloydCall& call);
 
 /// The step in which generators move.
 inline constexpr const char* kRelaxationStep = "relaxation";
+
+// What files and results call the iterations of a relaxation.
+
+/// The measure of an iteration's energy: the name of a method, or `sampled` without a diagram.
+std::string_view measure_name(const LloydIteration& iteration);
+
+/// How the step of an iteration was found, in one word.
+std::string_view step_name(const LloydIteration& iteration);
 
 /// Relaxed generators with their diagram.
 class LloydOutcome : public Object {
