@@ -62,7 +62,7 @@ void describe(OptionList& list, DiagramCall& call) {
 void DiagramOutcome::visit(ObjectVisitor& visitor) const {
   DiagramObject::visit(visitor);
   visit_balance(visitor, balanced_);
-  visit_parted(visitor, parted_);
+  visit_parted(visitor, parted());
 }
 
 std::shared_ptr<const DiagramOutcome> run(const MeshPtr& input, DiagramCall& call, Observer& observer) {
@@ -84,10 +84,9 @@ std::shared_ptr<const DiagramOutcome> run(const MeshPtr& input, DiagramCall& cal
     *made = compute_parts(*input, parted, call, false, observer, found, balanced);
   }
   resolve(call.diagram);
-  const auto options = parted.is_parted() ? std::nullopt : std::optional(call.diagram);
-  const std::shared_ptr<const Diagram> diagram = std::move(made);
-  DiagramObject object(input, parted.on_input(diagram), options, keep_separated(parted, diagram));
-  auto outcome = std::make_shared<DiagramOutcome>(std::move(object), std::move(balanced), std::move(parted));
+  const auto regions = std::make_shared<const PartedMesh>(std::move(parted));
+  auto outcome = std::make_shared<DiagramOutcome>(DiagramObject(input, std::move(made), call.diagram, regions),
+                                                  std::move(balanced));
   if (editor) outcome->keep(std::move(editor));
   return outcome;
 }

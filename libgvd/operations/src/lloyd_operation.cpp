@@ -187,7 +187,7 @@ void LloydOutcome::visit(ObjectVisitor& visitor) const {
   visitor.array({"cell_energies", "mesh units to the fourth", "of the cells"}, view(moments, &CellMoments::energy));
   visitor.part({"diagram", "", "of the generators"}, "diagram", [this] {
     const std::shared_ptr<const Diagram> whole(relaxed, &relaxed->diagram);
-    return std::make_shared<DiagramObject>(input, on_input, options, keep_separated(parted, whole));
+    return std::make_shared<DiagramObject>(input, whole, options, std::make_shared<PartedMesh>(parted));
   });
 }
 
@@ -225,7 +225,7 @@ std::shared_ptr<const LloydOutcome> run(const MeshPtr& input, LloydCall& call, O
   outcome->relaxed = std::make_shared<const LloydResult>(std::move(relaxed));
   outcome->on_input = outcome->parted.on_input({outcome->relaxed, &outcome->relaxed->diagram});
   resolve(call.diagram);
-  if (!outcome->parted.is_parted()) outcome->options = call.diagram;
+  outcome->options = call.diagram;
   resolve(call.relaxation);
   return outcome;
 }

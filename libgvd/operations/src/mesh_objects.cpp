@@ -78,11 +78,12 @@ struct DiagramObject::KeptEditor {
 };
 
 DiagramObject::DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram,
-                             std::optional<DiagramOptions> options, SeparatedDiagram parted)
+                             std::optional<DiagramOptions> options, std::shared_ptr<const PartedMesh> parted)
     : mesh_(std::move(mesh)),
-      diagram_(std::move(diagram)),
-      options_(std::move(options)),
-      parted_(std::move(parted)),
+      parted_(parted ? std::move(parted) : std::make_shared<const PartedMesh>()),
+      of_surface_(std::move(diagram)),
+      diagram_(parted_->on_input(of_surface_)),
+      options_(parted_->is_parted() ? std::nullopt : std::move(options)),
       kept_(std::make_shared<KeptEditor>()) {}
 
 std::unique_ptr<DiagramEditor> DiagramObject::take_editor(Observer& observer) const {
@@ -140,7 +141,7 @@ void MeshObject::visit(ObjectVisitor& visitor) const {
                 view(look.material));
 }
 
-const Mesh& DiagramObject::surface() const { return parted_.mesh ? parted_.mesh->surface(mesh_->mesh) : mesh_->mesh; }
+const Mesh& DiagramObject::surface() const { return parted_->surface(mesh_->mesh); }
 
 void DiagramObject::visit(ObjectVisitor& visitor) const {
   const Diagram& diagram = *diagram_;
@@ -195,9 +196,9 @@ std::optional<LabelledMesh> MeshObject::labelled() const {
 }
 
 std::optional<LabelledMesh> DiagramObject::labelled() const {
-  LabelledMesh mesh = label_mesh(mesh_->mesh, *diagram_, surface_diagram().face_label);
-  if (parted_.mesh) {
-    mesh.diagram = parted_.diagram.get();
+  LabelledMesh mesh = label_mesh(mesh_->mesh, *diagram_, of_surface_->face_label);
+  if (parted_->is_parted()) {
+    mesh.diagram = of_surface_.get();
     mesh.diagram_mesh = &surface();
   }
   mesh.appearance = &mesh_->appearance;

@@ -41,11 +41,6 @@ std::shared_ptr<const Diagram> PartedMesh::on_input(std::shared_ptr<const Diagra
   return std::make_shared<const Diagram>(restrict_to_input(separated, *diagram));
 }
 
-SeparatedDiagram keep_separated(const PartedMesh& parted, std::shared_ptr<const Diagram> diagram) {
-  if (!parted.is_parted() && parted.levels == 0) return {};
-  return {std::make_shared<PartedMesh>(parted), std::move(diagram)};
-}
-
 PartedMesh find_parted(const CheckedMesh& input, const GivenRegions& given, Observer& observer) {
   PartedMesh parted;
   if (!given.are_given()) return parted;

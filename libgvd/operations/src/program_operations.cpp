@@ -192,7 +192,7 @@ std::shared_ptr<const CurvesOutcome> run(const MeshPtr& input, CurvesCall& call,
 std::shared_ptr<const CheckOutcome> run(const DiagramObject& on, CheckCall&, Observer& observer) {
   const Step step(observer, "check");
   auto made = std::make_shared<CheckOutcome>();
-  made->violations = check_diagram(on.surface(), on.surface_diagram()).violations;
+  made->violations = check_diagram(on.surface(), *on.of_surface()).violations;
   return made;
 }
 

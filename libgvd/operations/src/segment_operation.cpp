@@ -363,12 +363,9 @@ std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& ca
   call.cut = whole.cut;
   auto outcome = std::make_shared<SegmentOutcome>();
   outcome->input = on.mesh();
-  outcome->diagram = on.shared();
+  outcome->diagram = on.of_surface();
   outcome->options = on.options();
-  if (on.parted().mesh) {
-    outcome->parted = *on.parted().mesh;
-    outcome->diagram = on.parted().diagram;
-  }
+  outcome->parted = on.parted();
   if (call.disc) {
     check_discs(on);
     whole.diagram = *on.options();
@@ -395,7 +392,7 @@ std::shared_ptr<const SegmentOutcome> run(const MeshPtr& input, SegmentCall& cal
   outcome->on_input = outcome->parted.on_input(outcome->diagram);
   call.cut ? cut_along_bisectors(call, observer, *outcome) : label_whole_faces(call, observer, *outcome);
   resolve(call.diagram);
-  if (!outcome->parted.is_parted()) outcome->options = call.diagram;
+  outcome->options = call.diagram;
   return outcome;
 }
 
@@ -472,7 +469,7 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
   visitor.array({"texture", "", "u and v of the three corners of each piece; empty without uv"},
                 view(charts ? appearance.texture : kNone));
   visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram", [this] {
-    return std::make_shared<DiagramObject>(input, on_input, options, keep_separated(parted, diagram));
+    return std::make_shared<DiagramObject>(input, diagram, options, std::make_shared<PartedMesh>(parted));
   });
   visitor.part({"colors", "", "of the labels, as in files and on pages; that of no label follows"}, "colors",
                [this]() -> std::shared_ptr<const Object> {

@@ -57,7 +57,7 @@ class LloydOutcome : public Object {
   std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();  ///< with balanced cells at the end
   PartedMesh parted;
   std::shared_ptr<const Diagram> on_input = std::make_shared<Diagram>();  ///< with the vertices of the input alone
-  std::optional<DiagramOptions> options;                                  ///< of the diagram; none inside regions
+  std::optional<DiagramOptions> options;                                  ///< of the diagram
   std::optional<BalancedRelaxation> balanced;                             ///< without its diagram
   /// How far each generator is from where it was given; nothing for one that is somewhere else now.
   std::vector<std::optional<double>> snap_distance;

@@ -39,9 +39,6 @@ struct PartedMesh {
   std::shared_ptr<const Diagram> on_input(std::shared_ptr<const Diagram> diagram) const;
 };
 
-/// What a diagram on a separated mesh keeps of it; nothing of one that is not parted.
-SeparatedDiagram keep_separated(const PartedMesh& parted, std::shared_ptr<const Diagram> diagram);
-
 /// The regions that are given, not yet separated. Throws what find_regions throws.
 PartedMesh find_parted(const CheckedMesh& input, const GivenRegions& given, Observer& observer);
 

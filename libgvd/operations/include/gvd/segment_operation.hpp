@@ -61,7 +61,7 @@ class SegmentOutcome : public Object {
   std::vector<std::optional<double>> snap_distance;  ///< of the generators, from where they were given; or empty
   std::shared_ptr<const Diagram> diagram = std::make_shared<Diagram>();   ///< of the surface
   std::shared_ptr<const Diagram> on_input = std::make_shared<Diagram>();  ///< with the vertices of the input alone
-  std::optional<DiagramOptions> options;                                  ///< of the diagram; none inside regions
+  std::optional<DiagramOptions> options;                                  ///< of the diagram
   std::optional<BalancedDiagram> balanced;                                ///< without its diagram
   std::optional<Segmentation> whole;                                      ///< of the input's faces
   std::vector<FaceNumbers> whole_numbers;
