@@ -85,21 +85,13 @@ Barrier Barriers::between(const Origin& origin, FaceId f) const {
 }
 
 std::string describe(Barrier barrier, const std::string& inside) {
-  switch (barrier) {
-    case Barrier::no_face:
-      return "in no face";
-    case Barrier::left_out:
-      return "left out by \1within\2 or \1mask\2";
-    case Barrier::inside:
-      return inside;
-    case Barrier::cut_edge:
-      return "beyond a non-manifold edge, where sheets were cut apart";
-    case Barrier::cut_vertex:
-      return "beyond a non-manifold vertex, where sheets were cut apart";
-    case Barrier::component:
-      return "in another component";
-  }
-  return "";
+  constexpr std::array kWords{"in no face",
+                              "left out by \1within\2 or \1mask\2",
+                              "",
+                              "beyond a non-manifold edge, where sheets were cut apart",
+                              "beyond a non-manifold vertex, where sheets were cut apart",
+                              "in another component"};  // in the order of Barrier
+  return barrier == Barrier::inside ? inside : kWords[static_cast<std::size_t>(barrier)];
 }
 
 std::string BarrierCounts::describe(const std::string& inside) const {
