@@ -135,9 +135,10 @@ constinit thread_local bool t_ending = false;
   }
 }
 
-std::exception_ptr catch_interrupt() {
+/// What a function throws; null where it throws nothing.
+std::exception_ptr catch_all(const std::function<void()>& work) {
   try {
-    check_interrupt();
+    work();
   } catch (...) {
     return std::current_exception();
   }
@@ -147,15 +148,10 @@ std::exception_ptr catch_interrupt() {
 }  // namespace
 
 Outcome run_guarded(const std::function<void()>& work, const Options* options) {
-  std::exception_ptr failure;
-  try {
-    work();
-  } catch (...) {
-    failure = std::current_exception();
-  }
+  std::exception_ptr failure = catch_all(work);
   limit_memory({});  // the message needs some
   // A signal can make a system call fail, such as the opening of a pipe that nobody reads: that is no error of its own.
-  if (failure && interrupt_requested()) failure = catch_interrupt();
+  if (failure && interrupt_requested()) failure = catch_all(check_interrupt);
   return failure ? describe_failure(failure, options) : Outcome();
 }
 

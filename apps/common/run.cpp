@@ -65,41 +65,33 @@ RunReport::RunReport(const std::string& command, std::uint64_t seed)
 
 RunReport::~RunReport() = default;
 
-Json& RunReport::options() { return (*document_)["options"]; }
-
-Json& RunReport::results() { return (*document_)["results"]; }
+Json& RunReport::at(const char* member) const { return document_->at(member); }
 
 void RunReport::set_input(const MeshSummary& mesh, const DefectReport& defects) {
   Json counts = Json::object();
   for (const Defect& defect : defects.defects) counts[std::string(name_of(defect.kind))] = defect.count;
-  (*document_)["input"] = {{"vertices", mesh.vertices},
-                           {"faces", mesh.faces},
-                           {"components", mesh.components},
-                           {"boundary_loops", mesh.boundary_loops},
-                           {"euler_characteristic", mesh.euler_characteristic},
-                           {"area", mesh.area},
-                           {"bbox_diagonal", mesh.bbox_diagonal},
-                           {"defects", std::move(counts)}};
+  at("input") = {{"vertices", mesh.vertices},
+                 {"faces", mesh.faces},
+                 {"components", mesh.components},
+                 {"boundary_loops", mesh.boundary_loops},
+                 {"euler_characteristic", mesh.euler_characteristic},
+                 {"area", mesh.area},
+                 {"bbox_diagonal", mesh.bbox_diagonal},
+                 {"defects", std::move(counts)}};
 }
 
 void RunReport::set_diagram(const Diagram& diagram) {
   const std::shared_ptr<const Diagram> shared(std::shared_ptr<void>(), &diagram);  // of which the figures are
-  Json& figures = (*document_)["diagram"] = Json::parse(figures_json(DiagramObject(nullptr, shared, {})));
+  Json& figures = at("diagram") = Json::parse(figures_json(DiagramObject(nullptr, shared, {})));
   figures["verify"] = nullptr;
 }
 
 void RunReport::set_error_measure(const ErrorMeasure& error) {
-  (*document_)["diagram"]["verify"] = {{"error_integral", error.error_integral},
-                                       {"error_mean", error.error_mean},
-                                       {"error_max", error.error_max},
-                                       {"length", error.length}};
+  at("diagram")["verify"] = {{"error_integral", error.error_integral},
+                             {"error_mean", error.error_mean},
+                             {"error_max", error.error_max},
+                             {"length", error.length}};
 }
-
-void RunReport::set_time(std::string_view step, double milliseconds) {
-  (*document_)["timings_ms"][std::string(step)] = milliseconds;
-}
-
-void RunReport::set_peak_memory(std::int64_t bytes) { (*document_)["peak_memory_bytes"] = bytes; }
 
 void RunReport::write(std::ostream& out) const {
   const char* separator = "{";
@@ -130,7 +122,7 @@ Progress Run::progress() {
 void Run::report_time(std::string_view step, double milliseconds) {
   console_.clear_bar();
   console_.detail(fmt::format("{}: {:.1f} ms", step, milliseconds));
-  report_.set_time(step, milliseconds);
+  report_.at("timings_ms")[std::string(step)] = milliseconds;
 }
 
 RunObserver::RunObserver(Run& run) : run_(run) { threads = run.options().compute.threads; }

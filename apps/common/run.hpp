@@ -42,12 +42,8 @@ class RunReport {
   RunReport(const RunReport&) = delete;
   RunReport& operator=(const RunReport&) = delete;
 
-  /// Member `options`, an object: every option of the command as it was understood. Filled in by `write_report`.
-  nlohmann::ordered_json& options();
-  /// Member `results`, an object: the figures of the command itself.
-  nlohmann::ordered_json& results();
-  /// All members; `generators` is null.
-  const nlohmann::ordered_json& document() const { return *document_; }
+  /// A member of the document, such as `results`; `generators` is null here.
+  nlohmann::ordered_json& at(const char* member) const;
   /// Member `generators`: those that the run used or leaves, in the order of their ids.
   std::vector<ReportedGenerator>& generators() { return generators_; }
 
@@ -56,10 +52,6 @@ class RunReport {
   void set_diagram(const Diagram& diagram);
   /// The error of the diagram that was set.
   void set_error_measure(const ErrorMeasure& error);
-  /// Wall time of a step, in milliseconds. A second time under the same name replaces the first.
-  void set_time(std::string_view step, double milliseconds);
-  /// Largest resident memory of the process.
-  void set_peak_memory(std::int64_t bytes);
 
   /// Writes the document; the stream is flushed and checked. `parse_generators` reads its generators back.
   /// Numbers that are not finite become null; bytes that are no UTF-8 become U+FFFD.

@@ -221,7 +221,7 @@ std::vector<std::string> format_results(const std::vector<RunResult>& results) {
 
 Cells list_figures(const RunReport& report) {
   Cells cells;
-  for (const char* part : {"input", "diagram", "results"}) append_figures(report.document().at(part), part, cells);
+  for (const char* part : {"input", "diagram", "results"}) append_figures(report.at(part), part, cells);
   return cells;
 }
 

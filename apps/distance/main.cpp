@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "common/command.hpp"
+#include "common/load_input.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/distances_operation.hpp"
@@ -87,7 +88,7 @@ void note_targets(Run& run, const DistancesOutcome& made) {
 
 void measure(Run& run, OwnOptions& own) {
   check_written(run.options().output, own.call);
-  const auto input = std::make_shared<CheckedMesh>(load_input(run));
+  const MeshPtr input = load_input(run);
   own.call.most_bytes = most_table_bytes(own.compute);
   const auto made = run_operation(run, input, own.call);
   note_targets(run, *made);

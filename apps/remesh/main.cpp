@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/command.hpp"
+#include "common/load_input.hpp"
 #include "common/options/options.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/process.hpp"
@@ -97,7 +98,7 @@ void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
 void run_remesh(Run& run, OwnOptions& own) {
   PipedInput piped;
   const bool carries = own.call.carry;
-  const auto input = std::make_shared<CheckedMesh>(load_input(run, carries ? &piped : nullptr));
+  const MeshPtr input = load_input(run, carries ? &piped : nullptr);
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   if (!carries && !input->appearance.empty() && !run.options().output.files.empty()) {
     note_on_input(run, fmt::format("texture coordinates and materials are left out; \1carry\2 keeps them in {}",

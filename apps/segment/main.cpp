@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "common/command.hpp"
+#include "common/load_input.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/referred_files.hpp"
 #include "common/run_parts.hpp"
@@ -156,7 +157,7 @@ void note_whole_faces(Run& run, const OwnOptions& own) {
 }
 
 void segment(Run& run, OwnOptions& own) {
-  const auto input = std::make_shared<CheckedMesh>(load_input(run));
+  const MeshPtr input = load_input(run);
   check_material_files(run, input->appearance, own.call.uv.has_value());
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   const auto made = run_operation(run, input, own.call);

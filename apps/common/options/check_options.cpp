@@ -155,21 +155,6 @@ void check_build(const Options& options) {
   }
 }
 
-/// Longest chain of symbolic links that is followed: the limit of Linux.
-constexpr int kMaxLinks = 40;
-
-/// The same name for every spelling of a path ("a.ply", "./a.ply", a link to it, whether or not that exists): no target
-/// may overwrite another.
-std::string one_name(const std::string& path) {
-  std::error_code failed;
-  fs::path target = fs::absolute(path, failed);
-  for (int i = 0; i < kMaxLinks && fs::is_symlink(target, failed); ++i) {
-    target = target.parent_path() / fs::read_symlink(target, failed);
-  }
-  target = fs::weakly_canonical(target, failed);
-  return failed ? path : target.string();
-}
-
 /// Refuses a target that the run reads: it may be the only copy of a mesh. Files are compared and not names, so that
 /// symbolic and hard links are found.
 void check_not_read(const Target& target, const Options& options) {

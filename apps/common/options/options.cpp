@@ -71,6 +71,19 @@ bool is_read_once(const std::string& file) {
                          !std::filesystem::is_directory(status));
 }
 
+/// Longest chain of symbolic links that is followed: the limit of Linux.
+constexpr int kMaxLinks = 40;
+
+std::string one_name(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::path target = std::filesystem::absolute(path, failed);
+  for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(target, failed); ++i) {
+    target = target.parent_path() / std::filesystem::read_symlink(target, failed);
+  }
+  target = std::filesystem::weakly_canonical(target, failed);
+  return failed ? path : target.string();
+}
+
 std::string file_extension(const std::string& path) { return format_extension(path); }
 
 bool contains(const std::vector<std::string>& texts, const std::string& text) {

@@ -113,6 +113,10 @@ bool names_file(const OutputOptions& output);
 /// Whether a name stands for what can be read only once: "-", which is standard input, a pipe or a device.
 bool is_read_once(const std::string& file);
 
+/// The same name for every spelling of a path ("a.ply", "./a.ply", a link to it, whether or not that exists): no file
+/// may replace another that is needed.
+std::string one_name(const std::string& path);
+
 /// The extension of `path` in lower case, without its dot; empty where it has none. GIFTI's have two parts.
 std::string file_extension(const std::string& path);
 

@@ -122,7 +122,7 @@ TEST_CASE("the summary grows by a row after each run, and is written anew for a 
     const std::string& input = run.options().input.path;
     if (input != "a") seen.push_back(gvd::test::read_text(table));
     if (input == "b") std::ofstream(table, std::ios::app) << "mark\n";
-    run.report().results()[input == "c" ? "late" : "n"] = 7;
+    run.report().at("results")[input == "c" ? "late" : "n"] = 7;
     if (input == "c") std::raise(SIGINT);
   });
   CHECK(code == 130);
@@ -142,7 +142,7 @@ TEST_CASE("the summary grows by a row after each run, and is written anew for a 
 
 TEST_CASE("figures of a report are its numbers, texts and truth values, without lists and nulls") {
   RunReport report("gvd-test", {});
-  report.results() = {
+  report.at("results") = {
       {"faces", 3}, {"list", {1, 2}}, {"none", nullptr}, {"bad", NAN}, {"deep", {{"ok", true}, {"stop", "x"}}}};
   CHECK(list_figures(report) == Cells{{"results.faces", "3"}, {"results.deep.ok", "true"}, {"results.deep.stop", "x"}});
 }
