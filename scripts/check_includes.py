@@ -63,8 +63,8 @@ PUBLIC = {
     "libgvd/lloyd": "balance cell_moments coarse_copy constrained_start density features lloyd lloyd_options relaxation_start",
     "libgvd/remesh/src/dual": "dual remesh_certificate self_intersections surface_distance",
     "libgvd/remesh": "carry_properties disc_cells find_fewest placement remesh remesh_map remesh_options remesh_scenes remesh_surface",
-    "libgvd/operations": "barriers diagram_operation diagram_parts distances_operation edit_operation generator_options program_operations given_regions lloyd_operation lloyd_words measured_surface mesh_objects object "
-                         "observer operation operation_json parted_mesh relaxation_parts remesh_operation scene_operation segment_operation unreached_points",
+    "libgvd/operations": "barriers diagram_operation diagram_parts distances_operation edit_operation generator_options program_operations given_regions lloyd_operation mesh_objects object "
+                         "observer operation operation_json parted_mesh relaxation_parts remesh_operation scene_operation segment_operation",
     "libgvd/verify": "verify",
 }
 PUBLIC_FOLDER = {f"gvd/{name}.hpp": folder for folder, names in PUBLIC.items() for name in names.split()}

@@ -16,7 +16,6 @@
 #include "common/process.hpp"
 #include "common/run_several.hpp"
 #include "gvd/error.hpp"
-#include "gvd/version.hpp"
 
 namespace gvd::app {
 namespace {
@@ -31,62 +30,53 @@ std::string default_page(const std::string& input) {
 
 }  // namespace
 
-std::string help_footer(const std::string& examples) {
-  return "\nExamples:\n" + examples +
-         "\nExit codes: 0 done, 2 usage, 3 unreadable input, 4 input breaks a precondition,\n"
-         "5 no valid result or out of memory, 6 output could not be written,\n"
-         "130 interrupted; with several inputs, the code of the first one that failed.\n";
-}
-
-int run_described(const CommandInfo& info, OptionList& list, Options& options, int argc, const char* const* argv,
-                  const std::function<void(const Given&)>& complete, const std::function<void(Run&)>& body) {
+int run_command(const Command& command, int argc, const char* const* argv) {
+  const CommandInfo& info = command.info;
+  report_termination(info.name);  // options may not find the memory that they need
   keep_freed_memory();
-  reserve_standard_streams();
-  install_signal_handlers();
-  int exit_code = kDone;
+  const DescribedCommand made = command.make();
+  Options& options = *made.options;
+  OptionList list;
   Given given;
-  const Outcome outcome = run_guarded(
-      [&] {
-        describe(list, options.general);
-        options.list = &list;
-        options.given = &given;
-        const CommandWords words{info.name, info.description, help_footer(info.examples), std::string(version())};
-        const auto answer = [&] {
-          const WaitForInput wait("--config");  // the file may be a pipe
-          return parse_command_line(words, list, given, {argv + std::min(argc, 1), argv + argc});
-        }();
-        if (answer) {
-          return write_standard_output([&](std::ostream& out) { out << *answer; });
-        }
-        options.input.path = options.input.paths.front();
-        if (options.output.open && options.output.view.empty()) options.output.view = default_page(options.input.path);
-        complete(given);
-        check_inputs(options, info.formats);
-        if (const auto missing = list.find_missing(given)) refuse_option(list, given, *missing);
-        check_outputs(options, info.formats);
-        if (!options.output.folder.empty()) {
-          exit_code = run_several(info.name, plan_runs(options), body);
-          return;
-        }
-        limit_memory_of(options);
-        Console console(info.name, detect_console_style(), options.general.quiet, options.general.verbose);
-        Run run(info.name, options, console);
-        body(run);
-        console.clear_bar();
-        if (!run.written().empty()) console.note(fmt::format("wrote {}", fmt::join(run.written(), ", ")));
-        if (!options.output.open) return;
-        const std::string failed = open_page(options.output.view);
-        if (!failed.empty()) run.note(fmt::format("\1open\2: {}; open {} in a browser", failed, options.output.view));
-      },
-      &options);
-  if (outcome.exit_code == kReaderGone) return end_by_broken_pipe();
-  if (!outcome.message.empty()) Console(info.name, {}, false, false).error(outcome.message);
-  return outcome.exit_code != kDone ? outcome.exit_code : exit_code;
+  const auto work = [&]() -> int {
+    made.describe(list);
+    describe(list, options.general);
+    options.list = &list;
+    options.given = &given;
+    const auto answer = [&] {
+      const WaitForInput wait("--config");  // the file may be a pipe
+      return parse_command_line(info, list, given, {argv + std::min(argc, 1), argv + argc});
+    }();
+    if (answer) {
+      write_standard_output([&](std::ostream& out) { out << *answer; });
+      return kDone;
+    }
+    options.input.path = options.input.paths.front();
+    if (options.output.open && options.output.view.empty()) options.output.view = default_page(options.input.path);
+    made.complete(given);
+    check_inputs(options, info.formats);
+    if (const auto missing = list.find_missing(given)) refuse_option(list, given, *missing);
+    check_outputs(options, info.formats);
+    if (!options.output.folder.empty()) return run_several(info.name, plan_runs(options), made.run);
+    limit_memory_of(options);
+    Console console(info.name, detect_console_style(), options.general.quiet, options.general.verbose);
+    Run run(info.name, options, console);
+    made.run(run);
+    console.clear_bar();
+    if (!run.written().empty()) console.note(fmt::format("wrote {}", fmt::join(run.written(), ", ")));
+    const std::string failed = options.output.open ? open_page(options.output.view) : "";
+    if (!failed.empty()) run.note(fmt::format("\1open\2: {}; open {} in a browser", failed, options.output.view));
+    return kDone;
+  };
+  return run_process(info.name, work, &options);
 }
 
-std::string describe_completion(const CommandInfo& info, OptionList& list, Options& options, const std::string& shell) {
-  describe(list, options.general);
-  return make_completion(info.name, list, shell);
+std::string make_completion(const Command& command, const std::string& shell) {
+  const DescribedCommand made = command.make();
+  OptionList list;
+  made.describe(list);
+  describe(list, made.options->general);
+  return make_completion(command.info.name, list, shell);
 }
 
 }  // namespace gvd::app

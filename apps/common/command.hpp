@@ -5,20 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "common/options/check_options.hpp"
+#include "common/options/help.hpp"
 #include "common/options/options.hpp"
 #include "common/outcome.hpp"
 #include "common/run.hpp"
 #include "gvd/option_list.hpp"
 
 namespace gvd::app {
-
-struct CommandInfo {
-  std::string name;         ///< "gvd-segment"
-  std::string description;  ///< one sentence
-  std::string examples;     ///< for --help: one call a line
-  OutputFormats formats;    ///< of -o
-};
 
 /// What a command is, of options in a struct that inherits Options.
 template <class OwnOptions>
@@ -30,44 +23,26 @@ struct CommandSteps {
   void (*complete)(OwnOptions& options, const Given& given) = nullptr;
 };
 
-/// What --help says behind the options, with these examples.
-std::string help_footer(const std::string& examples);
-
-/// The frame of a command, of options that `list` describes; for `run_command`.
-int run_described(const CommandInfo& info, OptionList& list, Options& options, int argc, const char* const* argv,
-                  const std::function<void(const Given&)>& complete, const std::function<void(Run&)>& body);
-
-/// Reads the options and runs the command, with --output-dir once for each input: see `run_several`. Returns the exit
-/// code: 0 where all goes well, or else that of `run_guarded`, with its message in one line on standard error.
-template <class OwnOptions>
-int run_command(const CommandInfo& info, const CommandSteps<OwnOptions>& steps, int argc, const char* const* argv) {
-  report_termination(info.name);  // options may not find the memory that they need
-  const auto options = std::make_unique<OwnOptions>();
-  OptionList list;
-  steps.describe(list, *options);
-  std::optional<OwnOptions> given;  // of all runs, before the first one
-  const auto complete = [&](const Given& names) {
-    if (steps.complete != nullptr) steps.complete(*options, names);
-  };
-  return run_described(info, list, *options, argc, argv, complete, [&](Run& run) {
-    if (given) *options = *given;
-    if (!given) given = *options;
-    options->input = run.options().input;
-    options->output = run.options().output;
-    run.follow(*options);
-    steps.run(run, *options);
-  });
-}
+/// The options of a command, which have their defaults before they are read, and its steps on them.
+struct DescribedCommand {
+  std::shared_ptr<Options> options;
+  std::function<void(OptionList&)> describe;
+  std::function<void(const Given&)> complete;
+  std::function<void(Run&)> run;
+};
 
 /// A command as the program gvd knows it, whatever its options are.
 struct Command {
   CommandInfo info;
-  std::function<int(int argc, const char* const* argv)> run;        ///< `run_command`
-  std::function<std::string(const std::string& shell)> completion;  ///< the script for bash, zsh or fish
+  std::function<DescribedCommand()> make;
 };
 
-/// The script that completes a command in a shell, of options that `list` describes but for the general ones.
-std::string describe_completion(const CommandInfo& info, OptionList& list, Options& options, const std::string& shell);
+/// Reads the options and runs the command, with --output-dir once for each input: see `run_several`. Returns the exit
+/// code: 0 where all goes well, or else that of `run_guarded`, with its message in one line on standard error.
+int run_command(const Command& command, int argc, const char* const* argv);
+
+/// The script that completes a command in bash, zsh or fish.
+std::string make_completion(const Command& command, const std::string& shell);
 
 /// The command of these options and steps, for the table of gvd.
 ///
@@ -78,12 +53,21 @@ std::string describe_completion(const CommandInfo& info, OptionList& list, Optio
 ///     }
 template <class OwnOptions>
 Command make_command(const CommandInfo& info, const CommandSteps<OwnOptions>& steps) {
-  return {info, [=](int argc, const char* const* argv) { return run_command<OwnOptions>(info, steps, argc, argv); },
-          [=](const std::string& shell) {
-            const auto options = std::make_unique<OwnOptions>();
-            OptionList list;
-            steps.describe(list, *options);
-            return describe_completion(info, list, *options, shell);
+  return {info, [steps] {
+            const auto own = std::make_shared<OwnOptions>();
+            const auto given = std::make_shared<std::optional<OwnOptions>>();  // of all runs, before the first one
+            return DescribedCommand{own, [=](OptionList& list) { steps.describe(list, *own); },
+                                    [=](const Given& names) {
+                                      if (steps.complete != nullptr) steps.complete(*own, names);
+                                    },
+                                    [=](Run& run) {
+                                      if (*given) *own = **given;
+                                      if (!*given) *given = *own;
+                                      own->input = run.options().input;
+                                      own->output = run.options().output;
+                                      run.follow(*own);
+                                      steps.run(run, *own);
+                                    }};
           }};
 }
 

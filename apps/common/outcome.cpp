@@ -82,7 +82,7 @@ Outcome describe_exception(const std::exception& error) {
 /// the file of options of the one that it begins with.
 std::string describe(const Error& error, const Options* options) {
   if (error.code() == ErrorCode::reader_gone) return "";
-  if (options == nullptr || options->list == nullptr) return error.what();
+  if (options == nullptr) return error.what();
   const Given::Source* const blamed = options->given->find(first_option(error.text()));
   const std::string place = blamed == nullptr || blamed->place.empty() ? "" : blamed->place + ": ";
   return place + spell(*options->list, *options->given, error.text(), !place.empty());
@@ -135,9 +135,10 @@ constinit thread_local bool t_ending = false;
   }
 }
 
-std::exception_ptr catch_interrupt() {
+/// What a function throws; null where it throws nothing.
+std::exception_ptr catch_all(const std::function<void()>& work) {
   try {
-    check_interrupt();
+    work();
   } catch (...) {
     return std::current_exception();
   }
@@ -147,26 +148,29 @@ std::exception_ptr catch_interrupt() {
 }  // namespace
 
 Outcome run_guarded(const std::function<void()>& work, const Options* options) {
-  std::exception_ptr failure;
-  try {
-    work();
-  } catch (...) {
-    failure = std::current_exception();
-  }
+  std::exception_ptr failure = catch_all(work);
   limit_memory({});  // the message needs some
   // A signal can make a system call fail, such as the opening of a pipe that nobody reads: that is no error of its own.
-  if (failure && interrupt_requested()) failure = catch_interrupt();
+  if (failure && interrupt_requested()) failure = catch_all(check_interrupt);
   return failure ? describe_failure(failure, options) : Outcome();
+}
+
+int run_process(const std::string& name, const std::function<int()>& work, const Options* options) {
+  reserve_standard_streams();
+  install_signal_handlers();
+  int exit_code = kDone;
+  const Outcome outcome = run_guarded([&] { exit_code = work(); }, options);
+  if (outcome.exit_code == kReaderGone) return end_by_broken_pipe();
+  if (!outcome.message.empty()) Console(name, {}, false, false).error(outcome.message);
+  return outcome.exit_code != kDone ? outcome.exit_code : exit_code;
 }
 
 void limit_memory_of(const Options& options) {
   const std::optional<std::int64_t> limit = options.compute.max_memory;
   g_memory = {};
   g_memory.is_limited = limit.has_value();
-  const OptionList none;
-  const Given nothing;
-  const OptionList& list = options.list == nullptr ? none : *options.list;
-  const Given& given = options.given == nullptr ? nothing : *options.given;
+  const OptionList& list = *options.list;
+  const Given& given = *options.given;
   // The points of the bisectors are most of an exact diagram. A few long needles take as much memory as many faces.
   const Option* const chords = list.find("chord_tolerance");
   if (chords != nullptr && list.why_idle(*chords, given).empty()) {

@@ -31,6 +31,10 @@ struct Outcome {
 /// Lifts the limit of memory at the end.
 Outcome run_guarded(const std::function<void()>& work, const Options* options = nullptr);
 
+/// Does the work of a process, which gives its exit code: readies streams and signals before, and ends as `run_guarded`
+/// says, with the message in one line on standard error. `name` begins the line: "gvd-segment".
+int run_process(const std::string& name, const std::function<int()>& work, const Options* options = nullptr);
+
 /// Limits the memory of the run that begins, by its options (--max-memory). Messages of a shortage tell the limit, and
 /// what helps.
 void limit_memory_of(const Options& options);

@@ -23,20 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder of a file, without links.
-fs::path folder(const fs::path& file) {
-  std::error_code failed;
-  return fs::weakly_canonical(fs::absolute(file, failed).parent_path(), failed);
-}
-
-/// Where a file is: a name in a folder without links.
-fs::path place_of(const fs::path& file) { return folder(file) / file.filename(); }
-
-bool is_same(const fs::path& a, const fs::path& b) {
-  std::error_code ignored;
-  return place_of(a) == place_of(b) || fs::equivalent(a, b, ignored);
-}
-
 /// What tells a file from all others, whatever its names.
 std::optional<std::pair<dev_t, ino_t>> identity_of(const fs::path& file) {
   struct stat found {};
@@ -64,13 +50,13 @@ class ReferredFiles {
   /// `file`: as a path from the folder of the mesh.
   void add(const std::string& mesh, const fs::path& file) {
     const fs::path path = fs::path(mesh).parent_path() / file;
-    meshes_at_[place_of(path)].push_back(mesh);
+    meshes_at_[one_name(path.string())].push_back(mesh);
     if (const auto identity = identity_of(path)) meshes_of_[*identity].push_back(mesh);
   }
 
   /// Throws Error{invalid_option} where a mesh other than `excepted` refers to the target.
   void check(const Target& target, const std::string& excepted = "") const {
-    refuse_any(target, meshes_at_, place_of(target.path), excepted);
+    refuse_any(target, meshes_at_, one_name(target.path), excepted);
     if (const auto identity = identity_of(target.path)) refuse_any(target, meshes_of_, *identity, excepted);
   }
 
@@ -89,7 +75,7 @@ class ReferredFiles {
     }
   }
 
-  Meshes<fs::path> meshes_at_;                 // by places
+  Meshes<std::string> meshes_at_;              // by places
   Meshes<std::pair<dev_t, ino_t>> meshes_of_;  // by identities, of files that are there
 };
 
@@ -137,7 +123,9 @@ void check_material_files(Run& run, const Appearance& appearance, bool drops_mat
     const auto made = materials_file(path);
     if (!made) continue;
     for (const fs::path& name : list_material_files(input, appearance.material_files)) {
-      if (!is_same(*made, fs::path(input).replace_filename(name))) continue;
+      const fs::path named = fs::path(input).replace_filename(name);
+      std::error_code ignored;
+      if (one_name(made->string()) != one_name(named.string()) && !fs::equivalent(*made, named, ignored)) continue;
       throw Error(ErrorCode::invalid_option,
                   fmt::format("{}: its materials would replace {}, which {} names; choose another name",
                               placeholder("output", path), user_text(name.string()), input));
@@ -147,7 +135,11 @@ void check_material_files(Run& run, const Appearance& appearance, bool drops_mat
 
 void note_material_files(Run& run, const std::string& path, const Appearance& appearance) {
   const std::string& input = run.options().input.path;
-  if (appearance.material_files.empty() || input == "-" || folder(path) == folder(input)) return;
+  const auto folder_of = [](const std::string& file) {
+    std::error_code ignored;
+    return one_name(fs::absolute(file, ignored).parent_path().string());
+  };
+  if (appearance.material_files.empty() || input == "-" || folder_of(path) == folder_of(input)) return;
   run.console().note(fmt::format("{} names the materials of {}, which is beside {}: copy it, with its images", path,
                                  user_text(fmt::format("{}", fmt::join(appearance.material_files, ", "))), input));
 }

@@ -3,8 +3,8 @@
 // The report is one JSON document (gvd-report/2), which the body of the run fills in and writes at its end. Members
 // stand in the order of the contract, each on a line of its own. The generators are kept apart, since a run may have a
 // million, and written one a line, in the form in which `parse_generators` reads them. The library reads no clock and
-// prints nothing. A step's time is reported when its StepTimes ends, after an exception too. The progress callback
-// draws the bar and cancels the library's work once a signal has come.
+// prints nothing. A step's time is reported when it ends. The progress callback draws the bar and cancels the library's
+// work once a signal has come.
 
 #include "common/run.hpp"
 
@@ -12,23 +12,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "common/options/spelling.hpp"
 #include "common/process.hpp"
 #include "gvd/error.hpp"
+#include "gvd/mesh_objects.hpp"
+#include "gvd/operation_json.hpp"
 #include "gvd/version.hpp"
 
 namespace gvd::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::int64_t count_disc_cells(const Diagram& diagram) {
-  return std::count_if(diagram.cells.begin(), diagram.cells.end(),
-                       [](const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; });
-}
 
 /// The shortest digits that bring the same double back.
 std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
@@ -52,15 +50,6 @@ void write_generators(std::ostream& out, const std::vector<ReportedGenerator>& g
 
 }  // namespace
 
-Json to_json(const MeshSummary& mesh) {
-  return {{"vertices", mesh.vertices},
-          {"faces", mesh.faces},
-          {"components", mesh.components},
-          {"boundary_loops", mesh.boundary_loops},
-          {"euler_characteristic", mesh.euler_characteristic},
-          {"area", mesh.area}};
-}
-
 RunReport::RunReport(const std::string& command, std::uint64_t seed)
     : document_(std::make_unique<Json>(Json{{"schema", "gvd-report/2"},
                                             {"command", command},
@@ -76,49 +65,33 @@ RunReport::RunReport(const std::string& command, std::uint64_t seed)
 
 RunReport::~RunReport() = default;
 
-Json& RunReport::options() { return (*document_)["options"]; }
-
-Json& RunReport::results() { return (*document_)["results"]; }
+Json& RunReport::at(const char* member) const { return document_->at(member); }
 
 void RunReport::set_input(const MeshSummary& mesh, const DefectReport& defects) {
   Json counts = Json::object();
   for (const Defect& defect : defects.defects) counts[std::string(name_of(defect.kind))] = defect.count;
-  Json& input = (*document_)["input"] = to_json(mesh);
-  input["bbox_diagonal"] = mesh.bbox_diagonal;
-  input["defects"] = std::move(counts);
+  at("input") = {{"vertices", mesh.vertices},
+                 {"faces", mesh.faces},
+                 {"components", mesh.components},
+                 {"boundary_loops", mesh.boundary_loops},
+                 {"euler_characteristic", mesh.euler_characteristic},
+                 {"area", mesh.area},
+                 {"bbox_diagonal", mesh.bbox_diagonal},
+                 {"defects", std::move(counts)}};
 }
 
 void RunReport::set_diagram(const Diagram& diagram) {
-  (*document_)["diagram"] = {{"branch_points", diagram.branch_points.size()},
-                             {"bisectors", diagram.bisectors.size()},
-                             {"length", diagram.length},
-                             {"cells", diagram.cells.size()},
-                             {"disc_cells", count_disc_cells(diagram)},
-                             {"trivial_faces", diagram.report.face_classes.trivial},
-                             {"ordinary_faces", diagram.report.face_classes.ordinary},
-                             {"branching_faces", diagram.report.face_classes.branching},
-                             {"gaps", diagram.report.gaps},
-                             {"gaps_grown", diagram.report.gaps_grown},
-                             {"gaps_assembled", diagram.report.gaps_assembled},
-                             {"unresolved_ends", diagram.report.unresolved_ends},
-                             {"relabelled_vertices", diagram.report.relabelled_vertices},
-                             {"straightened_faces", diagram.report.straightened_faces},
-                             {"straightened_error", diagram.report.straightened_error},
-                             {"verify", nullptr}};
+  const std::shared_ptr<const Diagram> shared(std::shared_ptr<void>(), &diagram);  // of which the figures are
+  Json& figures = at("diagram") = Json::parse(figures_json(DiagramObject(nullptr, shared, {})));
+  figures["verify"] = nullptr;
 }
 
 void RunReport::set_error_measure(const ErrorMeasure& error) {
-  (*document_)["diagram"]["verify"] = {{"error_integral", error.error_integral},
-                                       {"error_mean", error.error_mean},
-                                       {"error_max", error.error_max},
-                                       {"length", error.length}};
+  at("diagram")["verify"] = {{"error_integral", error.error_integral},
+                             {"error_mean", error.error_mean},
+                             {"error_max", error.error_max},
+                             {"length", error.length}};
 }
-
-void RunReport::set_time(std::string_view step, double milliseconds) {
-  (*document_)["timings_ms"][std::string(step)] = milliseconds;
-}
-
-void RunReport::set_peak_memory(std::int64_t bytes) { (*document_)["peak_memory_bytes"] = bytes; }
 
 void RunReport::write(std::ostream& out) const {
   const char* separator = "{";
@@ -135,42 +108,59 @@ void RunReport::write(std::ostream& out) const {
   if (!out.flush()) throw Error(ErrorCode::unwritable_output, "the output stream could not be written");
 }
 
-StepTimes::StepTimes(Run& run) : run_(run) { check_interrupt(); }
+std::string Run::spelled(const std::string& text) const { return spell(*options().list, *options().given, text); }
 
-StepTimes::~StepTimes() {
-  stop();
-  for (const auto& [step, sum] : sums_) run_.report_time(step, std::chrono::duration<double, std::milli>(sum).count());
-}
-
-void StepTimes::start(std::string_view step) {
-  stop();
-  release_freed_memory();
-  const auto found = std::find_if(sums_.begin(), sums_.end(), [&](const auto& sum) { return sum.first == step; });
-  current_ = found - sums_.begin();
-  if (found == sums_.end()) sums_.emplace_back(step, Clock::duration::zero());
-  started_ = Clock::now();
-}
-
-void StepTimes::stop() {
-  if (!sums_.empty()) sums_[current_].second += Clock::now() - started_;
-}
-
-std::string Run::spelled(const std::string& text) const {
-  const Options& options = this->options();
-  return options.list == nullptr ? text : spell(*options.list, *options.given, text);
+bool Run::advance(std::string_view step, double fraction) {
+  console_.bar(step, fraction);
+  return !interrupt_requested();
 }
 
 Progress Run::progress() {
-  return [this](std::string_view step, double fraction) {
-    console_.bar(step, fraction);
-    return !interrupt_requested();
-  };
+  return [this](std::string_view step, double fraction) { return advance(step, fraction); };
 }
 
 void Run::report_time(std::string_view step, double milliseconds) {
   console_.clear_bar();
   console_.detail(fmt::format("{}: {:.1f} ms", step, milliseconds));
-  report_.set_time(step, milliseconds);
+  report_.at("timings_ms")[std::string(step)] = milliseconds;
 }
+
+RunObserver::RunObserver(Run& run) : run_(run) { threads = run.options().compute.threads; }
+
+// Nothing is reported while an exception is on its way: there may be no memory for it.
+RunObserver::~RunObserver() {
+  if (std::uncaught_exceptions() > 0) return;
+  for (const Timed& timed : steps_) {
+    if (timed.times > 1) report(timed);
+  }
+}
+
+void RunObserver::report(const Timed& timed) {
+  run_.report_time(timed.step, std::chrono::duration<double, std::milli>(timed.sum).count());
+}
+
+bool RunObserver::progress(std::string_view step, double fraction) { return run_.advance(step, fraction); }
+
+void RunObserver::enter(std::string_view step) {
+  check_interrupt();
+  release_freed_memory();
+  const auto found = std::ranges::find(steps_, step, &Timed::step);
+  entered_.push_back(std::size_t(found - steps_.begin()));
+  if (found == steps_.end()) steps_.push_back({std::string(step)});
+  steps_[entered_.back()].started = Clock::now();
+}
+
+void RunObserver::leave() {
+  Timed& left = steps_[entered_.back()];
+  left.sum += Clock::now() - left.started;
+  entered_.pop_back();
+  if (std::uncaught_exceptions() == 0 && ++left.times == 1) report(left);
+}
+
+void RunObserver::note(const std::string& text) { run_.note(text); }
+
+void RunObserver::detail(const std::string& text) { run_.console().detail(run_.spelled(text)); }
+
+void RunObserver::status(const std::string& text) { run_.console().set_status(text); }
 
 }  // namespace gvd::app

@@ -17,6 +17,8 @@
 #include "gvd/diagram.hpp"
 #include "gvd/error_measure.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/mesh_objects.hpp"
+#include "gvd/observer.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
@@ -40,12 +42,8 @@ class RunReport {
   RunReport(const RunReport&) = delete;
   RunReport& operator=(const RunReport&) = delete;
 
-  /// Member `options`, an object: every option of the command as it was understood. Filled in by `write_report`.
-  nlohmann::ordered_json& options();
-  /// Member `results`, an object: the figures of the command itself.
-  nlohmann::ordered_json& results();
-  /// All members; `generators` is null.
-  const nlohmann::ordered_json& document() const { return *document_; }
+  /// A member of the document, such as `results`; `generators` is null here.
+  nlohmann::ordered_json& at(const char* member) const;
   /// Member `generators`: those that the run used or leaves, in the order of their ids.
   std::vector<ReportedGenerator>& generators() { return generators_; }
 
@@ -54,10 +52,6 @@ class RunReport {
   void set_diagram(const Diagram& diagram);
   /// The error of the diagram that was set.
   void set_error_measure(const ErrorMeasure& error);
-  /// Wall time of a step, in milliseconds. A second time under the same name replaces the first.
-  void set_time(std::string_view step, double milliseconds);
-  /// Largest resident memory of the process.
-  void set_peak_memory(std::int64_t bytes);
 
   /// Writes the document; the stream is flushed and checked. `parse_generators` reads its generators back.
   /// Numbers that are not finite become null; bytes that are no UTF-8 become U+FFFD.
@@ -67,40 +61,6 @@ class RunReport {
  private:
   std::unique_ptr<nlohmann::ordered_json> document_;  ///< all members in their order; `generators` is left null
   std::vector<ReportedGenerator> generators_;         ///< not in the document: a run may have very many
-};
-
-/// Vertices, faces, topology and area of a mesh, as members of the report.
-nlohmann::ordered_json to_json(const MeshSummary& mesh);
-
-class Run;
-
-/// Sums the wall times of steps that may alternate, and reports each sum at its end.
-class StepTimes {
- public:
-  /// Throws Error{interrupted} where a signal came before.
-  explicit StepTimes(Run& run);
-  ~StepTimes();
-  StepTimes(const StepTimes&) = delete;
-  StepTimes& operator=(const StepTimes&) = delete;
-
-  /// Ends the current step and starts `step`, or starts it again.
-  void start(std::string_view step);
-
- private:
-  using Clock = std::chrono::steady_clock;
-  void stop();
-
-  Run& run_;
-  std::vector<std::pair<std::string, Clock::duration>> sums_;  ///< in the order of their first starts
-  std::size_t current_ = 0;
-  Clock::time_point started_{};
-};
-
-/// The figures of a run for the table of several.
-struct RunFigures {
-  std::optional<std::int64_t> regions;
-  std::optional<double> error_integral;  ///< E of --verify, mesh units squared
-  std::optional<double> energy;          ///< mesh units to the fourth
 };
 
 /// One run of a command: its options, console and report. Only the body of the run holds it. Steps take values and
@@ -120,12 +80,13 @@ class Run {
   void note(const std::string& text) { console_.note(spelled(text)); }
   /// The document of `--report`.
   RunReport& report() { return report_; }
-  RunFigures& figures() { return figures_; }
   /// The files that are written so far, in their order; standard output is none.
   const std::vector<std::string>& written() const { return written_; }
   void add_written(const std::string& file) { written_.push_back(file); }
 
-  /// For the `progress` fields of the library: draws the bar, and cancels after a signal. Valid while the run lives.
+  /// Draws the bar of a step. False after a signal: the work is to end.
+  bool advance(std::string_view step, double fraction);
+  /// The same for the `progress` fields of the library. Valid while the run lives.
   Progress progress();
 
   /// Reports and, where verbose, prints the wall time of a step.
@@ -134,19 +95,60 @@ class Run {
   /// Runs `work` and reports its wall time under the name `step`.
   /// Throws Error{interrupted} where a signal came before.
   template <class Work>
-  decltype(auto) timed(std::string_view step, Work&& work) {
-    StepTimes times(*this);
-    times.start(step);
-    return std::forward<Work>(work)();
-  }
+  decltype(auto) timed(std::string_view step, Work&& work);
 
  private:
   Options options_;
   const Options* live_ = nullptr;
   Console& console_;
   RunReport report_;
-  RunFigures figures_;
   std::vector<std::string> written_;
 };
+
+/// What an operation tells, for the console and the report of a run: bars, notes with the options as the user wrote
+/// them, and the time of each step. It is reported when the step ends, and in all when this ends, where the step began
+/// again. Nothing is reported while an exception is on its way.
+class RunObserver : public Observer {
+ public:
+  /// `run` must outlive it.
+  explicit RunObserver(Run& run);
+  ~RunObserver() override;
+  RunObserver(const RunObserver&) = delete;
+  RunObserver& operator=(const RunObserver&) = delete;
+
+  bool progress(std::string_view step, double fraction) override;
+  void enter(std::string_view step) override;
+  void leave() override;
+  void note(const std::string& text) override;
+  void detail(const std::string& text) override;
+  void status(const std::string& text) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Timed {
+    std::string step;
+    Clock::duration sum{};
+    Clock::time_point started{};
+    int times = 0;  ///< that it ended
+  };
+  void report(const Timed& timed);
+
+  Run& run_;
+  std::vector<Timed> steps_;          // in the order of their first starts
+  std::vector<std::size_t> entered_;  // of `steps_`
+};
+
+template <class Work>
+decltype(auto) Run::timed(std::string_view step, Work&& work) {
+  RunObserver observer(*this);
+  return as_step(observer, step, std::forward<Work>(work));
+}
+
+/// The result of an operation on INPUT with its options, which become what they stand for.
+template <class Call>
+auto run_operation(Run& of, const MeshPtr& input, Call& call) {
+  RunObserver observer(of);
+  return run(input, call, observer);  // that of the call's header
+}
 
 }  // namespace gvd::app

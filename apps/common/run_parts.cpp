@@ -1,9 +1,7 @@
-// The parts that the runs of the commands share: INPUT, generators, diagram, files, and the end.
+// The parts that the runs of the commands share, behind the input: generators, diagram, files, and the end.
 //
 // Each part calls a step on values within `timed`, notes its result on standard error, and fills in its members of the
-// report. Users see the order of notes and times, so it stays. Output formats that can't hold the coordinates of the
-// mesh are refused as soon as the mesh is known. Listed generators are where the user wants them: they are only moved
-// to the surface. Sampling is seeded, so that the same options give the same points.
+// report. Users see the order of notes and times, so it stays.
 
 #include "common/run_parts.hpp"
 
@@ -12,24 +10,18 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <tuple>
 #include <utility>
 
-#include "common/given_files.hpp"
-#include "common/options/option_json.hpp"
+#include "common/load_input.hpp"
 #include "common/options/options.hpp"
 #include "common/process.hpp"
 #include "common/referred_files.hpp"
-#include "common/run_observer.hpp"
 #include "gvd/error.hpp"
-#include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/io/write_file.hpp"
 #include "gvd/operation_json.hpp"
-#include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #ifdef GVD_HAS_VERIFY
 #include "gvd/verify.hpp"
@@ -38,51 +30,6 @@
 namespace gvd::app {
 namespace {
 
-std::string name_of(const InputOptions& input) { return input.path == "-" ? kStandardInput : input.path; }
-
-/// All bytes of a pipe.
-std::string read_pipe(const std::string& path) {
-  if (path == "-") return read_standard_input();
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes = read_to_end(file);
-  if (!file.is_open() || file.bad()) {
-    throw Error(ErrorCode::unreadable_input, path + ": can't be read to its end; check its permissions");
-  }
-  return bytes;
-}
-
-PolygonSoup read(const InputOptions& input, PipedInput* piped) {
-  const WaitForInput wait(input.path);
-  if (input.path != "-" && (piped == nullptr || !is_read_once(input.path))) return read_soup(input.path, input.format);
-  std::string bytes = read_pipe(input.path);
-  const auto format = input.format ? input.format : detect_format(bytes, input.path);
-  if (!format) {
-    throw Error(ErrorCode::unreadable_input,
-                input.path + ": the content does not tell the format; name the format with " + input_format_option());
-  }
-  PolygonSoup soup = parse_soup(bytes, *format, name_of(input));
-  if (piped != nullptr) *piped = {std::move(bytes), *format};
-  return soup;
-}
-
-/// Errors name the file, as those of `build_mesh`.
-void weld_input(PolygonSoup& soup, const InputOptions& input) {
-  try {
-    weld_soup(soup, *input.weld);
-  } catch (const Error& error) {
-    throw error.at(name_of(input));
-  }
-}
-
-/// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
-void check_formats(const OutputOptions& output, const Mesh& mesh) {
-  std::vector<std::string> formats = written_formats(output);
-  for (const auto& [option, file] : output.own) formats.push_back(file_extension(*file));
-  for (const std::string& name : formats) {
-    if (const auto format = parse_output_format(name)) check_format(mesh, *format);
-  }
-}
-
 #ifdef GVD_HAS_VERIFY
 void verify(Run& run, const Mesh& mesh, const Diagram& diagram) {
   VerifyOptions options;
@@ -90,7 +37,6 @@ void verify(Run& run, const Mesh& mesh, const Diagram& diagram) {
   options.progress = run.progress();
   const ErrorMeasure error = run.timed("verify", [&] { return verify_diagram(mesh, diagram, options); });
   run.report().set_error_measure(error);
-  run.figures().error_integral = error.error_integral;
   run.console().note(
       fmt::format("error against exact distances: E {:.6g} mesh units^2 (the difference of a bisector's two distances, "
                   "integrated along all bisectors), mean {:.6g}, largest {:.6g} mesh units",
@@ -191,96 +137,6 @@ void note_position_loss(Run& run, const Mesh& mesh) {
   }
 }
 
-/// Where coordinates are multiples of more than this fraction of a face's mean edge, written points are that far off:
-/// farther than the default chord tolerance lets bisectors be. A smaller share of the area than the second is not told.
-constexpr double kCoarseGrid = 1e-4, kCoarseShare = 1e-3;
-
-/// Notes that doubles are too coarse for the faces, which lie far from the origin.
-void note_coarse_coordinates(Run& run, const Mesh& mesh) {
-  double area = 0, coarse_area = 0, grid = 0, edge = 0;
-  for (const FaceId f : mesh.faces()) {
-    double largest = 0;
-    for (const VertexId v : mesh.vertices(f)) largest = std::max(largest, mesh.position(v).cwiseAbs().maxCoeff());
-    const auto& length = mesh.shape(f).length;
-    const double mean = (length[0] + length[1] + length[2]) / 3, step = std::nextafter(largest, HUGE_VAL) - largest;
-    area += mesh.area(f);
-    if (!(step > kCoarseGrid * mean)) continue;
-    if (coarse_area == 0) std::tie(grid, edge) = std::pair(step, mean);
-    coarse_area += mesh.area(f);
-  }
-  if (!(coarse_area > kCoarseShare * area)) return;
-  note_on_input(run,
-                fmt::format("coordinates are multiples of {:.2g} so far from the origin, and edges there are {:.2g} "
-                            "long: results are no more exact; move the model to the origin",
-                            grid, edge));
-}
-
-/// The median of numbers, which are reordered; of an even number, the upper one.
-double take_median(std::vector<double>& numbers) {
-  const auto middle = numbers.begin() + std::ssize(numbers) / 2;
-  std::nth_element(numbers.begin(), middle, numbers.end());
-  return *middle;
-}
-
-/// A vertex so many times as far from the middle as half of all vertices is rather a slip than a part of a model: a
-/// town of kilometres beside details of a metre has a thousand.
-constexpr double kFarVertex = 1e4;
-
-/// Notes vertices far outside of the others. The middle is that of the medians, which a few far ones do not move.
-void note_far_vertices(Run& run, const CheckedMesh& checked) {
-  const Mesh& mesh = checked.mesh;
-  Vec3 middle;
-  std::vector<double> numbers(std::size_t(mesh.vertex_count()));
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const VertexId v : mesh.vertices()) numbers[v.index()] = mesh.position(v)[axis];
-    middle[axis] = take_median(numbers);
-  }
-  const auto distance = [&](VertexId v) { return (mesh.position(v) - middle).stableNorm(); };
-  for (const VertexId v : mesh.vertices()) numbers[v.index()] = distance(v);
-  const double usual = take_median(numbers);
-  std::int64_t count = 0;
-  VertexId farthest;
-  for (const VertexId v : mesh.vertices()) {
-    if (!(distance(v) > kFarVertex * usual)) continue;
-    ++count;
-    if (!farthest.valid() || distance(v) > distance(farthest)) farthest = v;
-  }
-  if (count == 0 || usual == 0) return;
-  note_on_input(run, fmt::format("{} far outside: vertex {} is {:.4g} from the middle, where half of all vertices are "
-                                 "within {:.4g}; check its coordinates",
-                                 counted(count, "vertex lies", "vertices lie"), checked.input_vertex[farthest],
-                                 distance(farthest), usual));
-}
-
-}  // namespace
-
-void note_on_input(Run& run, const std::string& message) {
-  const Options& options = run.options();
-  run.note(options.output.folder.empty() ? name_of(options.input) + ": " + message : message);
-}
-
-CheckedMesh load_input(Run& run, PipedInput* piped) {
-  const InputOptions& input = run.options().input;
-  PolygonSoup soup = run.timed("read", [&] { return read(input, piped); });
-  check_referred_files(run.options(), soup.appearance);
-  if (input.weld) run.timed("weld", [&] { weld_input(soup, input); });
-  CheckedMesh checked = run.timed("check", [&] { return build_mesh(soup, input.on_defect, name_of(input)); });
-  for (const std::string& message : checked.defects.messages) note_on_input(run, message);
-  note_coarse_coordinates(run, checked.mesh);
-  note_far_vertices(run, checked);
-  check_formats(run.options().output, checked.mesh);
-  const MeshSummary summary = compute_mesh_summary(checked.mesh);
-  run.report().set_input(summary, checked.defects);
-  run.console().detail(fmt::format("{}, {}, {}, {}", counted(summary.vertices, "vertex", "vertices"),
-                                   counted(summary.faces, "face", "faces"),
-                                   counted(summary.components, "component", "components"),
-                                   counted(summary.boundary_loops, "boundary loop", "boundary loops")));
-  read_given_files(run, checked);
-  return checked;
-}
-
-namespace {
-
 /// "50 s", "11 min" or "2 h", with two digits at most: estimates have no more.
 std::string format_duration(double seconds) {
   constexpr double kMinute = 60, kHour = 3600;
@@ -303,24 +159,6 @@ void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const 
       cost.microseconds * 1e-3, cost.kilobytes));
 }
 
-std::string property_file(Run& run) {
-  const std::string& path = run.options().input.path;
-  return is_read_once(path) ? "" : path;
-}
-
-void refuse_name(Run& run, const std::string& option, const std::string& name) {
-  const std::string file = property_file(run);
-  std::error_code ignored;
-  std::string why = fmt::format("there is no such file, and {} has no such property; check the name", file);
-  if (file.empty()) {
-    why = fmt::format("there is no such file, and properties are read from files only: save {} as one",
-                      name_of(run.options().input));
-  }
-  if (std::filesystem::is_directory(name, ignored)) why = "is a directory; give a file";
-  if (name == "-") why = "takes a file or a property; standard input is the file /dev/stdin";
-  throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", placeholder(option, name), why));
-}
-
 void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& points,
                        const std::vector<std::optional<double>>& snap_distance) {
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -329,15 +167,10 @@ void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoin
   }
 }
 
-void set_diagram(Run& run, const Diagram& diagram) {
-  run.report().set_diagram(diagram);
-  run.figures().regions = std::ssize(diagram.cells);
-}
-
 void report_figures(Run& run, const Object& object) {
   const OutputOptions& output = run.options().output;
   if (output.report.empty() && output.summary.empty()) return;  // figures of a million regions take time
-  run.report().results().update(nlohmann::ordered_json::parse(figures_json(object)));
+  run.report().at("results").update(nlohmann::ordered_json::parse(figures_json(object)));
 }
 
 void write_output_files(Run& run, const LabelledMesh& mesh, const OwnWriters& own_formats) {
@@ -371,6 +204,12 @@ void write_own_file(Run& run, const std::string& option, const OutputWriter& wri
   if (target != own.end()) write_timed(run, step, *target->second, write);
 }
 
+void write_part_file(Run& run, const std::string& option, const Object& object) {
+  write_own_file(run, option, [&](std::ostream& out) {
+    object.part_writers(option).at(file_extension(*run.options().output.own.at(option)))(out);
+  });
+}
+
 void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes) {
   const std::string &path = run.options().output.view, &input = run.options().input.path;
   if (path.empty()) return;
@@ -395,11 +234,11 @@ void write_report(Run& run) {
   const std::string& path = run.options().output.report;
   if (path.empty()) return;
   check_interrupt();
-  run.report().set_peak_memory(peak_memory_bytes());
-  if (const Options& options = run.options(); options.list != nullptr) {
-    run.report().options() = report_options(*options.list, *options.given);
-    run.report().options()["input"] = options.input.path;
-  }
+  run.report().at("peak_memory_bytes") = peak_memory_bytes();
+  const Options& options = run.options();
+  nlohmann::ordered_json& told = run.report().at("options");
+  told = nlohmann::ordered_json::parse(options_json(*options.list, *options.given));
+  told["input"] = options.input.path;
   write_file(path, [&](std::ostream& out) { run.report().write(out); });
   run.add_written(path);
 }

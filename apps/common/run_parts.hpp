@@ -14,35 +14,12 @@
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/io/view.hpp"
 #include "gvd/object.hpp"
-#include "gvd/read_soup.hpp"
-#include "gvd/sampling.hpp"
 #include "gvd/soup.hpp"
 #include "gvd/surface_point.hpp"
 
-// The parts that the runs of the commands share, in their order. Each part times its steps, notes what users
-// should know, and fills in its members of the report.
+// The parts that the runs of the commands share behind `load_input`, in their order. Each part times its steps, notes
+// what users should know, and fills in its members of the report.
 namespace gvd::app {
-
-/// Notes something about the input, behind its name. With --output-dir the console's lines have that name already.
-void note_on_input(Run& run, const std::string& message);
-
-/// What standard input or a pipe held, which can be read only once.
-struct PipedInput {
-  std::string bytes;  ///< empty: INPUT is a file
-  MeshFormat format{};
-};
-
-/// Reads and checks the mesh of INPUT. Notes each repair in one line, and reports the mesh and its defects.
-/// Throws Error{unreadable_input} or Error{precondition} with the name of the input, Error{unwritable_output} where an
-/// output format can't hold the coordinates of the mesh, and what `check_referred_files` throws. `piped`, if not null,
-/// receives what INPUT held where it is standard input or a pipe.
-CheckedMesh load_input(Run& run, PipedInput* piped = nullptr);
-
-/// The file that properties of INPUT are read from: none for standard input and pipes, which can be read only once.
-std::string property_file(Run& run);
-
-/// Refuses the name that `option` has, which is neither that of a file nor of a property of INPUT.
-[[noreturn]] void refuse_name(Run& run, const std::string& option, const std::string& name);
 
 /// Lists generators in the report. `snap_distance`: from where they were given, as far as that is known.
 void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoint>& points,
@@ -61,9 +38,6 @@ void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const 
 /// Adds the figures of an object to the results of the report, if it is written.
 void report_figures(Run& run, const Object& object);
 
-/// Reports the figures of a diagram.
-void set_diagram(Run& run, const Diagram& diagram);
-
 /// Writes to `-o` in one format.
 using OutputWriter = std::function<void(std::ostream&)>;
 
@@ -78,6 +52,8 @@ void write_diagram_file(Run& run, const Mesh& mesh, const Diagram& diagram);
 
 /// Writes the file of an option that `describe_target` described.
 void write_own_file(Run& run, const std::string& option, const OutputWriter& write);
+/// Writes a part of an object (Object::part_writers) to the file of the option of the same name.
+void write_part_file(Run& run, const std::string& option, const Object& object);
 
 /// Writes `--view`; `make_scenes` is called only then. The name of the input file is added to the title.
 void write_view_file(Run& run, const std::string& title, const std::function<std::vector<ViewScene>()>& make_scenes);

@@ -15,7 +15,6 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <ostream>
 #include <set>
 #include <utility>
@@ -31,8 +30,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string figure(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? fmt::format("{:.6g}", *value) : "-";
+/// A figure of a run for the table: with few digits, where it is no whole number.
+std::string figure_of(const RunResult& run, const char* name) {
+  const auto found = std::ranges::find(run.cells, name, &Cells::value_type::first);
+  if (found == run.cells.end()) return "-";
+  const std::string& text = found->second;
+  return parse_number<std::int64_t>(text) ? text : fmt::format("{:.6g}", parse_number<double>(text).value_or(0));
 }
 
 /// Code points of UTF-8: what a terminal shows of most texts.
@@ -78,7 +81,6 @@ RunResult run_one(const std::string& command, const Options& options, const std:
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return {input,
           result,
-          run.figures(),
           taken.count(),
           outcome.exit_code,
           outcome.message,
@@ -200,13 +202,11 @@ int run_several(const std::string& command, const std::vector<Options>& runs, co
 std::vector<std::string> format_results(const std::vector<RunResult>& results) {
   std::array<std::vector<std::string>, 6> columns{{{"input"}, {"result"}, {"generators"}, {"E"}, {"energy"}, {"time"}}};
   for (const RunResult& run : results) {
-    const RunFigures& figures = run.figures;
-    const std::string regions = figures.regions ? fmt::format("{}", *figures.regions) : "-";
     const std::array<std::string, 6> cells{run.input,
                                            run.result,
-                                           regions,
-                                           figure(figures.error_integral),
-                                           figure(figures.energy),
+                                           figure_of(run, "diagram.cells"),
+                                           figure_of(run, "diagram.verify.error_integral"),
+                                           figure_of(run, "results.final_energy"),
                                            fmt::format("{:.2f} s", run.seconds)};
     for (std::size_t i = 0; i < cells.size(); ++i) columns[i].push_back(cells[i]);
   }
@@ -221,7 +221,7 @@ std::vector<std::string> format_results(const std::vector<RunResult>& results) {
 
 Cells list_figures(const RunReport& report) {
   Cells cells;
-  for (const char* part : {"input", "diagram", "results"}) append_figures(report.document().at(part), part, cells);
+  for (const char* part : {"input", "diagram", "results"}) append_figures(report.at(part), part, cells);
   return cells;
 }
 

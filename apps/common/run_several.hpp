@@ -23,7 +23,6 @@ using Cells = std::vector<std::pair<std::string, std::string>>;
 struct RunResult {
   std::string input;
   std::string result;  ///< in a few words
-  RunFigures figures;
   double seconds = 0;
   int exit_code = 0;
   std::string error = {};  ///< the message; empty where there is none

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <ostream>
@@ -15,14 +14,12 @@
 #include <vector>
 
 #include "common/command.hpp"
+#include "common/load_input.hpp"
 #include "common/options/shared_options.hpp"
-#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
-#include "gvd/barriers.hpp"
 #include "gvd/distances_operation.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/distance_writer.hpp"
-#include "gvd/unreached_points.hpp"
 
 namespace gvd::app {
 namespace {
@@ -79,41 +76,22 @@ double most_table_bytes(const ComputeOptions& compute) {
   return std::min(machine, double(compute.max_memory.value_or(INT64_MAX)));
 }
 
-/// Notes the first distances to the points of --to, and why the others are infinite.
-void note_targets(RunObserver& observer, const DistancesOutcome& made, bool are_printed) {
-  const DistanceTable& table = made.table;
-  const std::size_t all = table.rows.size() * table.targets.size();
-  if (all == 0) return;
-  if (are_printed) {  // on standard output
-    if (all <= kToldDistances && made.unreached > 0) observer.note(describe_unreached(made));
+/// Notes the first distances to the points of --to, unless standard output has them, and why others are infinite.
+void note_targets(Run& run, const DistancesOutcome& made) {
+  const std::size_t all = made.table.rows.size() * made.table.targets.size();
+  if (contains(run.options().output.files, "-")) {
+    if (all > 0 && all <= kToldDistances && made.unreached > 0) run.note(describe_unreached(made));
     return;
   }
-  UnreachedPoints unreached(made);
-  std::size_t told = 0;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    for (std::size_t i = 0; i < table.targets.size() && told < kToldDistances; ++i, ++told) {
-      const double distance = table.rows[row][i];
-      const std::string target = table.target_name(i);
-      observer.note(std::isfinite(distance)
-                        ? fmt::format("{} is {:.9g} from {}", target, distance, table.source_name(table.source(row, i)))
-                        : fmt::format("{} is not reached from {}: it is {}", target,
-                                      table.nearest.empty() ? table.source_name(GeneratorId(row)) : "any source",
-                                      describe(unreached.find(row, i), unreached.inside())));
-    }
-  }
-  if (told < all) observer.note(fmt::format("... and {} more", all - told));
+  for (const std::string& line : describe_targets(made)) run.note(line);
 }
 
 void measure(Run& run, OwnOptions& own) {
   check_written(run.options().output, own.call);
-  const auto input = std::make_shared<CheckedMesh>(load_input(run));
+  const MeshPtr input = load_input(run);
   own.call.most_bytes = most_table_bytes(own.compute);
-  const auto made = [&] {
-    RunObserver observer(run);
-    auto measured = gvd::run(input, own.call, observer);
-    note_targets(observer, *measured, contains(run.options().output.files, "-"));
-    return measured;
-  }();
+  const auto made = run_operation(run, input, own.call);
+  note_targets(run, *made);
   report_figures(run, *made);
   report_generators(run, input->mesh, made->table.sources, made->snap_distance);
   write_output_files(run, *made);

@@ -15,10 +15,9 @@
 #include <ostream>
 
 #include "common/command.hpp"
-#include "common/console.hpp"
+#include "common/options/completion.hpp"
 #include "common/options/help.hpp"
 #include "common/options/options.hpp"
-#include "common/options/program_completion.hpp"
 #include "common/options/spelling.hpp"
 #include "common/outcome.hpp"
 #include "common/process.hpp"
@@ -121,7 +120,7 @@ std::string make_all_completions(const std::string& shell) {
   std::vector<CompletedCommand> commands;
   for (const Entry& entry : kCommands) {
     const Command command = entry.make();
-    commands.push_back({entry.name, command.info.description, command.completion(shell)});
+    commands.push_back({entry.name, command.info.description, make_completion(command, shell)});
   }
   return make_program_completion(commands, shell) + "\n";
 }
@@ -160,36 +159,25 @@ std::string read_shell(const std::vector<std::string>& words) {
 
 bool asks_for_help(const std::string& word) { return word == "help" || word == "--help" || word == "-h"; }
 
-struct Answer {
-  std::string text;
-  int exit_code = kDone;
-};
-
 /// What gvd itself says to words that call no command.
-Answer answer(const std::vector<std::string>& words) {
-  if (words.empty()) return {make_overview(), kUsage};  // as git does
+std::string answer(const std::vector<std::string>& words) {
+  if (words.empty()) return make_overview();
   const std::string& first = words[0];
   const std::string option = first.substr(0, first.find('='));
   const bool is_alone = words.size() == 1 || asks_for_help(words[1]);  // "gvd help help", too
-  if (asks_for_help(first) && is_alone) return {make_overview()};
+  if (asks_for_help(first) && is_alone) return make_overview();
   if (asks_for_help(first)) refuse_word(words[1]);
-  if (first == "version" || first == "--version") return {fmt::format("gvd {}\n", version())};
-  if (option == "--completion" || option == "--print-completion") return {make_all_completions(read_shell(words))};
+  if (first == "version" || first == "--version") return fmt::format("gvd {}\n", version());
+  if (option == "--completion" || option == "--print-completion") return make_all_completions(read_shell(words));
   refuse_word(first);
 }
 
 int print_answer(const std::vector<std::string>& words) {
-  reserve_standard_streams();
-  install_signal_handlers();
-  int exit_code = kDone;
-  const Outcome outcome = run_guarded([&] {
-    const Answer said = answer(words);
-    write_standard_output([&](std::ostream& out) { out << said.text; });
-    exit_code = said.exit_code;
+  return run_process("gvd", [&] {
+    const std::string said = answer(words);
+    write_standard_output([&](std::ostream& out) { out << said; });
+    return words.empty() ? kUsage : kDone;  // as git does
   });
-  if (outcome.exit_code == kReaderGone) return end_by_broken_pipe();
-  if (!outcome.message.empty()) Console("gvd", {}, false, false).error(outcome.message);
-  return outcome.exit_code != kDone ? outcome.exit_code : exit_code;
 }
 
 }  // namespace
@@ -198,12 +186,13 @@ int print_answer(const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
   using namespace gvd::app;
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (const Entry* const command = find_called(argc > 0 ? argv[0] : "gvd")) return command->make().run(argc, argv);
+  if (const Entry* const command = find_called(argc > 0 ? argv[0] : "gvd"))
+    return run_command(command->make(), argc, argv);
   if (words.empty()) return print_answer(words);
-  if (const Entry* const command = find_command(words[0])) return command->make().run(argc - 1, argv + 1);
+  if (const Entry* const command = find_command(words[0])) return run_command(command->make(), argc - 1, argv + 1);
   if (words.size() > 1 && asks_for_help(words[0])) {
     const std::array<const char*, 2> question{argv[0], words[0] == "-h" ? "-h" : "--help"};
-    if (const Entry* const command = find_command(words[1])) return command->make().run(2, question.data());
+    if (const Entry* const command = find_command(words[1])) return run_command(command->make(), 2, question.data());
   }
   return print_answer(words);
 }

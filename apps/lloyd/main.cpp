@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -16,15 +17,14 @@
 #include <vector>
 
 #include "common/command.hpp"
+#include "common/load_input.hpp"
 #include "common/options/options.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/referred_files.hpp"
-#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/lloyd_operation.hpp"
-#include "gvd/lloyd_words.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd::app {
@@ -94,25 +94,23 @@ class RelaxationTrace {
 
   /// A table in CSV: a row for the start, and one for each iteration. `method`: of the run's diagrams.
   /// Only the last column, the seconds since the relaxation began, differs between equal runs.
-  void write(std::ostream& out, const LloydResult& result, const Method& method) const;
+  void write(std::ostream& out, const LloydResult& result, const Method& method) const {
+    out << "iteration,energy,largest_move,mean_move,method,step,seconds\n";
+    const std::string_view first =
+        result.iterations.empty() ? name_in(kMethodNames, method) : measure_name(result.iterations.front());
+    out << fmt::format("0,{},0,0,{},start,{:.6f}\n", result.initial_energy, first, seconds_.front());
+    for (std::size_t i = 0; i < result.iterations.size(); ++i) {
+      const LloydIteration& done = result.iterations[i];
+      out << fmt::format("{},{},{},{},{},{},{:.6f}\n", i + 1, done.energy, done.largest_move, done.mean_move,
+                         measure_name(done), step_name(done), seconds_[i + 1]);
+    }
+  }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<double> seconds_;                        ///< at the start, and after each iteration
   std::vector<std::vector<SurfacePoint>> generators_;  ///< at the same times
 };
-
-void RelaxationTrace::write(std::ostream& out, const LloydResult& result, const Method& method) const {
-  out << "iteration,energy,largest_move,mean_move,method,step,seconds\n";
-  const std::string_view first =
-      result.iterations.empty() ? name_in(kMethodNames, method) : measure_name(result.iterations.front());
-  out << fmt::format("0,{},0,0,{},start,{:.6f}\n", result.initial_energy, first, seconds_.front());
-  for (std::size_t i = 0; i < result.iterations.size(); ++i) {
-    const LloydIteration& done = result.iterations[i];
-    out << fmt::format("{},{},{},{},{},{},{:.6f}\n", i + 1, done.energy, done.largest_move, done.mean_move,
-                       measure_name(done), step_name(done), seconds_[i + 1]);
-  }
-}
 
 /// Scenes of a page: each costs a diagram, and about as many bytes as a page with one.
 constexpr std::size_t kMostScenes = 12;
@@ -179,19 +177,8 @@ class TimedObserver : public RunObserver {
   bool relaxes_ = false;
 };
 
-void write_points_file(Run& run, const OwnOptions& own, const Mesh& mesh, const LloydResult& relaxed) {
-  const auto format = parse_point_format(file_extension(own.points));
-  if (!format) return;
-  std::vector<SurfaceSample> samples;
-  for (const SurfacePoint& point : relaxed.generators) {
-    const CellMoments& moments = relaxed.moments[GeneratorId(std::ssize(samples))];
-    samples.push_back({point, moments.area, moments.energy});
-  }
-  write_own_file(run, "points", [&](std::ostream& out) { write_points(out, mesh, samples, *format); });
-}
-
 void lloyd(Run& run, OwnOptions& own) {
-  const auto input = std::make_shared<CheckedMesh>(load_input(run));
+  const MeshPtr input = load_input(run);
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   check_material_files(run, input->appearance);
   const Mesh& mesh = input->mesh;
@@ -207,12 +194,12 @@ void lloyd(Run& run, OwnOptions& own) {
   const LloydResult& relaxed = *outcome->relaxed;
   const Mesh& surface = outcome->surface();
   report_figures(run, *outcome);
-  run.figures().energy = relaxed.final_energy;
+  run.report().at("results")["final_energy"] = relaxed.final_energy;  // also for the table of several inputs
   report_generators(run, mesh, relaxed.generators, outcome->snap_distance);
-  set_diagram(run, relaxed.diagram);
+  run.report().set_diagram(relaxed.diagram);
   write_output_files(run, *outcome);
   write_diagram_file(run, mesh, *outcome->on_input);
-  write_points_file(run, own, mesh, relaxed);
+  write_part_file(run, "points", *outcome);
   write_own_file(run, "trace", [&](std::ostream& out) { trace.write(out, relaxed, own.call.diagram.method); });
   write_view_file(run, "gvd-lloyd", [&] {
     DiagramOptions early = own.call.diagram;

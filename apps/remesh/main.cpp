@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "common/command.hpp"
+#include "common/load_input.hpp"
 #include "common/options/options.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/process.hpp"
-#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/mesh_property.hpp"
 #include "gvd/remesh_map.hpp"
@@ -98,25 +98,22 @@ void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
 void run_remesh(Run& run, OwnOptions& own) {
   PipedInput piped;
   const bool carries = own.call.carry;
-  const auto input = std::make_shared<CheckedMesh>(load_input(run, carries ? &piped : nullptr));
+  const MeshPtr input = load_input(run, carries ? &piped : nullptr);
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   if (!carries && !input->appearance.empty() && !run.options().output.files.empty()) {
     note_on_input(run, fmt::format("texture coordinates and materials are left out; \1carry\2 keeps them in {}",
                                    list_extensions(output_extensions(Content::texture | Content::materials), "and")));
   }
   if (carries) own.call.properties = read_properties(run.options().input, piped);
-  const auto made = [&] {
-    RunObserver observer(run);
-    return gvd::run(input, own.call, observer);
-  }();
+  const auto made = run_operation(run, input, own.call);
   const RemeshResult& result = made->result();
   report_figures(run, *made);
-  set_diagram(run, result.diagram);
+  run.report().set_diagram(result.diagram);
   report_generators(run, input->mesh, result.generators, made->snap_distance);
   if (carries) note_carried(run, *made);
   write_output_files(run, *made);
   write_diagram_file(run, input->mesh, result.diagram);
-  write_own_file(run, "map", [&](std::ostream& out) { write_map_json(out, *input, *made->map); });
+  write_part_file(run, "map", *made);
   write_view(run, input->mesh, result);
   finish_run(run, input->mesh, result.diagram);
 }

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "common/command.hpp"
+#include "common/load_input.hpp"
 #include "common/options/shared_options.hpp"
 #include "common/referred_files.hpp"
-#include "common/run_observer.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/io/distance_writer.hpp"
 #include "gvd/region_statistics.hpp"
@@ -157,17 +157,14 @@ void note_whole_faces(Run& run, const OwnOptions& own) {
 }
 
 void segment(Run& run, OwnOptions& own) {
-  const auto input = std::make_shared<CheckedMesh>(load_input(run));
+  const MeshPtr input = load_input(run);
   check_material_files(run, input->appearance, own.call.uv.has_value());
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
-  const auto made = [&] {
-    RunObserver observer(run);
-    return gvd::run(input, own.call, observer);
-  }();
+  const auto made = run_operation(run, input, own.call);
   const Diagram& diagram = *made->diagram;
   report_figures(run, *made);
   report_generators(run, input->mesh, diagram.generators, made->snap_distance);
-  set_diagram(run, diagram);
+  run.report().set_diagram(diagram);
   write_files(run, *made);
   note_whole_faces(run, own);
   write_own_file(run, "stats", [&](std::ostream& out) {

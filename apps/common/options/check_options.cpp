@@ -155,21 +155,6 @@ void check_build(const Options& options) {
   }
 }
 
-/// Longest chain of symbolic links that is followed: the limit of Linux.
-constexpr int kMaxLinks = 40;
-
-/// The same name for every spelling of a path ("a.ply", "./a.ply", a link to it, whether or not that exists): no target
-/// may overwrite another.
-std::string one_name(const std::string& path) {
-  std::error_code failed;
-  fs::path target = fs::absolute(path, failed);
-  for (int i = 0; i < kMaxLinks && fs::is_symlink(target, failed); ++i) {
-    target = target.parent_path() / fs::read_symlink(target, failed);
-  }
-  target = fs::weakly_canonical(target, failed);
-  return failed ? path : target.string();
-}
-
 /// Refuses a target that the run reads: it may be the only copy of a mesh. Files are compared and not names, so that
 /// symbolic and hard links are found.
 void check_not_read(const Target& target, const Options& options) {
@@ -300,16 +285,6 @@ void check_folder(const Options& options, const OutputFormats& formats) {
   }
 }
 
-/// Each format once, and one for standard output.
-void check_formats(const OutputOptions& output) {
-  std::set<std::string> names;
-  for (const std::string& format : output.formats) {
-    if (!names.insert(format).second) refuse(fmt::format("\1output_format\2: {} is given twice; keep one", format));
-  }
-  if (output.folder.empty() && names.size() > 1)
-    refuse("\1output_format\2: \1output=-\2 writes one format; choose one");
-}
-
 /// Pages have names of their own only where there is no folder for them.
 void check_view(const OutputOptions& output) {
   if (output.folder.empty() && output.views) {
@@ -325,7 +300,9 @@ void check_view(const OutputOptions& output) {
 void check_outputs(const Options& options, const OutputFormats& formats) {
   check_build(options);
   const OutputOptions& output = options.output;
-  check_formats(output);
+  if (output.folder.empty() && output.formats.size() > 1) {
+    refuse("\1output_format\2: \1output=-\2 writes one format; choose one");
+  }
   check_view(output);
   if (!output.folder.empty()) return check_folder(options, formats);
   for (const std::string& file : output.files) check_extension(output, file, formats.extensions);

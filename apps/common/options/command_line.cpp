@@ -20,6 +20,7 @@
 #include "gvd/error.hpp"
 #include "gvd/option_text.hpp"
 #include "gvd/text.hpp"
+#include "gvd/version.hpp"
 
 namespace gvd::app {
 namespace {
@@ -163,13 +164,13 @@ void store(const OptionList& list, Given& given, const GivenTexts& texts, const 
 }
 
 /// Answers the first question of a command line.
-std::optional<std::string> answer(const CommandWords& command, const OptionList& list,
+std::optional<std::string> answer(const CommandInfo& command, const OptionList& list,
                                   const std::vector<GivenTexts>& typed, const std::string& hint) {
   for (const GivenTexts& question : typed) {
     const std::string& name = question.option->name;
     if (name == "h") return make_short_help(command, list);
     if (name == "help") return make_help(command, list);
-    if (name == "version") return fmt::format("{} {}\n", command.name, command.version);
+    if (name == "version") return fmt::format("{} {}\n", command.name, version());
     if (name == "print_options") return print_description(list);
     if (name != "print_completion") continue;
     Given given;
@@ -232,7 +233,7 @@ void describe(OptionList& list, GeneralOptions& options) {
   list.excludes("quiet", {"verbose"});
 }
 
-std::optional<std::string> parse_command_line(const CommandWords& command, const OptionList& list, Given& given,
+std::optional<std::string> parse_command_line(const CommandInfo& command, const OptionList& list, Given& given,
                                               const std::vector<std::string>& words) {
   const std::string hint = fmt::format(" (see {} --help)", command.name);
   const SplitWords split(list, words);

@@ -20,7 +20,7 @@ void describe(OptionList& list, GeneralOptions& options);
 /// Returns the answer to a question, such as the text of --help, or nothing.
 /// Throws Error{invalid_option} in one line: the option as the user wrote it, what is wrong and what to do; in front of
 /// it file, line and column, where it comes from a file.
-std::optional<std::string> parse_command_line(const CommandWords& command, const OptionList& list, Given& given,
+std::optional<std::string> parse_command_line(const CommandInfo& command, const OptionList& list, Given& given,
                                               const std::vector<std::string>& words);
 
 }  // namespace gvd::app

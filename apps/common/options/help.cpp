@@ -36,11 +36,18 @@ std::string make_line(const Option& option, const std::string& description) {
   return break_at_bars(title) + gap + wrap(description, kHelpWidth - kDescriptionColumn, kDescriptionColumn) + "\n";
 }
 
-std::string make_beginning(const CommandWords& command) {
+std::string make_beginning(const CommandInfo& command) {
   return fmt::format("{}\n\nUsage: {} [OPTIONS] INPUT...\n", wrap(command.description, kHelpWidth, 0), command.name);
 }
 
 }  // namespace
+
+std::string help_footer(const std::string& examples) {
+  return "\nExamples:\n" + examples +
+         "\nExit codes: 0 done, 2 usage, 3 unreadable input, 4 input breaks a precondition,\n"
+         "5 no valid result or out of memory, 6 output could not be written,\n"
+         "130 interrupted; with several inputs, the code of the first one that failed.\n";
+}
 
 std::string describe_in_full(const OptionList& list, const Option& option) {
   const Spec& spec = option.spec;
@@ -51,7 +58,7 @@ std::string describe_in_full(const OptionList& list, const Option& option) {
   return spell(list, text);
 }
 
-std::string make_help(const CommandWords& command, const OptionList& list) {
+std::string make_help(const CommandInfo& command, const OptionList& list) {
   std::string text = make_beginning(command);
   for (const std::string& group : list.groups()) {
     text += fmt::format("\n{}:\n", spell(list, group));
@@ -61,10 +68,10 @@ std::string make_help(const CommandWords& command, const OptionList& list) {
       }
     }
   }
-  return text + command.footer;
+  return text + help_footer(command.examples);
 }
 
-std::string make_short_help(const CommandWords& command, const OptionList& list) {
+std::string make_short_help(const CommandInfo& command, const OptionList& list) {
   std::string text = make_beginning(command) + "\n";
   for (const Option* const option : list.options()) {
     if (option->spec.shown == Shown::main) text += make_line(*option, spell(list, option->spec.help));

@@ -25,8 +25,6 @@ bool is_question(const Option& option) {
 
 }  // namespace
 
-Json report_options(const OptionList& list, const Given& given) { return Json::parse(options_json(list, given)); }
-
 Json describe_options(const OptionList& list) {
   Json all = Json::array();
   for (const Option* const option : list.options()) {

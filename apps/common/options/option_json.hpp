@@ -7,10 +7,6 @@
 
 namespace gvd::app {
 
-/// The value of each option, by its name; null for one that has none, or that does nothing beside the values of others.
-/// Questions such as --help are left out. For the report.
-nlohmann::ordered_json report_options(const OptionList& list, const Given& given);
-
 /// Everything that is said about each option: an array of objects with `name`, `names` (as typed), `group`, `kind`,
 /// `value` (as help shows it), `choices`, `range` and `extensions` where they apply, `unit`, `default`, `summary`,
 /// `help`, `main`, `repeatable`, `excludes` and `needs`.

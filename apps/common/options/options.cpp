@@ -12,7 +12,7 @@
 namespace gvd::app {
 
 std::uint64_t seed_of(const Options& options) {
-  const Option* const option = options.list == nullptr ? nullptr : options.list->find("seed");
+  const Option* const option = options.list->find("seed");
   const auto* const number = option == nullptr ? nullptr : std::get_if<Number>(&option->field);
   const auto* const seed = number == nullptr ? nullptr : std::get_if<std::uint64_t*>(&number->value);
   return seed == nullptr ? 0 : **seed;
@@ -69,6 +69,19 @@ bool is_read_once(const std::string& file) {
   const auto status = std::filesystem::status(file, ignored);
   return file == "-" || (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
                          !std::filesystem::is_directory(status));
+}
+
+/// Longest chain of symbolic links that is followed: the limit of Linux.
+constexpr int kMaxLinks = 40;
+
+std::string one_name(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::path target = std::filesystem::absolute(path, failed);
+  for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(target, failed); ++i) {
+    target = target.parent_path() / std::filesystem::read_symlink(target, failed);
+  }
+  target = std::filesystem::weakly_canonical(target, failed);
+  return failed ? path : target.string();
 }
 
 std::string file_extension(const std::string& path) { return format_extension(path); }

@@ -64,6 +64,10 @@ struct GeneralOptions {
   bool quiet = false, verbose = false;
 };
 
+/// The options of a run that describes none, and that none is given.
+inline const OptionList kNoOptions;
+inline const Given kNothingGiven;
+
 /// The options that the commands share. A command adds its own in a struct that inherits these.
 struct Options {
   InputOptions input;
@@ -71,8 +75,8 @@ struct Options {
   ComputeOptions compute;
   OutputOptions output;
   GeneralOptions general;
-  const OptionList* list = nullptr;  ///< describes these options and those of the command; null before they are read
-  const Given* given = nullptr;      ///< what the user set of them
+  const OptionList* list = &kNoOptions;  ///< describes these options and those of the command, once they are read
+  const Given* given = &kNothingGiven;   ///< what the user set of them
 };
 
 /// The seed of the random choices; 0 where the command has none.
@@ -108,6 +112,10 @@ bool names_file(const OutputOptions& output);
 
 /// Whether a name stands for what can be read only once: "-", which is standard input, a pipe or a device.
 bool is_read_once(const std::string& file);
+
+/// The same name for every spelling of a path ("a.ply", "./a.ply", a link to it, whether or not that exists): no file
+/// may replace another that is needed.
+std::string one_name(const std::string& path);
 
 /// The extension of `path` in lower case, without its dot; empty where it has none. GIFTI's have two parts.
 std::string file_extension(const std::string& path);

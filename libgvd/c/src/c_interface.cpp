@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -111,11 +112,13 @@ Json generator_options(bool are_listed, std::int32_t count, gvd_sampling kind, s
   return {{"count", count}, {"sampling", kKinds[std::size_t(kind)]}, {"seed", seed}};
 }
 
-/// The result of an operation with points as its array 0.
-std::unique_ptr<gvd_object> call_with(const char* operation, const gvd_object* on, const Json& options,
-                                      const std::vector<std::array<double, 4>>& points, const gvd_run* run) {
+/// The result of an operation on a mesh, with the generators that its options refer to.
+std::unique_ptr<gvd_object> call_with(const char* operation, const gvd_mesh* mesh, const Json& options,
+                                      const gvd_point* listed, std::int32_t count, const gvd_run* run) {
+  std::vector<std::array<double, 4>> points;
+  if (options.contains("generators")) points = to_rows(given(mesh, "mesh").mesh(), listed, count);
   const std::array arrays{view(points)};
-  return call(operation, on, options.dump(), arrays, run);
+  return call(operation, mesh, options.dump(), arrays, run);
 }
 
 std::unique_ptr<gvd_mesh> make_handle(CheckedMesh checked) {
@@ -128,6 +131,16 @@ bool has(const std::vector<VertexId>& vertices, std::int64_t vertex) {
 
 DefectPolicy policy(int repair) { return repair != 0 ? DefectPolicy::repair : DefectPolicy::error; }
 
+gvd_status read_mesh(const char* path, int repair, std::optional<double> tolerance, gvd_mesh** mesh) {
+  return guarded([&] {
+    given(mesh, "mesh");
+    const std::string name = &given(path, "path");
+    PolygonSoup soup = read_soup(name);
+    if (tolerance) weld_soup(soup, *tolerance);
+    *mesh = make_handle(build_mesh(soup, policy(repair), name)).release();
+  });
+}
+
 }  // namespace
 
 const char* gvd_version(void) {
@@ -135,22 +148,10 @@ const char* gvd_version(void) {
   return kText.c_str();
 }
 
-gvd_status gvd_mesh_read(const char* path, int repair, gvd_mesh** mesh) {
-  return guarded([&] {
-    given(mesh, "mesh");
-    const std::string name = &given(path, "path");
-    *mesh = make_handle(build_mesh(read_soup(name), policy(repair), name)).release();
-  });
-}
+gvd_status gvd_mesh_read(const char* path, int repair, gvd_mesh** mesh) { return read_mesh(path, repair, {}, mesh); }
 
 gvd_status gvd_mesh_read_welded(const char* path, int repair, double tolerance, gvd_mesh** mesh) {
-  return guarded([&] {
-    given(mesh, "mesh");
-    const std::string name = &given(path, "path");
-    PolygonSoup soup = read_soup(name);
-    weld_soup(soup, tolerance);
-    *mesh = make_handle(build_mesh(soup, policy(repair), name)).release();
-  });
+  return read_mesh(path, repair, tolerance, mesh);
 }
 
 gvd_status gvd_mesh_create(const double* vertices, int64_t vertex_count, const int32_t* faces, int64_t face_count,
@@ -299,11 +300,11 @@ gvd_status gvd_diagram_compute(const gvd_mesh* mesh, const gvd_point* generators
   return guarded([&] {
     constexpr std::array kMethods{"exact", "gbgvd", "paper"};  // as in gvd_method
     if (method < 0 || std::size_t(method) >= kMethods.size()) refuse("method is none of gvd_method");
-    const Mesh& surface = given(mesh, "mesh").mesh();
+    given(mesh, "mesh").mesh();
     given(diagram, "diagram");
     Json options = generator_options(true, count, 0, 0);
     options["method"] = kMethods[std::size_t(method)];
-    *diagram = call_with("diagram", mesh, options, to_rows(surface, generators, count), run).release();
+    *diagram = call_with("diagram", mesh, options, generators, count, run).release();
   });
 }
 
@@ -400,15 +401,14 @@ gvd_status gvd_lloyd(const gvd_mesh* mesh, const gvd_point* listed, int32_t coun
     gvd_lloyd_options asked;
     gvd_lloyd_defaults(&asked);
     if (options != nullptr) asked = *options;
-    const Mesh& surface = given(mesh, "mesh").mesh();
+    given(mesh, "mesh").mesh();
     given(relaxed, "relaxed");
     Json json = generator_options(listed != nullptr, count, asked.sampling, asked.seed);
     if (asked.iterations >= 0) json["iterations"] = asked.iterations;
     if (!(asked.tolerance < 0)) json["tolerance"] = to_json(asked.tolerance);
     if (!(asked.crease_angle <= 0)) json["features"] = to_json(asked.crease_angle);
     json["keep_boundary"] = asked.keep_boundary != 0;
-    const auto points = listed == nullptr ? std::vector<std::array<double, 4>>() : to_rows(surface, listed, count);
-    const auto made = call_with("lloyd", mesh, json, points, run);
+    const auto made = call_with("lloyd", mesh, json, listed, count, run);
     std::ranges::copy(points_of(*made, "generators"), relaxed);
     if (energy != nullptr) *energy = Json::parse(made->figures()).at("final_energy").get<double>();
   });
@@ -422,7 +422,7 @@ gvd_status gvd_remesh(const gvd_mesh* mesh, const gvd_point* listed, int32_t cou
     gvd_remesh_options asked;
     gvd_remesh_defaults(&asked);
     if (options != nullptr) asked = *options;
-    const Mesh& surface = given(mesh, "mesh").mesh();
+    given(mesh, "mesh").mesh();
     given(coarse, "coarse");
     Json json = generator_options(listed != nullptr, count, asked.sampling, asked.seed);
     if (asked.relaxation >= 0) json["relax"] = asked.relaxation;
@@ -430,8 +430,7 @@ gvd_status gvd_remesh(const gvd_mesh* mesh, const gvd_point* listed, int32_t cou
     json["loose_boundary"] = asked.loose_boundary != 0;
     if (asked.crease_angle == 0) json["features"] = "none";
     if (!(asked.crease_angle <= 0)) json["features"] = to_json(asked.crease_angle);
-    const auto points = listed == nullptr ? std::vector<std::array<double, 4>>() : to_rows(surface, listed, count);
-    const auto made = call_with("remesh", mesh, json, points, run);
+    const auto made = call_with("remesh", mesh, json, listed, count, run);
     auto handle = std::make_unique<gvd_object>(made->views().parts.at("mesh").make());
     handle->generators = points_of(*made, "generators");
     *coarse = handle.release();

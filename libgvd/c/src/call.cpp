@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -21,14 +22,20 @@ using namespace gvd::c;
 
 using Json = nlohmann::ordered_json;
 
+/// Refuses a name that is none of those, and says which one may be meant.
+template <class Named, class NameOf>
+[[noreturn]] void refuse_name(const char* kind, const char* name, const Named& known, const NameOf& name_of) {
+  std::vector<std::string> names;
+  for (const auto& one : known) names.emplace_back(std::invoke(name_of, one));
+  const auto meant = suggest_name(name, names);
+  refuse(fmt::format("there is no {} {}{}", kind, gvd::quoted(name),
+                     meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+}
+
 const Operation& find(const char* name) {
   const Operation* const found = find_operation(&given(name, "operation"));
-  if (found != nullptr) return *found;
-  std::vector<std::string> names;
-  for (const Operation& operation : operations()) names.emplace_back(operation.name);
-  const auto meant = suggest_name(name, names);
-  refuse(fmt::format("there is no operation {}{}", gvd::quoted(name),
-                     meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+  if (found == nullptr) refuse_name("operation", name, operations(), &Operation::name);
+  return *found;
 }
 
 std::vector<ArrayView> to_views(const gvd_array* arrays, std::int32_t count) {
@@ -43,16 +50,6 @@ std::vector<ArrayView> to_views(const gvd_array* arrays, std::int32_t count) {
                      {array.strides[0], array.strides[1]}});
   }
   return views;
-}
-
-/// "a", "b" and "c" for a message.
-template <class Map>
-[[noreturn]] void refuse_name(const char* kind, const char* name, const Map& known) {
-  std::vector<std::string> names;
-  for (const auto& [one, value] : known) names.push_back(one);
-  const auto meant = suggest_name(name, names);
-  refuse(fmt::format("there is no {} {}{}", kind, gvd::quoted(name),
-                     meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
 }
 
 void read_file_options(FileOptions& how, const char* options, const gvd_run* run) {
@@ -123,7 +120,7 @@ gvd_status gvd_array_of(const gvd_object* object, const char* name, gvd_array* v
   return guarded([&] {
     const auto& arrays = given(object, "object").views().arrays;
     const auto found = arrays.find(std::string_view(&given(name, "name")));
-    if (found == arrays.end()) refuse_name("array", name, arrays);
+    if (found == arrays.end()) refuse_name("array", name, arrays, [](const auto& one) { return one.first; });
     const ArrayView of = found->second();
     given(view, "view") = {of.data,
                            static_cast<gvd_type>(of.type),
@@ -137,7 +134,7 @@ gvd_status gvd_object_of(const gvd_object* object, const char* name, gvd_object*
   return guarded([&] {
     const auto& parts = given(object, "object").views().parts;
     const auto found = parts.find(std::string_view(&given(name, "name")));
-    if (found == parts.end()) refuse_name("part", name, parts);
+    if (found == parts.end()) refuse_name("part", name, parts, [](const auto& one) { return one.first; });
     auto made = found->second.make();
     if (made == nullptr) refuse(fmt::format("there is no {} here: {}", name, found->second.text));
     given(part, "part") = new gvd_object(std::move(made), object->door);

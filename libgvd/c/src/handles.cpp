@@ -14,7 +14,7 @@
 namespace {
 
 using namespace gvd;
-using gvd::c::JoinedPoints;
+using gvd::c::Lazy;
 
 struct LastError {
   std::string text;
@@ -33,72 +33,71 @@ constexpr std::array<gvd_status, 7> kStatuses{GVD_INVALID_OPTION,  GVD_UNREADABL
                                               GVD_INTERRUPTED};
 static_assert(std::size_t(ErrorCode::interrupted) + 1 == kStatuses.size());
 
+template <class T>
+std::vector<T> join(const Lists<T>& lists) {
+  std::vector<T> joined;
+  for (std::int64_t i = 0; i < lists.count; ++i) {
+    const auto list = lists.list(i);
+    joined.insert(joined.end(), list.begin(), list.end());
+  }
+  return joined;
+}
+
 /// Fills in the views of a handle. Lists of numbers among the figures are arrays, too.
 class ViewCollector : public ObjectVisitor {
  public:
-  explicit ViewCollector(gvd_object::Views& views) : handle_(views) {}
+  explicit ViewCollector(gvd_object::Views& views) : views_(views) {}
 
   void figure(const Meaning& meaning, const Figure& value) override {
-    if (const auto* const numbers = std::get_if<std::vector<double>>(&value)) {
-      array(meaning, view(handle_.numbers.emplace_back(*numbers)));
-    } else if (const auto* const whole = std::get_if<std::vector<std::int64_t>>(&value)) {
-      array(meaning, view(handle_.whole_numbers.emplace_back(*whole)));
-    }
+    if (const auto* const numbers = std::get_if<std::vector<double>>(&value)) keep(meaning, "", *numbers);
+    if (const auto* const whole = std::get_if<std::vector<std::int64_t>>(&value)) keep(meaning, "", *whole);
   }
   void array(const Meaning& meaning, const ArrayView& values) override {
-    add(std::string(meaning.name), [values] { return values; });
+    add(meaning, "", [values] { return values; });
   }
   void points(const Meaning& meaning, const PointsView& points) override {
-    add(std::string(meaning.name) + "_faces", [points] { return points.faces(); });
-    add(std::string(meaning.name) + "_bary", [points] { return points.bary(); });
+    add(meaning, "_faces", [points] { return points.faces(); });
+    add(meaning, "_bary", [points] { return points.bary(); });
   }
   void curves(const Meaning& meaning, const PointLists& lists) override {
-    JoinedPoints& joined = handle_.joined.emplace_back();
-    joined.lists = lists;
-    std::vector<std::int64_t>& offsets = handle_.whole_numbers.emplace_back(1, 0);
-    for (std::int64_t i = 0; i < lists.count; ++i) offsets.push_back(offsets.back() + std::ssize(lists.list(i)));
-    const std::string name(meaning.name);
-    add(name + "_offsets", [&offsets] { return view(offsets); });
-    add(name + "_faces", [&joined] { return PointsView(joined.all()).faces(); });
-    add(name + "_bary", [&joined] { return PointsView(joined.all()).bary(); });
+    keep_offsets(meaning, lists);
+    const auto joined = std::make_shared<const Lazy<std::vector<SurfacePoint>>>();
+    const auto all = [joined, lists] { return PointsView(joined->get([&] { return join(lists); })); };
+    add(meaning, "_faces", [all] { return all().faces(); });
+    add(meaning, "_bary", [all] { return all().bary(); });
   }
   void lists(const Meaning& meaning, const GeneratorLists& lists) override {
-    std::vector<std::int64_t>& offsets = handle_.whole_numbers.emplace_back(1, 0);
-    std::vector<GeneratorId>& joined = handle_.generators.emplace_back();
-    for (std::int64_t i = 0; i < lists.count; ++i) {
-      const auto list = lists.list(i);
-      joined.insert(joined.end(), list.begin(), list.end());
-      offsets.push_back(std::ssize(joined));
-    }
-    add(std::string(meaning.name) + "_offsets", [&offsets] { return view(offsets); });
-    array(meaning, view(joined));
+    keep_offsets(meaning, lists);
+    keep(meaning, "", join(lists));
   }
   void table(const Meaning& meaning, const Table& table) override {
     for (const Column& column : table) figure({std::string(meaning.name) + '.' + column.name, "", ""}, column.values);
   }
   void part(const Meaning& meaning, std::string_view, const PartMaker& make) override {
-    handle_.parts.insert_or_assign(std::string(meaning.name), gvd_object::Views::Part{make, std::string(meaning.text)});
+    views_.parts.insert_or_assign(std::string(meaning.name), gvd_object::Views::Part{make, std::string(meaning.text)});
   }
 
  private:
-  void add(std::string name, std::function<ArrayView()> view) {
-    handle_.arrays.insert_or_assign(std::move(name), std::move(view));
+  void add(const Meaning& meaning, const char* suffix, std::function<ArrayView()> view) {
+    views_.arrays.insert_or_assign(std::string(meaning.name) + suffix, std::move(view));
+  }
+  /// Adds numbers that no object owns in one piece.
+  template <class T>
+  void keep(const Meaning& meaning, const char* suffix, std::vector<T> values) {
+    const auto kept = std::make_shared<const std::vector<T>>(std::move(values));
+    add(meaning, suffix, [kept] { return view(*kept); });
+  }
+  template <class T>
+  void keep_offsets(const Meaning& meaning, const Lists<T>& lists) {
+    std::vector<std::int64_t> offsets{0};
+    for (std::int64_t i = 0; i < lists.count; ++i) offsets.push_back(offsets.back() + std::ssize(lists.list(i)));
+    keep(meaning, "_offsets", std::move(offsets));
   }
 
-  gvd_object::Views& handle_;
+  gvd_object::Views& views_;
 };
 
 }  // namespace
-
-const std::vector<gvd::SurfacePoint>& gvd::c::JoinedPoints::all() {
-  std::call_once(made_, [this] {
-    for (std::int64_t i = 0; i < lists.count; ++i) {
-      const auto list = lists.list(i);
-      points_.insert(points_.end(), list.begin(), list.end());
-    }
-  });
-  return points_;
-}
 
 gvd_object::gvd_object(std::shared_ptr<const gvd::Object> made, Door of) : object(std::move(made)), door(of) {
   if (const auto* const surface = dynamic_cast<const MeshObject*>(object.get())) {
@@ -107,21 +106,21 @@ gvd_object::gvd_object(std::shared_ptr<const gvd::Object> made, Door of) : objec
 }
 
 const gvd_object::Views& gvd_object::views() const {
-  std::call_once(views_made_, [&] {
-    ViewCollector collector(views_);
+  return views_.get([&] {
+    Views views;
+    ViewCollector collector(views);
     object->visit(collector);
+    return views;
   });
-  return views_;
 }
 
 const std::string& gvd_object::figures() const {
-  std::call_once(figures_made_, [&] {
-    figures_ = figures_json(*object, door);
-    if (told.empty()) return;
-    figures_.back() = figures_ == "{}" ? ' ' : ',';
-    figures_ += told.substr(1);
+  return figures_.get([&] {
+    std::string text = figures_json(*object, door);
+    if (told.empty()) return text;
+    text.back() = text == "{}" ? ' ' : ',';
+    return text + told.substr(1);
   });
-  return figures_;
 }
 
 const MeshPtr& gvd_object::checked() const {
@@ -138,8 +137,7 @@ const DiagramObject& gvd_object::diagram_object() const {
 
 const ClosestPointTree& gvd_object::closest() const {
   const Mesh& surface = mesh();
-  std::call_once(tree_made_, [&] { tree_ = std::make_unique<ClosestPointTree>(surface); });
-  return *tree_;
+  return *tree_.get([&] { return std::make_unique<ClosestPointTree>(surface); });
 }
 
 const char* gvd_last_error(void) { return last_error.text.c_str(); }

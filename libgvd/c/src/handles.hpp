@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <exception>
 #include <functional>
 #include <map>
@@ -29,15 +28,19 @@
 
 namespace gvd::c {
 
-/// Lists of points as one, made when it is asked for first.
-class JoinedPoints {
+/// A value that is made when somebody asks for it first, from any thread.
+template <class T>
+class Lazy {
  public:
-  const std::vector<SurfacePoint>& all();
-  PointLists lists;
+  template <class Make>
+  const T& get(const Make& make) const {
+    std::call_once(made_, [&] { value_ = make(); });
+    return value_;
+  }
 
  private:
-  std::once_flag made_;
-  std::vector<SurfacePoint> points_;
+  mutable std::once_flag made_;
+  mutable T value_{};
 };
 
 }  // namespace gvd::c
@@ -52,11 +55,6 @@ struct gvd_object {
       std::string text;     ///< what it is
     };
     std::map<std::string, Part, std::less<>> parts;
-    // What no object owns in one piece.
-    std::deque<std::vector<double>> numbers;
-    std::deque<std::vector<std::int64_t>> whole_numbers;
-    std::deque<std::vector<gvd::GeneratorId>> generators;
-    std::deque<gvd::c::JoinedPoints> joined;
   };
 
   explicit gvd_object(std::shared_ptr<const gvd::Object> made, gvd::Door of = gvd::Door::json);
@@ -69,9 +67,8 @@ struct gvd_object {
   /// Throws Error{invalid_option} where this is no diagram.
   const gvd::DiagramObject& diagram_object() const;
   const gvd::Diagram& diagram() const { return diagram_object().diagram(); }
-  /// The tree of a mesh, which the first call builds.
-  const gvd::ClosestPointTree& closest() const;
-  /// The first call that asks for one of these makes it.
+  // The first call that asks for one of these makes it.
+  const gvd::ClosestPointTree& closest() const;  ///< of a mesh
   const Views& views() const;
   const std::string& figures() const;  ///< JSON
 
@@ -82,11 +79,9 @@ struct gvd_object {
   std::optional<std::vector<gvd_point>> generators;  ///< of the vertices of a remesh
 
  private:
-  mutable std::once_flag views_made_, figures_made_;
-  mutable Views views_;
-  mutable std::string figures_;
-  mutable std::once_flag tree_made_;
-  mutable std::unique_ptr<gvd::ClosestPointTree> tree_;
+  gvd::c::Lazy<Views> views_;
+  gvd::c::Lazy<std::string> figures_;
+  gvd::c::Lazy<std::unique_ptr<gvd::ClosestPointTree>> tree_;
 };
 
 namespace gvd::c {

@@ -9,38 +9,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "base/union_find.hpp"
 
 namespace gvd {
 namespace {
 
-/// Sets of components, each known by its smallest one.
-class ComponentSets {
- public:
-  explicit ComponentSets(std::size_t components) : parent_(components) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  std::int32_t find(std::int32_t component) {
-    while (parent_[component] != component) component = parent_[component] = parent_[parent_[component]];
-    return component;
-  }
-  void unite(std::int32_t a, std::int32_t b) {
-    const auto [first, second] = std::minmax({find(a), find(b)});
-    parent_[second] = first;
-  }
-  std::vector<std::int32_t> list() {
-    std::vector<std::int32_t> sets;
-    for (std::size_t i = 0; i < parent_.size(); ++i) sets.push_back(find(std::int32_t(i)));
-    return sets;
-  }
-
- private:
-  std::vector<std::int32_t> parent_;
-};
-
 /// Unites the components that have equal keys, each at its neighbours in the sorted list.
 template <class Key>
-void unite_equal(std::vector<std::pair<Key, std::int32_t>> keyed, ComponentSets& sets) {
+void unite_equal(std::vector<std::pair<Key, std::int32_t>> keyed, UnionFind& sets) {
   std::sort(keyed.begin(), keyed.end());
   for (std::size_t i = 1; i < keyed.size(); ++i) {
     if (keyed[i - 1].first == keyed[i].first) sets.unite(keyed[i - 1].second, keyed[i].second);
@@ -74,11 +52,16 @@ Barriers::Barriers(const CheckedMesh& input) : component_(compute_face_component
     if (!is_copy[b]) continue;
     edges.emplace_back(std::minmax({input.input_vertex[a], input.input_vertex[b]}), component_[Mesh::face(h)]);
   }
-  ComponentSets sets(components);
+  UnionFind sets(components);
+  const auto list_sets = [&] {
+    std::vector<std::int32_t> set_of;
+    for (std::size_t i = 0; i < components; ++i) set_of.push_back(sets.find(std::int32_t(i)));
+    return set_of;
+  };
   unite_equal(std::move(edges), sets);
-  by_edges_ = sets.list();
+  by_edges_ = list_sets();
   unite_equal(std::move(points), sets);
-  by_points_ = sets.list();
+  by_points_ = list_sets();
 }
 
 Barriers::Origin Barriers::from(const std::vector<FaceId>& faces) const {
@@ -102,21 +85,13 @@ Barrier Barriers::between(const Origin& origin, FaceId f) const {
 }
 
 std::string describe(Barrier barrier, const std::string& inside) {
-  switch (barrier) {
-    case Barrier::no_face:
-      return "in no face";
-    case Barrier::left_out:
-      return "left out by \1within\2 or \1mask\2";
-    case Barrier::inside:
-      return inside;
-    case Barrier::cut_edge:
-      return "beyond a non-manifold edge, where sheets were cut apart";
-    case Barrier::cut_vertex:
-      return "beyond a non-manifold vertex, where sheets were cut apart";
-    case Barrier::component:
-      return "in another component";
-  }
-  return "";
+  constexpr std::array kWords{"in no face",
+                              "left out by \1within\2 or \1mask\2",
+                              "",
+                              "beyond a non-manifold edge, where sheets were cut apart",
+                              "beyond a non-manifold vertex, where sheets were cut apart",
+                              "in another component"};  // in the order of Barrier
+  return barrier == Barrier::inside ? inside : kWords[static_cast<std::size_t>(barrier)];
 }
 
 std::string BarrierCounts::describe(const std::string& inside) const {

@@ -46,15 +46,17 @@ class Describer : public ObjectVisitor {
     const std::int64_t columns = view.dimensions == 1 ? 1 : view.shape[1];
     one["columns"] = columns > 0 ? Json(columns) : Json();  // null: as many as there are
   }
-  void points(const Meaning& meaning, const PointsView& points) override { add_points(meaning, points); }
+  void points(const Meaning& meaning, const PointsView& points) override {
+    const std::string name(meaning.name), text(meaning.text);
+    array({name + "_faces", "", text + ": faces"}, points.faces());
+    array({name + "_bary", "", text + ": barycentric coordinates"}, points.bary());
+  }
   void curves(const Meaning& meaning, const PointLists&) override {
-    array({std::string(meaning.name) + "_offsets", "", "the place of each list's first point, and the number of all"},
-          view(std::vector<std::int64_t>()));
-    add_points(meaning, std::vector<SurfacePoint>());
+    offsets(meaning, "the place of each list's first point, and the number of all");
+    points(meaning, std::vector<SurfacePoint>());
   }
   void lists(const Meaning& meaning, const GeneratorLists&) override {
-    array({std::string(meaning.name) + "_offsets", "", "the place of each list's first number, and the number of all"},
-          view(std::vector<std::int64_t>()));
+    offsets(meaning, "the place of each list's first number, and the number of all");
     array(meaning, view(std::vector<GeneratorId>()));
   }
   void table(const Meaning& meaning, const Table& table) override {
@@ -67,10 +69,8 @@ class Describer : public ObjectVisitor {
   Json take() { return std::move(kind_); }
 
  private:
-  void add_points(const Meaning& meaning, const PointsView& points) {
-    const std::string name(meaning.name), text(meaning.text);
-    array({name + "_faces", "", text + ": faces"}, points.faces());
-    array({name + "_bary", "", text + ": barycentric coordinates"}, points.bary());
+  void offsets(const Meaning& meaning, const char* text) {
+    array({std::string(meaning.name) + "_offsets", "", text}, view(std::vector<std::int64_t>()));
   }
 
   Json kind_{
@@ -88,11 +88,10 @@ Json describe_options(const OptionList& list, Door door) {
   for (const Option* const option : list.options()) {
     Json& one = all.emplace_back(Json{{"name", option->name}});
     one.update(Json::parse(kind_json(option->field)));
-    if (const auto* const points = std::get_if<PointList>(&option->field);
-        points != nullptr) {  // programs give no files
-      one["kind"] = points->named == PointList::Named::vertices ? "vertices" : "points";
+    if (std::holds_alternative<PointList>(option->field) && one["kind"] != "vertices") {
+      one["kind"] = "points";  // programs give no files
     }
-    if (const auto* const values = std::get_if<ValueSource>(&option->field); values != nullptr) {
+    if (const auto* const values = std::get_if<ValueSource>(&option->field)) {
       one["of"] = values->of == ValueSource::Of::generators ? "generators" : "vertices or faces";
     }
     const Spec& spec = option->spec;

@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "figures.hpp"
 #include "gvd/diagram_options.hpp"
 #include "gvd/diagram_parts.hpp"
-#include "weighted_diagram.hpp"
 
 namespace gvd {
 
@@ -19,13 +19,12 @@ void describe(OptionList& list, SampleCall& call) {
 }
 
 void SampleOutcome::visit(ObjectVisitor& visitor) const {
-  std::vector<double> snapped;
-  for (const auto& distance : found.snap_distance) {
-    snapped.push_back(distance.value_or(std::numeric_limits<double>::quiet_NaN()));
-  }
-  visitor.figure({"count", "", "number of points"}, std::ssize(found.points));
-  visitor.figure({"merged", "", "points that were merged with earlier ones"}, std::int64_t(found.merged));
-  visitor.figure({"snap_distances", "mesh units", "from where each point was given; none for others"}, snapped);
+  const Figures figure(visitor);
+  figure("count", "", "number of points", found.points.size());
+  figure("merged", "", "points that were merged with earlier ones", found.merged);
+  figure(
+      "snap_distances", "mesh units", "from where each point was given; none for others",
+      each_of(found.snap_distance, [](const auto& d) { return d.value_or(std::numeric_limits<double>::quiet_NaN()); }));
   visitor.points({"points", "", "in the order of the list, or as they were sampled"}, found.points);
   visitor.array({"vertices", "", "of the input, that the points were given as; -1: none"}, view(found.vertex));
 }
@@ -57,17 +56,13 @@ void describe(OptionList& list, DiagramCall& call) {
   list.rule({"editable", {"method"}, [&call](const Given&) -> std::string {
                return call.diagram.method == Method::exact ? "" : "\1editable\2 needs \1method=exact\2";
              }});
-  list.excludes("curves", {"sampling", "seed", "merge_coincident"});
-  exclude_curves(list);
-  list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
-               return call.diagram.method == Method::exact ? "" : "\1curves\2 needs \1method=exact\2";
-             }});
+  describe_curve_rules(list, call.diagram);
 }
 
 void DiagramOutcome::visit(ObjectVisitor& visitor) const {
   DiagramObject::visit(visitor);
-  visit_balance(visitor, balanced_ ? &*balanced_ : nullptr);
-  visit_parted(visitor, parted_);
+  visit_balance(visitor, balanced_);
+  visit_parted(visitor, parted());
 }
 
 std::shared_ptr<const DiagramOutcome> run(const MeshPtr& input, DiagramCall& call, Observer& observer) {
@@ -77,26 +72,21 @@ std::shared_ptr<const DiagramOutcome> run(const MeshPtr& input, DiagramCall& cal
   PartedMesh parted = find_parted(*input, call.regions, observer);
   separate(input->mesh, parted, observer);
   auto made = std::make_shared<Diagram>();
-  if (call.generators.curves.is_given()) {
-    *made = compute_of_curves(*input, call.generators, call.diagram, observer);
+  ResolvedGenerators found;
+  if (call.editable) {
+    found = choose_generators(*input, call.generators, call.diagram, observer);
+    *made = compute_in_steps(observer, call.diagram, [&](const DiagramOptions& stepped) {
+      editor = std::make_unique<DiagramEditor>(input->mesh, found.points, stepped);
+      return editor->diagram();
+    });
+    tell_diagram(observer, *made);
   } else {
-    const ResolvedGenerators found = choose_inside(*input, parted, call.generators, call.diagram, false, observer);
-    if (call.editable) {
-      *made = compute_in_steps(observer, call.diagram, [&](const DiagramOptions& stepped) {
-        editor = std::make_unique<DiagramEditor>(input->mesh, found.points, stepped);
-        return editor->diagram();
-      });
-      tell_diagram(observer, *made);
-    } else {
-      *made = compute_weighted(*input, parted.surface(input->mesh), found.points, call.weights, call.diagram, observer,
-                               balanced);
-    }
+    *made = compute_parts(*input, parted, call, false, observer, found, balanced);
   }
   resolve(call.diagram);
-  const auto options = parted.is_parted() ? std::nullopt : std::optional(call.diagram);
-  const std::shared_ptr<const Diagram> diagram = std::move(made);
-  DiagramObject object(input, parted.on_input(diagram), options, keep_separated(parted, diagram));
-  auto outcome = std::make_shared<DiagramOutcome>(std::move(object), std::move(balanced), std::move(parted));
+  const auto regions = std::make_shared<const PartedMesh>(std::move(parted));
+  auto outcome = std::make_shared<DiagramOutcome>(DiagramObject(input, std::move(made), call.diagram, regions),
+                                                  std::move(balanced));
   if (editor) outcome->keep(std::move(editor));
   return outcome;
 }

@@ -1,4 +1,9 @@
-// What the operations that make diagrams share: their steps, and words and figures of the result.
+// What the operations that make diagrams share: their options and steps, and words and figures of the result.
+//
+// Weights of generators are given ones, or those by which the cells are balanced (gvd/balance.hpp). Inside regions, the
+// mesh of the diagram has a component for each connected part of one, and the cells of a component share out its own
+// area. A density is that of the input: it has a number for each corner of each face, and the faces of both meshes are
+// the same.
 
 #include "gvd/diagram_parts.hpp"
 
@@ -12,6 +17,10 @@
 #include <utility>
 #include <vector>
 
+#include "figures.hpp"
+#include "gvd/error.hpp"
+#include "gvd/read_values.hpp"
+#include "gvd/relaxation_parts.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
@@ -48,7 +57,101 @@ void note_misses(Observer& observer, const BalancedDiagram& balanced) {
   }
 }
 
+/// What there is for each generator, and which numbers may be.
+struct NumberKind {
+  const char* option;
+  const char* name;
+  const char* range;
+  double above;  ///< all numbers are finite and greater
+};
+constexpr NumberKind kWeights{"\1weights\2", "weight", "finite numbers", -kInfinity};
+constexpr NumberKind kShares{"\1shares\2", "share", "finite numbers above 0", 0};
+
+/// A number for each generator; none where none is given.
+std::vector<double> numbers_of(const NumberKind& kind, const GivenNumbers& given, std::size_t generators) {
+  if (!given.values) return {};
+  const std::vector<double>& values = given.values->soup.values;
+  const std::string& title = given.values->title;
+  if (values.size() != generators) {
+    throw Error(
+        ErrorCode::unreadable_input,
+        fmt::format("{}: {} for {}; {} takes one for each", title, counted(std::ssize(values), "number", "numbers"),
+                    counted(std::ptrdiff_t(generators), "generator", "generators"), kind.option));
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] > kind.above && values[i] < kInfinity) continue;
+    throw Error(ErrorCode::precondition,
+                fmt::format("{}: the {} of generator {} is {}; give {}", title, kind.name, i, values[i], kind.range),
+                std::int64_t(i));
+  }
+  return values;
+}
+
+Diagram compute_weighted(const CheckedMesh& input, const Mesh& surface, const std::vector<SurfacePoint>& generators,
+                         const DiagramParts& parts, Observer& observer, std::optional<BalancedDiagram>& balanced) {
+  const GivenWeights& weights = parts.weights;
+  BalanceOptions balancing;
+  balancing.diagram = parts.diagram;
+  balancing.diagram.weights = numbers_of(kWeights, weights.weights, generators.size());
+  if (!weights.balance.is_given()) {
+    Diagram made = compute_in_steps(observer, balancing.diagram, [&](const DiagramOptions& stepped) {
+      return compute_diagram(surface, generators, stepped);
+    });
+    tell_diagram(observer, made);
+    return made;
+  }
+  balancing.density = find_density(input, weights.balance);
+  balancing.shares = numbers_of(kShares, weights.shares, generators.size());
+  balancing.diagram.progress = progress_of(observer);
+  balanced = as_step(observer, "balance", [&] { return balance_cells(surface, generators, balancing); });
+  tell_diagram(observer, balanced->diagram);
+  tell_balance(observer, *balanced);
+  return std::exchange(balanced->diagram, {});
+}
+
 }  // namespace
+
+void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& diagram) {
+  using Of = ValueSource::Of;
+  list.option(
+      "balance", ValueSource{&weights.balance, {"area"}},
+      {.help = "Make all cells equal by weights of their generators",
+       .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
+               "the input"});
+  list.option("shares", ValueSource{&weights.shares, {}, Of::generators},
+              {.help = "With \1balance\2, the share of each generator, in any unit", .usual = "equal"});
+  list.option("weights", ValueSource{&weights.weights, {}, Of::generators},
+              {.help = "Make the distances of each generator longer by its number in FILE", .unit = "mesh units"});
+  list.needs("shares", "balance");
+  for (const char* name : {"balance", "weights"}) {
+    list.rule({name, {"method"}, [&diagram, name](const Given&) {
+                 return diagram.method == Method::exact ? "" : fmt::format("\1{}\2 needs \1method=exact\2", name);
+               }});
+  }
+}
+
+void describe_curve_rules(OptionList& list, const DiagramOptions& diagram) {
+  list.excludes("curves", {"sampling", "seed", "merge_coincident"});
+  list.excludes("curves", {"balance", "weights"}, "bisectors with weights are computed between points alone");
+  list.excludes("curves", {"within", "mask"}, "a curve may leave its region");
+  list.rule({"curves", {"method"}, [&diagram](const Given&) -> std::string {
+               return diagram.method == Method::exact ? "" : "\1curves\2 needs \1method=exact\2";
+             }});
+}
+
+Diagram compute_parts(const CheckedMesh& input, PartedMesh& parted, const DiagramParts& parts, bool each,
+                      Observer& observer, ResolvedGenerators& found, std::optional<BalancedDiagram>& balanced) {
+  if (parts.generators.curves.is_given()) {
+    const std::vector<GeneratorCurve> curves = choose_curves(input, parts.generators, observer);
+    Diagram made = compute_in_steps(observer, parts.diagram, [&](const DiagramOptions& stepped) {
+      return compute_diagram(input.mesh, curves, stepped);
+    });
+    tell_diagram(observer, made);
+    return made;
+  }
+  found = choose_inside(input, parted, parts.generators, parts.diagram, each, observer);
+  return compute_weighted(input, parted.surface(input.mesh), found.points, parts, observer, balanced);
+}
 
 Diagram compute_in_steps(Observer& observer, DiagramOptions options, const DiagramMaker& compute) {
   const Step whole(observer, "diagram");
@@ -72,24 +175,17 @@ void tell_balance(Observer& observer, const BalancedDiagram& balanced) {
   note_misses(observer, balanced);
 }
 
-void visit_balance(ObjectVisitor& visitor, const BalancedDiagram* found) {
-  const BalancedDiagram none;
-  const BalancedDiagram& balanced = found == nullptr ? none : *found;
-  const auto figure = [&](const Meaning& meaning, Figure value) {
-    visitor.figure(meaning, found == nullptr ? Figure() : std::move(value));
-  };
-  std::vector<std::vector<std::int64_t>> tied;
-  for (const auto& set : balanced.tied) {
-    tied.emplace_back();
-    for (const GeneratorId g : set) tied.back().push_back(g.value());
-  }
-  figure({"balance.converged", "", "whether every cell has its share"}, balanced.converged);
-  figure({"balance.variation", "", "root mean square of mass / target - 1"}, balanced.variation);
-  figure({"balance.largest_error", "", "largest of |mass / target - 1|"}, largest_error(balanced));
-  figure({"balance.diagrams", "", "that were computed"}, std::int64_t(balanced.diagrams));
-  figure({"balance.tied", "", "sets of cells that have their shares together, but not each"}, std::move(tied));
-  figure({"balance.masses", "square mesh units for areas", "of the cells"}, balanced.masses);
-  figure({"balance.targets", "as masses", "the shares of the cells"}, balanced.targets);
+void visit_balance(ObjectVisitor& visitor, const std::optional<BalancedDiagram>& found) {
+  const Figures figure(visitor, "balance", found.has_value());
+  const BalancedDiagram& balanced = or_none(found);
+  figure("converged", "", "whether every cell has its share", balanced.converged);
+  figure("variation", "", "root mean square of mass / target - 1", balanced.variation);
+  figure("largest_error", "", "largest of |mass / target - 1|", largest_error(balanced));
+  figure("diagrams", "", "that were computed", balanced.diagrams);
+  figure("tied", "", "sets of cells that have their shares together, but not each",
+         each_of(balanced.tied, [](const auto& set) { return each_of(set); }));
+  figure("masses", "square mesh units for areas", "of the cells", balanced.masses);
+  figure("targets", "as masses", "the shares of the cells", balanced.targets);
 }
 
 void tell_diagram(Observer& observer, const Diagram& diagram) {

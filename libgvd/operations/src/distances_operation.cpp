@@ -22,12 +22,10 @@
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
-#include "gvd/barriers.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/format.hpp"
 #include "gvd/read_values.hpp"
 #include "gvd/text.hpp"
-#include "gvd/unreached_points.hpp"
 
 namespace gvd {
 namespace {
@@ -79,7 +77,7 @@ GeneratorId source_at(const DistancesOutcome& made, GeneratorId place) {
 NearestSources find_nearest_of_vertices(const DistancesOutcome& made, const ExactField& field) {
   NearestSources found(std::size_t(made.input->mesh.vertex_count()));
   for (const VertexId v : made.surface().vertices()) {
-    found.take(made.measured->input_vertex(v).index(), field.distance(v), source_at(made, field.label(v)));
+    found.take(made.parted.input_vertex(v).index(), field.distance(v), source_at(made, field.label(v)));
   }
   return found;
 }
@@ -144,7 +142,7 @@ void keep_least_of_vertices(const DistancesCall& call, const DistancesOutcome& m
                             std::vector<double>& of_vertices, std::span<double> row) {
   of_vertices.assign(std::size_t(made.input->mesh.vertex_count()), kInfinity);
   for (const VertexId v : made.surface().vertices()) {
-    double& least = of_vertices[made.measured->input_vertex(v).index()];
+    double& least = of_vertices[made.parted.input_vertex(v).index()];
     least = std::min(least, found[v.index()]);
   }
   if (call.mesh_vertices) {
@@ -267,7 +265,7 @@ std::vector<std::array<double, 2>> find_logarithms(Observer& observer, const Dis
   const Mesh& input = made.input->mesh;
   std::vector<std::optional<VertexId>> place(std::size_t(input.vertex_count()));  // the nearest copy of each vertex
   for (const VertexId v : made.surface().vertices()) {
-    std::optional<VertexId>& nearest = place[made.measured->input_vertex(v).index()];
+    std::optional<VertexId>& nearest = place[made.parted.input_vertex(v).index()];
     if (!nearest || made.field->distance(v) < made.field->distance(*nearest)) nearest = v;
   }
   return ParallelChunks(observer.threads, progress_of(observer))
@@ -394,23 +392,6 @@ void describe_for_programs(OptionList& list, DistancesCall& call) {
   list.excludes("logarithm", {"each", "curves"});
 }
 
-std::string describe_unreached(const DistancesOutcome& outcome) {
-  const DistanceTable& table = outcome.table;
-  UnreachedPoints unreached(outcome);
-  BarrierCounts barriers;
-  std::int64_t count = 0;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    for (std::size_t i = 0; i < table.rows.points(); ++i, ++count) {
-      if (!std::isfinite(table.rows[row][i])) barriers.add(unreached.find(row, i));
-    }
-  }
-  if (outcome.unreached == 0) return "";
-  return fmt::format("{} of {}{} {} inf: {}", outcome.unreached, counted(count, "distance", "distances"),
-                     table.targets.empty() ? " to vertices" : "",
-                     table.targets.empty() || outcome.unreached > 1 ? "are" : "is",
-                     barriers.describe(unreached.inside()));
-}
-
 std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall& call, Observer& observer) {
   auto made = std::make_shared<DistancesOutcome>();
   made->asked = asked_of(call);
@@ -431,9 +412,13 @@ std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall&
     table.targets = std::move(targets.points);
     table.target_vertices = std::move(targets.vertex);
   }
-  made->measured = std::make_shared<MeasuredSurface>(*input, call.regions, observer);
-  made->sources = made->measured->place(table.sources);
-  made->targets = made->measured->place(table.targets);
+  PartedMesh& parted = made->parted = find_parted(*input, call.regions, observer);
+  separate(input->mesh, parted, observer);
+  if (parted.is_parted()) {
+    observer.note("inside " + counted(parted.count_regions(), "region", "regions") + describe_left_out(parted));
+  }
+  made->sources = place_points(input->mesh, parted, table.sources);
+  made->targets = place_points(input->mesh, parted, table.targets);
   check_sources(*made);
   call.each ? measure_each(call, observer, *made) : measure_nearest(call, observer, *made);
   made->polylines = make_curves(input->mesh, table);

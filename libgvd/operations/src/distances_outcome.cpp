@@ -1,47 +1,50 @@
-// What distances consist of: figures, tables of targets, paths and isolines, and arrays.
+// What distances consist of: figures, tables of targets, paths and isolines, and arrays. Which files hold what was
+// asked for is the same for the commands, before they measure, and for every result that is written later.
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <ostream>
-#include <span>
+#include <string>
 #include <utility>
 
+#include "figures.hpp"
+#include "gvd/barriers.hpp"
 #include "gvd/distances_operation.hpp"
+#include "gvd/error.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
 namespace {
 
 Table list_targets(const Mesh& mesh, const DistanceTable& table) {
-  std::vector<std::int64_t> vertices, faces, sources;
   std::vector<std::vector<double>> bary, positions, distances;
+  std::vector<std::int64_t> vertices;
   for (std::size_t i = 0; i < table.targets.size(); ++i) {
     const SurfacePoint& point = table.targets[i];
     const Vec3 p = position(mesh, point);
     vertices.push_back(table.target_vertex(i));
-    faces.push_back(point.face.value());
     bary.emplace_back(point.bary.begin(), point.bary.end());
     positions.push_back({p.x(), p.y(), p.z()});
-    distances.emplace_back();
-    for (const std::span<const double> row : table.rows.each()) distances.back().push_back(row[i]);
-    if (!table.nearest.empty()) sources.push_back(table.nearest[i].value());
+    distances.push_back(each_of(table.rows.each(), [i](const auto& row) { return row[i]; }));
   }
-  return {{"vertex", vertices},    {"face", faces},          {"bary", bary},
-          {"position", positions}, {"distances", distances}, {"source", sources}};
+  return {{"vertex", vertices},
+          {"face", each_of(table.targets, &SurfacePoint::face)},
+          {"bary", bary},
+          {"position", positions},
+          {"distances", distances},
+          {"source", table.targets.empty() ? std::vector<std::int64_t>() : each_of(table.nearest)}};
 }
 
-Table list_paths(const DistanceTable& table) {
-  std::vector<std::int64_t> sources, targets, points;
-  std::vector<double> lengths;
-  std::vector<bool> complete;
-  for (const auto& [target, source, path, positions] : table.paths) {
-    sources.push_back(source.value());
-    targets.push_back(target);
-    lengths.push_back(path.length);
-    points.push_back(std::ssize(path.points));
-    complete.push_back(path.complete);
-  }
-  return {{"source", sources}, {"target", targets}, {"length", lengths}, {"points", points}, {"complete", complete}};
+Table list_paths(const std::vector<TargetPath>& paths) {
+  const auto each = [&](auto part) { return each_of(paths, [part](const TargetPath& one) { return part(one.path); }); };
+  return {{"source", each_of(paths, &TargetPath::source)},
+          {"target", each_of(paths, &TargetPath::target)},
+          {"length", each([](const GeodesicPath& path) { return path.length; })},
+          {"points", each([](const GeodesicPath& path) { return path.points.size(); })},
+          {"complete", each([](const GeodesicPath& path) { return path.complete; })}};
 }
 
 double length_of(const Mesh& mesh, const Isoline& line) {
@@ -77,28 +80,108 @@ double largest_of(const DistanceTable& table) {
   return largest;
 }
 
-std::vector<std::int64_t> source_vertices(const DistanceTable& table) {
-  std::vector<std::int64_t> vertices;
-  for (std::size_t i = 0; i < table.sources.size(); ++i) vertices.push_back(table.source_vertex(GeneratorId(i)));
-  return vertices;
+// ---- files
+
+/// What holds curves without a surface and, of the formats with one, those that draw lines beside it.
+constexpr Content kPaths = Content::curves | Content::paths, kIsolines = Content::curves | Content::isolines;
+constexpr Content kDistances = Content::distances | Content::rows;
+
+[[noreturn]] void refuse_file(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
+
+/// The formats to write instead.
+std::string list_formats(Content any) { return list_extensions(output_extensions(any), "or"); }
+
+std::string named(const WrittenFile& file) {
+  return fmt::format("{}: .{}", file.name, file.format->extensions.front());
+}
+
+// ---- why distances are infinite: sources and points in different components, or what parts a component
+
+/// Tells why distances of a table are infinite.
+class UnreachedPoints {
+ public:
+  /// The distances must outlive this.
+  explicit UnreachedPoints(const DistancesOutcome& of)
+      : input_(*of.input), parted_(of.parted), table_(of.table), targets_(of.targets), has_limit_(of.has_limit) {}
+
+  /// What keeps the sources of a row from a point of the table that they do not reach. Cost: O(1), for each row in turn
+  /// O(components), and once that of `Barriers`.
+  Barrier find(std::size_t row, std::size_t point);
+
+  /// Words for Barrier::inside.
+  std::string inside() const;
+
+ private:
+  void find_faces();
+
+  const CheckedMesh& input_;
+  const PartedMesh& parted_;
+  const DistanceTable& table_;
+  const PlacedPoints& targets_;
+  bool has_limit_;
+  std::optional<Barriers> barriers_;
+  std::vector<FaceId> face_;       // of each point of the table; invalid for a vertex in no face
+  std::vector<char> is_left_out_;  // of each point of the table
+  std::optional<std::size_t> row_;
+  Barriers::Origin origin_;  // of that row
+};
+
+std::string UnreachedPoints::inside() const {
+  if (!parted_.is_parted()) return "beyond \1max_distance\2";
+  return has_limit_ ? "in another region, in another part of its region, or beyond \1max_distance\2"
+                    : "in another region, or in another part of its region";
+}
+
+void UnreachedPoints::find_faces() {
+  if (!table_.targets.empty()) {
+    for (const SurfacePoint& target : table_.targets) face_.push_back(target.face);
+    is_left_out_.assign(face_.size(), 1);
+    for (const std::int32_t point : targets_.point) is_left_out_[std::size_t(point)] = 0;
+    return;
+  }
+  IdVector<VertexId, char> is_measured(input_.mesh.vertex_count(), 0);
+  for (const FaceId f : input_.mesh.faces()) {
+    if (parted_.is_left_out(f)) continue;
+    for (const VertexId v : input_.mesh.vertices(f)) is_measured[v] = 1;
+  }
+  for (const VertexId v : input_.mesh_vertex) {
+    face_.push_back(v.valid() ? Mesh::face(input_.mesh.halfedge(v)) : FaceId());
+    is_left_out_.push_back(v.valid() && !is_measured[v] ? 1 : 0);
+  }
+}
+
+Barrier UnreachedPoints::find(std::size_t row, std::size_t point) {
+  if (!barriers_) {
+    barriers_.emplace(input_);
+    find_faces();
+  }
+  if (!face_[point].valid()) return Barrier::no_face;
+  if (is_left_out_[point]) return Barrier::left_out;
+  if (row_ != row) {
+    std::vector<FaceId> sources;
+    for (std::size_t i = 0; i < table_.sources.size(); ++i) {
+      if (!table_.nearest.empty() || i == row) sources.push_back(table_.sources[i].face);
+    }
+    origin_ = barriers_->from(sources);
+    row_ = row;
+  }
+  return barriers_->between(origin_, face_[point]);
 }
 
 }  // namespace
 
 void DistancesOutcome::visit(ObjectVisitor& visitor) const {
   const Mesh& mesh = input->mesh;
-  const bool is_parted = measured && measured->is_parted();
-  visitor.figure({"within.regions", "", "that paths keep to"}, is_parted ? Figure(measured->regions()) : Figure());
-  visitor.figure({"within.left_out_faces", "", "in no region"},
-                 is_parted ? Figure(measured->left_out_faces()) : Figure());
-  visitor.figure({"sources", "", "number of sources"}, std::ssize(table.sources));
-  visitor.figure({"source_vertices", "", "that they were given as, by the input's numbers; -1: none"},
-                 source_vertices(table));
-  visitor.figure({"distances", "", "number of distances"}, std::ssize(table.rows.values()));
-  visitor.figure({"unreached", "", "distances that are infinite"}, unreached);
-  visitor.figure({"largest", "mesh units", "largest finite distance"}, largest_of(table));
+  const Figures figure(visitor);
+  visit_regions(visitor, parted, "that paths keep to");
+  figure("sources", "", "number of sources", table.sources.size());
+  figure("source_vertices", "", "that they were given as, by the input's numbers; -1: none",
+         each_of(IdRange<GeneratorId>(table.sources.size()), [&](GeneratorId g) { return table.source_vertex(g); }));
+  figure("distances", "", "number of distances", table.rows.values().size());
+  figure("unreached", "", "distances that are infinite", unreached);
+  figure("largest", "mesh units", "largest finite distance", largest_of(table));
   visitor.table({"targets", "", "points to measure to"}, list_targets(mesh, table));
-  visitor.table({"paths", "", "shortest paths"}, list_paths(table));
+  visitor.table({"paths", "", "shortest paths"}, list_paths(table.paths));
   visitor.table({"isolines", "", "curves of each level"}, list_isolines(mesh, table.isolines));
 
   const auto columns = std::int64_t(table.rows.points());
@@ -120,16 +203,12 @@ void DistancesOutcome::visit(ObjectVisitor& visitor) const {
                  "of each vertex, in the tangent plane at the source: direction and length of the shortest path; not a "
                  "number where none leads"},
                 view(logarithms));
-  const auto& paths = table.paths;
   visitor.curves({"path", "", "the points of each path, from its target on"},
-                 {std::ssize(paths), [&paths](std::int64_t i) {
-                    return std::span<const SurfacePoint>(paths[std::size_t(i)].path.points);
-                  }});
+                 lists_of(
+                     table.paths, [](const TargetPath& one) -> const auto& { return one.path.points; }));
   const auto& isolines = table.isolines;
   visitor.curves({"isoline", "", "the points of each isoline; the first one of a closed one is not repeated"},
-                 {std::ssize(isolines), [&isolines](std::int64_t i) {
-                    return std::span<const SurfacePoint>(isolines[std::size_t(i)].points);
-                  }});
+                 lists_of(isolines, &Isoline::points));
   visitor.array({"isoline_levels", "mesh units", "the distance of each isoline"}, view(isolines, &Isoline::level));
   visitor.array({"isoline_closed", "", "1 for a loop"}, view(isolines, &Isoline::closed));
 }
@@ -167,6 +246,93 @@ OwnWriters DistancesOutcome::own_writers() const {
           {"json", [this, &mesh](std::ostream& out) { write_distances_json(out, mesh, table); }},
           {"shape.gii", [this](std::ostream& out) { write_distances_gifti(out, table); }},
           {"curv", [this, &mesh](std::ostream& out) { write_distances_freesurfer(out, table, mesh.face_count()); }}};
+}
+
+AskedDistances asked_of(const DistancesCall& call) {
+  return {call.targets.are_listed(), call.each, call.paths, call.isolines.has_value()};
+}
+
+void check_files(const AskedDistances& asked, const std::vector<WrittenFile>& files,
+                 const std::vector<std::string>& others, bool has_other) {
+  /// The first file that carries any of `any`, but nothing of `none`. Null: there is none.
+  const auto find = [&](Content any, Content none = Content::nothing) {
+    const auto found = std::ranges::find_if(files, [&](const WrittenFile& file) {
+      return has_any(file.format->carries, any) && !has_any(file.format->carries, none);
+    });
+    return found == files.end() ? nullptr : &*found;
+  };
+  const auto loses = [&](bool is_asked, Content any) { return is_asked && !has_other && find(any) == nullptr; };
+  if (find(Content::distances, Content::surface) != nullptr && asked.targets) {
+    refuse_file(fmt::format("\1to\2: {} hold a distance for each vertex; write {}, or leave \1to\2 out",
+                            list_extensions(output_extensions(Content::distances, Content::surface), "and"),
+                            list_formats(Content::targets)));
+  }
+  const WrittenFile* const single = find(Content::distances, Content::rows);
+  const bool has_surface = single != nullptr && has_any(single->format->carries, Content::surface);
+  if (asked.each && single != nullptr && !(asked.paths && has_surface)) {
+    refuse_file(fmt::format("\1each\2: {} hold one distance for each vertex; write {}{}",
+                            list_extensions(output_extensions(Content::distances, Content::rows), "and"),
+                            list_formats(Content::rows), has_surface ? ", or add \1to\2 and \1paths\2" : ""));
+  }
+  if (loses(asked.isolines, kIsolines)) {
+    refuse_file(fmt::format("\1isolines\2: {} curves; write one of them or leave \1isolines\2 out",
+                            only_formats(kIsolines, others)));
+  }
+  const bool has_curves = asked.paths || asked.isolines;
+  if (const WrittenFile* const lines = find(Content::curves, kDistances); lines != nullptr && !has_curves) {
+    refuse_file(asked.targets ? fmt::format("{} holds no distances; add \1paths\2 for the shortest paths, or write {}",
+                                            named(*lines), list_formats(Content::targets))
+                              : fmt::format("{} holds no distances; write {}, or add \1isolines\2", named(*lines),
+                                            list_formats(kDistances)));
+  }
+  const WrittenFile* const mesh = find(Content::distances, Content::targets);
+  if (mesh != nullptr && !has_curves && loses(asked.targets, Content::targets)) {
+    refuse_file(
+        fmt::format("{} has the distances of all vertices, for which \1to\2 does nothing; {}write {}, or leave "
+                    "\1to\2 out",
+                    named(*mesh), has_any(mesh->format->carries, Content::curves) ? "add \1paths\2, " : "",
+                    list_formats(Content::targets)));
+  }
+  if (loses(asked.paths, kPaths)) {
+    refuse_file(
+        fmt::format("\1paths\2: {} paths; write one of them or leave \1paths\2 out", only_formats(kPaths, others)));
+  }
+}
+
+std::string describe_unreached(const DistancesOutcome& outcome) {
+  const DistanceTable& table = outcome.table;
+  UnreachedPoints unreached(outcome);
+  BarrierCounts barriers;
+  std::int64_t count = 0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    for (std::size_t i = 0; i < table.rows.points(); ++i, ++count) {
+      if (!std::isfinite(table.rows[row][i])) barriers.add(unreached.find(row, i));
+    }
+  }
+  if (outcome.unreached == 0) return "";
+  return fmt::format("{} of {}{} {} inf: {}", outcome.unreached, counted(count, "distance", "distances"),
+                     table.targets.empty() ? " to vertices" : "",
+                     table.targets.empty() || outcome.unreached > 1 ? "are" : "is",
+                     barriers.describe(unreached.inside()));
+}
+
+std::vector<std::string> describe_targets(const DistancesOutcome& outcome) {
+  const DistanceTable& table = outcome.table;
+  const std::size_t all = table.rows.size() * table.targets.size();
+  UnreachedPoints unreached(outcome);
+  std::vector<std::string> lines;
+  for (std::size_t told = 0; told < std::min(all, kToldDistances); ++told) {
+    const std::size_t row = told / table.targets.size(), i = told % table.targets.size();
+    const double distance = table.rows[row][i];
+    const std::string target = table.target_name(i);
+    lines.push_back(std::isfinite(distance)
+                        ? fmt::format("{} is {:.9g} from {}", target, distance, table.source_name(table.source(row, i)))
+                        : fmt::format("{} is not reached from {}: it is {}", target,
+                                      table.nearest.empty() ? table.source_name(GeneratorId(row)) : "any source",
+                                      describe(unreached.find(row, i), unreached.inside())));
+  }
+  if (lines.size() < all) lines.push_back(fmt::format("... and {} more", all - lines.size()));
+  return lines;
 }
 
 }  // namespace gvd

@@ -38,10 +38,7 @@ class FigureReader : public ObjectVisitor {
           if (!value.is_array() || !value.empty()) rows[i][column.name] = value;
         }
       };
-      std::visit(Overload{[&](const std::vector<double>& values) { add(values); },
-                          [&](const std::vector<std::int64_t>& values) { add(values); },
-                          [&](const std::vector<bool>& values) { add(values); },
-                          [&](const std::vector<std::vector<double>>& values) { add(values); }, [](const auto&) {}},
+      std::visit(Overload{[&]<class T>(const std::vector<T>& values) { add(values); }, [](const auto&) {}},
                  column.values);
     }
     place(meaning) = std::move(rows);

@@ -1,7 +1,8 @@
 // Values of options that come as arrays beside JSON.
 //
 // Any type of numbers serves for anything: languages differ in what they make of a list of numbers. Shapes tell what is
-// meant. Entries become those of files, which resolve_generators and resolve_curves check as they check files.
+// meant, and lists in JSON are read as arrays are. Entries become those of files, which resolve_generators and
+// resolve_curves check as they check files.
 
 #include "given_arrays.hpp"
 
@@ -16,6 +17,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <type_traits>
+#include <utility>
 
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
@@ -27,153 +29,138 @@ using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse_array(const std::string& text) { throw Error(ErrorCode::invalid_option, text); }
 
-template <class To, class T>
-To load(const std::byte* place) {
+/// A number as it was given: no double has large whole ones.
+struct GivenNumber {
+  double value;
+  std::int64_t whole = -1;  ///< the same of the types of whole numbers; below 0: see `value`
+};
+
+template <class T>
+GivenNumber load(const std::byte* place) {
   T value;
   std::memcpy(&value, place, sizeof value);
-  return static_cast<To>(value);
+  if constexpr (std::is_integral_v<T>) return {static_cast<double>(value), static_cast<std::int64_t>(value)};
+  return {static_cast<double>(value)};
 }
 
 /// Of each ArrayType, in their order.
-template <class To>
-constexpr std::array<To (*)(const std::byte*), 10> kLoad{
-    load<To, std::int8_t>,  load<To, std::uint8_t>,  load<To, std::int16_t>, load<To, std::uint16_t>,
-    load<To, std::int32_t>, load<To, std::uint32_t>, load<To, std::int64_t>, load<To, std::uint64_t>,
-    load<To, float>,        load<To, double>};
-static_assert(std::size_t(ArrayType::float64) + 1 == kLoad<double>.size());
-
-/// An array that may be read: its type and shape are right.
-const ArrayView& checked(const ArrayView& view, std::size_t place) {
-  const auto type = static_cast<std::int32_t>(view.type);
-  if (type < 0 || std::size_t(type) >= kLoad<double>.size())
-    refuse_array(fmt::format("array {} has no known type: {}", place, type));
-  if (view.dimensions < 1 || view.dimensions > 2) {
-    refuse_array(fmt::format("array {} has {} dimensions; give 1 or 2", place, view.dimensions));
-  }
-  if (view.shape[0] < 0 || (view.dimensions == 2 && view.shape[1] < 0)) {
-    refuse_array(fmt::format("array {} has a negative length", place));
-  }
-  if (std::max(view.shape[0], view.dimensions == 2 ? view.shape[1] : 0) > std::numeric_limits<std::int32_t>::max()) {
-    refuse_array(fmt::format("array {} has more elements than a mesh can have", place));
-  }
-  if (view.data == nullptr && view.shape[0] > 0) refuse_array(fmt::format("array {} is NULL", place));
-  return view;
-}
-
-template <class To = double>
-To number_at(const ArrayView& view, std::int64_t row, std::int64_t column) {
-  const auto* const first = static_cast<const std::byte*>(view.data);
-  const std::int64_t offset = row * view.strides[0] + (view.dimensions == 2 ? column * view.strides[1] : 0);
-  return kLoad<To>[std::size_t(view.type)](first + offset);
-}
-
-const ArrayView& find_array(const Json& value, const Arrays& arrays) {
-  const Json& place = value.at("array");
-  const std::int64_t count = std::ssize(arrays.views);
-  if (!place.is_number_integer() || place.get<std::int64_t>() < 0 || place.get<std::int64_t>() >= count) {
-    refuse_array(fmt::format("there is no array {}; {} given", place.dump(), counted(count, "array is", "arrays are")));
-  }
-  return checked(arrays.views[place.get<std::size_t>()], place.get<std::size_t>());
-}
+constexpr std::array<GivenNumber (*)(const std::byte*), 10> kLoad{
+    load<std::int8_t>,   load<std::uint8_t>, load<std::int16_t>,  load<std::uint16_t>, load<std::int32_t>,
+    load<std::uint32_t>, load<std::int64_t>, load<std::uint64_t>, load<float>,         load<double>};
+static_assert(std::size_t(ArrayType::float64) + 1 == kLoad.size());
 
 std::int64_t columns_of(const ArrayView& view) { return view.dimensions == 2 ? view.shape[1] : 1; }
 
-template <class Value>
-[[noreturn]] void refuse_index(const Value& value, std::int64_t row) {
+/// Refuses an array that may not be read: its type or shape is wrong.
+void check_array(const ArrayView& view, std::size_t place) {
+  const auto type = static_cast<std::int32_t>(view.type);
+  if (type < 0 || std::size_t(type) >= kLoad.size()) {
+    refuse_array(fmt::format("array {} has no known type: {}", place, type));
+  }
+  if (view.dimensions < 1 || view.dimensions > 2) {
+    refuse_array(fmt::format("array {} has {} dimensions; give 1 or 2", place, view.dimensions));
+  }
+  if (view.shape[0] < 0 || columns_of(view) < 0) refuse_array(fmt::format("array {} has a negative length", place));
+  if (std::max(view.shape[0], columns_of(view)) > std::numeric_limits<std::int32_t>::max()) {
+    refuse_array(fmt::format("array {} has more elements than a mesh can have", place));
+  }
+  if (view.data == nullptr && view.shape[0] > 0) refuse_array(fmt::format("array {} is NULL", place));
+}
+
+/// The number of the array that a value refers to.
+std::size_t find_array(const Json& value, const Arrays& arrays) {
+  const Json& place = value.at("array");
+  const std::int64_t count = std::ssize(arrays.views);
+  if (place.is_number_integer() && place.get<std::int64_t>() >= 0 && place.get<std::int64_t>() < count) {
+    return place.get<std::size_t>();
+  }
+  refuse_array(fmt::format("there is no array {}; {} given", place.dump(), counted(count, "array is", "arrays are")));
+}
+
+std::int64_t to_index(const GivenNumber& number, std::int64_t row) {
+  const double value = number.value;
+  if (number.whole >= 0) return number.whole;
+  if (value >= 0 && value == std::floor(value) && value < kMostWhole) return static_cast<std::int64_t>(value);
   refuse_array(fmt::format("element {} is {}; give whole numbers from 0 on", row, value));
 }
 
-std::int64_t to_index(double value, std::int64_t row) {
-  if (value >= 0 && value == std::floor(value) && value < kMostWhole) return static_cast<std::int64_t>(value);
-  refuse_index(value, row);
+/// Numbers of JSON, which may be strings: it has no infinity.
+GivenNumber to_number(const Json& value) {
+  if (value.is_number_integer()) return {value.get<double>(), value.get<std::int64_t>()};
+  if (value.is_number()) return {value.get<double>()};
+  const auto parsed = value.is_string() ? parse_number<double>(value.get_ref<const std::string&>()) : std::nullopt;
+  if (!parsed) refuse_array(fmt::format("{} is no number", gvd::quoted(value.dump())));
+  return {*parsed};
 }
 
-std::int64_t index_at(const ArrayView& view, std::int64_t row) {
-  if (view.type == ArrayType::float32 || view.type == ArrayType::float64) return to_index(number_at(view, row, 0), row);
-  const auto whole = number_at<std::int64_t>(view, row, 0);
-  if (whole < 0) refuse_index(number_at(view, row, 0), row);
-  return whole;
-}
-
-/// A point of a vertex alone, of a position, or of a face and barycentric coordinates.
-template <class Index, class Number>
-GeneratorEntry make_entry(std::int64_t columns, const Index& index, const Number& at) {
-  if (columns == 1) return {GeneratorEntry::Kind::vertex, index(), {}, 0};
-  if (columns == 3) return {GeneratorEntry::Kind::position, 0, {at(0), at(1), at(2)}, 0};
-  return {GeneratorEntry::Kind::face, index(), {at(1), at(2), at(3)}, 0};
-}
-
-void check_columns(std::int64_t columns) {
-  if (columns == 1 || columns == 3 || columns == 4) return;
-  refuse_array(fmt::format(
-      "points have {} columns; give vertices, positions in 3 columns, or faces and barycentric coordinates in 4",
-      columns));
-}
-
-GeneratorList to_list(const ArrayView& view, const std::string& name) {
-  check_columns(columns_of(view));
-  GeneratorList list{name, {}};
+/// Calls take(number) for all numbers of an array, row by row.
+template <class Take>
+void for_each_number(const ArrayView& view, std::size_t place, const Take& take) {
+  check_array(view, place);
   for (std::int64_t row = 0; row < view.shape[0]; ++row) {
-    list.entries.push_back(make_entry(
-        columns_of(view), [&] { return index_at(view, row); },
-        [&](std::int64_t column) { return number_at(view, row, column); }));
+    const auto* const first = static_cast<const std::byte*>(view.data) + row * view.strides[0];
+    for (std::int64_t column = 0; column < columns_of(view); ++column) {
+      take(kLoad[std::size_t(view.type)](first + column * view.strides[1]));
+    }
+  }
+}
+
+/// Numbers in rows: of an array, or of a list of numbers or lists.
+struct Rows {
+  std::vector<GivenNumber> numbers;
+  std::int64_t columns;
+};
+
+Rows read_rows(const Json& value, const Arrays& arrays) {
+  if (is_array_reference(value)) {
+    const std::size_t place = find_array(value, arrays);
+    Rows rows{{}, columns_of(arrays.views[place])};
+    for_each_number(arrays.views[place], place, [&](const GivenNumber& number) { rows.numbers.push_back(number); });
+    return rows;
+  }
+  if (!value.is_array()) {
+    refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
+  }
+  const bool has_rows = !value.empty() && value.front().is_array();
+  Rows rows{{}, has_rows ? std::ssize(value.front()) : 1};
+  for (const Json& row : value) {
+    if (has_rows && (!row.is_array() || std::ssize(row) != rows.columns)) {
+      refuse_array(
+          fmt::format("{} is no row of {} numbers, as the first point is", gvd::quoted(row.dump()), rows.columns));
+    }
+    if (!has_rows) rows.numbers.push_back(to_number(row));
+    for (std::int64_t i = 0; has_rows && i < rows.columns; ++i) rows.numbers.push_back(to_number(row[std::size_t(i)]));
+  }
+  return rows;
+}
+
+std::vector<GivenNumber> read_column(const Json& value, const Arrays& arrays) {
+  Rows rows = read_rows(value, arrays);
+  if (rows.columns == 1) return std::move(rows.numbers);
+  refuse_array(fmt::format("the array has {} columns; give one number each", rows.columns));
+}
+
+/// Points of vertices alone, of positions, or of faces and barycentric coordinates.
+GeneratorList to_list(const Rows& rows, const std::string& name) {
+  using Kind = GeneratorEntry::Kind;
+  const auto& [numbers, columns] = rows;
+  if (columns != 1 && columns != 3 && columns != 4) {
+    refuse_array(fmt::format(
+        "points have {} columns; give vertices, positions in 3 columns, or faces and barycentric coordinates in 4",
+        columns));
+  }
+  GeneratorList list{name, {}};
+  for (auto row = numbers.begin(); row != numbers.end(); row += columns) {
+    const std::int64_t index = columns == 3 ? 0 : to_index(*row, std::ssize(list.entries));
+    const auto at = row + (columns == 4 ? 1 : 0);
+    list.entries.push_back(
+        columns == 1
+            ? GeneratorEntry{Kind::vertex, index, {}, 0}
+            : GeneratorEntry{
+                  columns == 3 ? Kind::position : Kind::face, index, {at[0].value, at[1].value, at[2].value}, 0});
   }
   if (list.entries.empty()) refuse_array("there is no point");
   return list;
-}
-
-/// Numbers of JSON, which may be strings: it has no infinity.
-double to_number(const Json& value) {
-  if (value.is_number()) return value.get<double>();
-  const auto parsed = value.is_string() ? parse_number<double>(value.get_ref<const std::string&>()) : std::nullopt;
-  if (!parsed) refuse_array(fmt::format("{} is no number", gvd::quoted(value.dump())));
-  return *parsed;
-}
-
-std::int64_t to_index(const Json& value, std::int64_t row) {
-  if (!value.is_number_integer()) return to_index(to_number(value), row);
-  const auto whole = value.get<std::int64_t>();
-  if (whole < 0) refuse_index(value.dump(), row);
-  return whole;
-}
-
-/// Rows of JSON: all of positions, or all of faces and barycentric coordinates.
-GeneratorList to_list(const Json& rows, const std::string& name) {
-  GeneratorList list{name, {}};
-  const auto columns = std::ssize(rows.front());
-  check_columns(columns);
-  for (const Json& row : rows) {
-    if (!row.is_array() || std::ssize(row) != columns) {
-      refuse_array(fmt::format("{} is no row of {} numbers, as the first point is", gvd::quoted(row.dump()), columns));
-    }
-    list.entries.push_back(make_entry(
-        columns, [&] { return to_index(row.front(), std::ssize(list.entries)); },
-        [&](std::int64_t column) { return to_number(row.at(std::size_t(column))); }));
-  }
-  return list;
-}
-
-[[noreturn]] void refuse_list(const Json& value) {
-  refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
-}
-
-/// An array of one column.
-const ArrayView& find_column(const Json& value, const Arrays& arrays) {
-  const ArrayView& view = find_array(value, arrays);
-  if (columns_of(view) == 1) return view;
-  refuse_array(fmt::format("the array has {} columns; give one number each", columns_of(view)));
-}
-
-std::vector<double> to_numbers(const Json& value, const Arrays& arrays) {
-  std::vector<double> numbers;
-  if (is_array_reference(value)) {
-    const ArrayView& view = find_column(value, arrays);
-    for (std::int64_t row = 0; row < view.shape[0]; ++row) numbers.push_back(number_at(view, row, 0));
-    return numbers;
-  }
-  if (!value.is_array()) refuse_list(value);
-  for (const Json& one : value) numbers.push_back(to_number(one));
-  return numbers;
 }
 
 }  // namespace
@@ -181,53 +168,40 @@ std::vector<double> to_numbers(const Json& value, const Arrays& arrays) {
 bool is_array_reference(const Json& value) { return value.is_object() && value.size() == 1 && value.contains("array"); }
 
 std::vector<double> read_array(const ArrayView& view, std::size_t place) {
-  const std::int64_t columns = columns_of(checked(view, place));
   std::vector<double> numbers;
-  numbers.reserve(std::size_t(view.shape[0] * columns));
-  for (std::int64_t row = 0; row < view.shape[0]; ++row) {
-    for (std::int64_t column = 0; column < columns; ++column) numbers.push_back(number_at(view, row, column));
-  }
+  for_each_number(view, place, [&](const GivenNumber& number) { numbers.push_back(number.value); });
   return numbers;
 }
 
 std::string_view bytes_of(const ArrayView& view, std::size_t place) {
-  const bool is_right = view.type == ArrayType::uint8 && columns_of(checked(view, place)) == 1 &&
-                        (view.shape[0] < 2 || view.strides[0] == 1);
+  check_array(view, place);
+  const bool is_right =
+      view.type == ArrayType::uint8 && columns_of(view) == 1 && (view.shape[0] < 2 || view.strides[0] == 1);
   if (!is_right) refuse_array(fmt::format("array {} has no bytes; give uint8, one column, without gaps", place));
   return {static_cast<const char*>(view.data), std::size_t(view.shape[0])};
 }
 
 std::string read_bytes(const Json& value, const Arrays& arrays) {
   std::string text;
-  for (const double byte : to_numbers(value, arrays)) text.push_back(static_cast<char>(static_cast<int>(byte)));
+  for (const GivenNumber& byte : read_column(value, arrays)) text.push_back(static_cast<char>(int(byte.value)));
   return text;
 }
 
 std::vector<std::int64_t> read_indices(const Json& value, const Arrays& arrays) {
   std::vector<std::int64_t> indices;
-  if (is_array_reference(value)) {
-    const ArrayView& view = find_column(value, arrays);
-    for (std::int64_t row = 0; row < view.shape[0]; ++row) indices.push_back(index_at(view, row));
-    return indices;
+  for (const GivenNumber& number : read_column(value, arrays)) {
+    indices.push_back(to_index(number, std::ssize(indices)));
   }
-  if (!value.is_array()) refuse_list(value);
-  for (const Json& one : value) indices.push_back(to_index(one, std::ssize(indices)));
   return indices;
 }
 
 GeneratorList read_points(const Json& value, const Arrays& arrays, const std::string& name) {
-  if (is_array_reference(value)) return to_list(find_array(value, arrays), name);
+  if (is_array_reference(value)) return to_list(read_rows(value, arrays), name);
   if (!value.is_array() || value.empty()) {
     refuse_array(fmt::format("{} is no list of points; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
   }
-  if (std::all_of(value.begin(), value.end(), [](const Json& one) { return one.is_number(); })) {
-    GeneratorList list{name, {}};
-    for (const std::int64_t vertex : read_indices(value, arrays)) {
-      list.entries.push_back({GeneratorEntry::Kind::vertex, vertex, {}, 0});
-    }
-    return list;
-  }
-  if (value.front().is_array()) return to_list(value, name);
+  const bool has_numbers = std::ranges::all_of(value, [](const Json& one) { return one.is_number(); });
+  if (has_numbers || value.front().is_array()) return to_list(read_rows(value, arrays), name);
   return parse_generators(Json{{"generators", value}}.dump(), GeneratorFormat::json, name);
 }
 
@@ -267,7 +241,8 @@ CurveList read_curves(const Json& value, const Arrays& arrays, const std::string
 }
 
 ElementValues read_numbers(const Json& value, const Arrays& arrays, ValueSource::Of of, const std::string& name) {
-  ElementValues given{name, {true, to_numbers(value, arrays)}, true};
+  ElementValues given{name, {true, {}}, true};
+  for (const GivenNumber& number : read_column(value, arrays)) given.soup.values.push_back(number.value);
   const std::int64_t count = std::ssize(given.soup.values);
   const Mesh& mesh = arrays.input.mesh;
   if (of == ValueSource::Of::generators) return given;

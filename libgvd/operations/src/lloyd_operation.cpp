@@ -9,15 +9,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <utility>
 
+#include "figures.hpp"
 #include "gvd/diagram_options.hpp"
 #include "gvd/diagram_parts.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/point_writer.hpp"
 #include "gvd/lloyd_options.hpp"
-#include "gvd/lloyd_words.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
@@ -121,24 +120,19 @@ BalancedRelaxation balance(const CheckedMesh& input, const Mesh& surface, const 
 }
 
 /// A list for each figure of the iterations. The first energy is that of the given generators.
-void visit_iterations(ObjectVisitor& visitor, const LloydResult& result) {
-  std::vector<double> energies;
-  if (!result.generators.empty()) energies.push_back(result.initial_energy);
-  for (const LloydIteration& i : result.iterations) energies.push_back(i.energy);
-  visitor.figure({"energies", "mesh units to the fourth", "at the start and after each iteration"}, energies);
-  const auto list = [&]<class T>(const Meaning& meaning, const auto& figure, T) {
-    std::vector<T> values;
-    for (const LloydIteration& i : result.iterations) values.push_back(T(std::invoke(figure, i)));
-    visitor.figure(meaning, std::move(values));
-  };
-  list({"steps", "", "how each step was found"}, step_name, std::string());
-  list({"relocated_generators", "", "that left their places for distant ones"}, &LloydIteration::relocated,
-       std::int64_t());
-  list({"methods", "", "of the diagram that each energy was measured with"}, measure_name, std::string());
-  list({"largest_moves", "mesh units", "longest path of a generator"}, &LloydIteration::largest_move, double());
-  list({"mean_moves", "mesh units", "mean length of the paths"}, &LloydIteration::mean_move, double());
-  list({"step_scales", "", "factor of all steps"}, &LloydIteration::scale, double());
-  list({"held_generators", "", "that did not move: they would collide"}, &LloydIteration::held, std::int64_t());
+void add_iterations(const Figures& figure, const LloydResult& result) {
+  const std::vector<LloydIteration>& done = result.iterations;
+  std::vector<double> energies = each_of(done, &LloydIteration::energy);
+  if (!result.generators.empty()) energies.insert(energies.begin(), result.initial_energy);
+  figure("energies", "mesh units to the fourth", "at the start and after each iteration", energies);
+  figure("steps", "", "how each step was found", each_of(done, step_name));
+  figure("relocated_generators", "", "that left their places for distant ones",
+         each_of(done, &LloydIteration::relocated));
+  figure("methods", "", "of the diagram that each energy was measured with", each_of(done, measure_name));
+  figure("largest_moves", "mesh units", "longest path of a generator", each_of(done, &LloydIteration::largest_move));
+  figure("mean_moves", "mesh units", "mean length of the paths", each_of(done, &LloydIteration::mean_move));
+  figure("step_scales", "", "factor of all steps", each_of(done, &LloydIteration::scale));
+  figure("held_generators", "", "that did not move: they would collide", each_of(done, &LloydIteration::held));
 }
 
 }  // namespace
@@ -172,28 +166,28 @@ void describe(OptionList& list, LloydCall& call) {
 void LloydOutcome::visit(ObjectVisitor& visitor) const {
   const LloydResult& result = *relaxed;
   const std::vector<CellMoments>& moments = result.moments.raw();
-  visitor.figure({"iterations", "", "number of iterations"}, std::int64_t(result.iterations.size()));
-  visitor.figure({"stop", "", "why the relaxation ended"}, std::string(name_in(kLloydStopNames, result.stop)));
-  visit_iterations(visitor, result);
+  const Figures figure(visitor);
+  figure("iterations", "", "number of iterations", result.iterations.size());
+  figure("stop", "", "why the relaxation ended", name_in(kLloydStopNames, result.stop));
+  add_iterations(figure, result);
   visit_copy(visitor, result.copy);
-  visitor.figure({"residual", "mesh units", "largest distance from a generator to its centroid"}, result.residual);
-  visitor.figure({"mean_cell_radius", "mesh units", "sqrt(area / (pi cells))"}, result.mean_cell_radius);
-  visitor.figure({"diagrams", "", "that were computed"}, result.diagrams);
-  visitor.figure({"area_variation", "", "standard deviation of the cells' areas by their mean"},
-                 area_variation(result.diagram.cells));
-  visitor.figure({"final_energy", "mesh units to the fourth", "of the diagram"}, result.final_energy);
+  figure("residual", "mesh units", "largest distance from a generator to its centroid", result.residual);
+  figure("mean_cell_radius", "mesh units", "sqrt(area / (pi cells))", result.mean_cell_radius);
+  figure("diagrams", "", "that were computed", result.diagrams);
+  figure("area_variation", "", "standard deviation of the cells' areas by their mean",
+         area_variation(result.diagram.cells));
+  figure("final_energy", "mesh units to the fourth", "of the diagram", result.final_energy);
   visit_parted(visitor, parted);
-  visit_balance(visitor, balanced ? &balanced->balanced : nullptr);
-  visitor.figure({"balance.rounds", "", "moves of all generators"},
-                 balanced ? Figure(std::int64_t(balanced->rounds)) : Figure());
-  visitor.figure({"weights", "mesh units", "of the generators, by which the cells are equal"},
-                 balanced ? Figure(result.diagram.weights) : Figure());
+  visit_balance(visitor, balanced ? std::optional(balanced->balanced) : std::nullopt);
+  figure("balance.rounds", "", "moves of all generators", balanced ? Figure(plain(balanced->rounds)) : Figure());
+  figure("weights", "mesh units", "of the generators, by which the cells are equal",
+         balanced ? Figure(result.diagram.weights) : Figure());
   visitor.points({"generators", "", "relaxed ones"}, result.generators);
   visitor.array({"areas", "square mesh units", "of the cells"}, view(moments, &CellMoments::area));
   visitor.array({"cell_energies", "mesh units to the fourth", "of the cells"}, view(moments, &CellMoments::energy));
   visitor.part({"diagram", "", "of the generators"}, "diagram", [this] {
     const std::shared_ptr<const Diagram> whole(relaxed, &relaxed->diagram);
-    return std::make_shared<DiagramObject>(input, on_input, options, keep_separated(parted, whole));
+    return std::make_shared<DiagramObject>(input, whole, options, std::make_shared<PartedMesh>(parted));
   });
 }
 
@@ -231,7 +225,7 @@ std::shared_ptr<const LloydOutcome> run(const MeshPtr& input, LloydCall& call, O
   outcome->relaxed = std::make_shared<const LloydResult>(std::move(relaxed));
   outcome->on_input = outcome->parted.on_input({outcome->relaxed, &outcome->relaxed->diagram});
   resolve(call.diagram);
-  if (!outcome->parted.is_parted()) outcome->options = call.diagram;
+  outcome->options = call.diagram;
   resolve(call.relaxation);
   return outcome;
 }

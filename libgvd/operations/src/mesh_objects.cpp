@@ -5,6 +5,7 @@
 #include <mutex>
 #include <ostream>
 
+#include "figures.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/diagram_json.hpp"
@@ -20,31 +21,26 @@ std::int64_t count_disc_cells(const Diagram& diagram) {
                        [](const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; });
 }
 
-void visit_report(ObjectVisitor& visitor, const Diagram& diagram) {
+void add_report(const Figures& figure, const Diagram& diagram) {
   const DiagramReport& report = diagram.report;
-  visitor.figure({"branch_points", "", "points of three or more cells"}, std::int64_t(diagram.branch_points.count()));
-  visitor.figure({"bisectors", "", "curves between two cells"}, std::int64_t(diagram.bisectors.count()));
-  visitor.figure({"length", "mesh units", "of all bisectors"}, diagram.length);
-  visitor.figure({"cells", "", "generators"}, std::int64_t(diagram.cells.count()));
-  visitor.figure({"disc_cells", "", "cells that are discs"}, count_disc_cells(diagram));
-  visitor.figure({"trivial_faces", "", "faces whose corners have one nearest generator"}, report.face_classes.trivial);
-  visitor.figure({"ordinary_faces", "", "faces whose corners have two"}, report.face_classes.ordinary);
-  visitor.figure({"branching_faces", "", "faces whose corners have three"}, report.face_classes.branching);
-  visitor.figure({"gaps", "", "connected sets of faces with three or more generators"}, report.gaps);
-  visitor.figure({"gaps_grown", "", "gaps that growth closed"}, report.gaps_grown);
-  visitor.figure({"gaps_assembled", "", "gaps that were closed from the crossings of edges"}, report.gaps_assembled);
-  visitor.figure({"unresolved_ends", "", "ends of bisectors at no branch point and not on the boundary"},
-                 report.unresolved_ends);
-  visitor.figure({"relabelled_vertices", "", "vertices with another label than the nearest generator"},
-                 report.relabelled_vertices);
-  visitor.figure({"straightened_faces", "", "faces in which bisectors are straightened"}, report.straightened_faces);
-  visitor.figure({"straightened_error", "mesh units", "largest difference of the two distances there"},
-                 report.straightened_error);
+  figure("branch_points", "", "points of three or more cells", diagram.branch_points.count());
+  figure("bisectors", "", "curves between two cells", diagram.bisectors.count());
+  figure("length", "mesh units", "of all bisectors", diagram.length);
+  figure("cells", "", "generators", diagram.cells.count());
+  figure("disc_cells", "", "cells that are discs", count_disc_cells(diagram));
+  figure("trivial_faces", "", "faces whose corners have one nearest generator", report.face_classes.trivial);
+  figure("ordinary_faces", "", "faces whose corners have two", report.face_classes.ordinary);
+  figure("branching_faces", "", "faces whose corners have three", report.face_classes.branching);
+  figure("gaps", "", "connected sets of faces with three or more generators", report.gaps);
+  figure("gaps_grown", "", "gaps that growth closed", report.gaps_grown);
+  figure("gaps_assembled", "", "gaps that were closed from the crossings of edges", report.gaps_assembled);
+  figure("unresolved_ends", "", "ends of bisectors at no branch point and not on the boundary", report.unresolved_ends);
+  figure("relabelled_vertices", "", "vertices with another label than the nearest generator",
+         report.relabelled_vertices);
+  figure("straightened_faces", "", "faces in which bisectors are straightened", report.straightened_faces);
+  figure("straightened_error", "mesh units", "largest difference of the two distances there",
+         report.straightened_error);
 }
-
-}  // namespace
-
-namespace {
 
 /// The faces that bisectors cut, in triangles.
 class PiecesObject : public Object {
@@ -82,11 +78,12 @@ struct DiagramObject::KeptEditor {
 };
 
 DiagramObject::DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram,
-                             std::optional<DiagramOptions> options, SeparatedDiagram parted)
+                             std::optional<DiagramOptions> options, std::shared_ptr<const PartedMesh> parted)
     : mesh_(std::move(mesh)),
-      diagram_(std::move(diagram)),
-      options_(std::move(options)),
-      parted_(std::move(parted)),
+      parted_(parted ? std::move(parted) : std::make_shared<const PartedMesh>()),
+      of_surface_(std::move(diagram)),
+      diagram_(parted_->on_input(of_surface_)),
+      options_(parted_->is_parted() ? std::nullopt : std::move(options)),
       kept_(std::make_shared<KeptEditor>()) {}
 
 std::unique_ptr<DiagramEditor> DiagramObject::take_editor(Observer& observer) const {
@@ -117,18 +114,19 @@ void DiagramObject::keep(std::unique_ptr<DiagramEditor> editor) const {
 void MeshObject::visit(ObjectVisitor& visitor) const {
   const Mesh& mesh = mesh_->mesh;
   const MeshSummary summary = compute_mesh_summary(mesh);
-  visitor.figure({"vertices", "", "number of vertices"}, summary.vertices);
-  visitor.figure({"edges", "", "number of edges"}, summary.edges);
-  visitor.figure({"faces", "", "number of triangles"}, summary.faces);
-  visitor.figure({"components", "", "connected parts"}, summary.components);
-  visitor.figure({"boundary_loops", "", "loops of boundary edges"}, summary.boundary_loops);
-  visitor.figure({"euler_characteristic", "", "vertices - edges + faces"}, summary.euler_characteristic);
-  visitor.figure({"area", "square mesh units", "of all faces"}, summary.area);
-  visitor.figure({"bbox_diagonal", "mesh units", "diagonal of the bounding box"}, summary.bbox_diagonal);
-  visitor.figure({"repairs", "", "what was repaired, a line each"}, mesh_->defects.messages);
+  const Figures figure(visitor);
+  figure("vertices", "", "number of vertices", summary.vertices);
+  figure("edges", "", "number of edges", summary.edges);
+  figure("faces", "", "number of triangles", summary.faces);
+  figure("components", "", "connected parts", summary.components);
+  figure("boundary_loops", "", "loops of boundary edges", summary.boundary_loops);
+  figure("euler_characteristic", "", "vertices - edges + faces", summary.euler_characteristic);
+  figure("area", "square mesh units", "of all faces", summary.area);
+  figure("bbox_diagonal", "mesh units", "diagonal of the bounding box", summary.bbox_diagonal);
+  figure("repairs", "", "what was repaired, a line each", mesh_->defects.messages);
   const Appearance& look = mesh_->appearance;
-  visitor.figure({"materials", "", "names of materials"}, look.materials);
-  visitor.figure({"material_files", "", "that the materials are in"}, look.material_files);
+  figure("materials", "", "names of materials", look.materials);
+  figure("material_files", "", "that the materials are in", look.material_files);
   visitor.array({"vertex_positions", "mesh units", "x, y and z of each vertex"}, view(mesh.positions()));
   visitor.array({"face_vertices", "", "the vertices of each face"}, view(mesh.face_vertices()));
   visitor.array({"vertex_of_input", "", "the vertex that each vertex of the input became; -1: none"},
@@ -143,40 +141,35 @@ void MeshObject::visit(ObjectVisitor& visitor) const {
                 view(look.material));
 }
 
-const Mesh& DiagramObject::surface() const { return parted_.mesh ? parted_.mesh->surface(mesh_->mesh) : mesh_->mesh; }
+const Mesh& DiagramObject::surface() const { return parted_->surface(mesh_->mesh); }
 
 void DiagramObject::visit(ObjectVisitor& visitor) const {
   const Diagram& diagram = *diagram_;
+  const auto& cells = diagram.cells.raw();
+  const auto& branch_points = diagram.branch_points.raw();
   const auto& bisectors = diagram.bisectors.raw();
-  visit_report(visitor, diagram);
+  add_report(Figures(visitor), diagram);
   visitor.points({"generators", "", "the generators; of a curve its first point"}, diagram.generators);
   visitor.array({"weights", "mesh units", "of the generators; empty: 0 for all"}, view(diagram.weights));
   visitor.array({"vertex_labels", "", "the nearest generator of each vertex; -1: none"}, view(diagram.vertex_label));
   visitor.array({"vertex_distances", "mesh units", "the distance from it"}, view(diagram.vertex_distance));
   visitor.array({"face_labels", "", "the generator of each whole face; -1: cut, or reached by none"},
                 view(diagram.face_label));
-  visitor.array({"cell_areas", "square mesh units", "of the cell of each generator"},
-                view(diagram.cells.raw(), &Cell::area));
+  visitor.array({"cell_areas", "square mesh units", "of the cell of each generator"}, view(cells, &Cell::area));
   visitor.array({"cell_euler_characteristics", "", "1 for a disc, 0 for an annulus"},
-                view(diagram.cells.raw(), &Cell::euler_characteristic));
-  visitor.array({"cell_components", "", "1 for a cell that is connected"},
-                view(diagram.cells.raw(), &Cell::components));
+                view(cells, &Cell::euler_characteristic));
+  visitor.array({"cell_components", "", "1 for a cell that is connected"}, view(cells, &Cell::components));
   visitor.array({"cell_boundary_loops", "", "loops of bisectors and of the mesh's boundary"},
-                view(diagram.cells.raw(), &Cell::boundary_loops));
+                view(cells, &Cell::boundary_loops));
   visitor.lists({"cell_neighbours", "", "cells with a bisector in common, ascending"},
-                {std::ssize(diagram.cells.raw()), [&diagram](std::int64_t i) {
-                   return std::span<const GeneratorId>(diagram.cells.raw()[std::size_t(i)].neighbours);
-                 }});
-  visitor.points({"branch_point", "", "points of three or more cells"},
-                 {diagram.branch_points.raw(), &BranchPoint::point});
+                lists_of(cells, &Cell::neighbours));
+  visitor.points({"branch_point", "", "points of three or more cells"}, {branch_points, &BranchPoint::point});
   visitor.array({"branch_point_positions", "mesh units", "their positions"},
-                view(diagram.branch_points.raw(), &BranchPoint::position));
+                view(branch_points, &BranchPoint::position));
   visitor.array({"branch_point_distances", "mesh units", "their distances from the generators"},
-                view(diagram.branch_points.raw(), &BranchPoint::distance));
+                view(branch_points, &BranchPoint::distance));
   visitor.lists({"branch_point_generators", "", "their generators, counter-clockwise"},
-                {std::ssize(diagram.branch_points.raw()), [&diagram](std::int64_t i) {
-                   return std::span<const GeneratorId>(diagram.branch_points.raw()[std::size_t(i)].generators);
-                 }});
+                lists_of(branch_points, &BranchPoint::generators));
   visitor.array({"bisector_left", "", "the cell on the left of each bisector, seen from outside"},
                 view(bisectors, &Bisector::left));
   visitor.array({"bisector_right", "", "the cell on its right"}, view(bisectors, &Bisector::right));
@@ -184,9 +177,7 @@ void DiagramObject::visit(ObjectVisitor& visitor) const {
   visitor.array({"bisector_ends", "", "the branch points at both ends; -1 on the boundary, and of a loop"},
                 view(bisectors, &Bisector::ends));
   visitor.curves({"bisector", "", "the points of each bisector, both ends included"},
-                 {std::ssize(bisectors), [&bisectors](std::int64_t i) {
-                    return std::span<const SurfacePoint>(bisectors[std::size_t(i)].points);
-                  }});
+                 lists_of(bisectors, &Bisector::points));
   visitor.part({"pieces", "", "the faces that bisectors cut, in triangles"}, "pieces",
                [this] { return std::make_shared<PiecesObject>(mesh_->mesh, *diagram_); });
 }
@@ -205,9 +196,9 @@ std::optional<LabelledMesh> MeshObject::labelled() const {
 }
 
 std::optional<LabelledMesh> DiagramObject::labelled() const {
-  LabelledMesh mesh = label_mesh(mesh_->mesh, *diagram_, surface_diagram().face_label);
-  if (parted_.mesh) {
-    mesh.diagram = parted_.diagram.get();
+  LabelledMesh mesh = label_mesh(mesh_->mesh, *diagram_, of_surface_->face_label);
+  if (parted_->is_parted()) {
+    mesh.diagram = of_surface_.get();
     mesh.diagram_mesh = &surface();
   }
   mesh.appearance = &mesh_->appearance;

@@ -18,6 +18,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 template <class T>
+Json or_null(const T& value) {
+  return value;
+}
+template <class T>
 Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
@@ -25,43 +29,35 @@ Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text
 
 Json value_of(const Field& field) {
   return std::visit(
-      Overload{[](const Flag& flag) { return Json(*flag.value == flag.given_as); },
-               [](const Switch& on_off) { return or_null(*on_off.value); },
-               [](const Number& number) {
-                 const Json value =
-                     std::visit(Overload{[](const auto* v) { return Json(*v); },
-                                         [](const std::optional<std::int32_t>* v) { return or_null(*v); },
-                                         [](const std::optional<std::int64_t>* v) { return or_null(*v); },
-                                         [](const std::optional<double>* v) { return or_null(*v); }},
-                                number.value);
-                 const auto word = value.is_null() ? std::string_view() : name_in(number.words, value.get<double>());
-                 return word.empty() ? value : Json(word);
-               },
-               [](const Choice& choice) {
-                 const auto place = choice.get();
-                 return place ? Json(choice.names[*place]) : Json();
-               },
-               [](const ChoiceList& list) { return Json(*list.value); },
-               [](const File& file) {
-                 return std::visit(Overload{[](const std::string* name) { return or_null(*name); },
-                                            [](const std::vector<std::string>* names) { return Json(*names); }},
-                                   file.value);
-               },
-               [](const PointList& list) {
-                 return list.value->vertices ? Json(*list.value->vertices) : or_null(list.value->file);
-               },
-               [](const Curves& curves) { return or_null(curves.value->name); },
-               [](const Counts& counts) { return counts.value->empty() ? Json() : Json(*counts.value); },
-               [](const ValueSource& values) { return or_null(values.value->name); },
-               [](const ByteSize& size) { return or_null(*size.value); },
-               [](const SizeOrPercent& size) {
-                 if (!*size.value) return Json();
-                 const ErrorBound& bound = **size.value;
-                 return bound.in_diagonals ? Json(fmt::format("{:.15g}%", bound.value * 100)) : Json(bound.value);
-               },
-               [](const CreaseAngle& angle) {
-                 return *angle.automatic ? Json("auto") : *angle.value ? Json(**angle.value) : Json("none");
-               }},
+      Overload{
+          [](const Flag& flag) { return Json(*flag.value == flag.given_as); },
+          [](const Switch& on_off) { return or_null(*on_off.value); },
+          [](const Number& number) {
+            const Json value = std::visit([](const auto* v) { return or_null(*v); }, number.value);
+            const auto word = value.is_null() ? std::string_view() : name_in(number.words, value.get<double>());
+            return word.empty() ? value : Json(word);
+          },
+          [](const Choice& choice) {
+            const auto place = choice.get();
+            return place ? Json(choice.names[*place]) : Json();
+          },
+          [](const ChoiceList& list) { return Json(*list.value); },
+          [](const File& file) { return std::visit([](const auto* names) { return or_null(*names); }, file.value); },
+          [](const PointList& list) {
+            return list.value->vertices ? Json(*list.value->vertices) : or_null(list.value->file);
+          },
+          [](const Curves& curves) { return or_null(curves.value->name); },
+          [](const Counts& counts) { return counts.value->empty() ? Json() : Json(*counts.value); },
+          [](const ValueSource& values) { return or_null(values.value->name); },
+          [](const ByteSize& size) { return or_null(*size.value); },
+          [](const SizeOrPercent& size) {
+            if (!*size.value) return Json();
+            const ErrorBound& bound = **size.value;
+            return bound.in_diagonals ? Json(fmt::format("{:.15g}%", bound.value * 100)) : Json(bound.value);
+          },
+          [](const CreaseAngle& angle) {
+            return *angle.automatic ? Json("auto") : *angle.value ? Json(**angle.value) : Json("none");
+          }},
       field);
 }
 

@@ -1,4 +1,4 @@
-// Diagrams inside regions: the regions as given, generators inside them, and figures.
+// Diagrams and distances inside regions: the regions as given, points and generators inside them, and figures.
 
 #include "gvd/parted_mesh.hpp"
 
@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "figures.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
@@ -16,11 +17,8 @@ namespace {
 
 void tell_samples(Observer& observer, const PartedMesh& parted, bool each) {
   const RegionSamples& samples = parted.samples;
-  const auto left_out = std::ranges::count_if(parted.regions, [](std::int32_t region) { return region < 0; });
-  observer.note(
-      fmt::format("inside {} of {}{}", counted(samples.regions, "region", "regions"),
-                  counted(samples.parts, "connected part", "connected parts"),
-                  left_out == 0 ? "" : fmt::format("; {} left out", counted(left_out, "face is", "faces are"))));
+  observer.note(fmt::format("inside {} of {}{}", counted(samples.regions, "region", "regions"),
+                            counted(samples.parts, "connected part", "connected parts"), describe_left_out(parted)));
   if (samples.empty_parts == 0) return;
   observer.note(fmt::format("{} no generator, because there are too few; {}",
                             counted(samples.empty_parts, "part of a region has", "parts of regions have"),
@@ -29,14 +27,18 @@ void tell_samples(Observer& observer, const PartedMesh& parted, bool each) {
 
 }  // namespace
 
+std::int64_t PartedMesh::count_regions() const {
+  const std::set<std::int32_t> all(regions.begin(), regions.end());
+  return std::ranges::count_if(all, [](std::int32_t region) { return region >= 0; });
+}
+
+std::int64_t PartedMesh::count_left_out() const {
+  return std::ranges::count_if(regions, [](std::int32_t region) { return region < 0; });
+}
+
 std::shared_ptr<const Diagram> PartedMesh::on_input(std::shared_ptr<const Diagram> diagram) const {
   if (!is_parted()) return diagram;
   return std::make_shared<const Diagram>(restrict_to_input(separated, *diagram));
-}
-
-SeparatedDiagram keep_separated(const PartedMesh& parted, std::shared_ptr<const Diagram> diagram) {
-  if (!parted.is_parted() && parted.levels == 0) return {};
-  return {std::make_shared<PartedMesh>(parted), std::move(diagram)};
 }
 
 PartedMesh find_parted(const CheckedMesh& input, const GivenRegions& given, Observer& observer) {
@@ -76,20 +78,49 @@ ResolvedGenerators choose_inside(const CheckedMesh& input, PartedMesh& parted, c
   return found;
 }
 
+// A border belongs to the regions on both of its sides: a point there is seen once from each connected part.
+PlacedPoints place_points(const Mesh& input, const PartedMesh& parted, const std::vector<SurfacePoint>& points) {
+  PlacedPoints placed;
+  std::vector<SurfacePoint> seen;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto add = [&](const SurfacePoint& view) {
+      placed.places.push_back(view);
+      placed.point.push_back(std::int32_t(i));
+    };
+    if (!parted.is_parted()) {
+      add(points[i]);
+      continue;
+    }
+    // Views from one part are one point of the separated mesh: the first of them stands for all.
+    seen.clear();
+    for (const SurfacePoint& view : find_views(input, points[i])) {
+      if (parted.is_left_out(view.face)) continue;
+      const SurfacePoint place = canonical(parted.separated.mesh, view);
+      if (std::ranges::find(seen, place) != seen.end()) continue;
+      seen.push_back(place);
+      add(view);
+    }
+  }
+  return placed;
+}
+
+std::string describe_left_out(const PartedMesh& parted) {
+  const std::int64_t count = parted.count_left_out();
+  return count == 0 ? "" : fmt::format("; {} left out", counted(count, "face is", "faces are"));
+}
+
+void visit_regions(ObjectVisitor& visitor, const PartedMesh& parted, const char* kept) {
+  const Figures figure(visitor, "within", parted.is_parted());
+  figure("regions", "", kept, parted.count_regions());
+  figure("left_out_faces", "", "in no region", parted.count_left_out());
+}
+
 void visit_parted(ObjectVisitor& visitor, const PartedMesh& parted) {
-  const std::set<std::int32_t> numbers(parted.regions.begin(), parted.regions.end());
-  const auto is_region = [](std::int32_t region) { return region >= 0; };
-  const auto figure = [&](const Meaning& meaning, std::int64_t value) {
-    visitor.figure(meaning, parted.is_parted() ? Figure(value) : Figure());
-  };
-  figure({"within.regions", "", "that the cells keep to"}, std::ranges::count_if(numbers, is_region));
-  figure({"within.left_out_faces", "", "in no region"},
-         std::ssize(parted.regions.raw()) - std::ranges::count_if(parted.regions, is_region));
+  visit_regions(visitor, parted, "that the cells keep to");
   const RegionSamples& samples = parted.samples;
-  const auto sampled = [&](std::int64_t value) { return samples.regions > 0 ? Figure(value) : Figure(); };
-  visitor.figure({"within.parts", "", "connected parts of regions, where generators are sampled"},
-                 sampled(samples.parts));
-  visitor.figure({"within.parts_without_generator", "", "of these"}, sampled(samples.empty_parts));
+  const Figures figure(visitor, "within", samples.regions > 0);
+  figure("parts", "", "connected parts of regions, where generators are sampled", samples.parts);
+  figure("parts_without_generator", "", "of these", samples.empty_parts);
 }
 
 }  // namespace gvd

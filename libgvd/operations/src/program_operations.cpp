@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "figures.hpp"
 #include "given_arrays.hpp"
 #include "gvd/check.hpp"
 #include "gvd/error.hpp"
@@ -133,9 +134,7 @@ void describe(OptionList& list, ValuesCall& call) {
 }
 
 void NumbersObject::visit(ObjectVisitor& visitor) const {
-  std::vector<std::string> names;
-  for (const auto& [name, values] : numbers) names.push_back(name);
-  visitor.figure({"names", "", "of the arrays"}, names);
+  visitor.figure({"names", "", "of the arrays"}, each_of(numbers, &std::pair<std::string, std::vector<double>>::first));
   for (const auto& [name, values] : numbers) visitor.array({name, "", "numbers of a file"}, view(values));
 }
 
@@ -193,7 +192,7 @@ std::shared_ptr<const CurvesOutcome> run(const MeshPtr& input, CurvesCall& call,
 std::shared_ptr<const CheckOutcome> run(const DiagramObject& on, CheckCall&, Observer& observer) {
   const Step step(observer, "check");
   auto made = std::make_shared<CheckOutcome>();
-  made->violations = check_diagram(on.surface(), on.surface_diagram()).violations;
+  made->violations = check_diagram(on.surface(), *on.of_surface()).violations;
   return made;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "figures.hpp"
 #include "gvd/read_values.hpp"
 #include "gvd/text.hpp"
 
@@ -120,12 +121,10 @@ void tell_copy(Observer& observer, const CoarseRelaxation& used, const Relaxatio
 }
 
 void visit_copy(ObjectVisitor& visitor, const CoarseRelaxation& copy, const std::string& name) {
-  const auto figure = [&](const char* part, const char* text, std::int64_t value) {
-    visitor.figure({name + part, "", text}, copy.faces == 0 ? Figure() : Figure(value));
-  };
-  figure(".faces", "of the copy of the mesh that was relaxed on first", copy.faces);
-  figure(".iterations", "on the copy", copy.iterations);
-  figure(".diagrams", "of the copy", copy.diagrams);
+  const Figures figure(visitor, name, copy.faces > 0);
+  figure("faces", "", "of the copy of the mesh that was relaxed on first", copy.faces);
+  figure("iterations", "", "on the copy", copy.iterations);
+  figure("diagrams", "", "of the copy", copy.diagrams);
 }
 
 }  // namespace gvd

@@ -10,18 +10,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ostream>
 #include <set>
 #include <utility>
 
+#include "figures.hpp"
 #include "gvd/barriers.hpp"
 #include "gvd/diagram_options.hpp"
 #include "gvd/diagram_parts.hpp"
 #include "gvd/disc_cells.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/format.hpp"
+#include "gvd/io/label_color.hpp"
 #include "gvd/segment_options.hpp"
 #include "gvd/text.hpp"
-#include "weighted_diagram.hpp"
 
 namespace gvd {
 namespace {
@@ -236,6 +238,80 @@ void describe_regions(OptionList& list, SegmentCall& call) {
   list.needs("per_region", "within");
 }
 
+// ---- what it consists of
+
+/// The figures of whole faces.
+void add_whole(const Figures& figure, const SegmentOutcome& made) {
+  const Segmentation& whole = or_none(made.whole);
+  figure("generators_without_face", "", "whose cells lie inside faces of others", each_of(whole.without_face));
+  figure("moved_faces", "", "labelled with a cell that has not the largest share, to connect regions",
+         whole.moved_faces);
+  figure("given_faces", "", "given to generators that would own none", whole.given_faces);
+  figure("smoothed_faces", "", "with another label than the nearest one has", whole.smoothed_faces);
+  figure("border_length", "mesh units", "of the edges between regions", made.border_length);
+  const double bisectors = made.diagram->length;
+  figure("border_ratio", "", "that length by that of the bisectors",
+         bisectors > 0 ? Figure(made.border_length / bisectors) : Figure());
+}
+
+Table list_regions(const SegmentOutcome& made) {
+  const std::vector<SurfacePoint>& generators = made.diagram->generators;
+  const Mesh& mesh = made.cut ? made.cut->mesh : made.input->mesh;
+  const IdVector<GeneratorId, RegionSize> sizes = measure_regions(mesh, made.face_labels(), generators.size());
+  Table table{{"label", each_of(sizes.ids())}};
+  for (const FaceNumbers& numbers : made.parted.numbers) {
+    table.push_back({numbers.name, each_of(generators, [&](const auto& point) { return numbers.values[point.face]; })});
+  }
+  table.push_back({"faces", each_of(sizes, &RegionSize::faces)});
+  table.push_back({"area", each_of(sizes, &RegionSize::area)});
+  return table;
+}
+
+std::vector<double> box_of(const Chart& chart) {
+  if (chart.box.isEmpty()) return {};
+  return {chart.box.min().x(), chart.box.min().y(), chart.box.max().x(), chart.box.max().y()};
+}
+
+Table list_charts(const std::vector<Chart>& charts, ChartMap map) {
+  const auto share_of = [&](double Chart::*part) {
+    return each_of(charts, [part](const Chart& chart) { return chart.area > 0 ? chart.*part / chart.area : 0; });
+  };
+  Table table{{"label", each_of(charts, &Chart::generator)}, {"faces", each_of(charts, &Chart::faces)},
+              {"area", each_of(charts, &Chart::area)},       {"flipped_share", share_of(&Chart::flipped_area)},
+              {"stretch", each_of(charts, &Chart::stretch)}, {"box", each_of(charts, box_of)}};
+  if (map == ChartMap::flat) return table;
+  table.push_back({"torn_share", share_of(&Chart::torn_area)});
+  table.push_back({"origin", each_of(charts, [](const Chart& chart) {
+                     return std::vector<double>{chart.origin.x(), chart.origin.y()};
+                   })});
+  return table;
+}
+
+void add_charts(ObjectVisitor& visitor, const SegmentOutcome& made) {
+  const Figures figure(visitor, "charts", made.charts.has_value());
+  const Charts& charts = or_none(made.charts);
+  figure("scale", "texture units per mesh unit", "of all charts", charts.scale);
+  figure("covered_share", "", "of the texture", charts.covered);
+  figure("flipped_share", "", "of the area: faces that are flipped", charts.share(&Chart::flipped_area));
+  figure("torn_share", "", "of the area: faces that are torn off", charts.share(&Chart::torn_area));
+  figure("unplaced_share", "", "of the area: faces without texture coordinates", charts.share(&Chart::unplaced_area));
+  visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts.charts, made.chart_map));
+}
+
+/// Colours in sRGB, 0 to 255.
+class ColorsObject : public Object {
+ public:
+  explicit ColorsObject(std::vector<Rgb> colors) : colors_(std::move(colors)) { colors_.push_back(kUnlabelledColor); }
+  std::string_view kind() const override { return "colors"; }
+  void visit(ObjectVisitor& visitor) const override {
+    visitor.array({"colors", "", "red, green and blue"},
+                  {colors_.data(), ArrayType::uint8, 2, {std::ssize(colors_), 3}, {sizeof(Rgb), 1}});
+  }
+
+ private:
+  std::vector<Rgb> colors_;
+};
+
 }  // namespace
 
 void SegmentCall::complete() {
@@ -270,13 +346,9 @@ void describe(OptionList& list, SegmentCall& call) {
   describe(list, call.weights, call.diagram);
   describe_curves(list, call.generators);
   list.excludes("disc", {"balance", "weights"}, "a generator that is added has no weight");
-  list.excludes("curves", {"sampling", "seed", "merge_coincident"});
   list.excludes("curves", {"disc"}, "the cell of a closed curve is no disc, however many generators are added");
   list.excludes("curves", {"uv"}, "charts are laid around points");
-  exclude_curves(list);
-  list.rule({"curves", {"method"}, [&call](const Given&) -> std::string {
-               return call.diagram.method == Method::exact ? "" : "\1curves\2 needs \1method=exact\2";
-             }});
+  describe_curve_rules(list, call.diagram);
 }
 
 std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& call, Observer& observer) {
@@ -291,12 +363,9 @@ std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& ca
   call.cut = whole.cut;
   auto outcome = std::make_shared<SegmentOutcome>();
   outcome->input = on.mesh();
-  outcome->diagram = on.shared();
+  outcome->diagram = on.of_surface();
   outcome->options = on.options();
-  if (on.parted().mesh) {
-    outcome->parted = *on.parted().mesh;
-    outcome->diagram = on.parted().diagram;
-  }
+  outcome->parted = on.parted();
   if (call.disc) {
     check_discs(on);
     whole.diagram = *on.options();
@@ -314,23 +383,106 @@ std::shared_ptr<const SegmentOutcome> run(const MeshPtr& input, SegmentCall& cal
   auto outcome = std::make_shared<SegmentOutcome>();
   outcome->input = input;
   outcome->parted = part(*input, call, observer);
-  Diagram diagram;
-  if (call.generators.curves.is_given()) {
-    diagram = compute_of_curves(*input, call.generators, call.diagram, observer);
-  } else {
-    ResolvedGenerators found =
-        choose_inside(*input, outcome->parted, call.generators, call.diagram, call.per_region.has_value(), observer);
-    outcome->snap_distance = std::move(found.snap_distance);
-    diagram = compute_weighted(*input, outcome->surface(), found.points, call.weights, call.diagram, observer,
-                               outcome->balanced);
-  }
+  ResolvedGenerators found;
+  Diagram diagram =
+      compute_parts(*input, outcome->parted, call, call.per_region.has_value(), observer, found, outcome->balanced);
+  outcome->snap_distance = std::move(found.snap_distance);
   if (call.disc) diagram = make_cells_discs(call, observer, diagram, *outcome);
-  outcome->diagram = outcome->on_input = std::make_shared<const Diagram>(std::move(diagram));
+  outcome->diagram = std::make_shared<const Diagram>(std::move(diagram));
   outcome->on_input = outcome->parted.on_input(outcome->diagram);
   call.cut ? cut_along_bisectors(call, observer, *outcome) : label_whole_faces(call, observer, *outcome);
   resolve(call.diagram);
-  if (!outcome->parted.is_parted()) outcome->options = call.diagram;
+  outcome->options = call.diagram;
   return outcome;
+}
+
+const IdVector<FaceId, GeneratorId>& SegmentOutcome::face_labels() const {
+  static const IdVector<FaceId, GeneratorId> kNone;
+  return cut ? cut->label : whole ? whole->face_label : kNone;
+}
+
+std::optional<LabelledMesh> SegmentOutcome::labelled() const {
+  if (!cut) {
+    LabelledMesh mesh = label_mesh(input->mesh, *on_input, whole->face_label);
+    mesh.diagram = diagram.get();
+    mesh.diagram_mesh = &surface();
+    mesh.face_numbers = &whole_numbers;
+    mesh.appearance = &input->appearance;
+    return mesh;
+  }
+  LabelledMesh mesh{cut->mesh,     &cut->label, &cut->parent, &cut_vertices.label, &cut_vertices.distance,
+                    diagram.get(), &surface()};
+  mesh.face_numbers = &cut->numbers;
+  mesh.appearance = &appearance;
+  return mesh;
+}
+
+std::vector<std::vector<Vec3>> SegmentOutcome::borders() const {
+  std::vector<std::vector<Vec3>> borders;
+  const Mesh& mesh = input->mesh;
+  if (!parted.is_parted()) return borders;
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e), twin = mesh.twin(h);
+    if (!twin.valid() || parted.regions[Mesh::face(h)] == parted.regions[Mesh::face(twin)]) continue;
+    borders.push_back({mesh.position(mesh.from(h)), mesh.position(mesh.to(h))});
+  }
+  return borders;
+}
+
+OwnWriters SegmentOutcome::own_writers() const {
+  return {{"json", [this](std::ostream& out) {
+             if (cut) return write_cut_json(out, input->mesh, *on_input, *cut, cut_vertices);
+             write_segmentation_json(out, input->mesh, *on_input, *whole, whole_numbers);
+           }}};
+}
+
+void SegmentOutcome::visit(ObjectVisitor& visitor) const {
+  const Mesh& mesh = cut ? cut->mesh : input->mesh;
+  visit_parted(visitor, parted);
+  visit_balance(visitor, balanced);
+  const Figures figure(visitor), disc(visitor, "disc", discs.has_value());
+  figure("weights", "mesh units", "of the generators, where there are any",
+         diagram->weights.empty() ? Figure() : Figure(diagram->weights));
+  disc("added", "", "generators, so that every cell is a disc", or_none(discs).added);
+  disc("rounds", "", "diagrams to which generators were added", or_none(discs).rounds);
+  disc("search_cut_short", "", "whether fewer may do", or_none(discs).search_cut_short);
+  figure("uncut_faces", "", "that could not be cut", cut ? Figure(plain(cut->uncut_faces)) : Figure());
+  add_whole(Figures(visitor, "", whole.has_value()), *this);
+  figure("faces", "", "of the labelled mesh", mesh.face_count());
+  figure("unreached_faces", "", "that no generator reaches", unreached_faces);
+  visitor.table({"regions", "", "faces and area of each label"}, list_regions(*this));
+  add_charts(visitor, *this);
+
+  visitor.points({"generators", "", "by their labels"}, diagram->generators);
+  visitor.array({"face_labels", "", "the region of each face, or of each piece; -1: none"}, view(face_labels()));
+  const IdVector<FaceId, FaceId> no_parents;
+  visitor.array({"face_parents", "", "the face of the input that each piece is of; empty without cut"},
+                view(cut ? cut->parent : no_parents));
+  visitor.array({"vertex_labels", "", "the nearest generator of each vertex; -1: none"},
+                view(cut ? cut_vertices.label : on_input->vertex_label));
+  visitor.array({"vertex_distances", "mesh units", "the distance from it"},
+                view(cut ? cut_vertices.distance : on_input->vertex_distance));
+  for (const FaceNumbers& numbers : this->numbers()) {
+    visitor.array({numbers.name, "", "of each face: its region, or its label at that level"}, view(numbers.values));
+  }
+  static const std::vector<Uv> kNone;
+  visitor.array({"texture", "", "u and v of the three corners of each piece; empty without uv"},
+                view(charts ? appearance.texture : kNone));
+  visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram", [this] {
+    return std::make_shared<DiagramObject>(input, diagram, options, std::make_shared<PartedMesh>(parted));
+  });
+  visitor.part({"colors", "", "of the labels, as in files and on pages; that of no label follows"}, "colors",
+               [this]() -> std::shared_ptr<const Object> {
+                 if (const auto shown = labelled()) return std::make_shared<ColorsObject>(region_colors(*shown));
+                 return nullptr;
+               });
+  visitor.part({"cut_mesh", "", "the pieces of the faces, made with cut"}, "mesh",
+               [this]() -> std::shared_ptr<const Object> {
+                 if (!cut) return nullptr;
+                 auto pieces = std::make_shared<CheckedMesh>(as_input(cut->mesh));
+                 pieces->appearance = appearance;
+                 return std::make_shared<MeshObject>(std::move(pieces));
+               });
 }
 
 }  // namespace gvd

@@ -28,8 +28,9 @@ int run(
   arguments.insert(arguments.begin(), "gvd-test");
   std::vector<const char*> argv;
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  return run_command<SharedOptions>({"gvd-test", "A test.", "  gvd-test a.obj -n 3", {kFormats}}, steps,
-                                    static_cast<int>(argv.size()), argv.data());
+  const Command command =
+      make_command<SharedOptions>({"gvd-test", "A test.", "  gvd-test a.obj -n 3", {kFormats}}, steps);
+  return run_command(command, static_cast<int>(argv.size()), argv.data());
 }
 
 TEST_CASE("usage errors exit with 2") {

@@ -3,6 +3,7 @@
 
 #include "apps/common/run_fixture.hpp"
 #include "apps/run_command.hpp"
+#include "common/load_input.hpp"
 #include "common/process.hpp"
 #include "common/run_parts.hpp"
 #include "gvd/error.hpp"
@@ -23,7 +24,7 @@ Options input(const std::string& path) {
   return options;
 }
 
-CheckedMesh load(const Options& options) {
+MeshPtr load(const Options& options) {
   QuietRun quiet(options);
   return load_input(quiet.run);
 }
@@ -34,7 +35,7 @@ TEST_CASE("a loaded mesh is reported with its defects") {
   // The third face repeats the first; no face uses the fifth vertex.
   test::write_text(path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 9 9 9\nf 1 2 3\nf 2 4 3\nf 1 2 3\n");
   QuietRun quiet(input(path));
-  CHECK(load_input(quiet.run).mesh.face_count() == 2);
+  CHECK(load_input(quiet.run)->mesh.face_count() == 2);
   const auto report = quiet.report();
   CHECK(report["input"]["faces"] == 2);
   CHECK(report["input"]["vertices"] == 4);

@@ -61,16 +61,16 @@ DefectReport make_defects() {
 /// A report of which every step of a run has filled its part.
 struct Filled {
   Filled() {
-    report.options() = {{"input", "a \"b\".obj"}, {"step", 1.5}};
+    report.at("options") = {{"input", "a \"b\".obj"}, {"step", 1.5}};
     report.set_input(compute_mesh_summary(kMesh), make_defects());
     for (const SurfacePoint& p : kPoints) report.generators().push_back({p, position(kMesh, p), {}});
     report.generators()[1].snap_distance = 0.125;
     report.set_diagram(make_diagram());
     report.set_error_measure({0.5, 0.125, 0.25, 4});
-    report.set_time("read", 1.5);
-    report.set_time("diagram", 0.1);
-    report.set_peak_memory(std::int64_t{1} << 40);
-    report.results()["regions"] = {1, 2};
+    report.at("timings_ms")["read"] = 1.5;
+    report.at("timings_ms")["diagram"] = 0.1;
+    report.at("peak_memory_bytes") = std::int64_t{1} << 40;
+    report.at("results")["regions"] = {1, 2};
   }
   RunReport report{"gvd-segment", std::numeric_limits<std::uint64_t>::max()};
 };
@@ -144,7 +144,7 @@ TEST_CASE("a report that no step has filled is valid") {
 TEST_CASE("a new diagram drops the measured error, and a new time replaces the old one") {
   Filled filled;
   filled.report.set_diagram(make_diagram());
-  filled.report.set_time("read", 2.5);
+  filled.report.at("timings_ms")["read"] = 2.5;
   const Json json = to_json(filled.report);
   CHECK(json["diagram"]["verify"].is_null());
   CHECK(json["timings_ms"]["read"] == 2.5);

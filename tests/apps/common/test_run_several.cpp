@@ -82,21 +82,23 @@ TEST_CASE("runs that an interruption leaves out are not done, even if the last o
 }
 
 TEST_CASE("results stand in columns, with a column for each figure that a run has") {
-  const std::vector<RunResult> results{{"a.ply", "done", {30, std::nullopt, 1.5}, 0.125},
-                                       {"long-name.ply", "failed (3: unreadable input)", {}, 12}};
+  const Cells relaxed{{"diagram.cells", "30"}, {"results.final_energy", "1.5"}};
+  const std::vector<RunResult> results{{"a.ply", "done", 0.125, 0, "", relaxed},
+                                       {"long-name.ply", "failed (3: unreadable input)", 12}};
   CHECK(format_results(results) ==
         std::vector<std::string>{"input          result                        generators  energy     time",
                                  "a.ply          done                                  30     1.5   0.12 s",
                                  "long-name.ply  failed (3: unreadable input)           -       -  12.00 s"});
-  const std::vector<std::string> plain = format_results({{"a", "done", {1, 0.5, std::nullopt}, 0}});
+  const Cells verified{{"diagram.cells", "1"}, {"diagram.verify.error_integral", "0.5"}};
+  const std::vector<std::string> plain = format_results({{"a", "done", 0, 0, "", verified}});
   CHECK(plain.front() == "input  result  generators    E    time");
-  CHECK(format_results({{"a", "done", {}, 0}}).front() == "input  result    time");  // gvd-distance
+  CHECK(format_results({{"a", "done", 0}}).front() == "input  result    time");  // gvd-distance
 }
 
 TEST_CASE("a summary has the columns of all runs, quotes fields, and names inputs that have not run") {
-  const std::vector<RunResult> results{{"a", "done", {}, 0.5, 0, "", {{"input.faces", "4"}, {"results.stop", "x,\"y"}}},
-                                       {"b,c", "failed", {}, 0, 3, "two\nlines", {}},
-                                       {"d", "done", {}, 1, 0, "", {{"input.faces", "8"}, {"results.late", "true"}}}};
+  const std::vector<RunResult> results{{"a", "done", 0.5, 0, "", {{"input.faces", "4"}, {"results.stop", "x,\"y"}}},
+                                       {"b,c", "failed", 0, 3, "two\nlines", {}},
+                                       {"d", "done", 1, 0, "", {{"input.faces", "8"}, {"results.late", "true"}}}};
   CHECK(format_summary({"a", "b,c", "d", "e"}, results) ==
         "input,exit_code,error,input.faces,results.stop,results.late,seconds\n"
         "a,0,,4,\"x,\"\"y\",,0.500\n"
@@ -120,7 +122,7 @@ TEST_CASE("the summary grows by a row after each run, and is written anew for a 
     const std::string& input = run.options().input.path;
     if (input != "a") seen.push_back(gvd::test::read_text(table));
     if (input == "b") std::ofstream(table, std::ios::app) << "mark\n";
-    run.report().results()[input == "c" ? "late" : "n"] = 7;
+    run.report().at("results")[input == "c" ? "late" : "n"] = 7;
     if (input == "c") std::raise(SIGINT);
   });
   CHECK(code == 130);
@@ -140,13 +142,14 @@ TEST_CASE("the summary grows by a row after each run, and is written anew for a 
 
 TEST_CASE("figures of a report are its numbers, texts and truth values, without lists and nulls") {
   RunReport report("gvd-test", {});
-  report.results() = {
+  report.at("results") = {
       {"faces", 3}, {"list", {1, 2}}, {"none", nullptr}, {"bad", NAN}, {"deep", {{"ok", true}, {"stop", "x"}}}};
   CHECK(list_figures(report) == Cells{{"results.faces", "3"}, {"results.deep.ok", "true"}, {"results.deep.stop", "x"}});
 }
 
 TEST_CASE("columns are as wide as the letters in them, whatever bytes these take") {
-  const auto lines = format_results({{"\u00fc.off", "done", {1, {}, {}}, 0}, {"ab.off", "done", {1, {}, {}}, 0}});
+  const Cells one{{"diagram.cells", "1"}};
+  const auto lines = format_results({{"\u00fc.off", "done", 0, 0, "", one}, {"ab.off", "done", 0, 0, "", one}});
   CHECK(lines[1] == "\u00fc.off   done             1  0.00 s");
   CHECK(lines[2] == "ab.off  done             1  0.00 s");
 }

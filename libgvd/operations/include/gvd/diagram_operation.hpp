@@ -39,11 +39,7 @@ class SampleOutcome : public Object {
 std::shared_ptr<const SampleOutcome> run(const MeshPtr& input, SampleCall& call, Observer& observer);
 
 /// The options of the operation `diagram`.
-struct DiagramCall {
-  GeneratorOptions generators;  ///< points or curves
-  DiagramOptions diagram;
-  GivenWeights weights;
-  GivenRegions regions;
+struct DiagramCall : DiagramParts {
   bool editable = false;  ///< keep what edits need
 };
 
@@ -53,13 +49,12 @@ void describe(OptionList& list, DiagramCall& call);
 class DiagramOutcome : public DiagramObject {
  public:
   DiagramOutcome() = default;
-  DiagramOutcome(DiagramObject diagram, std::optional<BalancedDiagram> balanced, PartedMesh parted)
-      : DiagramObject(std::move(diagram)), balanced_(std::move(balanced)), parted_(std::move(parted)) {}
+  DiagramOutcome(DiagramObject diagram, std::optional<BalancedDiagram> balanced)
+      : DiagramObject(std::move(diagram)), balanced_(std::move(balanced)) {}
   void visit(ObjectVisitor& visitor) const override;
 
  private:
   std::optional<BalancedDiagram> balanced_;
-  PartedMesh parted_;
 };
 
 /// Chooses generators, and computes their diagram. Options become what they stand for. Throws what its steps throw.

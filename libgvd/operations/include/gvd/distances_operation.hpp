@@ -12,10 +12,10 @@
 #include "gvd/generator_options.hpp"
 #include "gvd/given_regions.hpp"
 #include "gvd/io/distance_writer.hpp"
-#include "gvd/measured_surface.hpp"
 #include "gvd/mesh_objects.hpp"
 #include "gvd/observer.hpp"
 #include "gvd/option_list.hpp"
+#include "gvd/parted_mesh.hpp"
 
 namespace gvd {
 
@@ -65,11 +65,11 @@ class DistancesOutcome : public Object {
   OwnWriters own_writers() const override;
   /// "path N": that path alone.
   OwnWriters part_writers(std::string_view part) const override;
-  const Mesh& surface() const { return measured->mesh(); }
+  const Mesh& surface() const { return parted.surface(input->mesh); }
 
   AskedDistances asked;
   MeshPtr input = std::make_shared<CheckedMesh>();
-  std::shared_ptr<const MeasuredSurface> measured;
+  PartedMesh parted;                                 ///< paths don't leave its regions
   std::vector<std::optional<double>> snap_distance;  ///< of the sources, from where they were given
   std::vector<GeneratorCurve> curves;                ///< the sources, where they are curves
   DistanceTable table;
@@ -88,6 +88,8 @@ inline constexpr std::size_t kToldDistances = 8;
 
 /// Says how many distances are infinite, and why; empty where none is.
 std::string describe_unreached(const DistancesOutcome& outcome);
+/// The distances to targets, a line each, up to that number; of infinite ones, why.
+std::vector<std::string> describe_targets(const DistancesOutcome& outcome);
 
 /// Measures, traces paths and isolines. Throws what resolve_generators, find_regions and ExactField throw;
 /// Error{precondition} where a source lies in faces that are left out.

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "gvd/balance.hpp"
 #include "gvd/generator_options.hpp"
@@ -30,6 +31,14 @@ void describe(OptionList& list, LloydCall& call);
 /// The step in which generators move.
 inline constexpr const char* kRelaxationStep = "relaxation";
 
+// What files and results call the iterations of a relaxation.
+
+/// The measure of an iteration's energy: the name of a method, or `sampled` without a diagram.
+std::string_view measure_name(const LloydIteration& iteration);
+
+/// How the step of an iteration was found, in one word.
+std::string_view step_name(const LloydIteration& iteration);
+
 /// Relaxed generators with their diagram.
 class LloydOutcome : public Object {
  public:
@@ -48,7 +57,7 @@ class LloydOutcome : public Object {
   std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();  ///< with balanced cells at the end
   PartedMesh parted;
   std::shared_ptr<const Diagram> on_input = std::make_shared<Diagram>();  ///< with the vertices of the input alone
-  std::optional<DiagramOptions> options;                                  ///< of the diagram; none inside regions
+  std::optional<DiagramOptions> options;                                  ///< of the diagram
   std::optional<BalancedRelaxation> balanced;                             ///< without its diagram
   /// How far each generator is from where it was given; nothing for one that is somewhere else now.
   std::vector<std::optional<double>> snap_distance;

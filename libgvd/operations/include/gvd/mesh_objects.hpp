@@ -38,28 +38,22 @@ class MeshObject : public Object {
 
 struct PartedMesh;
 
-/// What a diagram was made on that keeps to regions.
-struct SeparatedDiagram {
-  std::shared_ptr<const PartedMesh> mesh;
-  std::shared_ptr<const Diagram> diagram;  ///< of the separated mesh
-};
-
 class DiagramObject : public Object {
  public:
   static constexpr Content kContent =
       Content::surface | Content::vertex_labels | Content::distances | Content::diagram | Content::generators;
   DiagramObject() : DiagramObject(std::make_shared<CheckedMesh>(), std::make_shared<Diagram>(), {}) {}
-  /// `options`: those that made the diagram; none for one that keeps to regions of the mesh.
+  /// `diagram`: of the surface. `options`: those that made it. `parted`: the regions that it keeps to; null: none.
   DiagramObject(MeshPtr mesh, std::shared_ptr<const Diagram> diagram, std::optional<DiagramOptions> options,
-                SeparatedDiagram parted = {});
+                std::shared_ptr<const PartedMesh> parted = nullptr);
   const MeshPtr& mesh() const { return mesh_; }
-  /// Null where the diagram keeps to no regions.
-  const SeparatedDiagram& parted() const { return parted_; }
-  /// The mesh and the diagram that has all of its vertices; other ones inside regions.
+  const PartedMesh& parted() const { return *parted_; }
+  /// The mesh and the diagram that has all of its vertices (PartedMesh::surface).
   const Mesh& surface() const;
-  const Diagram& surface_diagram() const { return parted_.diagram ? *parted_.diagram : *diagram_; }
+  const std::shared_ptr<const Diagram>& of_surface() const { return of_surface_; }
+  /// The diagram with the vertices of the mesh alone: another one inside regions.
   const Diagram& diagram() const { return *diagram_; }
-  const std::shared_ptr<const Diagram>& shared() const { return diagram_; }
+  /// None inside regions.
   const std::optional<DiagramOptions>& options() const { return options_; }
   std::string_view kind() const override { return "diagram"; }
   Content content() const override { return kContent; }
@@ -77,9 +71,9 @@ class DiagramObject : public Object {
   struct KeptEditor;
 
   MeshPtr mesh_;
-  std::shared_ptr<const Diagram> diagram_;
+  std::shared_ptr<const PartedMesh> parted_;  // never null
+  std::shared_ptr<const Diagram> of_surface_, diagram_;
   std::optional<DiagramOptions> options_;
-  SeparatedDiagram parted_;
   std::shared_ptr<KeptEditor> kept_;
 };
 

@@ -124,17 +124,14 @@ struct Column {
 };
 using Table = std::vector<Column>;
 
-/// Several lists of points, such as curves.
-struct PointLists {
+/// Several lists, such as curves of points, or the neighbours of each cell.
+template <class T>
+struct Lists {
   std::int64_t count = 0;
-  std::function<std::span<const SurfacePoint>(std::int64_t)> list;
+  std::function<std::span<const T>(std::int64_t)> list;
 };
-
-/// Several lists of generators, such as the neighbours of each cell.
-struct GeneratorLists {
-  std::int64_t count = 0;
-  std::function<std::span<const GeneratorId>(std::int64_t)> list;
-};
+using PointLists = Lists<SurfacePoint>;
+using GeneratorLists = Lists<GeneratorId>;
 
 /// How a file of an object is written.
 struct FileOptions {

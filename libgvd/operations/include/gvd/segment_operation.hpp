@@ -6,25 +6,15 @@
 #include <optional>
 #include <vector>
 
-#include "gvd/balance.hpp"
 #include "gvd/charts.hpp"
-#include "gvd/generator_options.hpp"
-#include "gvd/given_regions.hpp"
+#include "gvd/diagram_parts.hpp"
 #include "gvd/io/mesh_writer.hpp"
 #include "gvd/mesh_objects.hpp"
 #include "gvd/observer.hpp"
-#include "gvd/option_list.hpp"
 #include "gvd/parted_mesh.hpp"
 #include "gvd/segment.hpp"
 
 namespace gvd {
-
-/// Weights of the generators: given ones, and those by which the cells have their shares.
-struct GivenWeights {
-  GivenNumbers balance;  ///< "area", or a number for each vertex or face; none: cells as they come
-  GivenNumbers shares;   ///< of the generators; none: equal ones
-  GivenNumbers weights;  ///< of the generators, for `balance` to start from
-};
 
 /// The options of the operation `label`, which works on a diagram.
 struct LabelCall {
@@ -37,13 +27,9 @@ struct LabelCall {
 void describe(OptionList& list, LabelCall& call);
 
 /// The options of the operation `segment`.
-struct SegmentCall : LabelCall {
-  GeneratorOptions generators;
-  DiagramOptions diagram;
-  GivenRegions regions;
+struct SegmentCall : LabelCall, DiagramParts {
   std::optional<std::int32_t> per_region;  ///< generators of each region, >= 1
   std::vector<std::int32_t> levels;        ///< numbers of generators, ascending; empty: one level
-  GivenWeights weights;
 
   /// Stores what follows from options: the number of generators, and that texture coordinates are those of cut faces.
   void complete();
@@ -75,7 +61,7 @@ class SegmentOutcome : public Object {
   std::vector<std::optional<double>> snap_distance;  ///< of the generators, from where they were given; or empty
   std::shared_ptr<const Diagram> diagram = std::make_shared<Diagram>();   ///< of the surface
   std::shared_ptr<const Diagram> on_input = std::make_shared<Diagram>();  ///< with the vertices of the input alone
-  std::optional<DiagramOptions> options;                                  ///< of the diagram; none inside regions
+  std::optional<DiagramOptions> options;                                  ///< of the diagram
   std::optional<BalancedDiagram> balanced;                                ///< without its diagram
   std::optional<Segmentation> whole;                                      ///< of the input's faces
   std::vector<FaceNumbers> whole_numbers;

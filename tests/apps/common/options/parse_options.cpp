@@ -23,7 +23,7 @@ SharedLine::SharedLine() {
 }
 
 std::optional<std::string> SharedLine::parse(const std::vector<std::string>& arguments) {
-  auto answer = app::parse_command_line({"gvd-test", "A test.", "The footer.\n", "1"}, list, given, arguments);
+  auto answer = app::parse_command_line({"gvd-test", "A test.", "  gvd-test a.obj\n"}, list, given, arguments);
   if (!options.input.paths.empty()) options.input.path = options.input.paths.front();
   return answer;
 }

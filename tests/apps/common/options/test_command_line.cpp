@@ -2,6 +2,7 @@
 
 #include "apps/run_command.hpp"
 #include "common/options/command_line.hpp"
+#include "gvd/version.hpp"
 #include "options/toy_options.hpp"
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
@@ -19,7 +20,7 @@ struct Line : test::Toy {
   Line() { app::describe(list, general); }
 
   std::optional<std::string> parse(const Texts& words) {
-    return parse_command_line({"gvd-test", "A test.", "The footer.\n", "1.2"}, list, given, words);
+    return parse_command_line({"gvd-test", "A test.", "  gvd-test a\n"}, list, given, words);
   }
   std::string refusal(const Texts& words) {
     return test::refusal([&] { parse(words); });
@@ -147,9 +148,9 @@ TEST_CASE("after two dashes an argument may begin with a dash") {
 }
 
 TEST_CASE("a question is answered whatever else is wrong") {
-  CHECK(*Line().parse({"-n", "x", "--version", "--nonsense"}) == "gvd-test 1.2\n");
+  CHECK(*Line().parse({"-n", "x", "--version", "--nonsense"}) == "gvd-test " + std::string(version()) + "\n");
   CHECK_THAT(*Line().parse({"--help"}), StartsWith("A test.\n\nUsage: gvd-test [OPTIONS] INPUT...\n") &&
-                                            EndsWith("The footer.\n") && Contains("\nOutput:\n"));
+                                            EndsWith(help_footer("  gvd-test a\n")) && Contains("\nOutput:\n"));
   CHECK_THAT(*Line().parse({"-h", "--help"}), EndsWith("All options, and examples: gvd-test --help\n"));
   CHECK_THAT(*Line().parse({"--print-options"}), StartsWith("{\n \"options\": [\n  {\n   \"name\": \"input\""));
 }

@@ -8,9 +8,9 @@ namespace gvd::test_help {
 
 using namespace app;
 
-const CommandWords kWords{
+const CommandInfo kWords{
     "x", "A test that has a description of so many words that they do not fit into one line of the help.",
-    "\nThe end.\n", "1"};
+    "  x a.obj\n"};
 
 TEST_CASE("words wrap before the width, and a longer word stands alone") {
   CHECK(wrap("one two three", 7, 2) == "one two\n  three");
@@ -47,8 +47,8 @@ TEST_CASE("options are listed in groups, in full or with their first line") {
                                        "  --output-with-a-long-name FILE\n"
                                        "                          Write it\n"
                                        "\nGeneral:\n"
-                                       "  -q, --quiet             Say nothing but errors\n"
-                                       "\nThe end.\n");
+                                       "  -q, --quiet             Say nothing but errors\n" +
+                                       help_footer("  x a.obj\n"));
   CHECK(make_short_help(kWords, list) == head +
                                              "\n  INPUT                   The mesh\n"
                                              "  --length NUMBER         Its length\n"

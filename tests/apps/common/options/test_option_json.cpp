@@ -5,6 +5,7 @@
 #include "apps/common/options/parse_options.hpp"
 #include "common/options/option_json.hpp"
 #include "gvd/diagram_options.hpp"
+#include "gvd/operation_json.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_option_json {
@@ -17,7 +18,7 @@ Json reported(const std::vector<std::string>& arguments) {
   SharedLine line;
   line.parse(arguments);
   resolve(line.options.diagram);
-  return report_options(line.list, line.given);
+  return Json::parse(options_json(line.list, line.given));
 }
 
 TEST_CASE("options that are not given are null, or their defaults") {
