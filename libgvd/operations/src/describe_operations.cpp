@@ -100,8 +100,13 @@ Json describe_options(const OptionList& list, Door door) {
     one["default"] = Json::parse(value_json(option->field));
     const bool is_plain = spec.usual.empty() || spec.usual == default_text(option->field);
     one["usual"] = is_plain ? Json() : Json(spell_for(door, spec.usual));
-    one["summary"] = spell_for(door, spec.help);
-    one["help"] = spell_for(door, spec.help + spec.more);
+    const bool has_own = !spec.arrays.empty();
+    one["summary"] = spell_for(door, has_own ? spec.arrays : spec.help);
+    one["help"] = spell_for(door, has_own ? spec.arrays : spec.help + spec.more);
+    one["also"] = Json::array();  // words that wrong names have a hint for
+    for (const std::string& word : {spec.short_name, spec.also}) {
+      if (!word.empty()) one["also"].push_back(word);
+    }
     Json& excluded = one["excludes"] = Json::array();
     for (const Option* const other : list.options()) {
       if (list.exclude_each_other(option->name, other->name)) excluded.push_back(other->name);

@@ -18,6 +18,7 @@
 #include <type_traits>
 
 #include "gvd/error.hpp"
+#include "gvd/surface_point.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
@@ -67,8 +68,9 @@ To number_at(const ArrayView& view, std::int64_t row, std::int64_t column) {
   return kLoad<To>[std::size_t(view.type)](first + offset);
 }
 
+/// `value`: an object whose only member is the place of an array.
 const ArrayView& find_array(const Json& value, const Arrays& arrays) {
-  const Json& place = value.at("array");
+  const Json& place = value.front();
   const std::int64_t count = std::ssize(arrays.views);
   if (!place.is_number_integer() || place.get<std::int64_t>() < 0 || place.get<std::int64_t>() >= count) {
     refuse_array(fmt::format("there is no array {}; {} given", place.dump(), counted(count, "array is", "arrays are")));
@@ -80,7 +82,8 @@ std::int64_t columns_of(const ArrayView& view) { return view.dimensions == 2 ? v
 
 template <class Value>
 [[noreturn]] void refuse_index(const Value& value, std::int64_t row) {
-  refuse_array(fmt::format("element {} is {}; give whole numbers from 0 on", row, value));
+  throw Error(ErrorCode::invalid_option, fmt::format("element {} is {}; give whole numbers from 0 on", row, value),
+              row);
 }
 
 std::int64_t to_index(double value, std::int64_t row) {
@@ -122,6 +125,30 @@ GeneratorList to_list(const ArrayView& view, const std::string& name) {
   return list;
 }
 
+/// Vertices of the mesh, under the numbers that they have in the input. Copies that repairs made have none there, and
+/// are corners of faces.
+GeneratorList to_list_of_mesh(const ArrayView& view, const CheckedMesh& input, const std::string& name) {
+  GeneratorList list{name, {}};
+  const std::int32_t count = input.mesh.vertex_count();
+  for (std::int64_t row = 0; row < view.shape[0]; ++row) {
+    const std::int64_t index = index_at(view, row);
+    if (index >= count) {
+      throw Error(ErrorCode::precondition,
+                  fmt::format("there is no vertex {}; the mesh has {}, numbered from 0", index, count), row);
+    }
+    const VertexId v(static_cast<std::int32_t>(index));
+    const std::int32_t known = input.input_vertex[v];
+    if (known >= 0 && input.mesh_vertex[std::size_t(known)] == v) {
+      list.entries.push_back({GeneratorEntry::Kind::vertex, known, {}, 0});
+    } else {
+      const SurfacePoint corner = vertex_point(input.mesh, v);
+      list.entries.push_back({GeneratorEntry::Kind::face, corner.face.value(), corner.bary, 0});
+    }
+  }
+  if (list.entries.empty()) refuse_array("there is no point");
+  return list;
+}
+
 /// Numbers of JSON, which may be strings: it has no infinity.
 double to_number(const Json& value) {
   if (value.is_number()) return value.get<double>();
@@ -153,6 +180,23 @@ GeneratorList to_list(const Json& rows, const std::string& name) {
   return list;
 }
 
+/// Points as JSON files have them, such as {"vertex": 3}.
+GeneratorList parse_objects(const Json& value, const std::string& name) {
+  const auto odd = std::ranges::find_if(value, [](const Json& one) { return !one.is_object(); });
+  if (odd != value.end()) {
+    refuse_array(
+        fmt::format("{} is no object, as the first point is; write {{\"vertex\": 3}} or {{\"position\": [x, y, z]}}",
+                    gvd::quoted(odd->dump())));
+  }
+  try {
+    GeneratorList list = parse_generators(Json{{"generators", value}}.dump(), GeneratorFormat::json, name);
+    for (GeneratorEntry& entry : list.entries) entry.line = 0;  // there is no file
+    return list;
+  } catch (const Error& error) {
+    throw Error(ErrorCode::invalid_option, error.text(), error.element());
+  }
+}
+
 [[noreturn]] void refuse_list(const Json& value) {
   refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
 }
@@ -177,6 +221,10 @@ std::vector<double> to_numbers(const Json& value, const Arrays& arrays) {
 }
 
 }  // namespace
+
+bool is_mesh_reference(const Json& value) {
+  return value.is_object() && value.size() == 1 && value.contains("mesh_vertices");
+}
 
 bool is_array_reference(const Json& value) { return value.is_object() && value.size() == 1 && value.contains("array"); }
 
@@ -217,6 +265,7 @@ std::vector<std::int64_t> read_indices(const Json& value, const Arrays& arrays) 
 
 GeneratorList read_points(const Json& value, const Arrays& arrays, const std::string& name) {
   if (is_array_reference(value)) return to_list(find_array(value, arrays), name);
+  if (is_mesh_reference(value)) return to_list_of_mesh(find_column(value, arrays), arrays.input, name);
   if (!value.is_array() || value.empty()) {
     refuse_array(fmt::format("{} is no list of points; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
   }
@@ -228,7 +277,15 @@ GeneratorList read_points(const Json& value, const Arrays& arrays, const std::st
     return list;
   }
   if (value.front().is_array()) return to_list(value, name);
-  return parse_generators(Json{{"generators", value}}.dump(), GeneratorFormat::json, name);
+  if (is_array_reference(value.front()) || is_mesh_reference(value.front())) {
+    GeneratorList list{name, {}};
+    for (const Json& part : value) {
+      const GeneratorList read = read_points(part, arrays, name);
+      list.entries.insert(list.entries.end(), read.entries.begin(), read.entries.end());
+    }
+    return list;
+  }
+  return parse_objects(value, name);
 }
 
 CurveList read_curves(const Json& value, const Arrays& arrays, const std::string& name) {
