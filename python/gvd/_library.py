@@ -6,6 +6,7 @@ times a second to call back: then a user's function hears of the progress, and C
 """
 from __future__ import annotations
 
+import atexit
 import contextlib
 import ctypes
 import json
@@ -13,6 +14,7 @@ import os
 import pathlib
 import threading
 import time
+import types
 # The functions of the module signal, without its enumerations: these take 10 us a call.
 import _signal  # type: ignore[import]
 from collections.abc import Mapping, Sequence
@@ -105,8 +107,8 @@ class Handle:
             empty = numpy.empty(shape, dtype)
             empty.flags.writeable = False
             return empty
-        return numpy.asarray(_View(self, {"data": (view.data, True), "shape": shape, "typestr": dtype.str,
-                                          "strides": tuple(view.strides)[:view.dimensions], "version": 3}))
+        return numpy.asarray(types.SimpleNamespace(owner=self, __array_interface__={  # which the array keeps
+            "data": (view.data, True), "shape": shape, "typestr": dtype.str, "strides": tuple(view.strides)[:view.dimensions], "version": 3}))
 
     def part(self, name: str) -> Handle:
         """A part, such as the diagram of a result."""
@@ -121,13 +123,6 @@ class Handle:
         return figures
 
 
-class _View:
-    """What a view of an array has as its base."""
-
-    def __init__(self, owner: Handle, interface: dict[str, Any]) -> None:
-        self.owner, self.__array_interface__ = owner, interface
-
-
 # ---- what ends a call
 
 _TICK = 0.1
@@ -136,30 +131,34 @@ _TICK = 0.1
 _IDLE_TICKS = 20
 """The clock stops after so many ticks without a call."""
 
+_PATIENCE = 2.0
+"""Seconds that the end of Python waits for daemon threads to leave the library."""
+
 
 class _Flags:
-    """What a running call and the clock share: `due` lets the library call back, and `cancel` ends the call."""
+    """What ends a running call: `due` lets the library call back, and `cancel` ends the call."""
 
-    __slots__ = ("due", "cancel", "deadline")
+    __slots__ = ("due", "cancel", "is_late")
 
-    def __init__(self, deadline: float) -> None:
-        self.due, self.cancel, self.deadline = ctypes.c_int32(1), ctypes.c_int32(0), deadline
+    def __init__(self) -> None:
+        self.due, self.cancel, self.is_late = ctypes.c_int32(1), ctypes.c_int32(0), False
+
+    def expire(self) -> None:
+        self.is_late, self.cancel.value = True, 1
 
 
 _running: dict[int, _Flags] = {}
 _wanted = threading.Event()
 _clock: Optional[threading.Thread] = None
+_is_ending = False
 
 
 def _tick() -> None:
     idle = 0
     while True:
         time.sleep(_TICK)
-        now = time.monotonic()
         for flags in list(_running.values()):
             flags.due.value = 1
-            if now > flags.deadline:
-                flags.cancel.value = 1
         idle = 0 if _running else idle + 1
         if idle > _IDLE_TICKS:
             _wanted.clear()
@@ -185,6 +184,23 @@ def _forget_clock() -> None:
 
 
 os.register_at_fork(after_in_child=_forget_clock)
+
+
+@atexit.register
+def _end_calls() -> None:
+    """Ends what daemon threads compute: a callback that finds Python gone would abort the process."""
+    global _is_ending
+    _is_ending, end = True, time.monotonic() + _PATIENCE
+    for flags in list(_running.values()):
+        flags.cancel.value = 1
+    while _running and time.monotonic() < end:
+        time.sleep(_TICK / 10)
+
+
+def _stay_at_end() -> None:
+    """Where a daemon thread stays while Python ends: it has nobody to tell why its call has ended."""
+    if _is_ending and threading.get_ident() != threading.main_thread().ident:
+        threading.Event().wait()
 
 
 def _keep_going(data: Any, step: bytes, fraction: float) -> int:
@@ -234,7 +250,8 @@ class _Signals:
 
 def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callback], time_limit: Optional[float]) -> None:
     """Calls a function of the library with a run, and raises what ended it."""
-    flags = _Flags(float("inf") if time_limit is None else time.monotonic() + time_limit)
+    _stay_at_end()
+    flags = _Flags()
     raised: list[BaseException] = []
     signals = _Signals(flags, raised)
     callback = _KEEP_GOING if signals.before else _NO_PROGRESS
@@ -254,14 +271,22 @@ def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callba
     _running[key] = flags
     if not _wanted.is_set():
         _want_clock()
+    timer = None
+    if time_limit is not None and time_limit <= threading.TIMEOUT_MAX:
+        timer = threading.Timer(time_limit, flags.expire)
+        timer.daemon = True
+        timer.start()
     try:
         status = function(ctypes.byref(run))
     finally:
         del _running[key]
+        if timer is not None:
+            timer.cancel()
         signals.restore()
+        _stay_at_end()
     if raised:
         raise raised[0]
-    if status == _INTERRUPTED and time_limit is not None and time.monotonic() > flags.deadline:
+    if status == _INTERRUPTED and flags.is_late:
         raise Error(f"the time limit of {time_limit:g} s is over", "interrupted")
     if status:
         _raise(status)
@@ -287,6 +312,8 @@ def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[
 
 def name_bytes(path: Any) -> bytes:
     """The name of a file for the library, for which a NUL would end it."""
+    if not isinstance(path, (str, bytes, os.PathLike)):
+        refuse(f"a path is needed, not {type(path).__name__}")
     name = os.fsencode(path)
     if b"\0" in name:
         refuse(f"{os.fsdecode(name)!r}: a name of a file has no NUL in it")
