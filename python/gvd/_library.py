@@ -17,7 +17,7 @@ import time
 import types
 # The functions of the module signal, without its enumerations: these take 10 us a call.
 import _signal  # type: ignore[import]
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Callable, Optional
 
 import numpy
@@ -129,7 +129,7 @@ _TICK = 0.1
 """Seconds between two looks for signals, and between two reports."""
 
 _IDLE_TICKS = 20
-"""The clock stops after so many ticks without a call."""
+"""The clock ends after so many ticks without a call."""
 
 _PATIENCE = 2.0
 """Seconds that the end of Python waits for daemon threads to leave the library."""
@@ -148,12 +148,12 @@ class _Flags:
 
 
 _running: dict[int, _Flags] = {}
-_wanted = threading.Event()
 _clock: Optional[threading.Thread] = None
 _is_ending = False
 
 
 def _tick() -> None:
+    global _clock
     idle = 0
     while True:
         time.sleep(_TICK)
@@ -161,25 +161,21 @@ def _tick() -> None:
             flags.due.value = 1
         idle = 0 if _running else idle + 1
         if idle > _IDLE_TICKS:
-            _wanted.clear()
-            if not _running:  # a call that begins from now on sets it again
-                _wanted.wait()
-            idle = 0
+            _clock = None  # a call that begins from now on starts another one
+            if not _running:
+                return
 
 
-def _want_clock() -> None:
+def _start_clock() -> None:
     global _clock
-    _wanted.set()
-    if _clock is None:
-        _clock = threading.Thread(target=_tick, name="gvd clock", daemon=True)
-        _clock.start()
+    _clock = threading.Thread(target=_tick, name="gvd clock", daemon=True)
+    _clock.start()
 
 
 def _forget_clock() -> None:
     """In a new process, which has no other thread."""
     global _clock
     _clock = None
-    _wanted.clear()
     _running.clear()
 
 
@@ -216,73 +212,65 @@ _SIGNALS = [getattr(_signal, f"SIG{name}") for name in ("INT", "TERM", "HUP", "Q
             if hasattr(_signal, f"SIG{name}")]
 
 
-class _Signals:
+@contextlib.contextmanager
+def _keeping_signals(flags: _Flags, raised: list[BaseException]) -> Iterator[dict[int, Any]]:
     """Signals during a call in the main thread. The user's handlers run on the way to a callback, where ctypes would lose
-    what they raise: it is kept, and ends the call. Ctrl-C ends it in any case."""
+    what they raise: it is kept, and ends the call. Ctrl-C ends it in any case. Yields the handlers."""
+    before: dict[int, Any] = {}
 
-    __slots__ = ("flags", "raised", "before")
+    def catch(number: int, frame: Any) -> None:
+        if number == _signal.SIGINT:  # whatever its handler does
+            flags.cancel.value = 1
+        try:
+            before[number](number, frame)
+        except BaseException as error:  # raised again when the call has ended
+            raised.append(error)
+            flags.cancel.value = 1
 
-    def __init__(self, flags: _Flags, raised: list[BaseException]) -> None:
-        self.flags, self.raised = flags, raised
-        self.before: dict[int, Any] = {}
+    try:
         if threading.get_ident() == threading.main_thread().ident:
             for number in _SIGNALS:
                 handler = _signal.getsignal(number)
                 if callable(handler):
+                    before[number] = handler
                     with contextlib.suppress(ValueError):  # an interpreter beside the main one takes no signals
-                        _signal.signal(number, self.catch)
-                        self.before[number] = handler
-
-    def catch(self, number: int, frame: Any) -> None:
-        if number == _signal.SIGINT:  # whatever its handler does
-            self.flags.cancel.value = 1
-        try:
-            self.before[number](number, frame)
-        except BaseException as error:  # raised again when the call has ended
-            self.raised.append(error)
-            self.flags.cancel.value = 1
-
-    def restore(self) -> None:
-        for number, handler in self.before.items():
-            if _signal.getsignal(number) == self.catch:  # a callback may have put another one in its place
+                        _signal.signal(number, catch)
+        yield before
+    finally:
+        for number, handler in before.items():
+            if _signal.getsignal(number) == catch:  # a callback may have put another one in its place
                 _signal.signal(number, handler)
 
 
 def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callback], time_limit: Optional[float]) -> None:
     """Calls a function of the library with a run, and raises what ended it."""
     _stay_at_end()
-    flags = _Flags()
-    raised: list[BaseException] = []
-    signals = _Signals(flags, raised)
-    callback = _KEEP_GOING if signals.before else _NO_PROGRESS
-    if progress is not None:
-        told = progress
+    flags, raised = _Flags(), list[BaseException]()
 
-        def report(data: Any, step: bytes, fraction: float) -> int:
-            try:
-                return 0 if told(step.decode(), fraction) == False else 1  # noqa: E712, NumPy has a False of its own
-            except BaseException as error:  # raised again when the call has ended
-                raised.append(error)
-                return 0
+    def report(data: Any, step: bytes, fraction: float) -> int:
+        try:
+            return 0 if progress and progress(step.decode(), fraction) == False else 1  # noqa: E712, NumPy has a False of its own
+        except BaseException as error:  # raised again when the call has ended
+            raised.append(error)
+            return 0
 
-        callback = _PROGRESS(report)
-    run = _Run(threads, callback, None, ctypes.addressof(flags.cancel), None, ctypes.addressof(flags.due), _PYTHON)
-    key = id(flags)
-    _running[key] = flags
-    if not _wanted.is_set():
-        _want_clock()
     timer = None
-    if time_limit is not None and time_limit <= threading.TIMEOUT_MAX:
-        timer = threading.Timer(time_limit, flags.expire)
+    if time_limit is not None:
+        timer = threading.Timer(min(time_limit, threading.TIMEOUT_MAX), flags.expire)
         timer.daemon = True
         timer.start()
+    _running[id(flags)] = flags
+    if _clock is None:
+        _start_clock()
     try:
-        status = function(ctypes.byref(run))
+        with _keeping_signals(flags, raised) as handlers:
+            callback = _PROGRESS(report) if progress is not None else _KEEP_GOING if handlers else _NO_PROGRESS
+            run = _Run(threads, callback, None, ctypes.addressof(flags.cancel), None, ctypes.addressof(flags.due), _PYTHON)
+            status = function(ctypes.byref(run))
     finally:
-        del _running[key]
+        del _running[id(flags)]
         if timer is not None:
             timer.cancel()
-        signals.restore()
         _stay_at_end()
     if raised:
         raise raised[0]

@@ -51,7 +51,7 @@ class BranchPoints(NamedTuple):
     @property
     def generators(self) -> list[tuple[int, ...]]:
         """The generators of each, as a tuple."""
-        return _tuples(self.generator_array, self.offsets)
+        return [tuple(self.generator_array[begin:end].tolist()) for begin, end in zip(self.offsets[:-1], self.offsets[1:])]
 
     def __repr__(self) -> str:
         return f"gvd.BranchPoints({len(self.distances)})"
@@ -94,10 +94,6 @@ class Cells(Sequence[Cell]):
 
     def __repr__(self) -> str:
         return f"gvd.Cells({len(self)})"
-
-
-def _tuples(values: Ids, offsets: NDArray[numpy.int64]) -> list[tuple[int, ...]]:
-    return [tuple(values[begin:end].tolist()) for begin, end in zip(offsets[:-1], offsets[1:])]
 
 
 class Diagram(Writable):
@@ -276,10 +272,6 @@ class Chart(NamedTuple):
     origin: tuple[float, ...]
 
 
-def _corners(box: Optional[list[float]]) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    return (tuple(box[:2]), tuple(box[2:])) if box else ((), ())
-
-
 class Cut(Labelled):
     """A mesh that was split along bisectors. `to_file` writes what gvd-segment --cut writes, .json included."""
 
@@ -307,7 +299,7 @@ class Cut(Labelled):
         """The charts whose texture coordinates `mesh` has, by their first face (see gvd/charts.hpp); none without `uv`."""
         rows = (self.figures["charts"] or {"charts": []})["charts"]
         return [Chart(row["label"], row["faces"], row["area"], row["flipped_share"], row.get("torn_share", 0.0), row["stretch"],
-                      _corners(row.get("box")), tuple(row.get("origin", (0.0, 0.0)))) for row in rows]
+                      (tuple(row.get("box", ())[:2]), tuple(row.get("box", ())[2:])), tuple(row.get("origin", (0.0, 0.0)))) for row in rows]
 
     def to_vtk(self) -> Any:
         """The mesh as vtkPolyData, with Label and Parent of its faces and Distance of its vertices."""
