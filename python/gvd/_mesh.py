@@ -14,7 +14,7 @@ from ._library import Handle, name_bytes
 from ._object import Floats, Ids, Object, PathLike, Writable, figure, run, threads_of, view, warn
 from ._options import described, file_name, flag, real
 from ._points import Curves, Points, as_array, join, make_entries, one_point, plain
-from ._progress import Callback, part_of, reporting
+from ._progress import reporting
 from ._results import Balanced, Diagram, Distances, Isoline, Path, Relaxation, Remesh, Segmentation
 
 _ROW_BYTES = 1 << 26
@@ -122,7 +122,11 @@ class Mesh(Writable):
 
     def points(self, points: Any, *, max_snap: Optional[float] = None) -> Points:
         """Points as faces and barycentric coordinates. `max_snap`: the farthest that a position may be, mesh units."""
-        return _points_of(self, run("sample", self, {"points": make_entries("points", points), "max_snap": max_snap})[0])
+        return self._sample({"points": make_entries("points", points), "max_snap": max_snap})
+
+    def _sample(self, options: dict[str, Any]) -> Points:
+        made, _ = run("sample", self, options)
+        return Points(made.array("points_faces"), made.array("points_bary"), self)
 
     def positions(self, points: Any) -> Floats:
         """Positions (n, 3) of points."""
@@ -153,7 +157,7 @@ class Mesh(Writable):
     @described("sample", without="points generators vertices max_snap merge_coincident")
     def sample(self, count: Optional[int] = None, **options: Any) -> Points:
         """Points that are spread over the surface: `count` of them, or as many as leave no point farther than `radius`."""
-        return _points_of(self, run("sample", self, {"count": count, **options})[0])
+        return self._sample({"count": count, **options})
 
     def farthest(self, count: int, *, seed: int = 0) -> Points:
         """`count` points, each as far as possible from all before it.
@@ -223,8 +227,11 @@ class Mesh(Writable):
         with reporting(options.pop("progress", None)) as callback:
             for begin in range(0, len(source), size):
                 end = min(begin + size, len(source))
-                part: Optional[Callback] = part_of(callback, begin / len(source), end / len(source))
-                made, _ = self._measure(source[begin:end], {**options, **kind, "progress": part})
+
+                def part(step: str, fraction: float, begin: int = begin, end: int = end) -> Any:
+                    return callback and callback(step, (begin + (end - begin) * fraction) / len(source))
+
+                made, _ = self._measure(source[begin:end], {**options, **kind, "progress": part if callback else None})
                 yield begin, made.array("rows")
 
     @described("distances", without="from curves each merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm")
@@ -360,10 +367,6 @@ class Mesh(Writable):
         (0, True)
         """
         return Remesh(*run("remesh", self, {"count": count, **options}))
-
-
-def _points_of(mesh: Mesh, made: Handle) -> Points:
-    return Points(made.array("points_faces"), made.array("points_bary"), mesh)
 
 
 def _sources(option: str, points: Any) -> dict[str, Any]:

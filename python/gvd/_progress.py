@@ -59,11 +59,3 @@ def reporting(progress: Progress) -> Iterator[Optional[Callback]]:
         yield progress
     else:
         refuse(f"progress: True, None or a function of (step, fraction), not {type(progress).__name__}")
-
-
-def part_of(callback: Optional[Callback], begin: float, end: float) -> Optional[Callback]:
-    """The callback for a part of a call, from fraction `begin` to `end`."""
-    if callback is None:
-        return None
-    whole = callback
-    return lambda step, fraction: whole(step, begin + (end - begin) * fraction)
