@@ -106,8 +106,8 @@ class Stub(ast.NodeTransformer):
         self.expanded = {function.name: marks for function in node.body if isinstance(function, ast.FunctionDef)
                          and (marks := self.marks(function))}
         overloaded = {one.name for one in node.body if isinstance(one, ast.FunctionDef) and self.is_overload(one)}
-        kept = [one for one in node.body if not self.is_text(one) and (getattr(one, "name", "") not in overloaded or self.is_overload(one))]
-        node.body = attributes + [self.visit(one) for one in kept] or [ast.Expr(ast.Constant(...))]
+        kept = [self.visit(one) for one in node.body if getattr(one, "name", "") not in overloaded or self.is_overload(one)]
+        node.body = [*kept, *attributes]
         self.expanded = {}
         return node
 
@@ -132,10 +132,6 @@ class Stub(ast.NodeTransformer):
         function.returns = node.annotation
         return function
 
-    def visit_Module(self, node):
-        node.body = [self.visit(one) for one in node.body if not self.is_text(one)]
-        return node
-
     def visit_Assign(self, node):
         is_alias = isinstance(node.value, (ast.Subscript, ast.Name))
         return node if is_alias else ast.AnnAssign(node.targets[0], ast.Name("Any"), None, 1)
@@ -143,10 +139,6 @@ class Stub(ast.NodeTransformer):
     @staticmethod
     def is_overload(function):
         return any(getattr(one, "id", "") == "overload" for one in function.decorator_list)
-
-    @staticmethod
-    def is_text(node):
-        return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
 
     @staticmethod
     def operation(decorator):

@@ -199,11 +199,7 @@ def _stay_at_end() -> None:
         threading.Event().wait()
 
 
-def _keep_going(data: Any, step: bytes, fraction: float) -> int:
-    return 1  # handlers of signals have run on the way here
-
-
-_KEEP_GOING = _PROGRESS(_keep_going)
+_KEEP_GOING = _PROGRESS(lambda data, step, fraction: 1)  # handlers of signals have run on the way here
 _NO_PROGRESS: Any = _PROGRESS()  # type: ignore[call-overload]
 
 

@@ -374,20 +374,16 @@ def _sources(option: str, points: Any) -> dict[str, Any]:
     return {"curves": points} if isinstance(points, Curves) else {option: make_entries("points", points)}
 
 
-def _block(block: Any) -> tuple[Any, Any]:
-    """The type and the faces of one of meshio's blocks."""
-    return (block[0], block[1]) if isinstance(block, tuple) and len(block) == 2 else (getattr(block, "type", ""), getattr(block, "data", None))
-
-
 def _arrays_of(thing: Any) -> tuple[Any, Any]:
     """Vertices and faces of a mesh of another package."""
     at = getattr(thing, "vertices", getattr(thing, "points", None))
     faces = getattr(thing, "faces", getattr(thing, "regular_faces", None))
     cells = getattr(thing, "cells", None)
     if faces is None and isinstance(cells, (list, tuple)):  # meshio: blocks of cells of one type
-        blocks = [as_array("cells", data) for kind, data in map(_block, cells) if kind in ("triangle", "quad", "polygon")]
-        if len({block.shape[1:] for block in blocks}) == 1:
-            faces = numpy.concatenate(blocks)
+        blocks = [block if isinstance(block, tuple) else (getattr(block, "type", ""), getattr(block, "data", None)) for block in cells]
+        polygons = [as_array("cells", block[1]) for block in blocks if len(block) == 2 and str(block[0]) in ("triangle", "quad", "polygon")]
+        if len({block.shape[1:] for block in polygons}) == 1:
+            faces = numpy.concatenate(polygons)
     if at is None or faces is None:
         refuse(f"Mesh: arrays of vertices and faces are needed, or a mesh with `vertices` and `faces`, or with `points` and `faces` "
                f"or `cells`, whose polygons have equally many corners; not {type(thing).__name__}")

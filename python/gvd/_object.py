@@ -188,7 +188,6 @@ class Writable(Object):
 
     def to_html(self, *, title: str = "gvd") -> str:
         """The page as text: one file that any browser opens, without network."""
-        text("title", title)
         with tempfile.TemporaryDirectory() as folder:
             page = pathlib.Path(folder, "page.html")
             self._write(page, title=title)

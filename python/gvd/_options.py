@@ -82,6 +82,10 @@ def _values(name: str, given: Any, arrays: Arrays) -> Any:
     return {"array": len(arrays) - 1}
 
 
+_SCALARS: dict[str, Callable[[str, Any], Any]] = {"flag": flag, "switch": flag, "counts": _counts, "whole number": whole, "choice": text}
+"""What takes values of each kind; others are real numbers."""
+
+
 def to_json(operation: str, options: Mapping[str, Any], arrays: Arrays) -> dict[str, Any]:
     """Options as JSON, with their arrays behind `arrays`. Those that are None are left out."""
     made: dict[str, Any] = {}
@@ -93,22 +97,14 @@ def to_json(operation: str, options: Mapping[str, Any], arrays: Arrays) -> dict[
             made[name] = make_entries("points" if name == "from" else name, value).option(arrays)
         elif kind == "curves":
             made[name] = _curves(value, arrays)
-        elif kind == "values" and not (isinstance(value, str) and choices):
-            made[name] = _values(name, value, arrays)
         elif kind == "input file":
             made[name] = file_name(value, arrays)
-        elif kind == "counts":
-            made[name] = _counts(name, value)
-        elif kind == "flag" or (kind == "switch" and not isinstance(value, str)):
-            made[name] = flag(name, value)
         elif isinstance(value, str) and (choices or kind in ("bound", "crease angle", "switch")):
             made[name] = value
-        elif kind == "whole number":
-            made[name] = whole(name, value)
-        elif kind == "choice":
-            made[name] = text(name, value)
+        elif kind == "values":
+            made[name] = _values(name, value, arrays)
         else:
-            made[name] = real(name, value)
+            made[name] = _SCALARS.get(kind, real)(name, value)
     return made
 
 

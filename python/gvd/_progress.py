@@ -3,12 +3,12 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any, Optional, Union
 
 from ._error import refuse
+from ._library import Callback
 
-Callback = Callable[[str, float], Any]
 Progress = Union[None, bool, Callback]
 """None or False: silent. True: a bar. A function of (step, fraction) is called some ten times a second, and ends the call
 where it returns False."""
