@@ -238,7 +238,8 @@ def _keeping_signals(flags: _Flags, raised: list[BaseException]) -> Iterator[dic
                 _signal.signal(number, handler)
 
 
-def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callback], time_limit: Optional[float]) -> None:
+def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callback] = None, time_limit: Optional[float] = None,
+         began: Optional[float] = None) -> None:
     """Calls a function of the library with a run, and raises what ended it."""
     _stay_at_end()
     flags, raised = _Flags(), list[BaseException]()
@@ -252,7 +253,8 @@ def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callba
 
     timer = None
     if time_limit is not None:
-        timer = threading.Timer(min(time_limit, threading.TIMEOUT_MAX), flags.expire)
+        left = time_limit if began is None else time_limit - (time.monotonic() - began)
+        timer = threading.Timer(min(left, threading.TIMEOUT_MAX), flags.expire)
         timer.daemon = True
         timer.start()
     _running[id(flags)] = flags
@@ -278,7 +280,7 @@ def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callba
 
 def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[str, Any]] = None,
          arrays: Sequence[NDArray[Any]] = (), *, threads: int = 0, progress: Optional[Callback] = None,
-         time_limit: Optional[float] = None) -> Handle:
+         time_limit: Optional[float] = None, began: Optional[float] = None) -> Handle:
     """Runs an operation. In `options`, {"array": 0} stands for the first of `arrays`, of one or two dimensions."""
     views = [_Array(array.ctypes.data, _PLACES[array.dtype], array.ndim, (*array.shape, 1, 1)[:2], (*array.strides, 0, 0)[:2])
              for array in arrays]
@@ -288,7 +290,7 @@ def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[
     address = None if on is None else on.address
     try:
         _run(lambda run: int(_library.gvd_call(_ABI, name, address, text, given, len(views), run, ctypes.byref(made))), threads,
-             progress, time_limit)
+              progress, time_limit, began)
     finally:  # Ctrl-C may come behind a result
         handle = Handle(made.value)
     return handle
@@ -307,6 +309,6 @@ def name_bytes(path: Any) -> bytes:
 def write(handle: Handle, path: Any, options: Mapping[str, Any], threads: int = 0) -> None:
     """Writes a complete file or none."""
     text, name = json.dumps(options).encode(), name_bytes(path)
-    _run(lambda run: int(_library.gvd_write_as(handle.address, name, text, run)), threads, None, None)
+    _run(lambda run: int(_library.gvd_write_as(handle.address, name, text, run)), threads)
 
 

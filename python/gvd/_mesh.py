@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import time
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Literal, Optional, Union, overload
 
@@ -9,7 +10,7 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from . import _vtk
-from ._error import Error, naming, refuse
+from ._error import naming, refuse
 from ._library import Handle, name_bytes
 from ._object import Floats, Ids, Object, PathLike, Writable, figure, run, threads_of, view, warn
 from ._options import described, file_name, flag, real
@@ -188,12 +189,10 @@ class Mesh(Writable):
             return self.nearest(points, **options)[0]
         source = self.points(points)
         shape = (len(source), len(self.vertices) if options.get("to") is None else len(self._targets(options)["to"]))
-        if out is not None and getattr(out, "shape", None) != shape:
-            refuse(f"out: an array {shape} is needed, not {getattr(out, 'shape', type(out).__name__)}")
-        if out is not None and numpy.dtype(getattr(out, "dtype", object)).kind != "f":
-            refuse(f"out: an array of floats is needed, not of {getattr(out, 'dtype', 'objects')}")
         matrix: Floats = numpy.empty(shape) if out is None else out
-        for begin, rows in self._batches(source, options):
+        if getattr(matrix, "shape", None) != shape or matrix.dtype.kind != "f":
+            refuse(f"out: an array {shape} of floats is needed, not {getattr(out, 'shape', type(out).__name__)} of {getattr(out, 'dtype', 'objects')}")
+        for begin, rows in self._batches(source, {**options, "began": time.monotonic()}):
             matrix[begin : begin + len(rows)] = rows
         return matrix
 
@@ -378,8 +377,7 @@ def _arrays_of(thing: Any) -> tuple[Any, Any]:
     """Vertices and faces of a mesh of another package."""
     at = getattr(thing, "vertices", getattr(thing, "points", None))
     faces = getattr(thing, "faces", getattr(thing, "regular_faces", None))
-    cells = getattr(thing, "cells", None)
-    if faces is None and isinstance(cells, (list, tuple)):  # meshio: blocks of cells of one type
+    if faces is None and isinstance(cells := getattr(thing, "cells", None), (list, tuple)):  # meshio: blocks of cells of one type
         blocks = [block if isinstance(block, tuple) else (getattr(block, "type", ""), getattr(block, "data", None)) for block in cells]
         polygons = [as_array("cells", block[1]) for block in blocks if len(block) == 2 and str(block[0]) in ("triangle", "quad", "polygon")]
         if len({block.shape[1:] for block in polygons}) == 1:
@@ -399,7 +397,7 @@ def _arrays_of(thing: Any) -> tuple[Any, Any]:
 def _make_curves(curves: Any, closed: bool, angle: Optional[float]) -> Curves:
     """Curves as the library takes them: a word, the name of a file, or points with the places where each curve begins."""
     arrays: list[NDArray[Any]] = []
-    if isinstance(curves, (str, os.PathLike)):
+    if isinstance(curves, (str, bytes, os.PathLike)):
         if closed:
             refuse("closed: it is for polylines")
         if angle is not None and curves != "creases":

@@ -141,7 +141,7 @@ def run(operation: str, on: Optional[Object], options: Mapping[str, Any], more: 
     given = {**to_json(operation, {name: value for name, value in options.items() if name not in RUN}, arrays), **more}
     with reporting(options.get("progress")) as callback:
         made = _library.call(operation, None if on is None else on._native, given, arrays, threads=threads_of(options), progress=callback,
-                             time_limit=_seconds(options.get("time_limit")))
+                             time_limit=_seconds(options.get("time_limit")), began=options.get("began"))
     if any(array.ndim == 2 and array.shape[1] == 3 for array in arrays):  # positions may be far away
         for line in made.figures()["warnings"]:
             warn(line)

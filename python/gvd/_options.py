@@ -22,8 +22,8 @@ from ._points import Curves, as_array, make_entries, plain
 F = TypeVar("F", bound=Callable[..., Any])
 Arrays = list[NDArray[Any]]
 
-RUN = ("threads", "progress", "time_limit")
-"""How a call runs: options that are none of operations."""
+RUN = ("threads", "progress", "time_limit", "began")
+"""How a call runs: options that are none of operations. Of a call in several parts, its time began before them."""
 
 
 def _refuse_kind(name: str, needed: str, value: Any) -> NoReturn:

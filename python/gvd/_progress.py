@@ -53,9 +53,7 @@ def reporting(progress: Progress) -> Iterator[Optional[Callback]]:
             yield bar
         finally:
             bar.close()
-    elif progress is None or progress is False:
-        yield None
-    elif callable(progress):
-        yield progress
+    elif progress is None or progress is False or callable(progress):
+        yield progress or None
     else:
         refuse(f"progress: True, None or a function of (step, fraction), not {type(progress).__name__}")

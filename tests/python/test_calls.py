@@ -242,6 +242,13 @@ class Calls(unittest.TestCase):
             mesh.lloyd(2000, iterations=100000, tolerance=0.0, time_limit=0.01)
         self.assertLess(time.monotonic() - started, 0.1)  # the clock ticks each 0.1 s
 
+    def test_a_time_limit_is_that_of_all_rows(self):
+        mesh = gvd.read(meshes.FIGURE)
+        started = time.monotonic()
+        with self.assertRaisesRegex(gvd.Error, "the time limit of 0.2 s is over"):
+            mesh.distances(list(range(len(mesh.vertices))), each=True, time_limit=0.2)  # takes seconds, in parts below 0.2 s
+        self.assertLess(time.monotonic() - started, 1)
+
     def test_python_ends_while_daemon_threads_compute(self):
         code = ("import gvd, threading, time\n"
                 f"mesh = gvd.read({str(meshes.FIGURE)!r})\n"
