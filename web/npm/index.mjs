@@ -438,10 +438,6 @@ getters(Cut, {
 });
 
 export class Relaxation extends Result {
-  to_bytes(format, options) {
-    return this.diagram.to_bytes(format, options);
-  }
-
   points_to_bytes(format) {
     return fileOf('points_to_bytes', this._native, format, {}, { part: 'points' });
   }

@@ -14,17 +14,11 @@ export class Curves {
   }
 }
 
-let kinds;
+const byName = (options) => new Map(options.map((option) => [option.name, option]));
+const { operations, file_options } = describe();
 
 /** The options of each operation by their names, and those of files. */
-function optionsOf(operation) {
-  if (!kinds) {
-    const { operations, file_options } = describe();
-    const by_name = (options) => new Map(options.map((option) => [option.name, option]));
-    kinds = new Map([...operations.map(({ name, options }) => [name, by_name(options)]), ['file', by_name(file_options)]]);
-  }
-  return kinds.get(operation);
-}
+const kKnown = new Map([...operations.map(({ name, options }) => [name, byName(options)]), ['file', byName(file_options)]]);
 
 function refer(arrays, array, kind = 'array') {
   arrays.push(array);
@@ -71,7 +65,7 @@ export function optionJson({ name, kind, choices }, value, arrays) {
 }
 
 function toJson(operation, options, arrays) {
-  const known = optionsOf(operation), made = {};
+  const known = kKnown.get(operation), made = {};
   for (const [name, value] of Object.entries(options ?? {})) {
     if (isGiven(value)) made[name] = known.has(name) ? optionJson(known.get(name), value, arrays) : null;
     else if (!known.has(name)) made[name] = null;  // which the library tells the user
