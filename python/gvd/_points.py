@@ -107,8 +107,9 @@ class Entries(NamedTuple):
     def option(self, arrays: list[NDArray[Any]]) -> Any:
         """The value of an option, whose arrays are added to `arrays`."""
         arrays.extend(self.parts)
-        first = len(arrays) - len(self.parts)
-        return [{"array" if rows.ndim > 1 else "mesh_vertices": first + i} for i, rows in enumerate(self.parts)]
+        places = range(len(arrays) - len(self.parts), len(arrays))
+        made = [{"array" if arrays[i].ndim > 1 else "mesh_vertices": i} for i in places]
+        return made if len(made) > 1 else made[0]
 
 
 def join(lists: Sequence[Entries]) -> Entries:

@@ -214,6 +214,7 @@ class PointsOfAMesh(unittest.TestCase):
             for given in (v, [v], [v, (0.25, 0.25, 0.0)]):
                 numpy.testing.assert_array_equal(mesh.positions(given)[0], mesh.vertices[v])
                 self.assertEqual(mesh.distances(given)[v], 0)
+            numpy.testing.assert_array_equal(mesh.segment(vertices=[v]).generators.position[0], mesh.vertices[v])
         with self.assertRaisesRegex(gvd.Error, "there is no vertex 6; the mesh has 6"):
             mesh.distances(6)
 

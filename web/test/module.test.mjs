@@ -250,6 +250,7 @@ test('vertices of repaired meshes are their own', () => {
   for (let v = 0; v < 6; ++v) {
     assert.deepEqual(mesh.positions(v), mesh.vertices.subarray(3 * v, 3 * v + 3));
     assert.equal(mesh.distances([v])[v], 0);
+    assert.deepEqual(mesh.positions(mesh.segment(null, { vertices: [v] }).generators), mesh.vertices.subarray(3 * v, 3 * v + 3));
   }
 });
 
