@@ -18,60 +18,47 @@ RESULTS = {"label": "segment", "map": "remesh"}
 HEADER = '''"""What the library says of itself. The build makes this file (python/describe.py)."""
 from __future__ import annotations
 
-import ast
-from typing import Any, Optional
+from typing import Any
 
 VERSION = {version!r}
 SONAME = {soname!r}
 
-OPTIONS: dict[str, list[tuple[str, str, str, str]]] = {options}
+OPTIONS: dict[str, list[tuple[str, str, Any, str]]] = {options}
 """Of each operation: names, annotations, defaults and help."""
 
-KINDS: dict[str, dict[str, tuple[str, bool, Optional[str]]]] = {kinds}
-"""Of each option its kind, whether words stand for values, and what numbers are of."""
+KINDS: dict[str, dict[str, tuple[str, bool]]] = {kinds}
+"""Of each option its kind, and whether words stand for values."""
+
+ALSO: dict[str, list[str]] = {also}
+"""Of options: other words for them, which have a hint."""
 
 ARRAYS: dict[str, list[str]] = {arrays}
 """Of each kind of objects."""
-
-
-def value(text: str) -> Any:
-    return ast.literal_eval(text)
 '''
+
+RUN = [("threads", "int", 0, "for the work; 0: one a core. Results do not depend on it"),
+       ("progress", "Progress", None, "True for a bar, or a function of (step, fraction), which ends the call by returning False"),
+       ("time_limit", "Optional[float]", None, "seconds above 0 after which the call ends with an error")]
+"""How a call runs: options beside those of the operation."""
+
+
+KINDS = {"bound": "Union[float, str]", "crease angle": "Union[float, str]", "counts": "Sequence[int]", "input file": "str",
+         "output file": "str", "switch": "bool", "whole number": "int", "number": "float", "values": "ArrayLike"}
+"""Of options that may be None, as Python writes them."""
 
 
 def annotate(option):
-    """The type of an option and its default, both as Python's text."""
+    """The type of an option, as Python's text, and its default."""
     kind, usual = option["kind"], None if option["usual"] else option["default"]  # not one that depends on others
-    words = "".join(f"Literal[{word!r}], " for word in option.get("choices", ()))
-    if kind == "choice":
-        names = f"Literal[{', '.join(map(repr, option['choices']))}]"
-        return (names, repr(usual)) if usual in option["choices"] else (f"Optional[{names}]", "None")
     if kind == "flag":
-        return "bool", "True" if usual is True else "False"
-    if kind == "switch":
-        return "Optional[bool]", "None"
-    if kind in ("whole number", "number"):
-        plain = "int" if kind == "whole number" else "float"
-        if is_number(usual) and not words:
-            return plain, repr(int(float(usual)) if plain == "int" else float(usual))
-        return f"Optional[Union[{words}{plain}]]" if words else f"Optional[{plain}]", "None"
-    if kind in ("bound", "crease angle"):
-        return "Optional[Union[float, str]]", "None"
-    if kind == "counts":
-        return "Optional[Sequence[int]]", "None"
-    if kind == "values":
-        return f"Optional[Union[{words}ArrayLike]]" if words else "Optional[ArrayLike]", "None"
-    if kind in ("input file", "output file"):
-        return "Optional[str]", "None"
-    return "Any", "None"
-
-
-def is_number(usual):
-    try:
-        float(usual)
-        return not isinstance(usual, bool)
-    except (TypeError, ValueError):
-        return False
+        return "bool", usual is True
+    if kind not in KINDS and kind != "choice":
+        return "Any", None
+    words = ", ".join(map(repr, option.get("choices", ())))
+    plain = f"Literal[{words}]" if kind == "choice" else f"Union[Literal[{words}], {KINDS[kind]}]" if words else KINDS[kind]
+    if kind in ("whole number", "number") and isinstance(usual, (int, float)):
+        return plain, int(usual) if KINDS[kind] == "int" else float(usual)
+    return (plain, usual) if usual in option.get("choices", ()) else (f"Optional[{plain}]", None)
 
 
 def describe_option(option):
@@ -93,9 +80,11 @@ def describe(library):
     major, minor = described["version"].split(".")[:2]
     return HEADER.format(
         version=described["version"], soname=f"libgvd_c.so.{major}.{minor}",
-        options=pretty({name: [describe_option(one) for one in options] for name, options in tables.items()}),
-        kinds=pretty({name: {one["name"]: (one["kind"], bool(one.get("choices")), one.get("of")) for one in options}
+        options=pretty({name: [*map(describe_option, options), *(() if name in ("mesh", "file_options") else RUN)]
+                        for name, options in tables.items()}),
+        kinds=pretty({name: {one["name"]: (one["kind"], bool(one.get("choices"))) for one in options}
                       for name, options in tables.items()}),
+        also=pretty({one["name"]: one["also"] for options in tables.values() for one in options if one["also"]}),
         arrays=pretty({name: [one["name"] for one in made["arrays"]] for name, made in objects.items()}))
 
 
@@ -106,8 +95,8 @@ def pretty(table):
 class Stub(ast.NodeTransformer):
     """Leaves the signatures of a module."""
 
-    def __init__(self, expand):
-        self.expand = expand
+    def __init__(self, options):
+        self.options = options
         self.expanded = {}
 
     def visit_ClassDef(self, node):
@@ -117,8 +106,8 @@ class Stub(ast.NodeTransformer):
         self.expanded = {function.name: marks for function in node.body if isinstance(function, ast.FunctionDef)
                          and (marks := self.marks(function))}
         overloaded = {one.name for one in node.body if isinstance(one, ast.FunctionDef) and self.is_overload(one)}
-        kept = [one for one in node.body if not self.is_text(one) and (getattr(one, "name", "") not in overloaded or self.is_overload(one))]
-        node.body = attributes + [self.visit(one) for one in kept] or [ast.Expr(ast.Constant(...))]
+        kept = [self.visit(one) for one in node.body if getattr(one, "name", "") not in overloaded or self.is_overload(one)]
+        node.body = [*kept, *attributes]
         self.expanded = {}
         return node
 
@@ -128,9 +117,10 @@ class Stub(ast.NodeTransformer):
         if marks and node.args.kwarg:
             own = [one.arg for one in (*node.args.args, *node.args.kwonlyargs)]
             node.args.kwarg = None
-            for name, kind, usual, _ in self.expand(own=own, **marks):
-                node.args.kwonlyargs.append(ast.arg(name, ast.parse(kind, mode="eval").body))
-                node.args.kw_defaults.append(ast.parse(usual, mode="eval").body)
+            for name, kind, usual, _ in self.options[marks["operation"]]:
+                if name not in (*own, *marks["without"]):
+                    node.args.kwonlyargs.append(ast.arg(name, ast.parse(kind, mode="eval").body))
+                    node.args.kw_defaults.append(ast.Constant(usual))
         node.body = [ast.Expr(ast.Constant(...))]
         return node
 
@@ -142,10 +132,6 @@ class Stub(ast.NodeTransformer):
         function.returns = node.annotation
         return function
 
-    def visit_Module(self, node):
-        node.body = [self.visit(one) for one in node.body if not self.is_text(one)]
-        return node
-
     def visit_Assign(self, node):
         is_alias = isinstance(node.value, (ast.Subscript, ast.Name))
         return node if is_alias else ast.AnnAssign(node.targets[0], ast.Name("Any"), None, 1)
@@ -153,10 +139,6 @@ class Stub(ast.NodeTransformer):
     @staticmethod
     def is_overload(function):
         return any(getattr(one, "id", "") == "overload" for one in function.decorator_list)
-
-    @staticmethod
-    def is_text(node):
-        return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
 
     @staticmethod
     def operation(decorator):
@@ -167,7 +149,7 @@ class Stub(ast.NodeTransformer):
         """What a function is marked with: its operation, and the options that it is without."""
         for decorator in filter(None, map(self.operation, node.decorator_list)):
             given = {one.arg: ast.literal_eval(one.value) for one in decorator.keywords}
-            return {"operation": decorator.args[0].value, "without": given.get("without", "").split(), "runs": given.get("runs", True)}
+            return {"operation": decorator.args[0].value, "without": given.get("without", "").split()}
         return None
 
 
@@ -182,14 +164,10 @@ def main(library, sources, output):
     table = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(table)
 
-    def expand(operation, own, without, runs):
-        run = (("threads", "int", "0", ""), ("progress", "Progress", "None", ""), ("time_limit", "Optional[float]", "None", ""))
-        return [one for one in (*table.OPTIONS[operation], *(run if runs else ())) if one[0] not in (*own, *without)]
-
     for source in sources.glob("*.py"):
         text = source.read_text(encoding="utf-8")
         if "@described(" in text and source.name != "_options.py":
-            tree = ast.fix_missing_locations(Stub(expand).visit(ast.parse(text)))
+            tree = ast.fix_missing_locations(Stub(table.OPTIONS).visit(ast.parse(text)))
             future = "from __future__ import annotations\n"
             (output / f"{source.stem}.pyi").write_text(ast.unparse(tree).replace(future, future + MORE), encoding="utf-8")
 

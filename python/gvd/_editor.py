@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy
 
-from ._error import Error, refuse
+from ._error import Error, naming, refuse
 from ._mesh import Mesh
 from ._object import run
 from ._options import described, whole
-from ._points import Points, make_entries
+from ._points import Points, make_entries, one_point
 from ._results import Diagram
 
 
@@ -38,11 +38,19 @@ class DiagramEditor:
     @described("diagram", without="count sampling seed radius generators vertices curves method front balance shares weights within mask editable")
     def __init__(self, mesh: Mesh, points: Any, **options: Any) -> None:
         """The diagram of the first generators."""
+        if not isinstance(mesh, Mesh):
+            refuse(f"mesh: a gvd.Mesh is needed, not {type(mesh).__name__}")
         self.mesh: Mesh = mesh
         self._options: dict[str, Any] = {name: options[name] for name in ("chord_tolerance",) if options.get(name) is not None}
         self._run: dict[str, Any] = {"threads": options.get("threads")}
         self._change_lock: Any = threading.Lock()
-        self._diagram: Diagram = Diagram(mesh, *run("diagram", mesh, mesh, {**options, "generators": points, "editable": True}))
+        self._diagram: Diagram = Diagram(*run("diagram", mesh, {**options, "generators": make_entries("points", points), "editable": True}))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "_change_lock"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state, _change_lock=threading.Lock())
 
     def __repr__(self) -> str:
         return f"gvd.DiagramEditor({len(self.generators)} generators)"
@@ -60,12 +68,12 @@ class DiagramEditor:
     @described("edit", without="move to add remove max_snap")
     def move(self, generator: int, point: Any, **options: Any) -> Diagram:
         """Moves a generator to another point, near or far."""
-        return self._change({"move": self._find(generator), "to": _one("point", point)}, options)
+        return self._change({"move": self._find(generator), "to": one_point("point", point)}, options)
 
     @described("edit", without="move to add remove max_snap")
     def add(self, point: Any, **options: Any) -> Diagram:
         """Adds a generator, which gets the next number."""
-        return self._change({"add": _one("point", point)}, options)
+        return self._change({"add": one_point("point", point)}, options)
 
     @described("edit", without="move to add remove max_snap")
     def remove(self, generator: int, **options: Any) -> Diagram:
@@ -84,17 +92,11 @@ class DiagramEditor:
         if not self._change_lock.acquire(blocking=False):
             raise Error("the editor is in the middle of a change", "precondition")
         try:
-            made, _ = run("edit", self._diagram, self.mesh, {**self._run, **options, **change})
+            with naming(to="point", add="point"):
+                made, _ = run("edit", self._diagram, {**self._run, **options, **change})
             points = numpy.column_stack([made.array("generators_faces"), made.array("generators_bary")])
             recipe = ("diagram", self.mesh, {"generators": {"array": 0}, **self._options}, [points])  # the edits before are not kept
-            self._diagram = Diagram(self.mesh, made, recipe)
+            self._diagram = Diagram(made, recipe)
         finally:
             self._change_lock.release()
         return self._diagram
-
-
-def _one(name: str, point: Any) -> Any:
-    count = len(make_entries(name, point).kinds)
-    if count != 1:
-        refuse(f"{name}: one point is needed, not {count}")
-    return point

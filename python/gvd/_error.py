@@ -1,6 +1,8 @@
 """The one exception of the package."""
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterator
 from typing import NoReturn
 
 
@@ -30,3 +32,15 @@ class Error(Exception):
 def refuse(message: str, element: int = -1) -> NoReturn:
     """Refuses an argument."""
     raise Error(message, "invalid_option", element)
+
+
+@contextlib.contextmanager
+def naming(**names: str) -> Iterator[None]:
+    """Calls options by the names of a function's own parameters, where an error begins with one."""
+    try:
+        yield
+    except Error as error:
+        option, colon, rest = str(error).partition(": ")
+        if option not in names:
+            raise
+        raise Error(names[option] + colon + rest, error.code, error.element) from None

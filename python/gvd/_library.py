@@ -6,6 +6,7 @@ times a second to call back: then a user's function hears of the progress, and C
 """
 from __future__ import annotations
 
+import atexit
 import contextlib
 import ctypes
 import json
@@ -13,9 +14,10 @@ import os
 import pathlib
 import threading
 import time
+import types
 # The functions of the module signal, without its enumerations: these take 10 us a call.
 import _signal  # type: ignore[import]
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Callable, Optional
 
 import numpy
@@ -105,8 +107,8 @@ class Handle:
             empty = numpy.empty(shape, dtype)
             empty.flags.writeable = False
             return empty
-        return numpy.asarray(_View(self, {"data": (view.data, True), "shape": shape, "typestr": dtype.str,
-                                          "strides": tuple(view.strides)[:view.dimensions], "version": 3}))
+        return numpy.asarray(types.SimpleNamespace(owner=self, __array_interface__={  # which the array keeps
+            "data": (view.data, True), "shape": shape, "typestr": dtype.str, "strides": tuple(view.strides)[:view.dimensions], "version": 3}))
 
     def part(self, name: str) -> Handle:
         """A part, such as the diagram of a result."""
@@ -121,77 +123,83 @@ class Handle:
         return figures
 
 
-class _View:
-    """What a view of an array has as its base."""
-
-    def __init__(self, owner: Handle, interface: dict[str, Any]) -> None:
-        self.owner, self.__array_interface__ = owner, interface
-
-
 # ---- what ends a call
 
 _TICK = 0.1
 """Seconds between two looks for signals, and between two reports."""
 
 _IDLE_TICKS = 20
-"""The clock stops after so many ticks without a call."""
+"""The clock ends after so many ticks without a call."""
+
+_PATIENCE = 2.0
+"""Seconds that the end of Python waits for daemon threads to leave the library."""
 
 
 class _Flags:
-    """What a running call and the clock share: `due` lets the library call back, and `cancel` ends the call."""
+    """What ends a running call: `due` lets the library call back, and `cancel` ends the call."""
 
-    __slots__ = ("due", "cancel", "deadline")
+    __slots__ = ("due", "cancel", "is_late")
 
-    def __init__(self, deadline: float) -> None:
-        self.due, self.cancel, self.deadline = ctypes.c_int32(1), ctypes.c_int32(0), deadline
+    def __init__(self) -> None:
+        self.due, self.cancel, self.is_late = ctypes.c_int32(1), ctypes.c_int32(0), False
+
+    def expire(self) -> None:
+        self.is_late, self.cancel.value = True, 1
 
 
 _running: dict[int, _Flags] = {}
-_wanted = threading.Event()
 _clock: Optional[threading.Thread] = None
+_is_ending = False
 
 
 def _tick() -> None:
+    global _clock
     idle = 0
     while True:
         time.sleep(_TICK)
-        now = time.monotonic()
         for flags in list(_running.values()):
             flags.due.value = 1
-            if now > flags.deadline:
-                flags.cancel.value = 1
         idle = 0 if _running else idle + 1
         if idle > _IDLE_TICKS:
-            _wanted.clear()
-            if not _running:  # a call that begins from now on sets it again
-                _wanted.wait()
-            idle = 0
+            _clock = None  # a call that begins from now on starts another one
+            if not _running:
+                return
 
 
-def _want_clock() -> None:
+def _start_clock() -> None:
     global _clock
-    _wanted.set()
-    if _clock is None:
-        _clock = threading.Thread(target=_tick, name="gvd clock", daemon=True)
-        _clock.start()
+    _clock = threading.Thread(target=_tick, name="gvd clock", daemon=True)
+    _clock.start()
 
 
 def _forget_clock() -> None:
     """In a new process, which has no other thread."""
     global _clock
     _clock = None
-    _wanted.clear()
     _running.clear()
 
 
 os.register_at_fork(after_in_child=_forget_clock)
 
 
-def _keep_going(data: Any, step: bytes, fraction: float) -> int:
-    return 1  # handlers of signals have run on the way here
+@atexit.register
+def _end_calls() -> None:
+    """Ends what daemon threads compute: a callback that finds Python gone would abort the process."""
+    global _is_ending
+    _is_ending, end = True, time.monotonic() + _PATIENCE
+    for flags in list(_running.values()):
+        flags.cancel.value = 1
+    while _running and time.monotonic() < end:
+        time.sleep(_TICK / 10)
 
 
-_KEEP_GOING = _PROGRESS(_keep_going)
+def _stay_at_end() -> None:
+    """Where a daemon thread stays while Python ends: it has nobody to tell why its call has ended."""
+    if _is_ending and threading.get_ident() != threading.main_thread().ident:
+        threading.Event().wait()
+
+
+_KEEP_GOING = _PROGRESS(lambda data, step, fraction: 1)  # handlers of signals have run on the way here
 _NO_PROGRESS: Any = _PROGRESS()  # type: ignore[call-overload]
 
 
@@ -200,68 +208,71 @@ _SIGNALS = [getattr(_signal, f"SIG{name}") for name in ("INT", "TERM", "HUP", "Q
             if hasattr(_signal, f"SIG{name}")]
 
 
-class _Signals:
+@contextlib.contextmanager
+def _keeping_signals(flags: _Flags, raised: list[BaseException]) -> Iterator[dict[int, Any]]:
     """Signals during a call in the main thread. The user's handlers run on the way to a callback, where ctypes would lose
-    what they raise: it is kept, and ends the call. Ctrl-C ends it in any case."""
+    what they raise: it is kept, and ends the call. Ctrl-C ends it in any case. Yields the handlers."""
+    before: dict[int, Any] = {}
 
-    __slots__ = ("flags", "raised", "before")
+    def catch(number: int, frame: Any) -> None:
+        if number == _signal.SIGINT:  # whatever its handler does
+            flags.cancel.value = 1
+        try:
+            before[number](number, frame)
+        except BaseException as error:  # raised again when the call has ended
+            raised.append(error)
+            flags.cancel.value = 1
 
-    def __init__(self, flags: _Flags, raised: list[BaseException]) -> None:
-        self.flags, self.raised = flags, raised
-        self.before: dict[int, Any] = {}
+    try:
         if threading.get_ident() == threading.main_thread().ident:
             for number in _SIGNALS:
                 handler = _signal.getsignal(number)
                 if callable(handler):
+                    before[number] = handler
                     with contextlib.suppress(ValueError):  # an interpreter beside the main one takes no signals
-                        _signal.signal(number, self.catch)
-                        self.before[number] = handler
-
-    def catch(self, number: int, frame: Any) -> None:
-        if number == _signal.SIGINT:  # whatever its handler does
-            self.flags.cancel.value = 1
-        try:
-            self.before[number](number, frame)
-        except BaseException as error:  # raised again when the call has ended
-            self.raised.append(error)
-            self.flags.cancel.value = 1
-
-    def restore(self) -> None:
-        for number, handler in self.before.items():
-            if _signal.getsignal(number) == self.catch:  # a callback may have put another one in its place
+                        _signal.signal(number, catch)
+        yield before
+    finally:
+        for number, handler in before.items():
+            if _signal.getsignal(number) == catch:  # a callback may have put another one in its place
                 _signal.signal(number, handler)
 
 
-def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callback], time_limit: Optional[float]) -> None:
+def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callback] = None, time_limit: Optional[float] = None,
+         began: Optional[float] = None) -> None:
     """Calls a function of the library with a run, and raises what ended it."""
-    flags = _Flags(float("inf") if time_limit is None else time.monotonic() + time_limit)
-    raised: list[BaseException] = []
-    signals = _Signals(flags, raised)
-    callback = _KEEP_GOING if signals.before else _NO_PROGRESS
-    if progress is not None:
-        told = progress
+    _stay_at_end()
+    flags, raised = _Flags(), list[BaseException]()
 
-        def report(data: Any, step: bytes, fraction: float) -> int:
-            try:
-                return 0 if told(step.decode(), fraction) == False else 1  # noqa: E712, NumPy has a False of its own
-            except BaseException as error:  # raised again when the call has ended
-                raised.append(error)
-                return 0
+    def report(data: Any, step: bytes, fraction: float) -> int:
+        try:
+            return 0 if progress and progress(step.decode(), fraction) == False else 1  # noqa: E712, NumPy has a False of its own
+        except BaseException as error:  # raised again when the call has ended
+            raised.append(error)
+            return 0
 
-        callback = _PROGRESS(report)
-    run = _Run(threads, callback, None, ctypes.addressof(flags.cancel), None, ctypes.addressof(flags.due), _PYTHON)
-    key = id(flags)
-    _running[key] = flags
-    if not _wanted.is_set():
-        _want_clock()
+    timer = None
+    if time_limit is not None:
+        left = time_limit if began is None else time_limit - (time.monotonic() - began)
+        timer = threading.Timer(min(left, threading.TIMEOUT_MAX), flags.expire)
+        timer.daemon = True
+        timer.start()
+    _running[id(flags)] = flags
+    if _clock is None:
+        _start_clock()
     try:
-        status = function(ctypes.byref(run))
+        with _keeping_signals(flags, raised) as handlers:
+            callback = _PROGRESS(report) if progress is not None else _KEEP_GOING if handlers else _NO_PROGRESS
+            run = _Run(threads, callback, None, ctypes.addressof(flags.cancel), None, ctypes.addressof(flags.due), _PYTHON)
+            status = function(ctypes.byref(run))
     finally:
-        del _running[key]
-        signals.restore()
+        del _running[id(flags)]
+        if timer is not None:
+            timer.cancel()
+        _stay_at_end()
     if raised:
         raise raised[0]
-    if status == _INTERRUPTED and time_limit is not None and time.monotonic() > flags.deadline:
+    if status == _INTERRUPTED and flags.is_late:
         raise Error(f"the time limit of {time_limit:g} s is over", "interrupted")
     if status:
         _raise(status)
@@ -269,7 +280,7 @@ def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callba
 
 def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[str, Any]] = None,
          arrays: Sequence[NDArray[Any]] = (), *, threads: int = 0, progress: Optional[Callback] = None,
-         time_limit: Optional[float] = None) -> Handle:
+         time_limit: Optional[float] = None, began: Optional[float] = None) -> Handle:
     """Runs an operation. In `options`, {"array": 0} stands for the first of `arrays`, of one or two dimensions."""
     views = [_Array(array.ctypes.data, _PLACES[array.dtype], array.ndim, (*array.shape, 1, 1)[:2], (*array.strides, 0, 0)[:2])
              for array in arrays]
@@ -279,7 +290,7 @@ def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[
     address = None if on is None else on.address
     try:
         _run(lambda run: int(_library.gvd_call(_ABI, name, address, text, given, len(views), run, ctypes.byref(made))), threads,
-             progress, time_limit)
+              progress, time_limit, began)
     finally:  # Ctrl-C may come behind a result
         handle = Handle(made.value)
     return handle
@@ -287,6 +298,8 @@ def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[
 
 def name_bytes(path: Any) -> bytes:
     """The name of a file for the library, for which a NUL would end it."""
+    if not isinstance(path, (str, bytes, os.PathLike)):
+        refuse(f"a path is needed, not {type(path).__name__}")
     name = os.fsencode(path)
     if b"\0" in name:
         refuse(f"{os.fsdecode(name)!r}: a name of a file has no NUL in it")
@@ -296,6 +309,6 @@ def name_bytes(path: Any) -> bytes:
 def write(handle: Handle, path: Any, options: Mapping[str, Any], threads: int = 0) -> None:
     """Writes a complete file or none."""
     text, name = json.dumps(options).encode(), name_bytes(path)
-    _run(lambda run: int(_library.gvd_write_as(handle.address, name, text, run)), threads, None, None)
+    _run(lambda run: int(_library.gvd_write_as(handle.address, name, text, run)), threads)
 
 

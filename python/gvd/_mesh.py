@@ -2,19 +2,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+import time
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Literal, Optional, Union, overload
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from . import _vtk
-from ._error import Error, refuse
-from ._library import Handle
-from ._object import Floats, Ids, Object, PathLike, Writable, figure, run, run_json, view, warn
-from ._options import described, file_name, plain, real, text, to_json
-from ._points import Curves, Entries, Points, as_array, make_entries
-from ._progress import Callback, part_of, reporting
+from ._error import naming, refuse
+from ._library import Handle, name_bytes
+from ._object import Floats, Ids, Object, PathLike, Writable, figure, run, threads_of, view, warn
+from ._options import described, file_name, flag, real
+from ._points import Curves, Points, as_array, join, make_entries, one_point, plain
+from ._progress import reporting
 from ._results import Balanced, Diagram, Distances, Isoline, Path, Relaxation, Remesh, Segmentation
 
 _ROW_BYTES = 1 << 26
@@ -58,7 +59,7 @@ class Mesh(Writable):
     _kind = "mesh"
 
     def __init__(self, vertices: Any, faces: Optional[ArrayLike] = None, *,
-                 on_defect: Literal["error", "repair", "largest"] = "error") -> None:
+                 on_defect: Literal["error", "repair", "largest"] = "error", weld: Union[None, bool, float] = None) -> None:
         if faces is None:
             vertices, faces = _arrays_of(vertices)
         at, corners = as_array("vertices", vertices), as_array("faces", faces)
@@ -66,12 +67,13 @@ class Mesh(Writable):
             refuse(f"vertices: an array (n, 3) is needed, not {at.shape}")
         if corners.dtype.kind == "f" or corners.ndim != 2 or corners.shape[1] < 3:
             refuse(f"faces: an array (m, 3) of integers is needed, not {corners.dtype} {corners.shape}")
-        options, arrays = to_json(None, "mesh", {"on_defect": on_defect}, []), [plain(at), plain(corners)]
-        super().__init__(run_json("mesh", None, options, [array for array in arrays], {}), ())
-        self._warn()
+        self._make({"on_defect": on_defect, "weld": weld}, [plain(at), plain(corners)])
 
-    def _warn(self) -> None:
-        """Tells what was repaired."""
+    def _make(self, options: dict[str, Any], arrays: list[NDArray[Any]]) -> None:
+        """Becomes the mesh of the operation `mesh`, and tells what was repaired."""
+        if isinstance(options["weld"], bool):
+            options["weld"] = 0.0 if options["weld"] else None
+        super().__init__(run("mesh", None, options, {}, arrays)[0], ())
         for note in self.figures["repairs"]:
             warn(note)
 
@@ -81,9 +83,9 @@ class Mesh(Writable):
         Object.__init__(mesh, handle, ())
         return mesh
 
-    def __reduce__(self) -> Any:
+    def _save(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         texts = {name: self.figures[name] for name in _SAVED_TEXTS if self.figures[name]}
-        return _unpickle_mesh, (texts, [numpy.array(self._array(name)) for name in _SAVED])
+        return ("saved_mesh", None, texts, [numpy.array(self._array(name)) for name in _SAVED]), {}
 
     def __repr__(self) -> str:
         return f"gvd.Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
@@ -119,36 +121,17 @@ class Mesh(Writable):
 
     # ---- points and curves
 
-    def _to_input(self, vertices: NDArray[numpy.int64]) -> NDArray[numpy.int64]:
-        """The input's numbers of vertices, as the library counts them; -1 for copies that repairs have made."""
-        known, count = self.vertex_of_input, len(self.vertices)
-        if len(known) == count and (self.input_vertex == known).all() and (known == numpy.arange(count)).all():
-            return vertices
-        if (vertices >= count).any():
-            raise Error(f"points: there is no vertex {vertices.max()}; the last one is {count - 1}", "precondition")
-        numbers = self.input_vertex[vertices].astype(numpy.int64)
-        return numpy.where((numbers >= 0) & (known[numbers] == vertices), numbers, -1)
-
-    def _corner(self, vertex: int) -> tuple[int, NDArray[numpy.float64]]:
-        """A vertex as a face and barycentric coordinates."""
-        face, corner = numpy.argwhere(self.faces == vertex)[0]
-        return int(face), numpy.eye(3)[corner]
-
     def points(self, points: Any, *, max_snap: Optional[float] = None) -> Points:
         """Points as faces and barycentric coordinates. `max_snap`: the farthest that a position may be, mesh units."""
-        return self._resolve(points, max_snap)
+        return self._sample({"points": make_entries("points", points), "max_snap": max_snap})
 
-    def _resolve(self, points: Any, max_snap: Optional[float] = None, name: str = "points") -> Points:
-        entries = make_entries(name, points)
-        arrays: list[NDArray[Any]] = []
-        options = {"points": entries.option(self, arrays)}
-        if max_snap is not None:
-            options["max_snap"] = real("max_snap", max_snap)
-        return _points_of(self, run_json("sample", self, options, arrays, {}))
+    def _sample(self, options: dict[str, Any]) -> Points:
+        made, _ = run("sample", self, options)
+        return Points(made.array("points_faces"), made.array("points_bary"), self)
 
     def positions(self, points: Any) -> Floats:
         """Positions (n, 3) of points."""
-        return self._resolve(points).position
+        return self.points(points).position
 
     def curves(self, curves: Union[PathLike, Sequence[Any]], *, closed: bool = False, angle: Optional[float] = None,
                max_snap: Optional[float] = None) -> Curves:
@@ -164,19 +147,18 @@ class Mesh(Writable):
         >>> len(rim), float(mesh.distances(rim).max().round(2))
         (1, 1.57)
         """
-        option, arrays = _curve_option(self, curves, closed, angle)
-        limit = {} if max_snap is None else {"max_snap": real("max_snap", max_snap)}
-        made = run_json("curves", self, {"curves": option, **limit}, arrays, {})
+        given = _make_curves(curves, closed, angle)
+        made, _ = run("curves", self, {"curves": given, "max_snap": max_snap})
         offsets, at = made.array("offsets").tolist(), made.array("positions")
-        found: list[list[Floats]] = [[] for _ in range(made.figures()["count"])]
+        given.positions.extend([] for _ in range(made.figures()["count"]))
         for curve, begin, end in zip(made.array("curve").tolist(), offsets, offsets[1:]):
-            found[curve].append(at[begin:end])
-        return Curves(option, arrays, found)
+            given.positions[curve].append(at[begin:end])
+        return given
 
     @described("sample", without="points generators vertices max_snap merge_coincident")
     def sample(self, count: Optional[int] = None, **options: Any) -> Points:
         """Points that are spread over the surface: `count` of them, or as many as leave no point farther than `radius`."""
-        return _points_of(self, run("sample", self, self, {"count": count, **options})[0])
+        return self._sample({"count": count, **options})
 
     def farthest(self, count: int, *, seed: int = 0) -> Points:
         """`count` points, each as far as possible from all before it.
@@ -191,8 +173,8 @@ class Mesh(Writable):
 
     def _measure(self, points: Any, options: dict[str, Any]) -> tuple[Handle, tuple[Any, ...]]:
         """The operation `distances` from points or curves."""
-        source: dict[str, Any] = {"curves": points} if isinstance(points, Curves) else {"from": points, "keep_coincident": True}
-        return run("distances", self, self, {**source, **options})
+        source = _sources("from", points) if isinstance(points, Curves) else {**_sources("from", points), "keep_coincident": True}
+        return run("distances", self, {**source, **options})
 
     @described("distances", without="from curves merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm")
     def distances(self, points: Any, *, each: bool = False, out: Any = None, **options: Any) -> Floats:
@@ -201,25 +183,24 @@ class Mesh(Writable):
         With `each`, one row for each point: an array (points, n). `out`: an array or numpy.memmap of this shape that
         gets the rows, so that memory holds a few of them only. What no point reaches is infinitely far.
         """
-        if not each:
+        if not flag("each", each):
             if out is not None:
                 refuse("out: only rows are written to it; add each=True")
             return self.nearest(points, **options)[0]
-        source = self._resolve(points)
+        source = self.points(points)
         shape = (len(source), len(self.vertices) if options.get("to") is None else len(self._targets(options)["to"]))
-        if out is not None and getattr(out, "shape", None) != shape:
-            refuse(f"out: an array {shape} is needed, not {getattr(out, 'shape', type(out).__name__)}")
-        if out is not None and numpy.dtype(getattr(out, "dtype", object)).kind != "f":
-            refuse(f"out: an array of floats is needed, not of {getattr(out, 'dtype', 'objects')}")
         matrix: Floats = numpy.empty(shape) if out is None else out
-        for begin, rows in self._batches(source, options):
+        if getattr(matrix, "shape", None) != shape or matrix.dtype.kind != "f":
+            refuse(f"out: an array {shape} of floats is needed, not {getattr(out, 'shape', type(out).__name__)} of {getattr(out, 'dtype', 'objects')}")
+        for begin, rows in self._batches(source, {**options, "began": time.monotonic()}):
             matrix[begin : begin + len(rows)] = rows
         return matrix
 
     def _targets(self, options: dict[str, Any]) -> dict[str, Any]:
         """Moves the targets to the surface once."""
         if options.get("to") is not None and not isinstance(options["to"], Points):
-            options["to"] = self._resolve(options["to"], options.get("max_snap"), "to")
+            with naming(points="to"):
+                options["to"] = self.points(options["to"], max_snap=options.get("max_snap"))
         return options
 
     @described("distances", without="from curves each merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm")
@@ -231,22 +212,25 @@ class Mesh(Writable):
         >>> [float(row.max().round(3)) for row in square.distance_rows([0, (1, (0.5, 0.5, 0.0))])]
         [1.414, 0.707]
         """
-        source = self._resolve(points)
+        source = self.points(points)
         self._targets(options)
         return (row for _, rows in self._batches(source, options) for row in rows)
 
     def _batches(self, source: Points, options: dict[str, Any]) -> Iterator[tuple[int, Floats]]:
         """Rows of distances, a batch at a time: eight for each core where these take little memory."""
-        threads, options = options.get("threads") or 0, self._targets(options)
+        options = self._targets(options)
         columns = len(self.vertices) if options.get("to") is None else len(options["to"])
-        cores = max(threads, 0) or os.cpu_count() or 1
+        cores = max(threads_of(options), 0) or os.cpu_count() or 1
         size = max(cores, min(8 * cores, _ROW_BYTES // (8 * columns)))
         kind: dict[str, Any] = {"each": True, "mesh_vertices": options.get("to") is None}
         with reporting(options.pop("progress", None)) as callback:
             for begin in range(0, len(source), size):
                 end = min(begin + size, len(source))
-                part: Optional[Callback] = part_of(callback, begin / len(source), end / len(source))
-                made, _ = self._measure(source[begin:end], {**options, **kind, "progress": part})
+
+                def part(step: str, fraction: float, begin: int = begin, end: int = end) -> Any:
+                    return callback and callback(step, (begin + (end - begin) * fraction) / len(source))
+
+                made, _ = self._measure(source[begin:end], {**options, **kind, "progress": part if callback else None})
                 yield begin, made.array("rows")
 
     @described("distances", without="from curves each merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm")
@@ -275,10 +259,9 @@ class Mesh(Writable):
                [0. , 1. , 0. ]])
         """
         starts = make_entries("start", start)
-        if not isinstance(end, Curves):
-            make_entries("end", end)
-        of = Distances(*self._measure(end, {**options, "to": start, "paths": True}))
-        points, offsets = of._points("path", self), of._array("path_offsets").tolist()
+        with naming(to="start", points="end"):
+            of = Distances(*self._measure(end, {**options, "to": starts, "paths": True}))
+        points, offsets = of._points("path"), of._array("path_offsets").tolist()
         rows = of.figures["paths"]
         paths = [Path(of, i, points[offsets[i]:offsets[i + 1]], numpy.inf if row["length"] is None else row["length"], row["complete"],
                       row["source"]) for i, row in enumerate(rows)]
@@ -294,8 +277,11 @@ class Mesh(Writable):
         >>> sorted({ring.level for ring in rings})[:2]
         [0.5, 1.0]
         """
-        of = Distances(*self._measure(points, {**options, "isolines" if numpy.ndim(isolines) == 0 else "levels": isolines}))
-        at, offsets = of._points("isoline", self), of._array("isoline_offsets").tolist()
+        if isolines is None:
+            refuse("isolines: a distance, or a list of ascending ones, is needed, not None")
+        option = "levels" if isinstance(isolines, (list, tuple)) or getattr(isolines, "ndim", 0) > 0 else "isolines"
+        of = Distances(*self._measure(points, {**options, option: isolines}))
+        at, offsets = of._points("isoline"), of._array("isoline_offsets").tolist()
         return [Isoline(level, bool(closed), at[begin:end]) for level, closed, begin, end in
                 zip(of._array("isoline_levels").tolist(), of._array("isoline_closed").tolist(), offsets, offsets[1:])]
 
@@ -306,15 +292,10 @@ class Mesh(Writable):
         Its length is the distance, in mesh units. The x axis is the direction of the first edge at the point: see
         gvd/geodesic_tracing.hpp. NaN where no path leads.
         """
-        entries = make_entries("point", point)
-        if len(entries.kinds) != 1:
-            refuse(f"point: one point is needed, not {len(entries.kinds)}")
-        return self._measure(point, {**options, "logarithm": True})[0].array("logarithms")
+        with naming(points="point"):
+            return self._measure(one_point("point", point), {**options, "logarithm": True})[0].array("logarithms")
 
     # ---- diagrams and what is made of them
-
-    def _generators(self, points: Any, options: dict[str, Any]) -> dict[str, Any]:
-        return {**options, "curves" if isinstance(points, Curves) else "generators": points}
 
     @described("diagram", without="count sampling seed radius generators vertices curves balance shares editable")
     def voronoi(self, points: Any, **options: Any) -> Diagram:
@@ -325,7 +306,7 @@ class Mesh(Writable):
         >>> len(diagram.cells), diagram.check()
         (3, [])
         """
-        return Diagram(self, *run("diagram", self, self, self._generators(points, options)))
+        return Diagram(*run("diagram", self, {**options, **_sources("generators", points)}))
 
     @described("diagram", without="count sampling seed radius generators vertices curves method front balance editable")
     def balance(self, points: Any, *, density: Optional[ArrayLike] = None, **options: Any) -> Balanced:
@@ -340,7 +321,7 @@ class Mesh(Writable):
         True
         """
         balance = "area" if density is None else density
-        diagram = Diagram(self, *run("diagram", self, self, {**options, "generators": points, "balance": balance}))
+        diagram = Diagram(*run("diagram", self, {**options, "generators": make_entries("points", points), "balance": balance}))
         found = diagram.figures["balance"]
         return Balanced(diagram, diagram._array("balance.masses"), diagram._array("balance.targets"),
                         [tuple(cells) for cells in found["tied"] or []], found["converged"])
@@ -359,7 +340,7 @@ class Mesh(Writable):
         >>> mesh.segment(per_region=2, within=regions.labels).labels.max()
         59
         """
-        return Segmentation(self, *run("segment", self, self, {"count": count, **options}))
+        return Segmentation(*run("segment", self, {"count": count, **options}))
 
     @described("lloyd")
     def lloyd(self, count: Optional[int] = None, **options: Any) -> Relaxation:
@@ -370,7 +351,7 @@ class Mesh(Writable):
         >>> bool(samples.energies[-1] < samples.energies[0])
         True
         """
-        return Relaxation(self, *run("lloyd", self, self, {"count": count, **options}))
+        return Relaxation(*run("lloyd", self, {"count": count, **options}))
 
     @described("remesh", without="map")
     def remesh(self, count: Optional[int] = None, **options: Any) -> Remesh:
@@ -384,58 +365,56 @@ class Mesh(Writable):
         >>> coarse.mesh.summary["euler_characteristic"], coarse.map().one_to_one
         (0, True)
         """
-        return Remesh(self, *run("remesh", self, self, {"count": count, **options}))
+        return Remesh(*run("remesh", self, {"count": count, **options}))
 
 
-def _points_of(mesh: Mesh, made: Handle) -> Points:
-    return Points(made.array("points_faces"), made.array("points_bary"), mesh)
-
-
-def _unpickle_mesh(texts: dict[str, list[str]], arrays: list[NDArray[Any]]) -> Mesh:
-    return Mesh._wrap(run_json("saved_mesh", None, texts, arrays, {}))
+def _sources(option: str, points: Any) -> dict[str, Any]:
+    """Points or curves as an option."""
+    return {"curves": points} if isinstance(points, Curves) else {option: make_entries("points", points)}
 
 
 def _arrays_of(thing: Any) -> tuple[Any, Any]:
     """Vertices and faces of a mesh of another package."""
     at = getattr(thing, "vertices", getattr(thing, "points", None))
     faces = getattr(thing, "faces", getattr(thing, "regular_faces", None))
-    if faces is None and hasattr(thing, "cells"):  # meshio: blocks of cells of one type
-        blocks = [block.data for block in thing.cells if block.type in ("triangle", "quad", "polygon")]
-        if len({block.shape[1] for block in blocks}) == 1:
-            faces = numpy.concatenate(blocks)
+    if faces is None and isinstance(cells := getattr(thing, "cells", None), (list, tuple)):  # meshio: blocks of cells of one type
+        blocks = [block if isinstance(block, tuple) else (getattr(block, "type", ""), getattr(block, "data", None)) for block in cells]
+        polygons = [as_array("cells", block[1]) for block in blocks if len(block) == 2 and str(block[0]) in ("triangle", "quad", "polygon")]
+        if len({block.shape[1:] for block in polygons}) == 1:
+            faces = numpy.concatenate(polygons)
     if at is None or faces is None:
         refuse(f"Mesh: arrays of vertices and faces are needed, or a mesh with `vertices` and `faces`, or with `points` and `faces` "
                f"or `cells`, whose polygons have equally many corners; not {type(thing).__name__}")
-    flat = numpy.asarray(faces)
-    if flat.ndim == 1 and len(flat):  # PyVista: each polygon after the number of its corners
+    flat = as_array("faces", faces)
+    if flat.ndim == 1:  # PyVista: each polygon after the number of its corners
         size = int(flat[0])
-        if len(flat) % (size + 1) or (flat.reshape(-1, size + 1)[:, 0] != size).any():
-            refuse("Mesh: the polygons have different numbers of corners; cut them into triangles")
+        if size < 3 or len(flat) % (size + 1) or (flat.reshape(-1, size + 1)[:, 0] != size).any():
+            refuse("faces: polygons of equally many corners are needed, each behind the number of its corners; cut them into triangles")
         faces = flat.reshape(-1, size + 1)[:, 1:]
     return at, faces
 
 
-def _curve_option(mesh: Mesh, curves: Any, closed: bool, angle: Optional[float]) -> tuple[Any, list[NDArray[Any]]]:
+def _make_curves(curves: Any, closed: bool, angle: Optional[float]) -> Curves:
     """Curves as the library takes them: a word, the name of a file, or points with the places where each curve begins."""
     arrays: list[NDArray[Any]] = []
-    if isinstance(curves, (str, os.PathLike)):
+    if isinstance(curves, (str, bytes, os.PathLike)):
         if closed:
             refuse("closed: it is for polylines")
         if angle is not None and curves != "creases":
             refuse('angle: it is for "creases"')
         if curves not in ("boundary", "creases"):
-            return {"file": file_name(curves, arrays)}, arrays
-        return curves if angle is None else f"creases:{real('angle', angle)}", arrays
+            return Curves({"file": file_name(curves, arrays)}, arrays, [])
+        return Curves(curves if angle is None else f"creases:{real('angle', angle)}", [], [])
+    if isinstance(curves, numpy.ndarray) or not isinstance(curves, Iterable):
+        refuse(f"curves: a word, a path or a list of polylines is needed, not {type(curves).__name__}")
     lines = [make_entries(f"curves[{i}]", line) for i, line in enumerate(curves)]
     if not lines:
         refuse("curves: empty")
-    columns = [numpy.concatenate(column) for column in list(zip(*lines))[:3]]
-    points = Entries(columns[0], columns[1], columns[2], False).option(mesh, arrays)
-    offsets = numpy.cumsum([0, *(len(line.kinds) for line in lines)]).tolist()
-    return {"points": points, "offsets": offsets, "closed": closed}, arrays
+    offsets = numpy.cumsum([0, *(line.size() for line in lines)]).tolist()
+    return Curves({"points": join(lines).option(arrays), "offsets": offsets, "closed": flag("closed", closed)}, arrays, [])
 
 
-@described("mesh", without="file content weld", runs=False)
+@described("mesh", without="file content weld")
 def read(path: PathLike, *, weld: Union[None, bool, float] = None, **options: Any) -> Mesh:
     """Reads an OBJ, PLY, OFF, STL, VTP, VTU, legacy VTK, glTF, GIFTI, MNI or FreeSurfer file, packed by gzip or not.
 
@@ -446,21 +425,9 @@ def read(path: PathLike, *, weld: Union[None, bool, float] = None, **options: An
     >>> gvd.read("data/torus.ply").summary["euler_characteristic"]
     0
     """
-    if not isinstance(path, (str, bytes, os.PathLike)):
-        refuse(f"read: a path is needed, not {type(path).__name__}")
-    for name, value in options.items():
-        if value is not None:
-            text(name, value)
-    joined = None if weld is None or weld is False else 0.0 if weld is True else weld
-    arrays: list[NDArray[Any]] = []
-    mesh = Mesh._wrap(run_json("mesh", None, to_json(None, "mesh", {"file": path, "weld": joined, **options}, arrays), arrays, {}))
-    mesh._warn()
+    mesh = Mesh.__new__(Mesh)
+    mesh._make({**options, "file": name_bytes(path), "weld": weld}, [])
     return mesh
-
-
-def _read_numbers(operation: str, path: PathLike) -> Handle:
-    arrays: list[NDArray[Any]] = []
-    return run_json(operation, None, to_json(None, operation, {"file": path}, arrays), arrays, {})
 
 
 def read_values(path: PathLike) -> Floats:
@@ -468,7 +435,7 @@ def read_values(path: PathLike) -> Floats:
 
     .label.gii, .shape.gii, .func.gii, FreeSurfer's .annot and values such as lh.curv, .npy, .csv, or text.
     """
-    return _read_numbers("values", path).array("values")
+    return run("values", None, {"file": name_bytes(path)})[0].array("values")
 
 
 def read_properties(path: PathLike) -> dict[str, dict[str, Floats]]:
@@ -477,7 +444,7 @@ def read_properties(path: PathLike) -> dict[str, dict[str, Floats]]:
     There is a number for each vertex and each polygon of the file. `mesh.input_vertex` and `mesh.input_face` lead to them
     from the mesh that `read` makes of it. Lists are left out. Other formats have none.
     """
-    made = _read_numbers("properties", path)
+    made, _ = run("properties", None, {"file": name_bytes(path)})
     found: dict[str, dict[str, Floats]] = {"vertex": {}, "face": {}}
     for name in made.figures()["names"]:
         element, own = name.split(" ", 1)

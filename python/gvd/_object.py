@@ -1,7 +1,6 @@
 """Objects of the library: their arrays and figures, how they are made again, files and pages."""
 from __future__ import annotations
 
-import contextlib
 import html
 import os
 import pathlib
@@ -9,7 +8,7 @@ import sys
 import tempfile
 import warnings
 import webbrowser
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Callable, Optional, Union
 
 import numpy
@@ -18,7 +17,7 @@ from numpy.typing import NDArray
 from . import _described, _library
 from ._error import Error, refuse
 from ._library import Handle
-from ._options import described, real, text, to_json, whole
+from ._options import RUN, described, real, text, to_json, whole
 from ._points import Points
 from ._progress import reporting
 
@@ -59,6 +58,13 @@ class Object:
         self._kept: dict[str, Any] = {}
 
     @property
+    def _mesh(self) -> Mesh:
+        """The mesh that it was made of."""
+        on: Any = self._recipe[1]
+        mesh: Mesh = on if on._kind == "mesh" else on._mesh
+        return mesh
+
+    @property
     def _native(self) -> Handle:
         if self._handle is None:
             self._handle = _make_again(*self._recipe)
@@ -77,8 +83,15 @@ class Object:
             self._kept[name] = make()
         return self._kept[name]
 
-    def _points(self, name: str, mesh: Mesh) -> Points:
-        return Points(self._array(f"{name}_faces"), self._array(f"{name}_bary"), mesh)
+    def _points(self, name: str, mesh: Optional[Mesh] = None) -> Points:
+        return Points(self._array(f"{name}_faces"), self._array(f"{name}_bary"), mesh or self._mesh)
+
+    def _part(self, name: str) -> Mesh:
+        """A mesh that is a part."""
+        from ._mesh import Mesh
+
+        mesh: Mesh = self._keep(name, lambda: Mesh._wrap(self._native.part(name)))
+        return mesh
 
     @property
     def figures(self) -> dict[str, Any]:
@@ -91,16 +104,24 @@ class Object:
     def _names_to_save(self) -> list[str]:
         return list(_described.ARRAYS[self._kind])
 
-    def __reduce__(self) -> Any:
+    def _save(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        """The recipe, and what is asked of a copy without making it again."""
         for name in self._names_to_save():
             self._array(name)
         arrays: dict[str, Any] = {name: numpy.array(value) for name, value in self._saved.items() if isinstance(value, numpy.ndarray)}
-        return _unpickle, (type(self), self._recipe, {**arrays, "{figures}": self.figures})
+        return self._recipe, {**arrays, "{figures}": self.figures}
+
+    def __reduce__(self) -> Any:
+        own = {name: value for name, value in vars(self).items() if name not in _NOT_PICKLED}  # of the user's subclass
+        return _unpickle, (type(self), *self._save()), own or None
+
+
+_NOT_PICKLED = ("_handle", "_recipe", "_saved", "_kept")
 
 
 def _make_again(operation: str, on: Any, options: Mapping[str, Any], arrays: Sequence[NDArray[Any]]) -> Handle:
-    native: Handle = on._native
-    return native.part(options["part"]) if operation == "part" else _library.call(operation, native, options, arrays)
+    native: Optional[Handle] = None if on is None else on._native
+    return native.part(options["part"]) if native and operation == "part" else _library.call(operation, native, options, arrays)
 
 
 def _unpickle(kind: type[Object], recipe: tuple[Any, ...], saved: dict[str, Any]) -> Object:
@@ -112,36 +133,31 @@ def _unpickle(kind: type[Object], recipe: tuple[Any, ...], saved: dict[str, Any]
     return made
 
 
-RUN = ("threads", "progress", "time_limit")
-"""Options of calls, which are no options of operations."""
-
-
-def run(operation: str, on: Object, mesh: Mesh, options: Mapping[str, Any], more: Mapping[str, Any] = {}) -> tuple[Handle, tuple[Any, ...]]:
-    """Runs an operation with options of the user's; `more` are JSON already. Returns what makes a result of it."""
-    arrays: list[NDArray[Any]] = []
-    given = {**to_json(mesh, operation, {name: value for name, value in options.items() if name not in RUN}, arrays), **more}
-    return run_json(operation, on, given, arrays, {name: options.get(name) for name in RUN}), (operation, on, given, arrays)
-
-
-def run_json(operation: str, on: Optional[Object], options: Mapping[str, Any], arrays: Sequence[NDArray[Any]],
-             how: Mapping[str, Any]) -> Handle:
-    """Runs an operation with JSON. What the commands warn of is a warning of the line that called."""
-    threads, limit = how.get("threads"), how.get("time_limit")
-    with reporting(how.get("progress")) as callback:
-        made = _library.call(operation, None if on is None else on._native, options, arrays,
-                             threads=0 if threads is None else _threads(threads), progress=callback,
-                             time_limit=None if limit is None else float(real("time_limit", limit)))
+def run(operation: str, on: Optional[Object], options: Mapping[str, Any], more: Mapping[str, Any] = {},
+        first: Sequence[NDArray[Any]] = ()) -> tuple[Handle, tuple[Any, ...]]:
+    """Runs an operation with options of the user's; `more` are JSON already, and `first` the first arrays. What the commands
+    warn of is a warning of the line that called. Returns what makes a result of it."""
+    arrays = list(first)
+    given = {**to_json(operation, {name: value for name, value in options.items() if name not in RUN}, arrays), **more}
+    with reporting(options.get("progress")) as callback:
+        made = _library.call(operation, None if on is None else on._native, given, arrays, threads=threads_of(options), progress=callback,
+                             time_limit=_seconds(options.get("time_limit")), began=options.get("began"))
     if any(array.ndim == 2 and array.shape[1] == 3 for array in arrays):  # positions may be far away
         for line in made.figures()["warnings"]:
             warn(line)
-    return made
+    return made, (operation, on, given, arrays)
 
 
-def _threads(given: Any) -> int:
-    threads = whole("threads", given)
-    if abs(threads) > _MOST_THREADS:
-        refuse(f"threads: {threads} is too large")
-    return threads
+def threads_of(options: Mapping[str, Any]) -> int:
+    threads = 0 if options.get("threads") is None else whole("threads", options["threads"])
+    return threads if abs(threads) <= _MOST_THREADS else refuse(f"threads: {threads} is too large")
+
+
+def _seconds(given: Any) -> Optional[float]:
+    seconds = None if given is None else float(real("time_limit", given))
+    if seconds is not None and seconds <= 0:
+        refuse(f"time_limit: a number of seconds above 0 is needed, not {given!r}")
+    return seconds
 
 
 def warn(line: str) -> None:
@@ -152,25 +168,10 @@ def warn(line: str) -> None:
     warnings.warn(line, stacklevel=level)
 
 
-@contextlib.contextmanager
-def complete_file(name: str) -> Iterator[Any]:
-    """A file that is there once it is complete, or not at all."""
-    part = f"{name}.part"
-    try:
-        with open(part, "wb") as out:
-            yield out
-        os.replace(part, name)
-    except OSError as error:
-        raise Error(f"{name}: {error.strerror}", "unwritable_output") from error
-    finally:
-        with contextlib.suppress(OSError):
-            os.remove(part)
-
-
 class Writable(Object):
     """A result with a file for each extension and a page."""
 
-    @described("file_options", without="part", runs=False)
+    @described("file_options", without="part")
     def to_file(self, path: PathLike, **options: Any) -> None:
         """Writes a complete file or none, in the format of its extension, as the commands do.
 
@@ -183,11 +184,10 @@ class Writable(Object):
         for name in ("title", "part"):
             if name in options:
                 text(name, options[name])
-        _library.write(self._native, path, to_json(None, "file_options", options, []))
+        _library.write(self._native, path, to_json("file_options", options, []))
 
     def to_html(self, *, title: str = "gvd") -> str:
         """The page as text: one file that any browser opens, without network."""
-        text("title", title)
         with tempfile.TemporaryDirectory() as folder:
             page = pathlib.Path(folder, "page.html")
             self._write(page, title=title)
@@ -209,11 +209,3 @@ class Writable(Object):
                 return None
             raise
         return f'<iframe srcdoc="{page}" style="width: 100%; height: {_HEIGHT}px; border: 0"></iframe>'
-
-
-def mesh_of(made: Any) -> Any:
-    """The mesh that an object was made of."""
-    if getattr(made, "_mesh", None) is None:
-        on = made._recipe[1]
-        made._mesh = on if on._kind == "mesh" else mesh_of(on)
-    return made._mesh

@@ -1,9 +1,9 @@
 """Points of a mesh as users give them: a vertex, a face with barycentric coordinates, or a position; one or many."""
 from __future__ import annotations
 
-import numbers
+import itertools
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union, overload
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Optional, Union, overload
 
 import numpy
 from numpy.typing import NDArray
@@ -12,9 +12,6 @@ from ._error import Error, refuse
 
 if TYPE_CHECKING:
     from ._mesh import Mesh
-
-_VERTEX, _FACE, _POSITION = range(3)
-_LARGEST_INDEX = numpy.iinfo(numpy.int64).max
 
 
 class Point(NamedTuple):
@@ -41,8 +38,8 @@ class Points(Sequence[Point]):
     """
 
     def __init__(self, face: Any, bary: Any, mesh: Optional[Mesh] = None) -> None:
-        self.face: NDArray[numpy.int32] = numpy.asarray(face)
-        self.bary: NDArray[numpy.float64] = numpy.asarray(bary)
+        self.face: NDArray[numpy.int32] = _numbers("face", face)
+        self.bary: NDArray[numpy.float64] = _numbers("bary", bary)
         self._mesh = mesh
 
     def __len__(self) -> int:
@@ -58,13 +55,17 @@ class Points(Sequence[Point]):
     def __getitem__(self, index: Union[Sequence[int], NDArray[Any]]) -> Points: ...
 
     def __getitem__(self, index: Any) -> Union[Point, Points]:
-        face, bary = self.face[index], self.bary[index]
-        if face.ndim == 0:
-            return _point(int(face), bary.tolist())
-        return Points(face, bary, self._mesh)
+        face = self.face[index]
+        if face.ndim > 1 or index is Ellipsis:
+            raise IndexError(f"an index of points is a number, a slice, a mask or an array of numbers, not {index!r}")
+        bary = self.bary[index]
+        return Points(face, bary, self._mesh) if face.ndim else _point(int(face), bary.tolist())
 
     def __iter__(self) -> Iterator[Point]:
         return (_point(face, bary) for face, bary in zip(self.face.tolist(), self.bary.tolist()))
+
+    def __array__(self, *_: Any, **__: Any) -> NoReturn:
+        refuse("points are no array; they have three: .face, .bary and .position")
 
     def __repr__(self) -> str:
         return f"gvd.Points({len(self)})"
@@ -94,38 +95,38 @@ class Curves:
 
 
 class Entries(NamedTuple):
-    """What points are: kinds, vertices or faces, coordinates, and whether there is one that was not given in a list."""
+    """Points as the library takes them, in one list after the other: vertices (n), positions (n, 3), or faces with barycentric
+    coordinates (n, 4). `single`: one that was not in a list."""
 
-    kinds: NDArray[numpy.int8]
-    ids: NDArray[numpy.int64]
-    values: NDArray[numpy.float64]
-    single: bool
+    parts: list[NDArray[Any]]
+    single: bool = False
 
-    def option(self, mesh: Mesh, arrays: list[NDArray[Any]]) -> Any:
-        """The value of an option, whose array is added to `arrays`: rows of 1, 3 or 4 numbers, as the library tells points
-        apart. Its vertices are those of the mesh's input."""
-        kinds, ids, values = self.kinds.copy(), self.ids.copy(), self.values.copy()
-        vertices = numpy.flatnonzero(kinds == _VERTEX)
-        if len(vertices):
-            ids[vertices] = mesh._to_input(ids[vertices])
-            for i in vertices[ids[vertices] < 0]:  # that the input has not
-                kinds[i], (ids[i], values[i]) = _FACE, mesh._corner(int(self.ids[i]))
-        if len(set(kinds.tolist())) > 1:
-            rows = zip(kinds.tolist(), ids.tolist(), values.tolist())
-            return [{"vertex": i} if kind == _VERTEX else {"position": at} if kind == _POSITION else {"face": i, "bary": at}
-                    for kind, i, at in rows]
-        arrays.append(ids if kinds[0] == _VERTEX else values if kinds[0] == _POSITION else numpy.column_stack([ids, values]))
-        return {"array": len(arrays) - 1}
+    def size(self) -> int:
+        return sum(map(len, self.parts))
+
+    def option(self, arrays: list[NDArray[Any]]) -> Any:
+        """The value of an option, whose arrays are added to `arrays`."""
+        arrays.extend(self.parts)
+        places = range(len(arrays) - len(self.parts), len(arrays))
+        made = [{"array" if arrays[i].ndim > 1 else "mesh_vertices": i} for i in places]
+        return made if len(made) > 1 else made[0]
 
 
-def _entries(kind: int, index: Any, values: Any, single: bool) -> Entries:
-    count = 1 if single else len(index) if index is not None else len(values)
-    return Entries(numpy.full(count, kind, numpy.int8),
-                   numpy.zeros(count, numpy.int64) if index is None else numpy.array(index, numpy.int64).reshape(count),
-                   numpy.zeros((count, 3)) if values is None else numpy.array(values, numpy.float64).reshape(count, 3),
-                   single)
-def as_array(name: str, given: Any) -> NDArray[Any]:
-    """An array of numbers. Refuses text, ragged lists and what holds no numbers."""
+def join(lists: Sequence[Entries]) -> Entries:
+    """One list of several; what follows each other in it is one array if it is of one kind."""
+    rows = [rows for one in lists for rows in one.parts]
+    kinds = itertools.groupby(rows, key=lambda one: one.shape[1:])
+    return Entries([numpy.concatenate(list(same)) for _, same in kinds])
+
+
+def as_array(name: str, given: Any, kinds: str = "iuf") -> NDArray[Any]:
+    """An array of numbers, at least one."""
+    array = _numbers(name, given, kinds)
+    return array if array.size else refuse(f"{name}: empty")
+
+
+def _numbers(name: str, given: Any, kinds: str = "iuf") -> NDArray[Any]:
+    """Refuses text, ragged lists and what holds no numbers."""
     if isinstance(given, (str, bytes)):
         refuse(f"{name}: numbers are needed, not the text {given[:40]!r}")
     if isinstance(given, numpy.ma.MaskedArray) and numpy.any(given.mask):
@@ -134,31 +135,19 @@ def as_array(name: str, given: Any) -> NDArray[Any]:
         array = numpy.asarray(given)
     except (ValueError, TypeError):
         refuse(f"{name}: the rows have different lengths")
-    if array.dtype.kind not in "iuf":
-        refuse(f"{name}: numbers are needed, not {array.dtype}")
-    if array.size == 0:
-        refuse(f"{name}: empty")
+    if array.dtype.kind not in kinds:
+        refuse(f"{name}: numbers are needed, not {type(given).__name__ if array.ndim == 0 else array.dtype}")
     return array
 
 
-def _check_range(name: str, index: NDArray[Any]) -> None:
-    """Refuses what is no index, or what would turn into another one as a signed integer."""
-    if (index < 0).any():
-        first = int(numpy.flatnonzero(numpy.atleast_1d(index) < 0)[0])
-        refuse(f"{name}: {int(numpy.atleast_1d(index)[first])} is negative; vertices and faces are numbered from 0", first)
-    if int(index.max()) > _LARGEST_INDEX:
-        refuse(f"{name}: {index.max()} is too large for a vertex or a face", int(index.argmax()))
-
-
-def _finite(name: str, values: NDArray[Any]) -> NDArray[Any]:
-    if not numpy.isfinite(values).all():
-        row = int(numpy.flatnonzero(~numpy.isfinite(numpy.atleast_2d(values)).all(axis=1))[0])
-        refuse(f"{name}: the coordinates of point {row} are not finite", row)
-    return values
+def plain(array: NDArray[Any]) -> NDArray[Any]:
+    """The same numbers in a type that the library has."""
+    kind, size = array.dtype.kind, array.dtype.itemsize
+    return numpy.asarray(array, "u1" if kind == "b" else f"{kind}{min(max(size, 4 if kind == 'f' else 1), 8)}")
 
 
 def _is_pair(given: Any) -> bool:
-    return isinstance(given, tuple) and len(given) == 2 and numpy.ndim(given[1]) > 0
+    return isinstance(given, tuple) and len(given) == 2 and hasattr(given[1], "__len__")
 
 
 def _is_mixed(given: Any) -> bool:
@@ -172,28 +161,13 @@ def _from_pair(name: str, face: Any, bary: Any) -> Entries:
     if faces.dtype.kind == "f" or faces.ndim > 1 or weights.shape != (*faces.shape, 3):
         refuse(f"{name}: a point (face, barycentric) is an integer and three weights, or arrays (n) and (n, 3) of them; "
                f"these are {faces.dtype} {faces.shape} and {weights.shape}")
-    _check_range(name, faces)
-    return _entries(_FACE, faces, _finite(name, weights), faces.ndim == 0)
-
-
-def _from_array(name: str, array: NDArray[Any]) -> Entries:
-    """Vertices are integers, positions are floats."""
-    if array.dtype.kind in "iu":
-        if array.ndim > 1:
-            refuse(f"{name}: integers are vertices, in one dimension, not {array.shape}; positions are floats")
-        _check_range(name, array)
-        return _entries(_VERTEX, array, None, array.ndim == 0)
-    if array.ndim not in (1, 2) or array.shape[-1] != 3:
-        refuse(f"{name}: positions are (3) or (n, 3) floats, not {array.shape}; vertices are integers")
-    return _entries(_POSITION, None, _finite(name, array), array.ndim == 1)
+    return Entries([numpy.column_stack([faces, weights]) if faces.ndim else numpy.array([[faces, *weights]])], faces.ndim == 0)
 
 
 def make_entries(name: str, given: Any) -> Entries:
     """Tells apart what was given. Throws Error where it is nothing of it."""
-    if isinstance(given, numbers.Integral) and not isinstance(given, bool):
-        if not 0 <= int(given) < 1 << 63:
-            refuse(f"{name}: there is no vertex {given}; vertices are numbered from 0")
-        return _from_array(name, numpy.asarray(int(given)))
+    if isinstance(given, Entries):
+        return given
     if isinstance(given, Points):
         return _from_pair(name, given.face, given.bary)
     if _is_pair(given):
@@ -202,6 +176,19 @@ def make_entries(name: str, given: Any) -> Entries:
         parts = [make_entries(f"{name}[{i}]", item) for i, item in enumerate(given)]
         if not all(part.single for part in parts):
             refuse(f"{name}: each item of a list is one point")
-        kinds, ids, values = (numpy.concatenate(column) for column in list(zip(*parts))[:3])
-        return Entries(kinds, ids, values, False)
-    return _from_array(name, as_array(name, given))
+        return join(parts)
+    array = as_array(name, given)
+    if array.dtype.kind in "iu":
+        if array.ndim > 1:
+            refuse(f"{name}: integers are vertices, in one dimension, not {array.shape}; positions are floats")
+        return Entries([plain(numpy.atleast_1d(array))], array.ndim == 0)
+    if array.ndim not in (1, 2) or array.shape[-1] != 3:
+        refuse(f"{name}: positions are (3) or (n, 3) floats, not {array.shape}; vertices are integers")
+    return Entries([numpy.atleast_2d(array).astype(numpy.float64)], array.ndim == 1)
+
+
+def one_point(name: str, given: Any) -> Entries:
+    entries = make_entries(name, given)
+    if entries.size() != 1:
+        refuse(f"{name}: one point is needed, not {entries.size()}")
+    return entries

@@ -3,12 +3,12 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any, Optional, Union
 
 from ._error import refuse
+from ._library import Callback
 
-Callback = Callable[[str, float], Any]
 Progress = Union[None, bool, Callback]
 """None or False: silent. True: a bar. A function of (step, fraction) is called some ten times a second, and ends the call
 where it returns False."""
@@ -53,17 +53,7 @@ def reporting(progress: Progress) -> Iterator[Optional[Callback]]:
             yield bar
         finally:
             bar.close()
-    elif progress is None or progress is False:
-        yield None
-    elif callable(progress):
-        yield progress
+    elif progress is None or progress is False or callable(progress):
+        yield progress or None
     else:
         refuse(f"progress: True, None or a function of (step, fraction), not {type(progress).__name__}")
-
-
-def part_of(callback: Optional[Callback], begin: float, end: float) -> Optional[Callback]:
-    """The callback for a part of a call, from fraction `begin` to `end`."""
-    if callback is None:
-        return None
-    whole = callback
-    return lambda step, fraction: whole(step, begin + (end - begin) * fraction)

@@ -1,17 +1,14 @@
 """What calls give: diagrams, labelled and cut faces, relaxed generators, coarse meshes, paths and isolines."""
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 from numpy.typing import NDArray
 
 from . import _library, _vtk
-from ._error import refuse
-from ._library import Handle
-from ._object import Floats, Ids, Object, PathLike, Writable, complete_file, figure, mesh_of, run, view
+from ._object import Floats, Ids, Object, PathLike, Writable, figure, run, view
 from ._options import described
 from ._points import Points
 
@@ -54,7 +51,7 @@ class BranchPoints(NamedTuple):
     @property
     def generators(self) -> list[tuple[int, ...]]:
         """The generators of each, as a tuple."""
-        return _tuples(self.generator_array, self.offsets)
+        return [tuple(self.generator_array[begin:end].tolist()) for begin, end in zip(self.offsets[:-1], self.offsets[1:])]
 
     def __repr__(self) -> str:
         return f"gvd.BranchPoints({len(self.distances)})"
@@ -99,10 +96,6 @@ class Cells(Sequence[Cell]):
         return f"gvd.Cells({len(self)})"
 
 
-def _tuples(values: Ids, offsets: NDArray[numpy.int64]) -> list[tuple[int, ...]]:
-    return [tuple(values[begin:end].tolist()) for begin, end in zip(offsets[:-1], offsets[1:])]
-
-
 class Diagram(Writable):
     """A geodesic Voronoi diagram. Ids of generators are their places in the list that it was made of.
 
@@ -111,15 +104,10 @@ class Diagram(Writable):
 
     _kind = "diagram"
 
-    def __init__(self, mesh: Mesh, handle: Optional[Handle], recipe: tuple[Any, ...]) -> None:
-        super().__init__(handle, recipe)
-        self._mesh: Optional[Mesh] = mesh
-
     @property
     def mesh(self) -> Mesh:
         """The mesh that it is on."""
-        mesh: Mesh = mesh_of(self)
-        return mesh
+        return self._mesh
 
     def __repr__(self) -> str:
         return (f"gvd.Diagram({len(self._array('cell_areas'))} cells, {len(self._array('branch_point_distances'))} branch points, "
@@ -137,13 +125,13 @@ class Diagram(Writable):
     @property
     def generators(self) -> Points:
         """The generators; views."""
-        return self._points("generators", self.mesh)
+        return self._points("generators")
 
     @property
     def branch_points(self) -> BranchPoints:
         """The points where three or more cells meet; views."""
         arrays = (self._array(f"branch_point_{name}") for name in ("positions", "distances", "generators", "generators_offsets"))
-        return BranchPoints(self._points("branch_point", self.mesh), *arrays)
+        return BranchPoints(self._points("branch_point"), *arrays)
 
     @property
     def bisectors(self) -> list[Bisector]:
@@ -152,7 +140,7 @@ class Diagram(Writable):
         return found
 
     def _make_bisectors(self) -> list[Bisector]:
-        points, offsets = self._points("bisector", self.mesh), self._array("bisector_offsets").tolist()
+        points, offsets = self._points("bisector"), self._array("bisector_offsets").tolist()
         sides = zip(self._array("bisector_left").tolist(), self._array("bisector_right").tolist(),
                     self._array("bisector_closed").tolist(), self._array("bisector_ends").tolist())
         return [Bisector(left, right, bool(closed), (ends[0], ends[1]), points[offsets[i]:offsets[i + 1]])
@@ -165,13 +153,13 @@ class Diagram(Writable):
 
     def check(self) -> list[str]:
         """What violates the invariants of a diagram, one line each: normally nothing (see gvd/check.hpp)."""
-        violations: list[str] = run("check", self, self.mesh, {})[0].figures()["violations"]
+        violations: list[str] = run("check", self, {})[0].figures()["violations"]
         return violations
 
     @described("label", without="cut uv")
     def segment(self, **options: Any) -> Segmentation:
         """A label for every face: see Mesh.segment."""
-        return Segmentation(self.mesh, *run("label", self, self.mesh, options), self)
+        return Segmentation(*run("label", self, options))
 
     @described("label", without="cut labels")
     def cut(self, **options: Any) -> Cut:
@@ -180,7 +168,7 @@ class Diagram(Writable):
         With `uv`, .charts are those of the regions. "flat" needs cells that are discs. An .obj then has the regions' own
         materials: the images of the mesh's do not fit.
         """
-        return Cut(self.mesh, *run("label", self, self.mesh, options, {"cut": True}), self)
+        return Cut(*run("label", self, options, {"cut": True}))
 
     def to_vtk(self) -> Any:
         """The surface as vtkPolyData, with Label and Distance of its vertices."""
@@ -209,37 +197,37 @@ class Balanced(NamedTuple):
 class Result(Writable):
     """A result that has a mesh, a diagram and labels of regions."""
 
-    def __init__(self, mesh: Mesh, handle: Optional[Handle], recipe: tuple[Any, ...], diagram: Optional[Diagram] = None) -> None:
-        super().__init__(handle, recipe)
-        self._mesh: Optional[Mesh] = mesh
-        if diagram is not None:
-            self._kept["diagram"] = diagram
-
     @property
     def diagram(self) -> Diagram:
         """The diagram of the generators."""
-        def make() -> Diagram:
-            native = None if self._handle is None else self._handle.part("diagram")
-            return Diagram(mesh_of(self), native, ("part", self, {"part": "diagram"}, []))
-
-        diagram: Diagram = self._keep("diagram", make)
+        diagram: Diagram = self._keep("diagram", lambda: Diagram(None, ("part", self, {"part": "diagram"}, [])))
         return diagram
 
     @property
     def generators(self) -> Points:
         """The generators; views."""
-        return self._points("generators", mesh_of(self))
+        return self._points("generators")
 
 
-class Segmentation(Result):
+class Labelled(Result):
+    """A result that has regions."""
+
+    labels: Ids = view("face_labels", "The label of each face (m), -1 where no generator reaches; a view.")
+
+    @property
+    def colors(self) -> Floats:
+        """The colour of each face (m, 4) for matplotlib, as in files and on the page: red, green, blue, alpha."""
+        palette = self._native.part("colors").array("colors")  # the last one is that of faces without a label
+        return numpy.column_stack([palette[self.labels] / 255.0, numpy.ones(len(self.labels))])
+
+
+class Segmentation(Labelled):
     """A label for every face of a mesh. `to_file` writes what gvd-segment writes with -o, .json included."""
 
     _kind = "segment"
 
     def __repr__(self) -> str:
         return f"gvd.Segmentation({len(self._array('generators_faces'))} regions, {len(self.labels)} faces)"
-
-    labels: Ids = view("face_labels", "The label of each face (m), -1 where no generator reaches; a view.")
 
     @property
     def without_face(self) -> Ids:
@@ -253,34 +241,21 @@ class Segmentation(Result):
     @property
     def regions(self) -> Ids:
         """The region of each face as `within` gave it (m), negative where it is left out; without `within` 0; a view."""
-        if "within" in (self._recipe[2] or {}):
-            return self._array("region")
-        return numpy.zeros(len(self.labels), numpy.int32)
+        return self._array("region") if "within" in self._recipe[2] else numpy.zeros(len(self.labels), numpy.int32)
 
     @property
     def levels(self) -> list[Ids]:
         """The labels of the faces at each level of `levels`, from the coarsest to `labels`; views."""
-        return [self._array(f"label_{i + 1}") for i in range(len((self._recipe[2] or {}).get("levels", [])))]
-
-    @property
-    def colors(self) -> Floats:
-        """The colour of each face (m, 4) for matplotlib, as in files and on the page: red, green, blue, alpha."""
-        return _colors(self)
+        return [self._array(f"label_{i + 1}") for i in range(len(self._recipe[2].get("levels", ())))]
 
     def _names_to_save(self) -> list[str]:
-        levels = [f"label_{i + 1}" for i in range(len((self._recipe[2] or {}).get("levels", [])))]
-        return [*super()._names_to_save(), "regions.area", *levels] + (["region"] if "within" in (self._recipe[2] or {}) else [])
+        levels = [f"label_{i + 1}" for i in range(len(self._recipe[2].get("levels", ())))]
+        return [*super()._names_to_save(), "regions.area", *levels] + (["region"] if "within" in self._recipe[2] else [])
 
     def to_vtk(self) -> Any:
         """The surface as vtkPolyData, with Label of its faces and Distance of its vertices."""
-        mesh = mesh_of(self)
-        return _vtk.surface(mesh.vertices, mesh.faces, points={"Distance": self._array("vertex_distances")}, cells={"Label": self.labels})
-
-
-def _colors(made: Union[Segmentation, Cut]) -> Floats:
-    """Colours of the labels of faces; the last one of the palette is that of faces without a label."""
-    palette = made._native.part("colors").array("colors")
-    return numpy.column_stack([palette[made.labels] / 255.0, numpy.ones(len(made.labels))])
+        return _vtk.surface(self._mesh.vertices, self._mesh.faces, points={"Distance": self._array("vertex_distances")},
+                            cells={"Label": self.labels})
 
 
 class Chart(NamedTuple):
@@ -297,11 +272,7 @@ class Chart(NamedTuple):
     origin: tuple[float, ...]
 
 
-def _corners(box: Optional[list[float]]) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    return (tuple(box[:2]), tuple(box[2:])) if box else ((), ())
-
-
-class Cut(Result):
+class Cut(Labelled):
     """A mesh that was split along bisectors. `to_file` writes what gvd-segment --cut writes, .json included."""
 
     _kind = "segment"
@@ -312,20 +283,11 @@ class Cut(Result):
     @property
     def mesh(self) -> Mesh:
         """The mesh: first the vertices of the input, in their order."""
-        from ._mesh import Mesh
+        return self._part("cut_mesh")
 
-        mesh: Mesh = self._keep("mesh", lambda: Mesh._wrap(self._native.part("cut_mesh")))
-        return mesh
-
-    labels: Ids = view("face_labels", "The label of each face, -1 where no generator reaches; a view.")
     parents: Ids = view("face_parents", "The face of the input that each face is a part of; a view.")
     vertex_labels: Ids = view("vertex_labels", "A nearest generator of each vertex; a view.")
     distances: Floats = view("vertex_distances", "The distance of each vertex to its generator, mesh units; a view.")
-
-    @property
-    def colors(self) -> Floats:
-        """The colour of each face (m, 4) for matplotlib, as in files and on the page: red, green, blue, alpha."""
-        return _colors(self)
 
     @property
     def scale(self) -> float:
@@ -337,7 +299,7 @@ class Cut(Result):
         """The charts whose texture coordinates `mesh` has, by their first face (see gvd/charts.hpp); none without `uv`."""
         rows = (self.figures["charts"] or {"charts": []})["charts"]
         return [Chart(row["label"], row["faces"], row["area"], row["flipped_share"], row.get("torn_share", 0.0), row["stretch"],
-                      _corners(row.get("box")), tuple(row.get("origin", (0.0, 0.0)))) for row in rows]
+                      (tuple(row.get("box", ())[:2]), tuple(row.get("box", ())[2:])), tuple(row.get("origin", (0.0, 0.0)))) for row in rows]
 
     def to_vtk(self) -> Any:
         """The mesh as vtkPolyData, with Label and Parent of its faces and Distance of its vertices."""
@@ -385,21 +347,17 @@ class Remesh(Result):
     @property
     def surface(self) -> Mesh:
         """The mesh that it was made of."""
-        mesh: Mesh = mesh_of(self)
-        return mesh
+        return self._mesh
 
     @property
     def mesh(self) -> Mesh:
         """The coarse mesh."""
-        from ._mesh import Mesh
-
-        mesh: Mesh = self._keep("mesh", lambda: Mesh._wrap(self._native.part("mesh")))
-        return mesh
+        return self._part("mesh")
 
     @described("map")
     def map(self, **options: Any) -> RemeshMap:
         """The map between the surface and the coarse mesh."""
-        return RemeshMap(self.surface, *run("map", self, self.surface, options), self)
+        return RemeshMap(*run("map", self, options))
 
     def to_vtk(self) -> Any:
         """The coarse mesh as vtkPolyData."""
@@ -410,10 +368,6 @@ class RemeshMap(Object):
     """Where the vertices of a surface are on its remesh, and where those of the remesh come from."""
 
     _kind = "remesh"
-
-    def __init__(self, surface: Mesh, handle: Optional[Handle], recipe: tuple[Any, ...], remesh: Remesh) -> None:
-        super().__init__(handle, recipe)
-        self._mesh: Optional[Mesh] = surface
 
     def __repr__(self) -> str:
         return f"gvd.RemeshMap({len(self.points)} vertices to {len(self.origins)})"
@@ -426,7 +380,7 @@ class RemeshMap(Object):
     @property
     def origins(self) -> Points:
         """For each vertex of the remesh its point of the surface; views."""
-        return self._points("map_origins", mesh_of(self))
+        return self._points("map_origins")
 
     @property
     def one_to_one(self) -> bool:
@@ -475,17 +429,7 @@ class Path:
         """Writes .npy or .obj (the positions, as one polyline) or .csv (as gvd-distance --paths does).
 
         A complete file or none, as the other results do. A path of one point has no line in .obj."""
-        name = os.fsdecode(path)
-        if name.endswith(".csv"):
-            return self._of._write(name, part=f"path {self._place}")
-        if not name.endswith((".npy", ".obj")):
-            refuse(f"{name}: a path is written as .npy, .csv or .obj")
-        with complete_file(name) as out:
-            if name.endswith(".npy"):
-                return numpy.save(out, self.positions)
-            numpy.savetxt(out, self.positions, fmt="v %.17g %.17g %.17g")
-            if len(self.points) > 1:
-                out.write(b"l " + b" ".join(b"%d" % (i + 1) for i in range(len(self.points))) + b"\n")
+        self._of._write(path, part=f"path {self._place}")
 
 
 class Isoline(NamedTuple):

@@ -43,6 +43,16 @@ TEST_CASE("of several options those are told that were given, or all where none 
   CHECK(spell("") == "leave a() or b(false) or c() out");
 }
 
+TEST_CASE("advice is left out where its option can't be given") {
+  const auto spell = [](bool can_give) {
+    return spell_options(
+        "remove one\1+, or give |merge=true\2; done",
+        {.spell = in_brackets, .can_give = [&](std::string_view name) { return can_give && name == "merge"; }});
+  };
+  CHECK(spell(true) == "remove one, or give merge(true); done");
+  CHECK(spell(false) == "remove one; done");
+}
+
 TEST_CASE("without a spelling of its own a text has the names of fields") {
   CHECK(spell_options("raise \1max_snap\2 or give \1refine=false\2") == "raise max_snap or give refine=false");
 }

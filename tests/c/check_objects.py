@@ -47,6 +47,24 @@ def check_meshes(folder):
     release(mesh, again, values, properties)
 
 
+def check_vertices_of_meshes():
+    """Two triangles that meet in one vertex, which becomes two: the second has no number of the input's."""
+    at = array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0), (9, 9, 9)])
+    mesh = result("mesh", None, {"on_defect": "repair"}, at, array([(0, 1, 2), (0, 3, 4)], ctypes.c_int32))
+    positions = numbers(mesh, "vertex_positions")
+    for options in ({"points": {"mesh_vertices": 0}}, {"points": [{"mesh_vertices": 1}, {"mesh_vertices": 2}, {"array": 3}]}):
+        made = result("sample", mesh, options, array(list(range(6))), array([0, 1, 2]), array([3, 4], ctypes.c_uint8), array([positions[5]]))
+        corners = [numbers(mesh, "face_vertices")[f][b.index(1)] for f, b in zip(numbers(made, "points_faces"), numbers(made, "points_bary"))]
+        assert [positions[v] for v in corners] == positions, corners
+        release(made)
+    made = result("segment", mesh, {"vertices": {"mesh_vertices": 0}}, array([1, 3]))
+    assert figures(result("segment", mesh, figures(made)["options"], array([1, 3])))["options"] == figures(made)["options"]
+    assert refused("segment", mesh, {"vertices": {"mesh_vertices": 0}}, array([1, 6]), status=PRECONDITION) == \
+        '"vertices": there is no vertex 6; the mesh has 6, numbered from 0'
+    assert gvd.gvd_last_error_element() == 1
+    release(mesh, made)
+
+
 def check_doors():
     """Errors and notes write options as the door of a run does."""
     ball = make_ball()
@@ -210,6 +228,7 @@ def check_typed():
 
 with tempfile.TemporaryDirectory() as scratch:
     check_meshes(pathlib.Path(scratch))
+    check_vertices_of_meshes()
     check_doors()
     check_files_of_parts(pathlib.Path(scratch))
     check_clock()

@@ -178,6 +178,68 @@ TEST_CASE("texts are spelled as JSON has options") {
   CHECK(spell_for(Door::javascript, text) == "count: 30; refine: false; method: 'exact'; points");
 }
 
+TEST_CASE("advice is spelled where the call has its option, and none that excludes it is given") {
+  const std::string text = "remove one\1+, or add |merge_coincident\2";
+  const auto spelled = [&](std::string_view operation, const char* json) {
+    const auto call = find_operation(operation)->call();
+    OptionList list;
+    call->describe(list);
+    return spell_for(Door::python, text, list, read_json_options(list, *kBall, json, {}));
+  };
+  CHECK(spelled("diagram", R"({"vertices": [0, 1]})") == "remove one, or add merge_coincident");
+  CHECK(spelled("distances", R"({"from": [0, 1], "keep_coincident": true})") == "remove one");
+  CHECK(spelled("edit", R"({"add": [0]})") == "remove one");
+  CHECK(spell_for(Door::python, text) == "remove one");
+}
+
+TEST_CASE("what is wrong with a value has the code of its cause, and the option's name once") {
+  const auto refused = [](std::string_view operation, const char* json) {
+    const auto call = find_operation(operation)->call();
+    OptionList list;
+    call->describe(list);
+    Recorder told;
+    try {
+      read_json_options(list, *kBall, json, {});
+      call->run(kBallObject, told);
+    } catch (const Error& error) {
+      return std::pair(error.code(), std::string(error.what()));
+    }
+    return std::pair(ErrorCode::interrupted, std::string());
+  };
+  using enum ErrorCode;
+  CHECK(refused("curves", R"({"curves": {"file": "/no/such"}})") ==
+        std::pair(unreadable_input, std::string("curves: /no/such: there is no such file")));
+  CHECK(refused("diagram", R"({"vertices": [0, 1], "weights": [1]})") ==
+        std::pair(invalid_option, std::string("weights: 1 number for 2 generators; weights takes one for each")));
+  CHECK(refused("diagram", R"({"generators": [{"vertex": 1}, [0, 0, 1]]})") ==
+        std::pair(invalid_option,
+                  std::string("generators: '[0,0,1]' is no object, as the first point is; write {\"vertex\": 3} "
+                              "or {\"position\": [x, y, z]}")));
+  CHECK(refused("diagram", R"({"generators": [1, [0, 0, 1]]})").second.starts_with("generators: '1' is no object"));
+  CHECK(refused("diagram", R"({"generators": [{"vertx": 1}]})").first == invalid_option);
+  CHECK(refused("diagram", R"({"generators": [{"vertx": 1}]})").second.rfind("generators") == 0);
+  CHECK(refused("distances", R"({"from": [3, 3], "keep_coincident": true})") ==
+        std::pair(precondition, std::string("from: vertex 3 is listed twice; remove one, or add merge_coincident")));
+  CHECK(refused("distances", R"({"from": [3, 3], "keep_coincident": true, "each": true})").second.empty());
+  CHECK(refused("segment", R"({"n": 3})").second == "there is no option \"n\"; did you mean \"count\"?");
+  CHECK(refused("distances", R"({"at": 3})").second == "there is no option \"at\"; did you mean \"to\"?");
+}
+
+TEST_CASE("whole numbers that JavaScript would round are texts there, and can be given back") {
+  const auto seed_of = [](const std::string& json, Door door) {
+    const auto call = find_operation("sample")->call();
+    OptionList list;
+    call->describe(list);
+    const Given given = read_json_options(list, *kBall, json, {});
+    return Json::parse(options_json(list, given, door))["seed"];
+  };
+  const std::string big = R"({"count": 2, "seed": 9007199254740993})";
+  CHECK(seed_of(big, Door::json) == 9007199254740993);
+  CHECK(seed_of(big, Door::javascript) == "9007199254740993");
+  CHECK(seed_of(R"({"count": 2, "seed": "9007199254740993"})", Door::javascript) == "9007199254740993");
+  CHECK(seed_of(R"({"count": 2, "seed": 7})", Door::javascript) == 7);
+}
+
 TEST_CASE("the description has every operation, object and format") {
   const Json described = Json::parse(describe_operations());
   CHECK(described["operations"].size() == operations().size());
@@ -187,6 +249,11 @@ TEST_CASE("the description has every operation, object and format") {
     for (const Json& option : operation["options"]) {
       CAPTURE(option.dump());
       CHECK_THAT(option["help"].get<std::string>(), !Contains("\1"));
+      if (option["kind"] == "input file" || option["name"] == "input_format" || option["name"] == "content") continue;
+      for (const char* word :
+           {" file", "File ", "FILE", "standard input", "as in", "VTP or VTU"}) {  // of a command line
+        CHECK_THAT(option["help"].get<std::string>(), !Contains(word));
+      }
     }
   }
 }

@@ -1,9 +1,11 @@
 """Arrays and points of every kind: accepted, or refused in one line."""
 import gc
+import inspect
 import multiprocessing
 import os
 import pickle
 import tempfile
+import types
 import unittest
 import warnings
 
@@ -13,6 +15,10 @@ import gvd
 import meshes
 
 V, F = meshes.make_grid(6)
+
+
+class NamedMesh(gvd.Mesh):
+    name = ""
 
 
 class Arrays(unittest.TestCase):
@@ -101,6 +107,10 @@ class Arrays(unittest.TestCase):
         numpy.testing.assert_array_equal(again.input_vertex, numpy.arange(1, len(V) + 1))
         self.assertEqual(again.summary, mesh.summary)
         numpy.testing.assert_array_equal(again.distances([0, 7]), mesh.distances([0, 7]))
+        named = NamedMesh(V, F)
+        named.name = "grid"
+        again = pickle.loads(pickle.dumps(named))
+        self.assertEqual((type(again), again.name, again.summary), (NamedMesh, "grid", named.summary))
         with multiprocessing.get_context("spawn").Pool(1) as pool:
             numpy.testing.assert_array_equal(pool.apply(gvd.Mesh.distances, (mesh, 3)), mesh.distances(3))
 
@@ -159,6 +169,55 @@ class PointsOfAMesh(unittest.TestCase):
         with self.assertRaisesRegex(gvd.Error, "max_snap"):
             self.mesh.voronoi((0.5, 0.5, 1.0), max_snap=0.5)
 
+    def test_points_in_the_same_place_are_told_as_points(self):
+        for call in (self.mesh.distances, self.mesh.nearest, self.mesh.log_map, lambda p: self.mesh.isolines(p, 0.5), lambda p: self.mesh.path(0, p)):
+            with self.assertRaises(gvd.Error) as caught:
+                call([3, 3])
+            self.assertRegex(str(caught.exception), "^(points|end): vertex 3 is listed twice; remove one$|^point: one point is needed, not 2$")
+        numpy.testing.assert_array_equal(*self.mesh.distances([3, 3], each=True))
+        with self.assertRaisesRegex(gvd.Error, "^generators 0 and 1 coincide; remove one$"):
+            gvd.DiagramEditor(self.mesh, [0, 9]).move(0, 9)
+        with self.assertRaisesRegex(gvd.Error, "vertex 3 is listed twice; remove one, or add merge_coincident$"):
+            self.mesh.voronoi([3, 3])
+
+    def test_messages_name_the_parameters(self):
+        editor = gvd.DiagramEditor(self.mesh, [0, 9])
+        for name, call in (("start", lambda: self.mesh.path(99, 0)), ("end", lambda: self.mesh.path(0, 99)), ("point", lambda: editor.move(0, 99)),
+                           ("point", lambda: editor.add(99)), ("point", lambda: self.mesh.log_map(99)), ("points", lambda: self.mesh.distances(99)),
+                           ("to", lambda: self.mesh.distances(0, to=[1, 99]))):
+            with self.assertRaisesRegex(gvd.Error, f"^{name}: there is no vertex 99; the mesh has {len(V)}, numbered from 0$") as caught:
+                call()
+            self.assertEqual((caught.exception.code, caught.exception.element), ("precondition", 1 if name == "to" else 0))
+
+    def test_codes_tell_arguments_from_files(self):
+        for code, call in (("unreadable_input", lambda: self.mesh.curves("/no/such")), ("invalid_option", lambda: self.mesh.voronoi([0, 9], weights=[1])),
+                           ("invalid_option", lambda: self.mesh.balance([0, 9], shares=[1])), ("invalid_option", lambda: self.mesh.segment(2, within=[1]))):
+            with self.assertRaises(gvd.Error) as caught:
+                call()
+            self.assertEqual(caught.exception.code, code, caught.exception)
+
+    def test_points_are_no_array_and_have_one_dimension(self):
+        points = self.mesh.points([0, 1, 2])
+        self.assertRaisesRegex(gvd.Error, "^points are no array; they have three: .face, .bary and .position$", numpy.asarray, points)
+        for index in (None, Ellipsis, True, [[0]]):
+            with self.assertRaisesRegex(IndexError, "^an index of points is a number, a slice, a mask or an array of numbers"):
+                points[index]
+
+    def test_vertices_of_repaired_meshes_are_their_own(self):
+        # Two triangles that meet in one vertex, which becomes two; the second has no number of the input's.
+        at = numpy.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0), (9, 9, 9)], float)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            mesh = gvd.Mesh(at, [(0, 1, 2), (0, 3, 4)], on_defect="repair")
+        self.assertEqual(len(mesh.vertices), 6)
+        for v in range(6):
+            for given in (v, [v], [v, (0.25, 0.25, 0.0)]):
+                numpy.testing.assert_array_equal(mesh.positions(given)[0], mesh.vertices[v])
+                self.assertEqual(mesh.distances(given)[v], 0)
+            numpy.testing.assert_array_equal(mesh.segment(vertices=[v]).generators.position[0], mesh.vertices[v])
+        with self.assertRaisesRegex(gvd.Error, "there is no vertex 6; the mesh has 6"):
+            mesh.distances(6)
+
     def test_wrong_options_are_refused(self):
         for call in (lambda: self.mesh.voronoi([0, 1], method="best"), lambda: self.mesh.sample(0),
                      lambda: self.mesh.sample(3, sampling="even"), lambda: self.mesh.sample(3, sampling="radius"), lambda: self.mesh.segment(),
@@ -195,6 +254,43 @@ class PointsOfAMesh(unittest.TestCase):
             self.assertNotIn("\n", str(caught.exception))
             self.assertEqual(caught.exception.code, "invalid_option")
         self.assertEqual(len(self.mesh.voronoi([0, 1], threads=numpy.int8(1), chord_tolerance=numpy.float32(1e-3)).cells), 2)
+
+
+class WhateverIsGiven(unittest.TestCase):
+    def test_a_call_works_or_tells_in_one_line_what_is_needed(self):
+        mesh = gvd.Mesh(V, F)
+        diagram, path, samples = mesh.voronoi([0, 20, 48]), mesh.path(0, 9), mesh.lloyd(2)
+        editor = gvd.DiagramEditor(mesh, [0, 20])
+        calls = {
+            "Mesh": gvd.Mesh, "vertices": lambda x: gvd.Mesh(x, F), "faces": lambda x: gvd.Mesh(V, x), "weld": lambda x: gvd.Mesh(V, F, weld=x),
+            "points=, faces=": lambda x: gvd.Mesh(types.SimpleNamespace(points=V, faces=x)),
+            "points=, cells=": lambda x: gvd.Mesh(types.SimpleNamespace(points=V, cells=x)),
+            "read": gvd.read, "read_values": gvd.read_values, "read_properties": gvd.read_properties, "points": mesh.points,
+            "curves": mesh.curves, "curve": lambda x: mesh.curves([x]), "closed": lambda x: mesh.curves([[0, 1]], closed=x),
+            "angle": lambda x: mesh.curves("creases", angle=x), "max_snap": lambda x: mesh.points([0], max_snap=x), "farthest": mesh.farthest,
+            "out": lambda x: mesh.distances([0], each=True, out=x), "each": lambda x: mesh.distances([0], each=x),
+            "rows": mesh.distance_rows, "start": lambda x: mesh.path(x, 0), "end": lambda x: mesh.path(0, x), "log_map": mesh.log_map,
+            "isolines of": lambda x: mesh.isolines(x, 0.5), "isolines": lambda x: mesh.isolines(0, x), "balance": mesh.balance,
+            "density": lambda x: mesh.balance([0, 20], density=x), "DiagramEditor": lambda x: gvd.DiagramEditor(x, [0]),
+            "generators": lambda x: gvd.DiagramEditor(mesh, x), "move": lambda x: editor.move(x, 1), "to": lambda x: editor.move(0, x),
+            "add": editor.add, "remove": editor.remove, "to_file": mesh.to_file, "path.to_file": path.to_file,
+            "points_to_file": samples.points_to_file, "title": lambda x: diagram.to_html(title=x), "Points": lambda x: gvd.Points(x, x)}
+        for call, first in ((mesh.sample, {}), (mesh.distances, {"points": 0}), (mesh.nearest, {"points": 0}), (mesh.voronoi, {"points": [0, 20]}),
+                            (mesh.segment, {"count": 2}), (mesh.lloyd, {"count": 2}), (mesh.remesh, {"count": 2}), (diagram.cut, {}), (diagram.segment, {})):
+            for name in inspect.signature(call).parameters:
+                calls[f"{call.__name__}: {name}"] = lambda x, call=call, first=first, name=name: call(**{**first, name: x})
+        given = (None, numpy.bool_(True), b"/no/such", 1j, -1, 1.5, numpy.nan, 2**70, object(), [], {}, [None], (1, None), (1, "x"), [1, "a"], [[0, [1]]], {1},
+                 range(3), numpy.array(None), numpy.array(["a"]), numpy.zeros((2, 2, 2)), [(1, 2, 3), (1, 2)], gvd.Mesh, mesh,
+                 [-1, 0, 0], [("triangle", [[0, 1]])], gvd.Points([0], [(1.0, 0.0, 0.0)]), mesh.curves([[0, 1]]))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            for name, call in calls.items():
+                for one in given:
+                    with self.subTest(name, given=one):
+                        try:
+                            call(one)
+                        except gvd.Error as error:
+                            self.assertRegex(str(error), r"^[^\n]{8,400}$")
 
 
 class Welding(unittest.TestCase):

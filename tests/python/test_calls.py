@@ -229,7 +229,39 @@ class Calls(unittest.TestCase):
                 where(work[0])
             self.assertEqual(caught.exception.code, "interrupted")
             self.assertLess(time.monotonic() - started, 2)
-        self.assertEqual(len(mesh.lloyd(5, time_limit=100).generators), 5)
+        for long in (100, numpy.inf, 1e300):
+            self.assertEqual(len(mesh.lloyd(5, time_limit=long).generators), 5)
+        for wrong in (0, -1, numpy.nan, "1", True):
+            with self.assertRaisesRegex(gvd.Error, "^time_limit: a number (of seconds above 0 )?is needed, not "):
+                mesh.lloyd(5, time_limit=wrong)
+
+    def test_a_time_limit_may_be_short(self):
+        mesh = gvd.read(meshes.FIGURE)
+        for _ in range(5):  # the machine may be busy with something else
+            started = time.monotonic()
+            with self.assertRaisesRegex(gvd.Error, "the time limit of 0.01 s is over"):
+                mesh.lloyd(2000, iterations=100000, tolerance=0.0, time_limit=0.01)
+            seconds = time.monotonic() - started
+            if seconds < 0.1:  # the clock ticks each 0.1 s
+                break
+        self.assertLess(seconds, 0.1)
+
+    def test_a_time_limit_is_that_of_all_rows(self):
+        mesh = gvd.read(meshes.FIGURE)
+        started = time.monotonic()
+        with self.assertRaisesRegex(gvd.Error, "the time limit of 0.2 s is over"):
+            mesh.distances(list(range(len(mesh.vertices))), each=True, time_limit=0.2)  # takes seconds, in parts below 0.2 s
+        self.assertLess(time.monotonic() - started, 2)
+
+    def test_python_ends_while_daemon_threads_compute(self):
+        code = ("import gvd, threading, time\n"
+                f"mesh = gvd.read({str(meshes.FIGURE)!r})\n"
+                "def work(): mesh.lloyd(2000, iterations=100000, tolerance=0.0, progress=lambda step, done: None)\n"
+                "for _ in range(4): threading.Thread(target=work, daemon=True).start()\n"
+                "time.sleep(0.5)\n")
+        for _ in range(5):
+            ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+            self.assertEqual((ran.returncode, ran.stderr), (0, ""))
 
     def test_a_wrong_keyword_gets_the_function_s_name_and_what_was_meant(self):
         mesh = gvd.Mesh(*meshes.make_box(1, 2, 3))

@@ -288,6 +288,8 @@ class SameBytes(unittest.TestCase):
         self.run_command("gvd-distance", meshes.TORUS, "--from", 300, "--to", 0, "--paths", "-o", self.folder / "theirs.csv")
         self.assertEqual((self.folder / "p.csv").read_bytes(), (self.folder / "theirs.csv").read_bytes())
         self.assertEqual((self.folder / "p.obj").read_text().count("v "), len(path.positions))
+        path.to_file(self.folder / "P.CSV")
+        self.assertEqual((self.folder / "P.CSV").read_bytes(), (self.folder / "p.csv").read_bytes())
         gvd.read(meshes.TORUS).path(7, 7).to_file(os.fsencode(self.folder / "o.obj"))  # a line needs two points
         with self.assertRaises(gvd.Error) as caught:
             gvd.read(meshes.TORUS).path(7, 8).to_file(self.folder / "none" / "p.csv")

@@ -54,7 +54,7 @@ class Curves(unittest.TestCase):
             file = pathlib.Path(folder, "curves.json")
             file.write_text(json.dumps({"curves": [{"points": [{"vertex": v} for v in line]} for line in ([3, 40, 300], [1700, 2000])]}))
             table = pathlib.Path(folder, "distances.csv")
-            for given, curves in ((str(file), mesh.curves(file)), ("creases", mesh.curves("creases"))):
+            for given, curves in ((str(file), mesh.curves(file)), (str(file), mesh.curves(os.fsencode(file))), ("creases", mesh.curves("creases"))):
                 subprocess.run([BIN / "gvd-distance", meshes.FIGURE, "--curves", given, "-q", "-o", table],
                                check=True)
                 written = numpy.loadtxt(table, delimiter=",", skiprows=1, usecols=2)

@@ -16,6 +16,8 @@ class Distances(unittest.TestCase):
         self.assertEqual([(line.level, len(line.points)) for line in listed], [(line.level, len(line.points)) for line in steps])
         with self.assertRaises(gvd.Error) as refused:
             mesh.isolines(0, [0.5, 0.25])
+        with self.assertRaisesRegex(gvd.Error, "^isolines: a distance, or a list of ascending ones, is needed, not None$"):
+            mesh.isolines(0, None)
         self.assertEqual(refused.exception.code, "invalid_option")
 
     def test_in_the_plane_they_are_euclidean(self):

@@ -57,14 +57,16 @@ class MeshesOfOthers(unittest.TestCase):
         block = types.SimpleNamespace(type="triangle", data=faces)
         line = types.SimpleNamespace(type="line", data=faces[:, :2])
         for thing in (types.SimpleNamespace(vertices=at, faces=faces), types.SimpleNamespace(points=at, faces=padded),
-                      types.SimpleNamespace(points=at, cells=[line, block]), gvd.Mesh(at, faces)):
+                      types.SimpleNamespace(points=at, cells=[line, block]), types.SimpleNamespace(points=at, cells=[("triangle", faces)]),
+                      gvd.Mesh(at, faces)):
             numpy.testing.assert_array_equal(gvd.Mesh(thing).faces, faces)
         quads = meshes.make_box(1, 1, 1)
         self.assertEqual(len(gvd.Mesh(types.SimpleNamespace(vertices=quads[0], faces=quads[1])).faces), 12)
         with self.assertRaisesRegex(gvd.Error, "or a mesh with `vertices` and `faces`.*not int"):
             gvd.Mesh(7)
-        with self.assertRaisesRegex(gvd.Error, "different numbers of corners"):
-            gvd.Mesh(types.SimpleNamespace(points=at, faces=[3, 0, 1, 2, 4, 0, 1, 2, 3]))
+        for padded in ([3, 0, 1, 2, 4, 0, 1, 2, 3], [-1, 0, 0]):
+            with self.assertRaisesRegex(gvd.Error, "faces: polygons of equally many corners are needed"):
+                gvd.Mesh(types.SimpleNamespace(points=at, faces=padded))
 
     def test_area_and_bounds(self):
         mesh = gvd.Mesh(*meshes.make_box(1, 2, 3))
@@ -118,6 +120,13 @@ class Results(unittest.TestCase):
                     again.to_file(theirs)
                     self.assertEqual(ours.read_bytes().replace(b"a.mtl", b""), theirs.read_bytes().replace(b"b.mtl", b""))
 
+    def test_an_editor_survives_pickling(self):
+        mesh = gvd.read(meshes.TORUS)
+        editor = gvd.DiagramEditor(mesh, [0, 9])
+        editor.add(77)
+        again = pickle.loads(pickle.dumps(editor))
+        self.assertEqual(again.move(0, 5).length, editor.move(0, 5).length)
+
     def test_colours_are_those_of_the_files(self):
         regions = gvd.read(meshes.TORUS).segment(12)
         with tempfile.TemporaryDirectory() as folder:
@@ -145,6 +154,22 @@ class Results(unittest.TestCase):
             page = pathlib.Path(shown[len("file://"):])
             self.assertIn("<html", page.read_text()[:300])
             page.unlink()
+
+
+class Help(unittest.TestCase):
+    def test_options_are_told_as_arrays(self):
+        for function in (gvd.Mesh.segment, gvd.Mesh.lloyd, gvd.Mesh.remesh, gvd.Mesh.distances, gvd.Mesh.voronoi):
+            self.assertNotRegex(function.__doc__.split("Options:")[1], r" file\b|File |FILE|standard input|as in|VTP or VTU")
+        self.assertIn("generators: Points that are the generators", gvd.Mesh.segment.__doc__)
+
+    def test_former_names_have_a_hint(self):
+        mesh = gvd.Mesh(*meshes.make_grid(3))
+        for call, hint in ((lambda: mesh.segment(n=3), "Mesh.segment has no option 'n'; did you mean 'count'?"),
+                           (lambda: mesh.distances(0, at=3), "Mesh.distances has no option 'at'; did you mean 'to'?"),
+                           (lambda: mesh.remesh(3, no_refine=True), "Mesh.remesh has no option 'no_refine'; did you mean 'refine'?")):
+            with self.assertRaises(TypeError) as caught:
+                call()
+            self.assertEqual(str(caught.exception), hint)
 
 
 class OtherDoors(unittest.TestCase):

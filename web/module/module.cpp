@@ -5,6 +5,7 @@
 #include <emscripten.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <vector>
 
@@ -40,6 +41,12 @@ gvd_array to_array(const int32_t* given) {
 }  // namespace
 
 extern "C" {
+
+/// There are no files: whoever opens one hears so. Without these, emscripten's end the module.
+int __syscall_openat(int, intptr_t, int, ...) { return -ENOENT; }
+int __syscall_stat64(intptr_t, intptr_t) { return -ENOENT; }
+int __syscall_lstat64(intptr_t, intptr_t) { return -ENOENT; }
+int __syscall_newfstatat(int, intptr_t, intptr_t, int) { return -ENOENT; }
 
 /// `arrays`: four numbers for each of `count`.
 EMSCRIPTEN_KEEPALIVE gvd_status gvd_web_call(const char* operation, const gvd_object* on, const char* options,

@@ -1,5 +1,5 @@
 /** What can't be done: one line in `message`, `code` as in Python, and the first offending `element`, -1 for none. */
-class GvdError extends Error {
+export class Error extends globalThis.Error {
   constructor(message, code, element = -1) {
     super(message);
     this.name = 'gvd.Error';
@@ -8,8 +8,6 @@ class GvdError extends Error {
   }
 }
 
-export { GvdError as Error };
-
 export function refuse(message, element) {
-  throw new GvdError(message, 'invalid_option', element);
+  throw new Error(message, 'invalid_option', element);
 }

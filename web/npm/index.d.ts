@@ -30,10 +30,14 @@ export type PointsLike = number | number[] | Int32Array | Uint32Array | { face: 
 export interface Run {
   /** Called ten times a second at most with a step and the fraction done; false ends the call. */
   progress?: ((step: string, fraction: number) => boolean | void) | null;
-  /** Seconds after which the call ends with an error. */
+  /** Seconds above 0 after which the call ends with an error. */
   time_limit?: number | null;
 }
 interface NoRun {}
+interface Weld extends Run {
+  /** True joins vertices at the same place, a number also those at most so many mesh units apart. */
+  weld?: boolean | number | null;
+}
 
 //= SampleOptions: sample without points generators vertices max_snap merge_coincident
 //= PointOptions: sample without count sampling seed radius generators vertices merge_coincident points
@@ -51,13 +55,16 @@ interface NoRun {}
 //= RemeshOptions: remesh without map
 //= MapOptions: map
 //= SceneOptions: scene
-//= ReadOptions: mesh without file content weld
+//= ReadOptions extends Weld: mesh without file content weld
 //= FileOptions extends NoRun: file without part
 
 declare class Thing {
   /** Frees the memory now; what was not asked of the object before can't be asked any more. */
   free(): void;
-  /** What was measured, by its names in the reports of the commands; of a result with its `options` and `notes`. */
+  /**
+   * What was measured, by its names in the reports of the commands; `options` and `notes` are those of the call. A seed that a
+   * number would round is a text there, which the option takes, too.
+   */
   readonly figures: any;
   /**
    * The bytes of a file in the format of an extension: ply, obj, off, stl, vtp, vtu, glb, surf.gii, fs. Results other
@@ -74,16 +81,8 @@ export interface Scene {
   colors: Uint8Array;
 }
 
-export interface Summary {
-  vertices: number;
-  edges: number;
-  faces: number;
-  components: number;
-  boundary_loops: number;
-  euler_characteristic: number;
-  area: number;
-  bbox_diagonal: number;
-}
+export type Summary = Record<'vertices' | 'edges' | 'faces' | 'components' | 'boundary_loops' | 'euler_characteristic' | 'area' |
+  'bbox_diagonal', number>;
 
 export interface Path {
   points: Points;
@@ -105,7 +104,7 @@ export interface Isoline {
 /** A triangle mesh: `vertices` has three coordinates each, `faces` three vertices each. */
 export class Mesh extends Thing {
   /** `corners`: of each polygon, where `faces` is one flat array. */
-  constructor(vertices: Numbers | number[][], faces: Numbers | number[][], options?: ReadOptions & { corners?: number });
+  constructor(vertices: Numbers | number[][], faces: Numbers | number[][], options?: ReadOptions & { corners?: number | null });
   readonly vertices: Float64Array;
   readonly faces: Int32Array;
   /** The input's vertex for each vertex, -1 for the middle of a split edge; the input's polygon for each face. */
@@ -126,7 +125,7 @@ export class Mesh extends Thing {
   sample(count?: number | null, options?: SampleOptions): Points;
   farthest(count: number, options?: SampleOptions): Points;
   /** Exact distances of all vertices, or of `to`, to the nearest point; `each`: a row for each point, one after the other. */
-  distances(points: PointsLike | Curves, options?: DistanceOptions & { each?: boolean }): Float64Array;
+  distances(points: PointsLike | Curves, options?: DistanceOptions & { each?: boolean | null }): Float64Array;
   /** The rows of `distances(points, { each: true })`, one after the other, in the memory of one. */
   distance_rows(points: PointsLike, options?: DistanceOptions): Generator<Float64Array>;
   /** The distances, and which point is nearest. */
@@ -146,7 +145,7 @@ export class Mesh extends Thing {
    * polylines through points, which `closed` closes; or those of the bytes of a file with this `name`.
    */
   curves(curves: 'boundary' | 'creases' | PointsLike[] | Uint8Array | ArrayBuffer,
-         options?: CurveOptions & { closed?: boolean; angle?: number; name?: string }): Curves;
+         options?: CurveOptions & { closed?: boolean | null; angle?: number | null; name?: string | null }): Curves;
   /** Curves of equal distance at these levels, ascending, or at each multiple of a number. */
   isolines(points: PointsLike | Curves, levels: number | Numbers, options?: DistanceOptions): Isoline[];
   voronoi(points: PointsLike | Curves, options?: DiagramOptions): Diagram;
@@ -263,10 +262,13 @@ export interface Balanced {
   converged: boolean;
 }
 
-export class Segmentation extends Thing {
-  readonly mesh: Mesh;
+declare class Result extends Thing {
   readonly diagram: Diagram;
   readonly generators: Points;
+}
+
+export class Segmentation extends Result {
+  readonly mesh: Mesh;
   /** The area of the faces of each label. */
   readonly areas: Float64Array;
   readonly labels: Int32Array;
@@ -293,9 +295,7 @@ export interface Chart {
   origin: [number, number];
 }
 
-export class Cut extends Thing {
-  readonly diagram: Diagram;
-  readonly generators: Points;
+export class Cut extends Result {
   readonly mesh: Mesh;
   readonly labels: Int32Array;
   readonly parents: Int32Array;
@@ -306,9 +306,7 @@ export class Cut extends Thing {
   readonly scale: number;
 }
 
-export class Relaxation extends Thing {
-  readonly diagram: Diagram;
-  readonly generators: Points;
+export class Relaxation extends Result {
   readonly energies: Float64Array;
   readonly areas: Float64Array;
   readonly cell_energies: Float64Array;
@@ -318,11 +316,9 @@ export class Relaxation extends Thing {
   points_to_bytes(format: 'ply' | 'xyz' | 'npy'): Uint8Array;
 }
 
-export class Remesh extends Thing {
-  readonly generators: Points;
+export class Remesh extends Result {
   readonly surface: Mesh;
   readonly mesh: Mesh;
-  readonly diagram: Diagram;
   /** What holds of every remesh: what has no certificate is an error. */
   readonly certificate: { ok: true; manifold: boolean; closed_as_input: boolean; same_euler_characteristic: boolean;
                           same_components: boolean; same_boundary_loops: boolean; same_in_each_component: boolean;
@@ -345,9 +341,8 @@ export class RemeshMap extends Thing {
 
 /**
  * Reads the bytes of an OBJ, PLY, OFF, STL, glTF (buffers inside), MNI or legacy VTK file; `name` is the file's, for messages.
- * `weld`: true joins vertices at the same place, a number also those at most so many mesh units apart.
  */
-export function read(bytes: Uint8Array | ArrayBuffer, name: string, options?: ReadOptions & { weld?: boolean | number | null }): Mesh;
+export function read(bytes: Uint8Array | ArrayBuffer, name: string, options?: ReadOptions): Mesh;
 
 /** The numbers of a file that has one for each vertex or face: text, .npy, and FreeSurfer's .annot and values. */
 export function read_values(bytes: Uint8Array | ArrayBuffer, name: string): Float64Array;

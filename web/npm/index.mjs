@@ -33,6 +33,11 @@ class Thing {
     return this._keep(name, () => this._native.array(name));
   }
 
+  /** A copy that the package computes with, which nobody else has. */
+  _own(name) {
+    return this._keep(`own ${name}`, () => this._native.array(name));
+  }
+
   _points(name) {
     return this._keep(`${name} points`, () => ({ face: this._array(`${name}_faces`), bary: this._array(`${name}_bary`) }));
   }
@@ -65,9 +70,9 @@ class Thing {
     return fileOf('to_bytes', this._native, format, options);
   }
 
-  _scene({ colors, ...options }) {
-    const given = { ...options, colors: colors?.length ? colors : null };
-    return using(new Thing(run('scene', 'scene', this, null, given)), (made) => ({
+  scene(options = {}) {
+    const given = { ...options, colors: options?.colors?.length ? options.colors : null };
+    return using(new Thing(run('scene', 'scene', this, given)), (made) => ({
       manifest: made.figures.manifest,
       blobs: this._lists(made._array('offsets'), made._array('bytes')).map((bytes) => bytes.slice()),
       colors: made._array('colors'),
@@ -94,7 +99,8 @@ function getters(target, table) {
   }
 }
 
-function positionsOf({ vertices, faces }, { face, bary }) {
+function positionsOf(mesh, { face, bary }) {
+  const [vertices, faces] = [mesh._own('vertex_positions'), mesh._own('face_vertices')];
   const positions = new Float64Array(3 * face.length);
   for (let i = 0; i < face.length; ++i) {
     const [a, b, c] = faces.subarray(3 * face[i], 3 * face[i] + 3), [u, v, w] = bary.subarray(3 * i, 3 * i + 3);
@@ -103,22 +109,22 @@ function positionsOf({ vertices, faces }, { face, bary }) {
   return positions;
 }
 
-const distanceSources = (points) => (points instanceof Curves ? { curves: points } : { from: points, keep_coincident: true });
-const generatorsOf = (points) => ({ [points instanceof Curves ? 'curves' : 'generators']: points });
+const needed = (name, given, what) => (isGiven(given) ? given : refuse(`${name}: ${what} needed`));
+const sourcesOf = (option, points) => ({ [points instanceof Curves ? 'curves' : option]: needed('points', points, 'points are') });
 
 /** A first argument, or the option of its name. */
 function withCount(call, count, options) {
-  if (isGiven(count) && isGiven(options.count)) refuse(`${call}: count is given twice`);
+  if (isGiven(count) && isGiven(options?.count)) refuse(`${call}: count is given twice`);
   return isGiven(count) ? { ...options, count } : options;
 }
 
 export class Mesh extends Thing {
-  constructor(vertices, faces, { on_defect = 'error', corners = 3, ...others } = {}) {
+  constructor(vertices, faces, options = {}) {
     if (vertices instanceof Handle) {
       super(vertices);
     } else {
+      const { on_defect, corners, weld, ...others } = options ?? {}, size = faces?.[0]?.length ?? corners ?? 3;
       if ('file' in others || 'content' in others) refuse('Mesh: there is no option "file"; read makes a mesh of the bytes of a file');
-      const size = faces?.[0]?.length ?? corners;
       if (!Number.isInteger(size) || size < 3) refuse(`corners: a whole number from 3 on is needed, not ${size}`);
       const at = flat('vertices', vertices, 3), of = flat('faces', faces, size);
       checkNumbers('vertices', at);
@@ -127,13 +133,13 @@ export class Mesh extends Thing {
       if (at.length % 3) refuse(`vertices: three coordinates each are needed, not ${at.length} in all`);
       if (of.length % size) refuse(`faces: ${size} corners each are needed, not ${of.length} in all`);
       const given = [{ numbers: new Float64Array(at), columns: 3 }, { numbers: new Float64Array(of), columns: size }];
-      super(run('Mesh', 'mesh', null, null, { on_defect, ...others }, {}, given));
+      super(run('Mesh', 'mesh', null, { ...others, on_defect: on_defect ?? 'error', weld: weldOption(weld) }, {}, given));
     }
     this._kept.set('mesh', this);
   }
 
   points(points, options = {}) {
-    return pointsOf(run('points', 'sample', this, this, { ...options, points }));
+    return pointsOf(run('points', 'sample', this, { ...options, points: needed('points', points, 'points are') }));
   }
 
   positions(points) {
@@ -141,7 +147,7 @@ export class Mesh extends Thing {
   }
 
   sample(count, options = {}) {
-    return pointsOf(run('sample', 'sample', this, this, withCount('sample', count, options)));
+    return pointsOf(run('sample', 'sample', this, withCount('sample', count, options)));
   }
 
   farthest(count, options = {}) {
@@ -152,17 +158,19 @@ export class Mesh extends Thing {
     return this._measured('measure', points, options);
   }
 
-  _measured(name, points, options) {
-    return new Distances(run(name, 'distances', this, this, { ...options, ...distanceSources(points) }), this);
+  _measured(name, points, options, names) {
+    const more = points instanceof Curves ? {} : { keep_coincident: true };
+    return new Distances(run(name, 'distances', this, { ...options, ...sourcesOf('from', points) }, more, [], names), this);
   }
 
-  _measure(name, points, options, take) {
-    return using(this._measured(name, points, options), take);
+  _measure(name, points, options, take, names) {
+    return using(this._measured(name, points, options, names), take);
   }
 
-  distances(points, { each = false, ...options } = {}) {
-    const given = { ...options, each, mesh_vertices: each && !isGiven(options.to) };
-    return this._measure('distances', points, given, (made) => (each || isGiven(options.to) ? made._array('rows') : made.distances));
+  distances(points, options = {}) {
+    const each = options?.each === true, has_targets = isGiven(options?.to);
+    const given = { ...options, mesh_vertices: each && !has_targets };
+    return this._measure('distances', points, given, (made) => (each || has_targets ? made._array('rows') : made.distances));
   }
 
   *distance_rows(points, options = {}) {
@@ -174,39 +182,41 @@ export class Mesh extends Thing {
 
   nearest(points, options = {}) {
     return this._measure('nearest', points, options, (made) => (
-      isGiven(options.to) ? { distances: made._array('rows'), labels: made._array('nearest') } : { distances: made.distances, labels: made.labels }));
+      isGiven(options?.to) ? { distances: made._array('rows'), labels: made._array('nearest') } : { distances: made.distances, labels: made.labels }));
   }
 
   log_map(point, options = {}) {
-    const { numbers, columns = 1 } = pointRows('point', point, this), count = numbers.length / columns;
-    if (count !== 1) refuse(`point: one point is needed, not ${count}`);
-    return this._measure('log_map', point, { ...options, logarithm: true }, (made) => made._array('logarithms'));
+    const given = onePoint('point', point);
+    return this._measure('log_map', given, { ...options, logarithm: true }, (made) => made._array('logarithms'), { points: 'point' });
   }
 
   path(start, end, options = {}) {
-    const paths = this._measure('path', end, { ...options, to: start, paths: true }, (made) => made.paths);
+    const [from, to] = [needed('end', end, 'points are'), needed('start', start, 'points are')];
+    const paths = this._measure('path', from, { ...options, to, paths: true }, (made) => made.paths, { to: 'start', points: 'end' });
     return isSingle(start) ? paths[0] : paths;
   }
 
   isolines(points, levels, options = {}) {
-    const given = { ...options, [typeof levels === 'number' ? 'isolines' : 'levels']: levels };
+    const option = typeof levels === 'number' ? 'isolines' : 'levels';
+    const given = { ...options, [option]: needed('levels', levels, 'a distance, or an array of them, is') };
     return this._measure('isolines', points, given, (made) => made.isolines);
   }
 
-  curves(curves, { closed = false, angle, name = 'curves', ...options } = {}) {
+  curves(curves, options = {}) {
+    const { closed, angle, name, ...others } = options ?? {};
     const isWord = typeof curves === 'string', isFile = curves instanceof Uint8Array || curves instanceof ArrayBuffer;
     if (closed && (isWord || isFile)) refuse('closed: it is for polylines');
-    if (angle !== undefined && curves !== 'creases') refuse("angle: it is for 'creases'");
+    if (isGiven(angle) && curves !== 'creases') refuse("angle: it is for 'creases'");
     if (isWord && curves !== 'boundary' && curves !== 'creases') refuse(`curves: 'boundary' or 'creases' is needed, not '${curves}'`);
     const given = [];
-    let option = isWord && angle !== undefined ? `creases:${angle}` : curves;
+    let option = isWord && isGiven(angle) ? `creases:${angle}` : curves;
     if (isFile) {
       given.push({ numbers: new Uint8Array(curves) });
-      option = { file: name, content: { array: 0 } };
+      option = { file: name ?? 'curves', content: { array: 0 } };
     } else if (!isWord) {
-      option = polylines(this, curves, closed, given);
+      option = polylines(this, curves, closed ?? false, given);
     }
-    return using(new Thing(run('curves', 'curves', this, this, options, { curves: option }, given)), (made) => {
+    return using(new Thing(run('curves', 'curves', this, others, { curves: option }, given)), (made) => {
       const lines = this._lists(made._array('offsets'), made._array('positions'), 3), found = Array.from({ length: made.figures.count }, () => []);
       made._array('curve').forEach((curve, i) => found[curve].push(lines[i]));
       return new Curves(option, given, found);
@@ -214,27 +224,28 @@ export class Mesh extends Thing {
   }
 
   voronoi(points, options = {}) {
-    return new Diagram(run('voronoi', 'diagram', this, this, { ...options, ...generatorsOf(points) }), this);
+    return new Diagram(run('voronoi', 'diagram', this, { ...options, ...sourcesOf('generators', points) }), this);
   }
 
-  balance(points, { density, ...options } = {}) {
-    const diagram = new Diagram(run('balance', 'diagram', this, this, { ...options, balance: density ?? 'area', generators: points }), this);
+  balance(points, options = {}) {
+    const { density, ...others } = options ?? {}, generators = needed('points', points, 'points are');
+    const diagram = new Diagram(run('balance', 'diagram', this, { ...others, balance: density ?? 'area', generators }), this);
     const { tied, converged } = diagram.figures.balance;
     const sets = (tied ?? []).map((cells) => Int32Array.from(cells));
     return { diagram, masses: diagram._array('balance.masses'), targets: diagram._array('balance.targets'), tied: sets, converged };
   }
 
   segment(count, options = {}) {
-    const made = run('segment', 'segment', this, this, withCount('segment', count, options));
-    return new (options.cut || isGiven(options.uv) ? Cut : Segmentation)(made, this);
+    const made = run('segment', 'segment', this, withCount('segment', count, options));
+    return new (options?.cut || isGiven(options?.uv) ? Cut : Segmentation)(made, this);
   }
 
   lloyd(count, options = {}) {
-    return new Relaxation(run('lloyd', 'lloyd', this, this, withCount('lloyd', count, options)), this);
+    return new Relaxation(run('lloyd', 'lloyd', this, withCount('lloyd', count, options)), this);
   }
 
   remesh(count, options = {}) {
-    return new Remesh(run('remesh', 'remesh', this, this, withCount('remesh', count, options)), this);
+    return new Remesh(run('remesh', 'remesh', this, withCount('remesh', count, options)), this);
   }
 }
 getters(Mesh, {
@@ -247,8 +258,10 @@ getters(Mesh, {
   summary: ({ figures }) => Object.fromEntries(kSummary.map((name) => [name, figures[name]])),
   area: ({ figures }) => figures.area,
   notes: ({ figures }) => figures.repairs,
-  bounds: ({ vertices }) => [Math.min, Math.max].map((pick) => [0, 1, 2].map((k) => (
-    vertices.reduce((found, x, i) => (i % 3 === k ? pick(found, x) : found), vertices[k])))),
+  bounds(mesh) {
+    const at = mesh._own('vertex_positions');
+    return [Math.min, Math.max].map((pick) => [0, 1, 2].map((k) => at.reduce((found, x, i) => (i % 3 === k ? pick(found, x) : found), at[k])));
+  },
 });
 
 const pointsOf = (native) => using(native, (made) => ({ face: made.array('points_faces'), bary: made.array('points_bary') }));
@@ -256,20 +269,14 @@ const pointsOf = (native) => using(native, (made) => ({ face: made.array('points
 /** Polylines through points, as the library takes curves. */
 function polylines(mesh, curves, closed, arrays) {
   if (!isList(curves) || curves.length === 0) refuse(`curves: an array of polylines is needed, not ${curves?.length === 0 ? 'an empty one' : typeof curves}`);
-  const lines = Array.from(curves, (line, i) => mesh.points(pointsLike(`curves[${i}]`, line)));
+  const lines = Array.from(curves, (line, i) => mesh.points(needed(`curves[${i}]`, line, 'points are')));
   const rows = lines.flatMap(({ face, bary }) => Array.from(face, (f, i) => [f, ...bary.subarray(3 * i, 3 * i + 3)]));
   arrays.push({ numbers: new Float64Array(rows.flat()), columns: 4 });
   const offsets = lines.reduce((all, { face }) => [...all, all.at(-1) + face.length], [0]);
   return { points: { array: 0 }, offsets, closed };
 }
 
-const pointsLike = (name, line) => (isGiven(line) ? line : refuse(`${name}: points are needed`));
-
-class Distances extends Thing {
-  scene(options = {}) {
-    return this._scene(options);
-  }
-}
+class Distances extends Thing {}
 getters(Distances, {
   distances: 'vertex_distances',
   labels: 'vertex_labels',
@@ -285,19 +292,15 @@ getters(Distances, {
 
 export class Diagram extends Thing {
   check() {
-    return using(run('check', 'check', this, this.mesh, {}), (made) => made.figures().violations);
+    return using(run('check', 'check', this, {}), (made) => made.figures().violations);
   }
 
   segment(options = {}) {
-    return new Segmentation(run('segment', 'label', this, this.mesh, options), this.mesh, this);
+    return new Segmentation(run('segment', 'label', this, options), this.mesh);
   }
 
   cut(options = {}) {
-    return new Cut(run('cut', 'label', this, this.mesh, options, { cut: true }), this.mesh, this);
-  }
-
-  scene(options = {}) {
-    return this._scene(options);
+    return new Cut(run('cut', 'label', this, options, { cut: true }), this.mesh);
   }
 }
 getters(Diagram, {
@@ -342,9 +345,10 @@ getters(Diagram, {
 /** An exact diagram of which one generator after the other is moved, added or removed. */
 export class DiagramEditor {
   constructor(mesh, points, options = {}) {
-    this.mesh = mesh;
-    this._state = { given: false };  // whether somebody has the diagram
-    this._state.diagram = new Diagram(run('DiagramEditor', 'diagram', mesh, mesh, { ...options, editable: true, generators: points }), mesh);
+    if (!(mesh instanceof Mesh)) refuse('mesh: a Mesh is needed');
+    const generators = needed('points', points, 'points are');
+    const diagram = new Diagram(run('DiagramEditor', 'diagram', mesh, { ...options, editable: true, generators }), mesh);
+    Object.assign(this, { mesh, _state: { diagram, given: false } });  // whether somebody has the diagram
   }
 
   get diagram() {
@@ -357,11 +361,11 @@ export class DiagramEditor {
   }
 
   move(generator, to, options = {}) {
-    return this._change('move', { ...options, move: this._find(generator), to: onePoint('to', to, this.mesh) });
+    return this._change('move', { ...options, move: this._find(generator), to: onePoint('to', to) });
   }
 
   add(point, options = {}) {
-    return this._change('add', { ...options, add: onePoint('point', point, this.mesh) });
+    return this._change('add', { ...options, add: onePoint('point', point) });
   }
 
   remove(generator, options = {}) {
@@ -379,7 +383,7 @@ export class DiagramEditor {
     if (this._state.changing) refuse(`${name}: the editor is in the middle of a change`);
     this._state.changing = true;
     try {
-      const made = new Diagram(run(name, 'edit', this._state.diagram, this.mesh, options), this.mesh);
+      const made = new Diagram(run(name, 'edit', this._state.diagram, options, {}, [], { add: 'point' }), this.mesh);
       this.free();
       Object.assign(this._state, { diagram: made, given: false });
     } finally {
@@ -398,20 +402,15 @@ export class DiagramEditor {
   }
 }
 
-function onePoint(name, point, mesh) {
-  const { numbers, columns = 1 } = pointRows(name, point, mesh), count = numbers.length / columns;
+function onePoint(name, point) {
+  const { numbers, columns = 1 } = pointRows(name, point), count = numbers.length / columns;
   return count === 1 ? point : refuse(`${name}: one point is needed, not ${count}`);
 }
 
 /** What has a diagram; `surface` is the mesh that it was made on. */
-class Result extends Thing {
-  constructor(native, mesh, diagram) {
-    super(native, mesh);
-    if (diagram) this._kept.set('.diagram', diagram);
-  }
-}
+class Result extends Thing {}
 getters(Result, {
-  surface: (made) => made._kept.get('mesh'),
+  surface: (made) => made._kept.get('mesh'),  // whose name is that of another one, where the result makes a mesh
   diagram: (made) => new Diagram(made._native.part('diagram'), made.surface),
   generators: (made) => made._points('generators'),
 });
@@ -439,10 +438,6 @@ getters(Cut, {
 });
 
 export class Relaxation extends Result {
-  to_bytes(format, options) {
-    return this.diagram.to_bytes(format, options);
-  }
-
   points_to_bytes(format) {
     return fileOf('points_to_bytes', this._native, format, {}, { part: 'points' });
   }
@@ -469,11 +464,7 @@ getters(RemeshMap, {
 
 export class Remesh extends Result {
   map(options = {}) {
-    return new RemeshMap(run('map', 'map', this, this.surface, options), this.surface);
-  }
-
-  scene(options = {}) {
-    return this._scene(options);
+    return new RemeshMap(run('map', 'map', this, options), this.surface);
   }
 }
 getters(Remesh, {
@@ -488,10 +479,14 @@ function contentOf(bytes, name) {
   return [{ numbers: bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes) }];
 }
 
-export function read(bytes, name, { weld = false, ...options } = {}) {
+function weldOption(weld) {
   if (!['boolean', 'number'].includes(typeof (weld ?? false))) refuse(`weld: true, false or a number is needed, not ${weld}`);
-  const given = contentOf(bytes, name), joined = weld === true ? 0 : weld === false ? null : weld;
-  return new Mesh(run('read', 'mesh', null, null, { ...options, weld: joined }, { file: name, content: true }, given));
+  return weld === true ? 0 : weld === false ? null : weld;
+}
+
+export function read(bytes, name, options = {}) {
+  const given = { ...options, weld: weldOption(options?.weld) };
+  return new Mesh(run('read', 'mesh', null, given, { file: name, content: true }, contentOf(bytes, name)));
 }
 
 function readNumbers(operation, bytes, name) {

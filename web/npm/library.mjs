@@ -14,7 +14,7 @@ const kReportInterval = 100;  // between two calls of a progress function, milli
 const encoder = new TextEncoder(), decoder = new TextDecoder();
 
 function refuseMemory() {
-  throw new GvdError('the memory of the page is full; use a smaller mesh or fewer generators', 'out_of_memory');
+  throw new GvdError('the memory of the page is full; use a smaller mesh or fewer points', 'out_of_memory');
 }
 
 function readText(address) {

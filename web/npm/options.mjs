@@ -1,5 +1,5 @@
 // Options by their names and kinds, as the library describes them.
-import { refuse } from './error.mjs';
+import { Error as GvdError, refuse } from './error.mjs';
 import { call, describe } from './library.mjs';
 import { checkNumbers, isGiven, isList, pointRows } from './points.mjs';
 
@@ -14,21 +14,15 @@ export class Curves {
   }
 }
 
-let kinds;
+const byName = (options) => new Map(options.map((option) => [option.name, option]));
+const { operations, file_options } = describe();
 
 /** The options of each operation by their names, and those of files. */
-function optionsOf(operation) {
-  if (!kinds) {
-    const { operations, file_options } = describe();
-    const by_name = (options) => new Map(options.map((option) => [option.name, option]));
-    kinds = new Map([...operations.map(({ name, options }) => [name, by_name(options)]), ['file', by_name(file_options)]]);
-  }
-  return kinds.get(operation);
-}
+const kKnown = new Map([...operations.map(({ name, options }) => [name, byName(options)]), ['file', byName(file_options)]]);
 
-function refer(arrays, array) {
+function refer(arrays, array, kind = 'array') {
   arrays.push(array);
-  return { array: arrays.length - 1 };
+  return { [kind]: arrays.length - 1 };
 }
 
 /** The same value, with the places of arrays after those that are there. */
@@ -44,55 +38,51 @@ function curvesOption(value, arrays) {
   return shift(value.option, by);
 }
 
-function checkCount(name, values, mesh) {
-  const counts = [mesh.vertices.length / 3, mesh.faces.length / 3];
-  if (![...counts, mesh.vertex_of_input.length].includes(values.length)) {
-    refuse(`${name}: a number for each of ${counts[0]} vertices or ${counts[1]} faces is needed, not ${values.length}`);
-  }
-}
-
 /** JSON has neither infinity nor NaN, and loses whole numbers beyond 2^53; texts of numbers serve. */
-function plain(name, value) {
+function plain(name, value, kind) {
   if (typeof value === 'bigint') return String(value);
+  if (kind === 'whole number' && Number.isInteger(value) && !Number.isSafeInteger(value)) {
+    refuse(`${name}: ${value} is beyond 2^53, where numbers are rounded; give a BigInt, as 2n ** 60n`);
+  }
   if (typeof value === 'number') return Number.isFinite(value) ? value : String(value).replace('Infinity', 'inf');
   if (typeof value === 'string' || typeof value === 'boolean') return value;
   return refuse(`${name}: a number, a text, true or false is needed, not ${value === Object(value) ? typeof value : value}`);
 }
 
 /** One option as JSON, whose arrays go behind `arrays`. */
-export function optionJson({ name, kind, choices, of }, value, mesh, arrays) {
-  if (kind === 'points' || kind === 'vertices') return refer(arrays, pointRows(name === 'from' ? 'points' : name, value, mesh));
+export function optionJson({ name, kind, choices }, value, arrays) {
+  if (kind === 'points' || kind === 'vertices') {
+    const rows = pointRows(name === 'from' ? 'points' : name, value);
+    return refer(arrays, rows, rows.columns ? 'array' : 'mesh_vertices');
+  }
   if (kind === 'curves') return curvesOption(value, arrays);
   if (kind === 'values' && !(typeof value === 'string' && choices)) {
     checkNumbers(name, value);
-    if (of !== 'generators') checkCount(name, value, mesh);
     return refer(arrays, { numbers: Float64Array.from(value, Number) });
   }
   if (kind === 'counts') return isList(value) ? Array.from(value, (one) => plain(name, one)) : refuse(`${name}: an array of whole numbers is needed, not ${value}`);
-  return plain(name, value);
+  return plain(name, value, kind);
 }
 
-function toJson(operation, mesh, options, arrays) {
-  const known = optionsOf(operation), made = {};
-  for (const [name, value] of Object.entries(options)) {
-    if (isGiven(value)) made[name] = known.has(name) ? optionJson(known.get(name), value, mesh, arrays) : null;
+function toJson(operation, options, arrays) {
+  const known = kKnown.get(operation), made = {};
+  for (const [name, value] of Object.entries(options ?? {})) {
+    if (isGiven(value)) made[name] = known.has(name) ? optionJson(known.get(name), value, arrays) : null;
     else if (!known.has(name)) made[name] = null;  // which the library tells the user
   }
   return made;
 }
 
-const kRunOptions = ['progress', 'on_iteration'];
-
 /**
- * Runs an operation with the options of the call of this name. `more` are JSON already. What the commands warn of goes to
- * the console: a position that is far from the surface, say.
+ * Runs an operation with the options of the call of this name. `more` are JSON already; `names` are the call's own of
+ * options. What the commands warn of goes to the console: a position that is far from the surface, say.
  */
-export function run(name, operation, on, mesh, { progress, on_iteration, time_limit, ...options }, more = {}, arrays = []) {
-  const told = { progress, on_iteration, time_limit };
-  for (const one of kRunOptions) if (isGiven(told[one]) && typeof told[one] !== 'function') refuse(`${one}: a function is needed`);
-  if (isGiven(time_limit) && !(time_limit >= 0)) refuse(`time_limit: a number of seconds is needed, not ${time_limit}`);
-  const given = { ...toJson(operation, mesh, options, arrays), ...more };
-  const made = named(name, () => call(operation, on?._native, given, arrays, told));
+export function run(name, operation, on, options, more = {}, arrays = [], names = {}) {
+  const { progress, on_iteration, time_limit, ...others } = options ?? {}, told = { progress, on_iteration, time_limit };
+  for (const one of ['progress', 'on_iteration']) if (isGiven(told[one]) && typeof told[one] !== 'function') refuse(`${one}: a function is needed`);
+  const is_limit = typeof time_limit === 'number' && time_limit > 0;
+  if (isGiven(time_limit) && !is_limit) refuse(`time_limit: a number of seconds above 0 is needed, not ${time_limit}`);
+  const made = named(name, () => call(operation, on?._native, { ...toJson(operation, others, arrays), ...more }, arrays, told), names);
   if (arrays.some(({ columns }) => columns === 3) && operation !== 'mesh') for (const line of made.figures().warnings) console.warn(`gvd: ${line}`);
   return made;
 }
@@ -100,15 +90,16 @@ export function run(name, operation, on, mesh, { progress, on_iteration, time_li
 /** The bytes of a file of an object. */
 export function fileOf(name, native, format, options, more = {}) {
   if (typeof format !== 'string') refuse(`format: text is needed, not ${format}`);
-  return named(name, () => native.file(format.toLowerCase(), { ...toJson('file', null, options, []), ...more }));
+  return named(name, () => native.file(format.toLowerCase(), { ...toJson('file', options, []), ...more }));
 }
 
-/** Says which call has no such option. */
-function named(name, work) {
+/** Says which call has no such option, and calls an option as the call does. */
+function named(name, work, names = {}) {
   try {
     return work();
   } catch (error) {
     if (error.code === 'invalid_option' && error.message.startsWith('there is no option')) error.message = `${name}: ${error.message}`;
+    if (error instanceof GvdError) error.message = error.message.replace(/^\w+(?=: )/, (option) => names[option] ?? option);
     throw error;
   }
 }

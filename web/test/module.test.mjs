@@ -205,6 +205,53 @@ test('objects may be frozen, and options null', () => {
   assert.equal(square.vertices, square.vertices);
   assert.equal(square.lloyd(2, { generators: null, fixed: null, density: null, iterations: 1 }).areas.length, 2);
   assert.equal(square.distances(0, { to: null }).length, 4);
+  const { vertices, faces } = square, line = [[0, 1]], file = new TextEncoder().encode('0\n1\n');
+  const calls = [
+    (o) => new Mesh(vertices, faces, o), (o) => new Mesh(vertices, faces, o && { corners: null, on_defect: null, weld: null }), (o) => square.points(0, o),
+    (o) => square.sample(2, o), (o) => square.distances(0, o), (o) => square.distances(0, o && { each: null }), (o) => [...square.distance_rows(0, o)],
+    (o) => square.nearest(0, o), (o) => square.measure(0, o), (o) => square.log_map(0, o), (o) => square.path(0, 2, o), (o) => square.isolines(0, 0.5, o),
+    (o) => square.curves('boundary', o), (o) => square.curves(line, o && { closed: null, angle: null }), (o) => square.curves(file, o && { name: null }),
+    (o) => square.voronoi([0, 2], o), (o) => square.balance([0, 2], o), (o) => square.balance([0, 2], o && { density: null }), (o) => square.segment(2, o),
+    (o) => square.lloyd(2, o), (o) => square.voronoi([0, 2]).cut(o), (o) => square.voronoi([0, 2]).segment(o), (o) => square.voronoi([0, 2]).scene(o),
+    (o) => new gvd.DiagramEditor(square, [0, 2], o).move(0, 1, o).add(0, o).remove(0, o), (o) => square.to_bytes('ply', o),
+    (o) => square.segment(2, o && { time_limit: null, progress: null }), (o) => gvd.read(square.to_bytes('ply'), 'x.ply', o),
+  ];
+  for (const call of calls) for (const options of [null, undefined, {}]) assert.doesNotThrow(() => call(options), String(call));
+});
+
+test('arrays are the caller\'s own: what is written into them changes no result', () => {
+  const square = new Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]);
+  for (const name of ['vertices', 'faces', 'input_vertex', 'vertex_of_input']) square[name].fill(0);
+  assert.deepEqual([...square.positions(3)], [0, 1, 0]);
+  assert.deepEqual(square.bounds, [[0, 0, 0], [1, 1, 0]]);
+  assert.equal(square.path(1, 3).positions.length, 9);
+});
+
+test('seeds are what was given', () => {
+  const square = new Mesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]), seed = 2n ** 53n + 1n;
+  const made = square.segment(2, { seed, sampling: 'random' }), { options } = made.figures;
+  assert.equal(options.seed, '9007199254740993');
+  assert.deepEqual(square.segment(2, { seed: options.seed, sampling: 'random' }).figures, made.figures);
+  assert.equal(square.segment(2, { seed: 7n }).figures.options.seed, 7);
+});
+
+test('a table that no memory holds is an error of memory', () => {
+  const square = new Mesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]);
+  for (const count of [18000, 30000]) {  // 2.6 GB, and more numbers than a list can have
+    const points = square.sample(count, { sampling: 'random' });
+    assert.throws(() => square.distances(points, { to: points, each: true }), { code: 'out_of_memory' });
+  }
+  assert.equal(square.distances(0).length, 4);
+});
+
+test('vertices of repaired meshes are their own', () => {
+  const at = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [9, 9, 9]];
+  const mesh = new Mesh(at, [[0, 1, 2], [0, 3, 4]], { on_defect: 'repair' });
+  for (let v = 0; v < 6; ++v) {
+    assert.deepEqual(mesh.positions(v), mesh.vertices.subarray(3 * v, 3 * v + 3));
+    assert.equal(mesh.distances([v])[v], 0);
+    assert.deepEqual(mesh.positions(mesh.segment(null, { vertices: [v] }).generators), mesh.vertices.subarray(3 * v, 3 * v + 3));
+  }
 });
 
 test('relaxation reports its iterations', () => {
@@ -368,13 +415,13 @@ test('what can not be done is an error of one line', () => {
     [() => new Mesh([0, 0, 0], [0, 1, 2]), 'precondition', /./],
     [() => square.voronoi([0, 0]), 'precondition', /coincide/],
     [() => square.voronoi([4]), 'precondition', /4/],
-    [() => square.voronoi([-1]), 'invalid_option', /-1 is no whole number/],
+    [() => square.voronoi([-1]), 'invalid_option', /^generators: element 0 is -1; give whole numbers from 0 on$/],
     [() => new gvd.Mesh(square.vertices, square.faces, { file: 'x' }), 'invalid_option', /^Mesh: there is no option "file"/],
     [() => square.voronoi([0, 1], { methd: 'exact' }), 'invalid_option', /^voronoi: there is no option "methd"; did you mean "method"\?/],
     [() => square.voronoi([0, 1], { method: 'quick' }), 'invalid_option', /^method: 'quick' is not one of exact\|gbgvd\|paper/],
     [() => square.sample(1.5), 'invalid_option', /^count: .*whole number/],
     [() => square.to_bytes('xyz'), 'invalid_option', /^'xyz': the extension must be one of /],
-    [() => square.segment(2, { within: [1] }), 'invalid_option', /within: a number for each of 4 vertices or 2 faces/],
+    [() => square.segment(2, { within: [1] }), 'invalid_option', /^within: 1 number; give one for each vertex \(4\) or face \(2\)$/],
     [() => square.segment(2, { within: [1, 1.5] }), 'precondition', /^within: /],
     [() => square.segment(null, { per_region: 1 }), 'invalid_option', /per_region needs within/],
     [() => square.segment(null, { levels: [2, 2] }), 'invalid_option', /ascending/],
@@ -402,6 +449,24 @@ test('what can not be done is an error of one line', () => {
     [() => gvd.read(new Uint8Array([1])), 'invalid_option', /name: text/],
     [() => gvd.read('v 0 0 0', 'a.obj'), 'invalid_option', /a Uint8Array/],
     [() => freed.distances(0), 'invalid_option', /was freed/],
+    [() => square.segment(null, { curves: new gvd.Curves({ file: 'x' }, [], []) }), 'unreadable_input', /^curves: x: there is no such file$/],
+    [() => square.sample(2, { seed: 2 ** 53 + 2 }), 'invalid_option', /^seed: 9007199254740994 is beyond 2\^53, .*; give a BigInt/],
+    [() => square.distances([3, 3]), 'precondition', /^points: vertex 3 is listed twice; remove one$/],
+    [() => new gvd.DiagramEditor(square, [0, 1]).move(0, 1), 'precondition', /^generators 0 and 1 coincide; remove one$/],
+    [() => new gvd.DiagramEditor(null, [0, 1]), 'invalid_option', /^mesh: a Mesh is needed$/],
+    [() => square.voronoi([0, 1], { weights: [1] }), 'invalid_option', /^weights: 1 number for 2 generators/],
+    [() => square.balance([0, 1], { shares: [1] }), 'invalid_option', /^shares: 1 number for 2 generators/],
+    ...[true, '1', 0, -1, NaN].map((limit) => [() => square.sample(2, { time_limit: limit }), 'invalid_option', /^time_limit: a number of seconds above 0 is needed/]),
+    ...[undefined, null].flatMap((none) => [
+      [() => square.isolines(0, none), 'invalid_option', /^levels: a distance, or an array of them, is needed$/],
+      [() => square.path(0, none), 'invalid_option', /^end: points are needed$/],
+      ...['points', 'distances', 'voronoi', 'balance'].map((name) => [() => square[name](none), 'invalid_option', /^points: points are needed$/]),
+    ]),
+    [() => square.path(9, 0), 'precondition', /^start: there is no vertex 9; the mesh has 4, numbered from 0$/],
+    [() => square.path(0, 9), 'precondition', /^end: there is no vertex 9/],
+    [() => square.segment(null, { n: 3 }), 'invalid_option', /^segment: there is no option "n"; did you mean "count"\?/],
+    [() => square.distances(0, { at: 3 }), 'invalid_option', /^distances: there is no option "at"; did you mean "to"\?/],
+    [() => square.distances([[NaN, 0, 0]]), 'precondition', /finite/],
   ];
   for (const [call, code, message] of kRefused) {
     assert.throws(call, (error) => {

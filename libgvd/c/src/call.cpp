@@ -91,10 +91,10 @@ std::unique_ptr<gvd_object> gvd::c::call(const char* name, const gvd_object* on,
     try {
       return std::make_unique<gvd_object>(call->run(object, observer), observer.door());
     } catch (const Error& error) {
-      throw Error(error.code(), spell_for(observer.door(), error.text(), &names), error.element());
+      throw Error(error.code(), spell_for(observer.door(), error.text(), list, names), error.element());
     }
   }();
-  Json more{{"options", Json::parse(options_json(list, names))},
+  Json more{{"options", Json::parse(options_json(list, names, observer.door()))},
             {"notes", observer.notes()},
             {"warnings", observer.warnings()}};
   made->told = more.dump(-1, ' ', false, Json::error_handler_t::replace);

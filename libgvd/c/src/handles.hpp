@@ -10,6 +10,7 @@
 #include <new>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -90,6 +91,10 @@ namespace gvd::c {
 gvd_status fail(gvd_status status, const char* message, const char* code = "", std::int64_t element = -1) noexcept;
 gvd_status fail(const Error& error, Door door = Door::json) noexcept;
 
+inline gvd_status fail_memory() noexcept {
+  return fail(GVD_OUT_OF_MEMORY, "out of memory; use a smaller mesh or fewer points");
+}
+
 /// The door of a run; JSON's where there is none.
 Door door_of(const gvd_run* run) noexcept;
 
@@ -102,7 +107,9 @@ gvd_status guarded_for(const gvd_run* run, Work&& work) noexcept {
   } catch (const Error& error) {
     return fail(error, door_of(run));
   } catch (const std::bad_alloc&) {
-    return fail(GVD_OUT_OF_MEMORY, "out of memory; use a smaller mesh or fewer generators");
+    return fail_memory();
+  } catch (const std::length_error&) {  // of a list that no memory holds
+    return fail_memory();
   } catch (const std::exception& error) {
     return fail(GVD_INTERNAL_ERROR, error.what());
   } catch (...) {

@@ -190,9 +190,11 @@ struct Spec {
   /// A line that says what it does, without a full stop; for a flag that is on by default, what happens without it.
   std::string help;
   std::string more = {};        ///< goes on behind `help`, from its comma or semicolon on
+  std::string arrays = {};      ///< in place of both for who gives arrays and no files
   std::string unit = {};        ///< of its numbers: "mesh units"
   std::string usual = {};       ///< its default in words; empty: the number or name that the field has, if any
   std::string short_name = {};  ///< one letter
+  std::string also = {};        ///< a former name, which has a hint
   Shown shown = Shown::usual;
   bool positional = false;  ///< given without a name
   bool required = false;
@@ -291,6 +293,10 @@ class OptionList {
   std::optional<Problem> find_problem(const Given& given) const;
   /// The first set of which no option is given.
   std::optional<Problem> find_missing(const Given& given) const;
+  /// Whether an option could be given, too: it is here, and none that is given excludes it.
+  bool can_add(std::string_view name, const Given& given) const;
+  /// The name that a wrong one most likely stands for; nothing for none.
+  std::optional<std::string> suggest(const std::string& wrong) const;
   /// Why an option does nothing beside the values of others; empty where it does something.
   std::string why_idle(const Option& option, const Given& given) const;
 

@@ -10,6 +10,7 @@
 //   \1max_snap\2                       --max-snap on a command line
 //   \1method=exact\2                   --method exact
 //   \1?refine=false|exact_count\2      those of these options that the user gave: --no-refine
+//   \1+, or raise |max_added\2         advice, left out where the call has no such option: ", or raise --max-added"
 //
 // Texts of users, such as names of files, stand in the same messages and are shown as they are. So no text of a user's
 // may have these two characters: doors refuse them in names of files, and quotations show other characters for them.
@@ -27,6 +28,8 @@ struct OptionSpelling {
   std::function<std::string(std::string_view name, std::string_view value)> spell;
   /// Where it is unknown what was given, everything counts as given.
   std::function<bool(std::string_view name)> is_given = [](std::string_view) { return true; };
+  /// Whether whoever reads the text can give the option.
+  std::function<bool(std::string_view name)> can_give = [](std::string_view) { return true; };
 };
 
 /// The text with its placeholders as `spelling` writes them.

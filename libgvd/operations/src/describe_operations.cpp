@@ -83,6 +83,22 @@ Json describe_object(const Object& object) {
   return describer.take();
 }
 
+/// What users of the door read of an option.
+void describe_words(Json& one, const Option& option, Door door) {
+  const Spec& spec = option.spec;
+  one["unit"] = spec.unit.empty() ? Json() : Json(spec.unit);
+  one["default"] = Json::parse(value_json(option.field));
+  const bool is_plain = spec.usual.empty() || spec.usual == default_text(option.field);
+  one["usual"] = is_plain ? Json() : Json(spell_for(door, spec.usual));
+  const bool has_own = !spec.arrays.empty();
+  one["summary"] = spell_for(door, has_own ? spec.arrays : spec.help);
+  one["help"] = spell_for(door, has_own ? spec.arrays : spec.help + spec.more);
+  one["also"] = Json::array();  // words that wrong names have a hint for
+  for (const std::string& word : {spec.short_name, spec.also}) {
+    if (!word.empty()) one["also"].push_back(word);
+  }
+}
+
 Json describe_options(const OptionList& list, Door door) {
   Json all = Json::array();
   for (const Option* const option : list.options()) {
@@ -94,13 +110,7 @@ Json describe_options(const OptionList& list, Door door) {
     if (const auto* const values = std::get_if<ValueSource>(&option->field)) {
       one["of"] = values->of == ValueSource::Of::generators ? "generators" : "vertices or faces";
     }
-    const Spec& spec = option->spec;
-    one["unit"] = spec.unit.empty() ? Json() : Json(spec.unit);
-    one["default"] = Json::parse(value_json(option->field));
-    const bool is_plain = spec.usual.empty() || spec.usual == default_text(option->field);
-    one["usual"] = is_plain ? Json() : Json(spell_for(door, spec.usual));
-    one["summary"] = spell_for(door, spec.help);
-    one["help"] = spell_for(door, spec.help + spec.more);
+    describe_words(one, *option, door);
     Json& excluded = one["excludes"] = Json::array();
     for (const Option* const other : list.options()) {
       if (list.exclude_each_other(option->name, other->name)) excluded.push_back(other->name);

@@ -74,7 +74,7 @@ std::vector<double> numbers_of(const NumberKind& kind, const GivenNumbers& given
   const std::string& title = given.values->title;
   if (values.size() != generators) {
     throw Error(
-        ErrorCode::unreadable_input,
+        given.name.empty() ? ErrorCode::invalid_option : ErrorCode::unreadable_input,  // an array, or a file
         fmt::format("{}: {} for {}; {} takes one for each", title, counted(std::ssize(values), "number", "numbers"),
                     counted(std::ptrdiff_t(generators), "generator", "generators"), kind.option));
   }
@@ -117,11 +117,15 @@ void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& dia
       "balance", ValueSource{&weights.balance, {"area"}},
       {.help = "Make all cells equal by weights of their generators",
        .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
-               "the input"});
+               "the input",
+       .arrays = "Make all cells equal by weights of their generators: in area ('area'), or in the integral of a "
+                 "number for each vertex or face"});
   list.option("shares", ValueSource{&weights.shares, {}, Of::generators},
               {.help = "With \1balance\2, the share of each generator, in any unit", .usual = "equal"});
   list.option("weights", ValueSource{&weights.weights, {}, Of::generators},
-              {.help = "Make the distances of each generator longer by its number in FILE", .unit = "mesh units"});
+              {.help = "Make the distances of each generator longer by its number in FILE",
+               .arrays = "Make the distances of each generator longer by its number",
+               .unit = "mesh units"});
   list.needs("shares", "balance");
   for (const char* name : {"balance", "weights"}) {
     list.rule({name, {"method"}, [&diagram, name](const Given&) {

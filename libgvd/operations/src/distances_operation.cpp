@@ -346,10 +346,14 @@ void describe(OptionList& list, DistancesCall& call) {
               {.help = "The points to measure from: vertices of the input file, counted from 0, as in 3,17,99",
                .more = fmt::format(", or a file that lists points ({}), or - for standard input",
                                    list_extensions(generator_extensions(), "or")),
+               .arrays = "The points to measure from",
                .shown = Shown::main});
-  list.option(
-      "to", PointList{&call.targets.points},
-      {.help = "The points to measure to, as \1from\2 gives them", .usual = "all vertices", .shown = Shown::main});
+  list.option("to", PointList{&call.targets.points},
+              {.help = "The points to measure to, as \1from\2 gives them",
+               .arrays = "The points to measure to",
+               .usual = "all vertices",
+               .also = "at",
+               .shown = Shown::main});
   list.option("max_snap", Number{&call.sources.max_snap, {.least = 0}},
               {.help = "Refuse a point of a list that is farther than this from the surface", .unit = "mesh units"});
   list.option("merge_coincident", Flag{&call.sources.merge_coincident},
@@ -386,7 +390,9 @@ void describe_for_programs(OptionList& list, DistancesCall& call) {
       "levels", ValueSource{&call.levels, {}, ValueSource::Of::generators},
       {.help = "Trace the curves of equal distance at these distances, ascending and above 0", .unit = "mesh units"});
   list.excludes("levels", {"isolines", "each"});
-  list.option("keep_coincident", Flag{&call.keep_coincident}, {.help = "Sources may be in the same place"});
+  list.option("keep_coincident", Flag{&call.keep_coincident},
+              {.help = "With \1each\2, sources may be in the same place"});
+  list.excludes("keep_coincident", {"merge_coincident"});
   list.option("mesh_vertices", Flag{&call.mesh_vertices},
               {.help = "With \1each\2, rows of the mesh's vertices, where repairs made others than the input's"});
   list.excludes("logarithm", {"each", "curves"});
@@ -399,8 +405,9 @@ std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall&
   made->has_limit = call.max_distance.has_value();
   DistanceTable& table = made->table;
   if (!call.sources.curves.is_given()) {
-    ResolvedGenerators sources = call.keep_coincident ? resolve_listed(*input, call.sources, observer, true)
-                                                      : choose_generators(*input, call.sources, {}, observer);
+    const bool may_coincide = call.keep_coincident && call.each;
+    ResolvedGenerators sources = may_coincide ? resolve_listed(*input, call.sources, observer, true)
+                                              : choose_generators(*input, call.sources, {}, observer);
     table.sources = std::move(sources.points);
     table.source_vertices = std::move(sources.vertex);
     made->snap_distance = std::move(sources.snap_distance);

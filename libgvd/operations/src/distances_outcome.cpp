@@ -232,7 +232,10 @@ OwnWriters DistancesOutcome::part_writers(std::string_view part) const {
   one.source_vertices = table.source_vertices;
   one.target_vertices = {table.target_vertex(std::size_t(one.paths.front().target))};
   one.paths.front().target = 0;
-  return {{"csv", [one = std::move(one)](std::ostream& out) { write_paths_csv(out, one); }}};
+  const std::vector<Vec3>& line = table.paths[std::size_t(*place)].positions;
+  return {{"csv", [one = std::move(one)](std::ostream& out) { write_paths_csv(out, one); }},
+          {"npy", [&line](std::ostream& out) { write_polyline_npy(out, line); }},
+          {"obj", [&line](std::ostream& out) { write_polyline_obj(out, line); }}};
 }
 
 OwnWriters DistancesOutcome::own_writers() const {

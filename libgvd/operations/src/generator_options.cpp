@@ -93,9 +93,11 @@ void describe(OptionList& list, GeneratorOptions& generators, const std::vector<
       "generators", PointList{&generators.points, PointList::Named::file},
       {.help = fmt::format("File that lists the generators ({})", list_extensions(generator_extensions(), "or")),
        .more = ", or - for standard input",
+       .arrays = "Points that are the generators",
        .shown = Shown::main});
   list.option("vertices", PointList{&generators.vertices, PointList::Named::vertices},
-              {.help = "Use these vertices of the input file, counted from 0, as in 3,17,99"});
+              {.help = "Use these vertices of the input file, counted from 0, as in 3,17,99",
+               .arrays = "Vertices that are the generators"});
   list.option(
       "max_snap", Number{&generators.max_snap, {.least = 0}},
       {.help = "Refuse a point of \1generators\2 that is farther than this from the surface", .unit = "mesh units"});
@@ -123,7 +125,11 @@ void describe_curves(OptionList& list, GeneratorOptions& generators) {
       {.help = "Use curves as generators",
        .more = fmt::format(": polylines of a file (.obj, .ply, .json or text), the boundary loops, or connected edges "
                            "whose faces differ by more than ANGLE degrees ({} by default)",
-                           kUsualCreaseAngle)});
+                           kUsualCreaseAngle),
+       .arrays = fmt::format("Use curves as generators: polylines through points, the boundary loops ('boundary'), or "
+                             "connected edges whose faces differ by more than ANGLE degrees ('creases:ANGLE'; "
+                             "'creases': {})",
+                             kUsualCreaseAngle)});
 }
 
 SamplingOptions make_sampling_options(const GeneratorOptions& asked, const DiagramOptions& diagram,

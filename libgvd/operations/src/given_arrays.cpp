@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "gvd/error.hpp"
+#include "gvd/surface_point.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
@@ -67,9 +68,9 @@ void check_array(const ArrayView& view, std::size_t place) {
   if (view.data == nullptr && view.shape[0] > 0) refuse_array(fmt::format("array {} is NULL", place));
 }
 
-/// The number of the array that a value refers to.
+/// The number of the array that a value refers to: an object whose only member is that.
 std::size_t find_array(const Json& value, const Arrays& arrays) {
-  const Json& place = value.at("array");
+  const Json& place = value.front();
   const std::int64_t count = std::ssize(arrays.views);
   if (place.is_number_integer() && place.get<std::int64_t>() >= 0 && place.get<std::int64_t>() < count) {
     return place.get<std::size_t>();
@@ -81,7 +82,8 @@ std::int64_t to_index(const GivenNumber& number, std::int64_t row) {
   const double value = number.value;
   if (number.whole >= 0) return number.whole;
   if (value >= 0 && value == std::floor(value) && value < kMostWhole) return static_cast<std::int64_t>(value);
-  refuse_array(fmt::format("element {} is {}; give whole numbers from 0 on", row, value));
+  throw Error(ErrorCode::invalid_option, fmt::format("element {} is {}; give whole numbers from 0 on", row, value),
+              row);
 }
 
 /// Numbers of JSON, which may be strings: it has no infinity.
@@ -112,7 +114,7 @@ struct Rows {
 };
 
 Rows read_rows(const Json& value, const Arrays& arrays) {
-  if (is_array_reference(value)) {
+  if (is_array_reference(value) || is_mesh_reference(value)) {
     const std::size_t place = find_array(value, arrays);
     Rows rows{{}, columns_of(arrays.views[place])};
     for_each_number(arrays.views[place], place, [&](const GivenNumber& number) { rows.numbers.push_back(number); });
@@ -163,7 +165,53 @@ GeneratorList to_list(const Rows& rows, const std::string& name) {
   return list;
 }
 
+/// Vertices of the mesh, under the numbers that they have in the input. Copies that repairs made have none there, and
+/// are corners of faces.
+GeneratorList to_list_of_mesh(const std::vector<GivenNumber>& vertices, const CheckedMesh& input,
+                              const std::string& name) {
+  GeneratorList list{name, {}};
+  const std::int32_t count = input.mesh.vertex_count();
+  for (const GivenNumber& number : vertices) {
+    const std::int64_t row = std::ssize(list.entries), index = to_index(number, row);
+    if (index >= count) {
+      throw Error(ErrorCode::precondition,
+                  fmt::format("there is no vertex {}; the mesh has {}, numbered from 0", index, count), row);
+    }
+    const VertexId v(static_cast<std::int32_t>(index));
+    const std::int32_t known = input.input_vertex[v];
+    if (known >= 0 && input.mesh_vertex[std::size_t(known)] == v) {
+      list.entries.push_back({GeneratorEntry::Kind::vertex, known, {}, 0});
+    } else {
+      const SurfacePoint corner = vertex_point(input.mesh, v);
+      list.entries.push_back({GeneratorEntry::Kind::face, corner.face.value(), corner.bary, 0});
+    }
+  }
+  if (list.entries.empty()) refuse_array("there is no point");
+  return list;
+}
+
+/// Points as JSON files have them, such as {"vertex": 3}.
+GeneratorList parse_objects(const Json& value, const std::string& name) {
+  const auto odd = std::ranges::find_if(value, [](const Json& one) { return !one.is_object(); });
+  if (odd != value.end()) {
+    refuse_array(
+        fmt::format("{} is no object, as the first point is; write {{\"vertex\": 3}} or {{\"position\": [x, y, z]}}",
+                    gvd::quoted(odd->dump())));
+  }
+  try {
+    GeneratorList list = parse_generators(Json{{"generators", value}}.dump(), GeneratorFormat::json, name);
+    for (GeneratorEntry& entry : list.entries) entry.line = 0;  // there is no file
+    return list;
+  } catch (const Error& error) {
+    throw Error(ErrorCode::invalid_option, error.text(), error.element());
+  }
+}
+
 }  // namespace
+
+bool is_mesh_reference(const Json& value) {
+  return value.is_object() && value.size() == 1 && value.contains("mesh_vertices");
+}
 
 bool is_array_reference(const Json& value) { return value.is_object() && value.size() == 1 && value.contains("array"); }
 
@@ -197,12 +245,21 @@ std::vector<std::int64_t> read_indices(const Json& value, const Arrays& arrays) 
 
 GeneratorList read_points(const Json& value, const Arrays& arrays, const std::string& name) {
   if (is_array_reference(value)) return to_list(read_rows(value, arrays), name);
+  if (is_mesh_reference(value)) return to_list_of_mesh(read_column(value, arrays), arrays.input, name);
   if (!value.is_array() || value.empty()) {
     refuse_array(fmt::format("{} is no list of points; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
   }
   const bool has_numbers = std::ranges::all_of(value, [](const Json& one) { return one.is_number(); });
   if (has_numbers || value.front().is_array()) return to_list(read_rows(value, arrays), name);
-  return parse_generators(Json{{"generators", value}}.dump(), GeneratorFormat::json, name);
+  if (is_array_reference(value.front()) || is_mesh_reference(value.front())) {
+    GeneratorList list{name, {}};
+    for (const Json& part : value) {
+      const GeneratorList read = read_points(part, arrays, name);
+      list.entries.insert(list.entries.end(), read.entries.begin(), read.entries.end());
+    }
+    return list;
+  }
+  return parse_objects(value, name);
 }
 
 CurveList read_curves(const Json& value, const Arrays& arrays, const std::string& name) {

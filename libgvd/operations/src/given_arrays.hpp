@@ -46,5 +46,7 @@ std::vector<double> read_array(const ArrayView& view, std::size_t place);
 
 /// Whether a value is {"array": N}.
 bool is_array_reference(const nlohmann::ordered_json& value);
+/// Whether it is {"mesh_vertices": N}: an array of vertices as the mesh numbers them, not the input.
+bool is_mesh_reference(const nlohmann::ordered_json& value);
 
 }  // namespace gvd

@@ -83,9 +83,13 @@ void describe(OptionList& list, GivenRegions& given, const std::string& kept) {
       "within", ValueSource{&given.within, {}, ValueSource::Of::faces},
       {.help = fmt::format("Keep {} inside given regions", kept),
        .more = ": a file with a whole number for each face or each vertex, or the name of a property of a PLY, VTP "
-               "or VTU input; faces with negative numbers are left out"});
+               "or VTU input; faces with negative numbers are left out",
+       .arrays = fmt::format("Keep {} inside given regions: a whole number for each face or each vertex; faces with "
+                             "negative numbers are left out",
+                             kept)});
   list.option("mask", ValueSource{&given.mask, {}, ValueSource::Of::faces},
-              {.help = "Leave out the faces whose number in this file or property is not 0"});
+              {.help = "Leave out the faces whose number in this file or property is not 0",
+               .arrays = "Leave out faces: a number for each face or each vertex, 0 for those that stay"});
 }
 
 FoundRegions find_regions(const CheckedMesh& input, const GivenRegions& given, Observer& observer) {

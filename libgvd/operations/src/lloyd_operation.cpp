@@ -157,7 +157,9 @@ void describe(OptionList& list, LloydCall& call) {
       "balance", ValueSource{&call.balance, {"area"}},
       {.help = "In the end, make all cells equal and keep the generators near their centroids",
        .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
-               "the input"});
+               "the input",
+       .arrays = "In the end, make all cells equal and keep the generators near their centroids: in area ('area'), or "
+                 "in the integral of a number for each vertex or face"});
   list.group("Constraints");
   describe(list, call.regions, "cells and distances");
   list.excludes("coarse", {"within", "mask"}, "there is no copy of regions");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "given_arrays.hpp"
 #include "gvd/curve_list.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/operation_json.hpp"
@@ -126,12 +127,14 @@ std::string value_json(const Field& field) {
 
 std::string kind_json(const Field& field) { return describe_kind(field).dump(); }
 
-std::string options_json(const OptionList& list, const Given& given) {
+std::string options_json(const OptionList& list, const Given& given, Door door) {
   Json values = Json::object();
   for (const Option* const option : list.options()) {
     const bool is_question = option->spec.shown == Shown::answered || option->spec.shown == Shown::hidden;
     if (is_question) continue;
-    values[option->name] = used_value(list, given, *option);
+    Json& value = values[option->name] = used_value(list, given, *option);
+    const bool is_rounded = door == Door::javascript && value.is_number_integer() && value.get<double>() >= kMostWhole;
+    if (is_rounded) value = value.dump();
   }
   return values.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

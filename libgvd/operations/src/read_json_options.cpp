@@ -106,7 +106,7 @@ class OptionReader {
       : option_(option), value_(value), arrays_(arrays), name_(fmt::format("\1{}\2", option.name)) {}
 
   std::string operator()(const PointList& list) const {
-    if (list.named == PointList::Named::vertices) {
+    if (list.named == PointList::Named::vertices && !is_mesh_reference(value_)) {
       *list.value = {read_indices(value_, arrays_), {}, nullptr};
     } else {
       *list.value = {{}, {}, std::make_shared<GeneratorList>(read_points(value_, arrays_, name_))};
@@ -175,11 +175,21 @@ bool has_values(const Field& field) {
 }
 
 [[noreturn]] void refuse_name(const OptionList& list, const std::string& wrong) {
-  std::vector<std::string> names;
-  for (const Option* const option : list.options()) names.push_back(option->name);
-  const auto meant = suggest_name(wrong, names);
+  const auto meant = list.suggest(wrong);
   refuse_json(fmt::format("there is no option \"{}\"{}", printable(wrong),
                           meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+}
+
+/// Reads one option. What is wrong begins with its name.
+void read(const Option& option, const Json& value, const Arrays& arrays) {
+  const std::string name = placeholder(option.name);
+  try {
+    const std::string wrong = std::visit(OptionReader(option, value, arrays), option.field);
+    if (!wrong.empty()) refuse_json(wrong);
+  } catch (const Error& error) {
+    const bool is_named = first_option(error.text()) == option.name;
+    throw is_named ? error : error.at(name);
+  }
 }
 
 }  // namespace
@@ -193,13 +203,7 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
     const Option* const option = list.find(name);
     if (option == nullptr) refuse_name(list, name);
     if (value.is_null()) continue;
-    std::string wrong;
-    try {
-      wrong = std::visit(OptionReader(*option, value, given_arrays), option->field);
-    } catch (const Error& error) {
-      wrong = error.text();
-    }
-    if (!wrong.empty()) refuse_json(fmt::format("\1{}\2: {}", name, wrong));
+    read(*option, value, given_arrays);
     // A flag with its default says nothing, as --cut=false of a command.
     const bool is_set = !std::holds_alternative<Flag>(option->field) || value.get<bool>() != option->is_on;
     if (is_set) given.add(name, {fmt::format("\"{}\"", name), "", 0, has_values(option->field) ? value.dump() : ""});
@@ -229,11 +233,13 @@ std::string spell(Door door, std::string_view name, std::string_view value) {
 
 }  // namespace
 
-std::string spell_for(Door door, const std::string& text, const Given* given) {
-  OptionSpelling spelling{
-      .spell = [door](std::string_view name, std::string_view value) { return spell(door, name, value); }};
-  if (given != nullptr) spelling.is_given = [given](std::string_view name) { return given->has(name); };
-  return spell_options(text, spelling);
+std::string spell_for(Door door, const std::string& text) { return spell_for(door, text, OptionList(), Given()); }
+
+std::string spell_for(Door door, const std::string& text, const OptionList& list, const Given& given) {
+  return spell_options(
+      text, {.spell = [door](std::string_view name, std::string_view value) { return spell(door, name, value); },
+             .is_given = [&](std::string_view name) { return given.has(name); },
+             .can_give = [&](std::string_view name) { return list.can_add(name, given); }});
 }
 
 }  // namespace gvd

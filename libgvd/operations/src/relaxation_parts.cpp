@@ -53,11 +53,15 @@ void note_unused_copy(Observer& observer, const Mesh& mesh, std::int64_t faces, 
 void describe(OptionList& list, GivenConstraints& given) {
   list.group("Constraints");
   list.option("fixed", PointList{&given.fixed, PointList::Named::file},
-              {.help = "File that lists generators to keep in place", .more = "; \1count\2 includes them"});
+              {.help = "File that lists generators to keep in place",
+               .more = "; \1count\2 includes them",
+               .arrays = "Points that are generators to keep in place; \1count\2 includes them"});
   list.option("density", ValueSource{&given.density, {"curvature"}},
               {.help = "Weight of the surface, above 0, which makes cells smaller where it is larger",
                .more = ": 'curvature', a file with a number for each vertex or each face (text, .npy, .shape.gii or "
-                       "FreeSurfer's), or the name of a property of a PLY, VTP or VTU input"});
+                       "FreeSurfer's), or the name of a property of a PLY, VTP or VTU input",
+               .arrays = "Weight of the surface, above 0, which makes cells smaller where it is larger: 'curvature', "
+                         "or a number for each vertex or each face"});
 }
 
 Density find_density(const CheckedMesh& input, const GivenNumbers& given) {

@@ -232,9 +232,12 @@ void describe_regions(OptionList& list, SegmentCall& call) {
   describe(list, call.regions, "regions and distances");
   list.option("per_region", Number{&call.per_region, {.least = 1}},
               {.help = "Number of generators to sample in each region of \1within\2"});
-  list.option("levels", Counts{&call.levels},
-              {.help = "Segment several times, each inside the regions of the time before",
-               .more = ": the numbers of generators, as in 10,100,1000; \1cut\2 cuts along those of the last level"});
+  list.option(
+      "levels", Counts{&call.levels},
+      {.help = "Segment several times, each inside the regions of the time before",
+       .more = ": the numbers of generators, as in 10,100,1000; \1cut\2 cuts along those of the last level",
+       .arrays = "Segment several times, each inside the regions of the time before: the numbers of generators, "
+                 "ascending; \1cut\2 cuts along those of the last level"});
   list.needs("per_region", "within");
 }
 

@@ -132,7 +132,7 @@ class DiscMaker {
   std::string describe_limit(std::size_t left) const {
     const std::string added_so_far = fmt::format("{} added in {}", counted(added(), "generator was", "generators were"),
                                                  counted(result_.rounds, "round", "rounds"));
-    const std::string advice = options_.max_added ? ", or raise \1max_added\2" : "";
+    const std::string advice = options_.max_added ? "\1+, or raise |max_added\2" : "";
     return fmt::format(
         "{}, and {} became {}; give so many generators that they are closer to each other than the way "
         "round the surface there{}",

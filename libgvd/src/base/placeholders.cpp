@@ -9,7 +9,7 @@
 namespace gvd {
 namespace {
 
-constexpr char kMarkBegin = '\1', kMarkEnd = '\2', kIfGiven = '?';
+constexpr char kMarkBegin = '\1', kMarkEnd = '\2', kIfGiven = '?', kAdvice = '+';
 
 std::string spell_one(std::string_view inside, const OptionSpelling& spelling) {
   const std::size_t equals = inside.find('=');
@@ -34,6 +34,20 @@ std::string spell_given(std::string_view inside, const OptionSpelling& spelling)
   return spelled;
 }
 
+/// Words, and behind a bar the option that they advise.
+std::string spell_advice(std::string_view inside, const OptionSpelling& spelling) {
+  const std::size_t bar = inside.find('|');
+  const std::string_view option = inside.substr(bar + 1);
+  if (!spelling.can_give(option.substr(0, option.find('=')))) return "";
+  return std::string(inside.substr(0, bar)) + spell_one(option, spelling);
+}
+
+std::string spell_inside(std::string_view inside, const OptionSpelling& spelling) {
+  if (inside.starts_with(kIfGiven)) return spell_given(inside.substr(1), spelling);
+  if (inside.starts_with(kAdvice)) return spell_advice(inside.substr(1), spelling);
+  return spell_one(inside, spelling);
+}
+
 }  // namespace
 
 std::string placeholder(std::string_view name, std::string_view value) {
@@ -53,8 +67,7 @@ std::string spell_options(std::string_view text, const OptionSpelling& spelling)
     spelled += text.substr(0, begin);
     if (begin == text.npos) break;
     if (end == text.npos) return spelled += text.substr(begin + 1);
-    const std::string_view inside = text.substr(begin + 1, end - begin - 1);
-    spelled += inside.starts_with(kIfGiven) ? spell_given(inside.substr(1), spelling) : spell_one(inside, spelling);
+    spelled += spell_inside(text.substr(begin + 1, end - begin - 1), spelling);
     text.remove_prefix(end + 1);
   }
   return spelled;

@@ -315,7 +315,8 @@ class Resolver {
         kept.snap_distance.push_back(result_.snap_distance[i]);
         kept.vertex.push_back(result_.vertex[i]);
       } else if (!options_.merge_coincident) {
-        refuse(i, describe_coincident(std::size_t(i), std::size_t(twin)) + "; remove one, or add \1merge_coincident\2");
+        refuse(i,
+               describe_coincident(std::size_t(i), std::size_t(twin)) + "; remove one\1+, or add |merge_coincident\2");
       }
     }
     kept.merged = std::int32_t(first.size() - kept.points.size());

@@ -139,7 +139,7 @@ void WorkingMesh::claim_for(VertexId v, GeneratorId g) {
     throw Error(
         ErrorCode::precondition,
         owner_.empty()
-            ? fmt::format("generators {} and {} coincide; remove one, or add \1merge_coincident\2", first, second)
+            ? fmt::format("generators {} and {} coincide; remove one\1+, or add |merge_coincident\2", first, second)
             : fmt::format("curves {} and {} meet at ({:.6g}, {:.6g}, {:.6g}); give both a point there, which "
                           "makes them one curve, or move one away",
                           first, second, at.x(), at.y(), at.z()),

@@ -142,6 +142,22 @@ std::vector<std::string> OptionList::needed_by(const std::string& name) const {
   return needed;
 }
 
+bool OptionList::can_add(std::string_view name, const Given& given) const {
+  const Option* const option = find(name);
+  return option != nullptr && std::none_of(options_.begin(), options_.end(), [&](const Option& other) {
+           return given.has(other.name) && exclude_each_other(option->name, other.name);
+         });
+}
+
+std::optional<std::string> OptionList::suggest(const std::string& wrong) const {
+  std::vector<std::string> names;
+  for (const Option& option : options_) {
+    if (wrong == option.spec.short_name || wrong == option.spec.also) return option.name;
+    names.push_back(option.name);
+  }
+  return suggest_name(wrong, names);
+}
+
 std::string OptionList::why_idle(const Option& option, const Given& given) const {
   for (const ValueRule& rule : rules_) {
     if (rule.option != option.name) continue;
@@ -193,7 +209,8 @@ std::vector<std::string> OptionList::find_unknown_names() const {
   }
   for (const std::string& title : groups_) read(title);
   for (const Option& option : options_) {
-    for (const std::string* text : {&option.spec.help, &option.spec.more, &option.spec.usual}) read(*text);
+    for (const std::string* text : {&option.spec.help, &option.spec.more, &option.spec.arrays, &option.spec.usual})
+      read(*text);
   }
   std::vector<std::string> unknown;
   for (const std::string& name : named) {

@@ -115,6 +115,11 @@ void write_distances_freesurfer(std::ostream& out, const DistanceTable& table, s
 /// source_vertex and target_vertex.
 void write_paths_csv(std::ostream& out, const DistanceTable& table);
 
+/// Writes the positions of one path: an array of doubles of the shape (points, 3), or vertices and a line through them,
+/// which one of them has not.
+void write_polyline_npy(std::ostream& out, const std::vector<Vec3>& positions);
+void write_polyline_obj(std::ostream& out, const std::vector<Vec3>& positions);
+
 /// Writes all of it as `gvd-distance/1` (docs/schema). Infinity is null.
 void write_distances_json(std::ostream& out, const Mesh& mesh, const DistanceTable& table);
 

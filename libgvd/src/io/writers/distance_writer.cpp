@@ -182,6 +182,24 @@ void write_paths_csv(std::ostream& stream, const DistanceTable& table) {
   out.finish();
 }
 
+void write_polyline_npy(std::ostream& stream, const std::vector<Vec3>& positions) {
+  ByteWriter out(stream);
+  out.text(io::npy_header("<f8", {positions.size(), 3}));
+  for (const Vec3& at : positions) {
+    for (const double x : at) out.binary(x);
+  }
+  out.finish();
+}
+
+void write_polyline_obj(std::ostream& stream, const std::vector<Vec3>& positions) {
+  ByteWriter out(stream);
+  for (const Vec3& at : positions) out.print("v {} {} {}\n", at.x(), at.y(), at.z());
+  if (positions.size() > 1) out.text("l");
+  for (std::size_t i = 1; positions.size() > 1 && i <= positions.size(); ++i) out.print(" {}", i);
+  if (positions.size() > 1) out.text("\n");
+  out.finish();
+}
+
 void write_distances_json(std::ostream& stream, const Mesh& mesh, const DistanceTable& table) {
   ByteWriter out(stream);
   const auto print_points = [&](const std::vector<SurfacePoint>& points) {

@@ -422,7 +422,7 @@ void DefectLog::add(DefectKind kind, std::int64_t count, std::int64_t first, con
                     const std::string& action) {
   if (count == 0) return;
   if (policy_ == DefectPolicy::error)
-    refuse_soup(what + ": repair the mesh, or allow its repair with \1on_defect=repair\2", first);
+    refuse_soup(what + ": repair the mesh\1+, or allow its repair with |on_defect=repair\2", first);
   add_asked(kind, count, first, what + ": " + action);
 }
 
