@@ -25,10 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::int64_t count_disc_cells(const Diagram& diagram) {
-  return std::count_if(diagram.cells.begin(), diagram.cells.end(),
-                       [](const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; });
-}
+std::int64_t count_disc_cells(const Diagram& diagram) { return std::ranges::count_if(diagram.cells, &Cell::is_disc); }
 
 /// The shortest digits that bring the same double back.
 std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }

@@ -1,7 +1,7 @@
 // The labels along edges, on every mesh of the family.
 #include <algorithm>
 
-#include "crease_steps.hpp"
+#include "edge_labels.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

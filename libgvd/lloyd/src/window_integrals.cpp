@@ -17,6 +17,7 @@
 
 #include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
+#include "base/triangle_lattice.hpp"
 #include "cell_integrals.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "gvd/diagram_steps.hpp"
@@ -52,12 +53,8 @@ std::vector<Bary> quadrature_points(int divisions) {
       points.push_back({1 - x - y, x, y});
     }
   };
-  for (int i = 0; i < divisions; ++i) {
-    for (int j = 0; i + j < divisions; ++j) {
-      add(i, j, 1);
-      if (i + j + 1 < divisions) add(i + 1, j + 1, -1);
-    }
-  }
+  for_each_lattice_triangle(divisions,
+                            [&](int i, int j, bool is_upright) { is_upright ? add(i, j, 1) : add(i + 1, j + 1, -1); });
   return points;
 }
 

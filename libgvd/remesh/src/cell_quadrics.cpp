@@ -5,6 +5,8 @@
 // triangles should meet a crease. Small groups of such cells are those of coarse, curved surfaces and do not count.
 // Source: M. Garland and P. Heckbert, Surface simplification using quadric error metrics, 1997.
 
+#include "cell_quadrics.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -12,8 +14,7 @@
 
 #include "base/barycentric.hpp"
 #include "base/union_find.hpp"
-#include "crease_steps.hpp"
-#include "placement_steps.hpp"
+#include "edge_labels.hpp"
 #include "repair/cell_topology.hpp"
 
 namespace gvd {

@@ -7,6 +7,8 @@
 // unless their generators are equally far from the corner. Powers of two achieve that.
 // Source: J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation, 1995.
 
+#include "crease_defects.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +17,8 @@
 #include <utility>
 
 #include "base/least.hpp"
-#include "crease_steps.hpp"
-#include "repair/repair_steps.hpp"
+#include "edge_labels.hpp"
+#include "repair/added_generators.hpp"
 
 namespace gvd {
 namespace {

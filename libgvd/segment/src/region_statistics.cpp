@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "base/barycentric.hpp"
+#include "diagram/bisector_length.hpp"
 #include "face_shares.hpp"
-#include "gvd/bisector_length.hpp"
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"

@@ -20,6 +20,7 @@
 #include "diagram/check_parts.hpp"
 #include "gvd/check.hpp"
 #include "gvd/surface_point.hpp"
+#include "mesh/component_topology.hpp"
 
 namespace gvd {
 namespace {
@@ -230,18 +231,10 @@ void check_components(const Diagram& diagram, Violations& violations) {
   for (const Cell& c : diagram.cells) {
     const auto i = c.generator.index();
     if (c.components != 1) violations.add(6, "cell", i, "is not connected");
-    const std::int32_t twice_genus = 2 * c.components - c.boundary_loops - c.euler_characteristic;
-    if (twice_genus >= 0 && twice_genus % 2 == 0) continue;
+    const std::int32_t twice = twice_genus(c.components, c.boundary_loops, c.euler_characteristic);
+    if (twice >= 0 && twice % 2 == 0) continue;
     violations.add(6, "cell", i, "no surface has its Euler characteristic and its number of boundary loops");
   }
-}
-
-std::int64_t reached_characteristic(const Mesh& mesh, const ReachedFaces& reached) {
-  std::int64_t faces = 0, edges = 0, vertices = 0;
-  for (const FaceId f : mesh.faces()) faces += reached.contains(f);
-  for (const EdgeId e : mesh.edges()) edges += reached.contains(Mesh::face(mesh.halfedge(e)));
-  for (const VertexId v : mesh.vertices()) vertices += reached.contains(Mesh::face(mesh.halfedge(v)));
-  return vertices - edges + faces;
 }
 
 /// The surface is the disjoint union of four sets: the cells' interiors, the bisectors without their ends
@@ -253,7 +246,7 @@ void check_euler(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& r
   for (const Cell& c : diagram.cells) cells += c.euler_characteristic;
   for (const Bisector& b : diagram.bisectors) open += b.closed ? 0 : 1;
   const std::int64_t branches = diagram.branch_points.count();
-  const std::int64_t whole = reached_characteristic(mesh, reached);
+  const std::int64_t whole = reached.euler_characteristic(mesh);
   if (cells - open + branches == whole) return;
   violations.add(7, fmt::format("Euler's formula: cells {} - bisectors {} + branch points {} is not {}", cells, open,
                                 branches, whole));
@@ -279,6 +272,15 @@ ReachedFaces::ReachedFaces(const Mesh& mesh, const std::vector<SurfacePoint>& ge
   for (const std::int32_t c : component_) count = std::max(count, c + 1);
   has_generator_.assign(count, 0);
   for (const SurfacePoint& g : generators) has_generator_[component_[g.face]] = 1;
+}
+
+std::int64_t ReachedFaces::euler_characteristic(const Mesh& mesh) const {
+  const std::vector<ComponentTopology> topologies = compute_topologies(mesh, component_);
+  std::int64_t sum = 0;
+  for (std::size_t c = 0; c < topologies.size(); ++c) {
+    if (has_generator_[c]) sum += topologies[c].euler_characteristic;
+  }
+  return sum;
 }
 
 void check_ids(const Mesh& mesh, const Diagram& diagram, Violations& violations) {

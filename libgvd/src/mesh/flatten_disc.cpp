@@ -13,6 +13,7 @@
 
 #include "base/plane.hpp"
 #include "gvd/error.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -116,6 +117,30 @@ class DiscFlattener {
 };
 
 }  // namespace
+
+std::vector<VertexId> trace_boundary_loop(const Mesh& mesh, HalfedgeId h) {
+  std::vector<VertexId> loop;
+  HalfedgeId next = h;
+  do {
+    loop.push_back(mesh.from(next));
+    next = next_on_boundary(mesh, next);
+  } while (next != h);
+  return loop;
+}
+
+void scale_and_even(std::vector<double>& values, double last, double even_share) {
+  const double given = values.back(), steps = double(values.size() - 1);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = last * ((1 - even_share) * values[i] / given + even_share * double(i) / steps);
+  }
+  values.back() = last;
+}
+
+std::vector<Vec2> lay_round(const std::vector<double>& angles, const std::vector<double>& radii) {
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i + 1 < angles.size(); ++i) points.push_back(radii[i] * unit_vector(angles[i]));
+  return points;
+}
 
 PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border,
                        DiscWeights weights) {

@@ -11,6 +11,8 @@
 // Source: the rule of the midpoints is exact to degree 2; V - E + F over branch points, bisectors and cells is Euler's.
 // Invariant: a page is made of checked scenes only, and needs no file and no network when it is opened. A scene refers
 // to its mesh and copies all else, so the diagram may go before the page is made.
+#include "io/view/view_page.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +29,10 @@
 #include "base/barycentric.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
-#include "io/view/view_steps.hpp"
+#include "io/view/scene_colors.hpp"
+#include "io/view/scene_entry.hpp"
+#include "io/view/view_blobs.hpp"
+#include "io/view/view_template.hpp"
 
 namespace gvd {
 namespace io {
@@ -182,7 +187,7 @@ std::vector<ViewFigure> make_figures(const Mesh& mesh, const Diagram& diagram, c
   std::int64_t characteristics = 0, discs = 0;
   for (const Cell& cell : diagram.cells) {
     characteristics += cell.euler_characteristic;
-    discs += cell.euler_characteristic == 1 && cell.components == 1;
+    discs += cell.is_disc();
   }
   std::vector<ViewFigure> figures{{"Faces", fmt::format("{}", shown.face_count())},
                                   {"Vertices", fmt::format("{}", shown.vertex_count())},

@@ -3,18 +3,14 @@
 #include <compare>
 #include <vector>
 
+#include "dual/placed_faces.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
+#include "gvd/remesh_certificate.hpp"
 
 namespace gvd {
-
-/// Two faces of a mesh, first < second.
-struct FacePair {
-  FaceId first, second;
-  auto operator<=>(const FacePair&) const = default;
-};
 
 /// The pairs of faces that have a common point outside of the vertex or edge that they share, ascending.
 ///
@@ -24,6 +20,9 @@ struct FacePair {
 /// Throws Error{interrupted} if `progress` cancels.
 /// Cost: O(n log n) where faces overlap the boxes of a bounded number of others.
 std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0, const Progress& progress = {});
+
+/// find_self_intersections for a mesh whose vertices have moved.
+std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress = {});
 
 /// Two cells of a diagram, or one cell twice: first <= second.
 struct CellPair {

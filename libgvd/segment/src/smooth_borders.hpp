@@ -1,45 +1,14 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <span>
-#include <vector>
 
 #include "face_shares.hpp"
 #include "gvd/segment.hpp"
-#include "region_topology.hpp"
-
-// The steps of `segment_faces`: labels of whole faces, and short borders between them.
 
 namespace gvd {
-
-// segment_faces.cpp
-
-/// The edge-connected components of the faces of each label.
-struct LabelComponents {
-  struct Component {
-    GeneratorId label;
-    double area = 0;  ///< square mesh units
-  };
-  std::vector<Component> components;         ///< in the order of their first face
-  IdVector<FaceId, std::int32_t> component;  ///< of every face; -1 for a face without a label
-};
-
-/// Finds the components. Cost: O(n).
-LabelComponents find_label_components(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label);
-
-/// Gives a face to each generator whose label no face has, in the order of the generators.
-///
-/// Candidates are the faces that contain the generator, then the other faces with a share of its cell. Both groups are
-/// in descending order of the share. The first candidate is taken whose label keeps another face and stays connected
-/// without this one. Counts `given_faces`, and lists in `without_face` the generators without such a candidate.
-/// Cost: O(n), and for each such generator a search through the region that may lose a face.
-void assign_missing_faces(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result,
-                          const Progress& progress = {});
-
-// smooth_borders.cpp
 
 /// Shortens the borders between the regions of `result`. Only free faces (see FreeFaces) change their label, and only
 /// to that of a cell with a share of the face.
@@ -128,50 +97,6 @@ class BorderCosts {
   const Mesh& mesh_;
   const FreeFaces& free_;
   const IdVector<FaceId, GeneratorId>& label_;
-};
-
-// border_forest.cpp
-
-/// Chooses the labels of many free faces at once, by dynamic programming on a forest.
-///
-/// The free faces, joined where they share a side, are a graph: nearly a path along each bisector. A forest is grown in
-/// it breadth-first. A face with two neighbours in the forest stays outside and keeps its label. So faces of the
-/// forest share sides with their parent and their children only. The labels of least cost are exact for the forest.
-class BorderForest {
- public:
-  /// Refers to all arguments. `generators` is the number of labels.
-  BorderForest(const FreeFaces& free, const BorderCosts& costs, const IdVector<FaceId, GeneratorId>& label,
-               std::size_t generators);
-
-  /// The labels of least cost together; the present ones for faces outside of the forest. The first tree has its root
-  /// at `first`, each other one at the next face that is left, in cyclic order. Cost: O(k) for k shares.
-  const IdVector<FreeFaceId, GeneratorId>& choose(FreeFaceId first);
-
- private:
-  enum class State : char { waiting, member, outside };
-  struct Node {
-    State state = State::waiting;
-    FreeFaceId parent;       // invalid for a root
-    double side = 0;         // length of the sides in common with the parent
-    std::span<double> sums;  // for each candidate the least cost of the subtree
-  };
-
-  void grow(FreeFaceId root);
-  bool join(FreeFaceId i);
-  void add_own_costs(FreeFaceId i);
-  void add_to_parent(FreeFaceId i);
-  GeneratorId best_label(FreeFaceId i) const;
-
-  bool is_member(FreeFaceId i) const { return i.valid() && nodes_[i].state == State::member; }
-
-  const FreeFaces& free_;
-  const BorderCosts& costs_;
-  const IdVector<FaceId, GeneratorId>& label_;
-  IdVector<FreeFaceId, Node> nodes_;
-  std::vector<double> sums_;                  // what the nodes' sums refer to
-  std::vector<FreeFaceId> order_;             // the forest's faces, parents before children
-  IdVector<GeneratorId, double> child_cost_;  // scratch: for the labels of one child, infinity for all others
-  IdVector<FreeFaceId, GeneratorId> chosen_;
 };
 
 }  // namespace gvd

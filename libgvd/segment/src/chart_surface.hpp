@@ -1,9 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "base/parallel_chunks.hpp"
@@ -12,22 +11,18 @@
 #include "gvd/face_regions.hpp"
 #include "gvd/surface_point.hpp"
 
-// The steps of `make_charts`: the islands, their maps to the plane, and their places in the square.
-
 namespace gvd {
 
 /// A connected part of a region.
 struct Island {
   GeneratorId generator;
-  std::vector<FaceId> faces;  ///< ascending
+  std::int32_t euler_characteristic = 0;  ///< 1 for a disc
+  std::vector<FaceId> faces;              ///< ascending
 };
 
 /// The islands of regions that were separated, ascending by their first face; none for faces without a label. Cost:
 /// O(n).
 std::vector<Island> find_islands(const Mesh& separated, const IdVector<FaceId, GeneratorId>& label);
-
-/// Vertices - edges + faces of an island with vertices of its own: 1 for a disc. Cost: O(n log n).
-std::int64_t euler_characteristic(const Mesh& mesh, const Island& island);
 
 /// The points of a face's corners in the plane; not numbers for one that is not placed.
 using PlaneCorners = std::array<Vec2, 3>;
@@ -69,42 +64,5 @@ class ChartSurface {
   ParallelChunks parallel_;
   ExactField field_;
 };
-
-// chart_maps.cpp
-
-/// Lays all faces by logarithms, mesh units round their generators. Sets `torn` for those laid by their centre's path.
-/// Cost: O(faces crossed) for each vertex and torn face.
-std::vector<PlaneCorners> map_by_logarithms(const ChartSurface& surface, IdVector<FaceId, char>& torn);
-
-/// Maps of a disc to the plane, from the best looking to the safest.
-inline constexpr int kFlatMaps = 4;
-
-/// The border of an island that is a disc, counter-clockwise.
-struct IslandBorder {
-  std::vector<VertexId> vertices;
-  std::vector<double> side;      ///< length from each vertex to the next one, mesh units
-  std::vector<double> distance;  ///< from the generator, mesh units; empty where that is on the boundary
-};
-
-/// Cost: O(n), and that of a path for each vertex of the border.
-IslandBorder measure_border(const ChartSurface& surface, const Island& island);
-
-/// Lays the faces of an island, a disc, by the `attempt`-th map; false where its border has no such shape. The area is
-/// that of the faces, mesh units. Writes to these faces only.
-bool map_flat(const Mesh& mesh, const Island& island, const IslandBorder& border, int attempt,
-              std::vector<PlaneCorners>& corners);
-
-// make_charts.cpp
-
-/// Boxes in a square.
-struct Packing {
-  std::vector<Vec2> at;  ///< their lower left corners
-  double side = 0;       ///< of the square
-};
-
-/// Puts boxes of these sizes on shelves, the highest first, with free space round each (kChartMargin). Sides of the
-/// square are tried in steps of 1 %, and the first that holds all is taken. Ties keep the order. Cost: O(n log n) for
-/// each side.
-Packing pack_boxes(const std::vector<Vec2>& sizes);
 
 }  // namespace gvd
