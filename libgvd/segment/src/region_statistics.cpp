@@ -16,6 +16,7 @@
 
 #include "base/barycentric.hpp"
 #include "diagram/bisector_length.hpp"
+#include "diagram/cell_parts.hpp"
 #include "face_shares.hpp"
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
@@ -71,25 +72,21 @@ class RegionMeter {
   }
 
   void add_mesh_boundary() {
-    for (const HalfedgeId h : mesh_.halfedges()) {
-      const GeneratorId g = diagram_.face_label[Mesh::face(h)];
-      if (g.valid() && !mesh_.twin(h).valid()) regions_[g].perimeter += mesh_.length(h);
-    }
-    for (const FacePiece& piece : diagram_.pieces) {
-      for (const HalfedgeId h : Mesh::halfedges(piece.face)) {
+    for_each_cell_part(diagram_, [&](const FacePart& part) {
+      for (const HalfedgeId h : Mesh::halfedges(part.face)) {
         if (mesh_.twin(h).valid()) continue;
-        regions_[piece.generator].perimeter += mesh_.length(h) * covered_part(piece, Mesh::corner(h));
+        regions_[part.generator].perimeter += mesh_.length(h) * covered_part(part, Mesh::corner(h));
       }
-    }
+    });
   }
 
-  /// The part of a face's side that bounds the piece. Corners on the side have a 0 there, which is exact but for the
+  /// How much of a face's side bounds the part. Corners on the side have a 0 there, which is exact but for the
   /// rounding of coordinates that were converted from a split face.
-  static double covered_part(const FacePiece& piece, int side) {
+  static double covered_part(const FacePart& part, int side) {
     const int opposite = (side + 2) % 3;
     double sum = 0;
-    for (std::size_t i = 0; i < piece.corners.size(); ++i) {
-      const Bary &a = piece.corners[i], &b = piece.corners[(i + 1) % piece.corners.size()];
+    for (std::size_t i = 0; i < part.corners.size(); ++i) {
+      const Bary &a = part.corners[i], &b = part.corners[(i + 1) % part.corners.size()];
       if (a[opposite] > kBarycentricSnap || b[opposite] > kBarycentricSnap) continue;
       sum += std::max(0.0, a[side] - b[side]);  // pieces are counter-clockwise, as the side is
     }

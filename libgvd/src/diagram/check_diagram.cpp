@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
+#include "diagram/cell_parts.hpp"
 #include "diagram/check_parts.hpp"
 #include "gvd/check.hpp"
 #include "gvd/surface_point.hpp"
@@ -115,20 +116,15 @@ class PartitionCheck {
   }
 
   void check_vertex_labels() {
-    for (const FaceId f : mesh_.faces()) {
-      const GeneratorId g = diagram_.face_label[f];
-      if (!g.valid()) continue;
-      for (const VertexId v : mesh_.vertices(f)) check_vertex_label(v, g);
-    }
-    for (const FacePiece& piece : diagram_.pieces) {
-      for (const Bary& corner : piece.corners) {
+    for_each_cell_part(diagram_, [&](const FacePart& part) {
+      for (const Bary& corner : part.corners) {
         for (int k = 0; k < 3; ++k) {
           // Exactly the vertex, since a crossing may be as close to it as rounding allows.
           const bool at_vertex = corner[(k + 1) % 3] == 0 && corner[(k + 2) % 3] == 0;
-          if (at_vertex) check_vertex_label(mesh_.vertices(piece.face)[k], piece.generator);
+          if (at_vertex) check_vertex_label(mesh_.vertices(part.face)[k], part.generator);
         }
       }
-    }
+    });
   }
 
   void check_vertex_label(VertexId v, GeneratorId g) {
@@ -167,10 +163,8 @@ bool contains(const Mesh& mesh, const FacePiece& piece, const SurfacePoint& p) {
 
 bool is_in_cell_within_face(const Mesh& mesh, const Diagram& diagram, const SurfacePoint& p, GeneratorId g) {
   if (diagram.face_label[p.face].valid()) return diagram.face_label[p.face] == g;
-  const auto first = std::ranges::lower_bound(diagram.pieces, p.face, {}, &FacePiece::face);
-  const auto last = std::ranges::upper_bound(diagram.pieces, p.face, {}, &FacePiece::face);
-  return std::any_of(first, last,
-                     [&](const FacePiece& piece) { return piece.generator == g && contains(mesh, piece, p); });
+  return std::ranges::any_of(pieces_in(diagram, p.face),
+                             [&](const FacePiece& piece) { return piece.generator == g && contains(mesh, piece, p); });
 }
 
 /// A point on an edge belongs to the faces on both sides. In a face without area other points lie at the same position,

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "base/parallel_chunks.hpp"
+#include "diagram/cell_parts.hpp"
 #include "dual/faces_intersect.hpp"
 #include "dual/placed_faces.hpp"
 
@@ -19,29 +20,20 @@ namespace gvd {
 namespace {
 
 /// The part of a face in one cell.
-struct PlacedPiece {
+struct PlacedPart {
   GeneratorId cell;
   Box3 box;
 };
 
-std::vector<PlacedPiece> place_pieces(const Mesh& surface, const Diagram& diagram, FaceId f) {
-  if (diagram.face_label[f].valid()) return {{diagram.face_label[f], face_box(surface, f)}};
-  std::vector<PlacedPiece> pieces;
-  const auto first = std::ranges::lower_bound(diagram.pieces, f, {}, &FacePiece::face);
-  for (auto it = first; it != diagram.pieces.end() && it->face == f; ++it) {
-    const FacePiece& piece = *it;
+/// The parts of f whose boxes overlap that of g.
+std::vector<PlacedPart> parts_near(const Mesh& surface, const Diagram& diagram, FaceId f, FaceId g) {
+  std::vector<PlacedPart> parts;
+  for_each_cell_part(diagram, f, [&](const FacePart& part) {
     Box3 box;
-    for (const auto& bary : piece.corners) box.extend(position(surface, {f, bary}));
-    pieces.push_back({piece.generator, box});
-  }
-  return pieces;
-}
-
-/// The pieces of f whose boxes overlap that of g.
-std::vector<PlacedPiece> pieces_near(const Mesh& surface, const Diagram& diagram, FaceId f, FaceId g) {
-  std::vector<PlacedPiece> pieces = place_pieces(surface, diagram, f);
-  std::erase_if(pieces, [&](const PlacedPiece& piece) { return !piece.box.intersects(face_box(surface, g)); });
-  return pieces;
+    for (const Bary& bary : part.corners) box.extend(position(surface, {f, bary}));
+    if (box.intersects(face_box(surface, g))) parts.push_back({part.generator, box});
+  });
+  return parts;
 }
 
 /// `are_parted` multiplies eight lengths, and an exact determinant rounding errors of three. With coordinates up to
@@ -96,10 +88,10 @@ std::vector<CellPair> find_intersecting_cells(const Mesh& surface, const Diagram
   std::vector<CellPair> cells;
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (i % kProgressStride == 0) report_progress(progress, "self-intersections", double(i) / double(given.size()));
-    const auto firsts = pieces_near(surface, diagram, given[i].first, given[i].second);
-    const auto seconds = pieces_near(surface, diagram, given[i].second, given[i].first);
-    for (const PlacedPiece& p : firsts) {
-      for (const PlacedPiece& q : seconds) {
+    const auto firsts = parts_near(surface, diagram, given[i].first, given[i].second);
+    const auto seconds = parts_near(surface, diagram, given[i].second, given[i].first);
+    for (const PlacedPart& p : firsts) {
+      for (const PlacedPart& q : seconds) {
         if (p.box.intersects(q.box)) cells.push_back({std::min(p.cell, q.cell), std::max(p.cell, q.cell)});
       }
     }

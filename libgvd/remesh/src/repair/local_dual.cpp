@@ -6,6 +6,7 @@
 //
 #include "repair/local_dual.hpp"
 
+#include "diagram/cell_parts.hpp"
 #include "dual/dual_defects.hpp"
 #include "gvd/error.hpp"
 
@@ -31,13 +32,8 @@ CellFlags grow_rings(const Diagram& diagram, const std::vector<GeneratorId>& cel
 
 CellPart cut_out_cells(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part) {
   IdVector<FaceId, char> meets(mesh.face_count(), 0), meets_others(mesh.face_count(), 0);
-  for (const FaceId f : mesh.faces()) {
-    const GeneratorId g = diagram.face_label[f];
-    if (g.valid()) meets[f] = in_part[g];
-  }
-  for (const FacePiece& piece : diagram.pieces) {
-    (in_part[piece.generator] ? meets : meets_others)[piece.face] = 1;
-  }
+  for_each_cell_part(diagram,
+                     [&](const FacePart& part) { (in_part[part.generator] ? meets : meets_others)[part.face] = 1; });
   std::vector<FaceId> faces;
   IdVector<FaceId, char> is_fringe;
   for (const FaceId f : mesh.faces()) {
@@ -111,13 +107,9 @@ bool LocalDual::add_generators(const std::vector<SurfacePoint>& added, std::vect
 
 CellFlags LocalDual::find_inner_cells(const Diagram& diagram) const {
   CellFlags inner(diagram.generators.size(), 1);
-  for (const FaceId f : part_.mesh.faces()) {
-    const GeneratorId g = diagram.face_label[f];
-    if (g.valid() && part_.is_fringe[f]) inner[g] = 0;
-  }
-  for (const FacePiece& piece : diagram.pieces) {
-    if (part_.is_fringe[piece.face]) inner[piece.generator] = 0;
-  }
+  for_each_cell_part(diagram, [&](const FacePart& part) {
+    if (part_.is_fringe[part.face]) inner[part.generator] = 0;
+  });
   return inner;
 }
 

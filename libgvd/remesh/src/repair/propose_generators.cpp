@@ -12,6 +12,7 @@
 
 #include "base/least.hpp"
 #include "diagram/bisector_length.hpp"
+#include "diagram/cell_parts.hpp"
 #include "gvd/error.hpp"
 #include "repair/added_generators.hpp"
 #include "repair/local_dual.hpp"
@@ -281,12 +282,9 @@ constexpr int kMostRounds = 8;
 std::vector<GeneratorId> list_cells_around(const Mesh& mesh, const Diagram& diagram,
                                            const std::vector<SurfacePoint>& points) {
   std::vector<GeneratorId> cells;
-  const auto by_face = [](const FacePiece& piece, FaceId f) { return piece.face < f; };
   for (const SurfacePoint& point : points) {
     for (const FaceId f : faces_around(mesh, point)) {
-      if (diagram.face_label[f].valid()) cells.push_back(diagram.face_label[f]);
-      auto piece = std::lower_bound(diagram.pieces.begin(), diagram.pieces.end(), f, by_face);
-      for (; piece != diagram.pieces.end() && piece->face == f; ++piece) cells.push_back(piece->generator);
+      for_each_cell_part(diagram, f, [&](const FacePart& part) { cells.push_back(part.generator); });
     }
   }
   std::sort(cells.begin(), cells.end());

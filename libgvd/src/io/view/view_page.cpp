@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
+#include "diagram/cell_parts.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
 #include "io/view/scene_colors.hpp"
@@ -156,7 +157,7 @@ class SquaredDistance {
 
 /// Integral over a polygon of a face of area `area`: a fan of triangles with signed areas, each by the midpoints of its
 /// sides, which is exact for quadratic functions.
-double integrate(const SquaredDistance& squared, double area, const std::vector<Bary>& polygon) {
+double integrate(const SquaredDistance& squared, double area, std::span<const Bary> polygon) {
   double sum = 0;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const Bary &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
@@ -308,15 +309,10 @@ void check_view_scene(const ViewScene& scene) {
 
 IdVector<GeneratorId, double> compute_cell_energies(const Mesh& mesh, const Diagram& diagram) {
   IdVector<GeneratorId, double> energies(diagram.cells.size(), 0.0);
-  const auto add = [&](FaceId f, GeneratorId cell, const std::vector<Bary>& polygon) {
-    const double energy = integrate(SquaredDistance(mesh, diagram, f), mesh.area(f), polygon);
-    if (std::isfinite(energy)) energies[cell] += energy;
-  };
-  const std::vector<Bary> whole(kWholeTriangle.begin(), kWholeTriangle.end());
-  for (const FaceId f : diagram.face_label.ids()) {
-    if (diagram.face_label[f].valid()) add(f, diagram.face_label[f], whole);
-  }
-  for (const FacePiece& piece : diagram.pieces) add(piece.face, piece.generator, piece.corners);
+  for_each_cell_part(diagram, [&](const FacePart& part) {
+    const double energy = integrate(SquaredDistance(mesh, diagram, part.face), mesh.area(part.face), part.corners);
+    if (std::isfinite(energy)) energies[part.generator] += energy;
+  });
   return energies;
 }
 
