@@ -26,40 +26,30 @@ Vec3 stable_normal(const Mesh& mesh, FaceId f) {
 }
 
 /// Parts a crease network into curves, each edge once.
-class CreaseTracer {
- public:
-  CreaseTracer(const Mesh& mesh, const CreaseNetwork& network)
-      : mesh_(mesh), network_(network), done_(mesh.edge_count(), false) {}
-
-  std::vector<CreaseCurve> run(const std::vector<EdgeId>& creases) {
-    for (const VertexId v : mesh_.vertices()) {
-      if (!network_.is_corner(v)) continue;
-      for (const CreaseNetwork::Step& step : network_.leaving(v)) trace(step);
-    }
-    for (const EdgeId e : creases) trace({e, true});  // the closed ones are left
-    return std::move(curves_);
-  }
-
- private:
-  void trace(const CreaseNetwork::Step& first) {
-    if (done_[first.edge]) return;
+std::vector<CreaseCurve> trace_curves(const Mesh& mesh, const CreaseNetwork& network,
+                                      const std::vector<EdgeId>& creases) {
+  IdVector<EdgeId, bool> done(mesh.edge_count(), false);
+  std::vector<CreaseCurve> curves;
+  const auto trace = [&](const CreaseNetwork::Step& first) {
+    if (done[first.edge]) return;
     CreaseCurve curve;
-    curve.vertices.push_back(network_.start(first));
+    curve.vertices.push_back(network.start(first));
     CreaseNetwork::Step step = first;
-    for (; step.edge.valid() && !done_[step.edge]; step = network_.next(step)) {
-      done_[step.edge] = true;
+    for (; step.edge.valid() && !done[step.edge]; step = network.next(step)) {
+      done[step.edge] = true;
       curve.edges.push_back(step.edge);
-      curve.vertices.push_back(network_.end(step));
+      curve.vertices.push_back(network.end(step));
     }
     curve.closed = step.edge.valid();
-    curves_.push_back(std::move(curve));
+    curves.push_back(std::move(curve));
+  };
+  for (const VertexId v : mesh.vertices()) {
+    if (!network.is_corner(v)) continue;
+    for (const CreaseNetwork::Step& step : network.leaving(v)) trace(step);
   }
-
-  const Mesh& mesh_;
-  const CreaseNetwork& network_;
-  IdVector<EdgeId, bool> done_;
-  std::vector<CreaseCurve> curves_;
-};
+  for (const EdgeId e : creases) trace({e, true});  // the closed ones are left
+  return curves;
+}
 
 double length_of(const Mesh& mesh, const CreaseCurve& curve) {
   double length = 0;
@@ -171,7 +161,7 @@ SurfacePoint point_on_curve(const Mesh& mesh, const CreaseCurve& curve, std::siz
 std::vector<CreaseCurve> trace_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double corner_distance) {
   CreaseNetwork network(mesh, creases);
   network.thin_corners(corner_distance);
-  return CreaseTracer(mesh, network).run(creases);
+  return trace_curves(mesh, network, creases);
 }
 
 FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing,
@@ -185,7 +175,7 @@ FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& 
     placed.points.push_back(vertex_point(mesh, v));
     placed.freedom.push_back(Freedom::fixed);
   }
-  for (const CreaseCurve& curve : CreaseTracer(mesh, network).run(creases)) place_along(mesh, curve, spacing, placed);
+  for (const CreaseCurve& curve : trace_curves(mesh, network, creases)) place_along(mesh, curve, spacing, placed);
   return placed;
 }
 

@@ -41,67 +41,53 @@ Patch collect_patch(const Mesh& mesh, VertexId centre) {
   return patch;
 }
 
-class NearestMapper {
- public:
-  NearestMapper(const Mesh& surface, const RemeshResult& result) : surface_(surface), result_(result) {
-    at_vertex_.resize(result.diagram.vertex_label.size());
-    for (const VertexId v : result.mesh.vertices()) {
-      patches_.push_back(collect_patch(result.mesh, v));
-      remember(result.generators[v.index()], v);
-    }
+/// The nearest point of the remesh's boundary near its vertex.
+SurfacePoint nearest_on_boundary(const Mesh& remesh, const Patch& patch, const Vec3& at) {
+  Least<SurfacePoint> nearest;
+  for (const HalfedgeId h : patch.boundary) {
+    const SurfacePoint found = edge_point(h, std::clamp(foot_on_edge(remesh, h, at), 0.0, 1.0));
+    nearest.offer((position(remesh, found) - at).norm(), found);
   }
+  return nearest.value;
+}
 
-  IdVector<VertexId, SurfacePoint> run(int threads, const Progress& progress) const {
-    const ParallelChunks parallel(threads, progress);
-    const auto chunks = cut_into_chunks(result_.diagram.vertex_label.size(), kVerticesPerChunk);
-    return IdVector<VertexId, SurfacePoint>(parallel.collect(chunks, {"map"}, [&](const Chunk& chunk) {
-      std::vector<SurfacePoint> points;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) points.push_back(map_vertex(VertexId(i)));
-      return points;
-    }));
-  }
-
- private:
-  void remember(const SurfacePoint& generator, VertexId vertex) {
+/// The vertex of the remesh for each vertex of the surface where a generator is; invalid at the others.
+IdVector<VertexId, VertexId> list_generator_vertices(const Mesh& surface, const RemeshResult& result) {
+  IdVector<VertexId, VertexId> at_vertex(result.diagram.vertex_label.size());
+  for (const VertexId v : result.mesh.vertices()) {
+    const SurfacePoint& generator = result.generators[v.index()];
     const auto corner = std::find(generator.bary.begin(), generator.bary.end(), 1.0) - generator.bary.begin();
-    if (corner < 3) at_vertex_[surface_.vertices(generator.face)[corner]] = vertex;
+    if (corner < 3) at_vertex[surface.vertices(generator.face)[corner]] = v;
   }
-
-  SurfacePoint map_vertex(VertexId v) const {
-    if (at_vertex_[v].valid()) return vertex_point(result_.mesh, at_vertex_[v]);
-    const GeneratorId label = result_.diagram.vertex_label[v];
-    if (!label.valid()) throw Error(ErrorCode::precondition, "a vertex is in no cell", v.value());
-    const Patch& patch = patches_[label.index()];
-    return surface_.is_boundary(v) && !patch.boundary.empty() ? on_boundary(v, patch) : on_faces(v, patch);
-  }
-
-  SurfacePoint on_boundary(VertexId v, const Patch& patch) const {
-    const Vec3& at = surface_.position(v);
-    Least<SurfacePoint> nearest;
-    for (const HalfedgeId h : patch.boundary) {
-      const SurfacePoint found = edge_point(h, std::clamp(foot_on_edge(result_.mesh, h, at), 0.0, 1.0));
-      nearest.offer((position(result_.mesh, found) - at).norm(), found);
-    }
-    return nearest.value;
-  }
-
-  SurfacePoint on_faces(VertexId v, const Patch& patch) const {
-    const Vec3 normal = surface_normal(surface_, vertex_point(surface_, v));
-    const SurfacePoint best = find_nearest_facing(result_.mesh, patch.faces, surface_.position(v), normal);
-    return make_surface_point(best.face, best.bary);
-  }
-
-  const Mesh& surface_;
-  const RemeshResult& result_;
-  std::vector<Patch> patches_;              // per vertex of the remesh
-  IdVector<VertexId, VertexId> at_vertex_;  // per vertex of the surface: of the remesh; invalid without a generator
-};
+  return at_vertex;
+}
 
 }  // namespace
 
 IdVector<VertexId, SurfacePoint> nearest_points(const Mesh& surface, const RemeshResult& result, int threads,
                                                 const Progress& progress) {
-  return NearestMapper(surface, result).run(threads, progress);
+  const Mesh& remesh = result.mesh;
+  std::vector<Patch> patches;  // per vertex of the remesh
+  for (const VertexId v : remesh.vertices()) patches.push_back(collect_patch(remesh, v));
+  const IdVector<VertexId, VertexId> at_vertex = list_generator_vertices(surface, result);
+  const auto map_vertex = [&](VertexId v) {
+    if (at_vertex[v].valid()) return vertex_point(remesh, at_vertex[v]);
+    const GeneratorId label = result.diagram.vertex_label[v];
+    if (!label.valid()) throw Error(ErrorCode::precondition, "a vertex is in no cell", v.value());
+    const Patch& patch = patches[label.index()];
+    const Vec3& at = surface.position(v);
+    if (surface.is_boundary(v) && !patch.boundary.empty()) return nearest_on_boundary(remesh, patch, at);
+    const Vec3 normal = surface_normal(surface, vertex_point(surface, v));
+    const SurfacePoint best = find_nearest_facing(remesh, patch.faces, at, normal);
+    return make_surface_point(best.face, best.bary);
+  };
+  const auto chunks = cut_into_chunks(result.diagram.vertex_label.size(), kVerticesPerChunk);
+  return IdVector<VertexId, SurfacePoint>(
+      ParallelChunks(threads, progress).collect(chunks, {"map"}, [&](const Chunk& chunk) {
+        std::vector<SurfacePoint> points;
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) points.push_back(map_vertex(VertexId(i)));
+        return points;
+      }));
 }
 
 }  // namespace gvd
