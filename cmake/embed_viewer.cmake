@@ -14,7 +14,7 @@ function(gvd_write_template_source page source)
     string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${hex}")
   endif()
   string(CONCAT text
-    "#include \"io/view/view_steps.hpp\"\n\n"
+    "#include \"io/view/view_template.hpp\"\n\n"
     "namespace gvd::io {\nnamespace {\nconstexpr char kPage[] = {\n${bytes}'\\0'};\n}  // namespace\n\n"
     "std::string_view view_template() { return {kPage, sizeof(kPage) - 1}; }\n\n}  // namespace gvd::io\n")
   file(WRITE ${source}.new "${text}")

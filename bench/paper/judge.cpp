@@ -68,35 +68,14 @@ double sum_turning_angles(const Mesh& mesh, const Diagram& diagram) {
 
 namespace {
 
-/// The submesh as a `Mesh`, which allows no vertex without a face; `source` becomes the new number of its source.
-Mesh build_submesh(const PathSubmesh& part, VertexId& source) {
-  std::vector<VertexId> number(part.positions.size());
-  std::vector<Vec3> positions;
-  std::vector<std::array<VertexId, 3>> faces;
-  for (const std::array<int, 3>& face : part.faces) {
-    std::array<VertexId, 3>& numbered = faces.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto v = static_cast<std::size_t>(face[i]);
-      if (!number[v].valid()) {
-        number[v] = VertexId(positions.size());
-        positions.push_back(part.positions[v]);
-      }
-      numbered[i] = number[v];
-    }
-  }
-  source = number[part.source];
-  return Mesh(std::move(positions), std::move(faces));
-}
-
 /// The distances of one query, by a field of its generator alone.
 std::vector<double> solve(const Mesh& mesh, const DistanceQuery& query) {
   PathSubmesh part = extract_path_submesh(mesh, query);
   if (part.targets.empty()) return std::move(part.distances);
-  VertexId source;
-  const Mesh submesh = build_submesh(part, source);
-  const ExactField field(submesh, {vertex_point(submesh, source)});
+  const Mesh submesh(std::move(part.positions), std::move(part.faces));
+  const ExactField field(submesh, {vertex_point(submesh, part.source)});
   for (const PathSubmesh::Target& target : part.targets) {
-    const SurfacePoint point = make_surface_point(FaceId(target.face), target.bary);
+    const SurfacePoint point = make_surface_point(target.face, target.bary);
     part.distances[target.point] = field.nearest(point).distance;
   }
   return std::move(part.distances);

@@ -5,6 +5,8 @@
 
 namespace gvd::test_barycentric {
 
+using Polygon = std::vector<Bary>;
+
 TEST_CASE("mix keeps both ends to the last bit and the sum of the weights") {
   const Bary a{0.1, 0.2, 0.7}, b{0.3, 0.3, 0.4};
   CHECK(mix(a, b, 0) == a);
@@ -27,11 +29,11 @@ TEST_CASE("affine_point keeps the orientation of a face") {
 }
 
 TEST_CASE("area_share: the whole face, half of it, and clockwise") {
-  CHECK(area_share({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) == 1);
-  CHECK(area_share({{1, 0, 0}, {0.5, 0.5, 0}, {0, 0, 1}}) == 0.5);
-  CHECK(area_share({{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}) == -1);
-  CHECK(area_share({{1, 0, 0}, {0, 1, 0}}) == 0);
-  CHECK(area_share({}) == 0);
+  CHECK(area_share(Polygon{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) == 1);
+  CHECK(area_share(Polygon{{1, 0, 0}, {0.5, 0.5, 0}, {0, 0, 1}}) == 0.5);
+  CHECK(area_share(Polygon{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}) == -1);
+  CHECK(area_share(Polygon{{1, 0, 0}, {0, 1, 0}}) == 0);
+  CHECK(area_share(Polygon{}) == 0);
 }
 
 }  // namespace gvd::test_barycentric

@@ -20,7 +20,7 @@ TEST_CASE(
     "path submesh: without points, and where every point is in a face of the generator, there is nothing to solve") {
   const Mesh grid = test::make_grid(3, 3);
   const PathSubmesh nothing = extract(grid, vertex_point(grid, VertexId(0)), {});
-  CHECK(nothing.source == -1);
+  CHECK_FALSE(nothing.source.valid());
   CHECK(nothing.targets.empty());
   const SurfacePoint centre = vertex_point(grid, VertexId(5));
   std::vector<SurfacePoint> near;
@@ -77,7 +77,7 @@ TEST_CASE("path submesh: on every family it is an oriented manifold, and its tar
     const auto generators = test::random_generators(mesh, 3, 4), points = test::random_generators(mesh, 6, 9);
     for (const SurfacePoint& generator : generators) {
       const PathSubmesh submesh = extract(mesh, generator, points);
-      std::set<std::pair<int, int>> halfedges;
+      std::set<std::pair<VertexId, VertexId>> halfedges;
       for (const auto& f : submesh.faces) {
         for (std::size_t i = 0; i < 3; ++i) {
           CHECK(f[i] != f[(i + 1) % 3]);
@@ -86,13 +86,13 @@ TEST_CASE("path submesh: on every family it is an oriented manifold, and its tar
       }
       for (const PathSubmesh::Target& t : submesh.targets) {
         Vec3 at = Vec3::Zero();
-        const auto& corners = submesh.faces[t.face];
-        for (std::size_t i = 0; i < 3; ++i) at += t.bary[i] * submesh.positions[corners[i]];
+        const auto& corners = submesh.faces[t.face.index()];
+        for (std::size_t i = 0; i < 3; ++i) at += t.bary[i] * submesh.positions[corners[i].index()];
         CHECK((at - position(mesh, points[t.point])).norm() < 1e-12);
         CHECK(std::isnan(submesh.distances[t.point]));
       }
-      if (submesh.source >= 0) {
-        const Vec3& source = submesh.positions[submesh.source];
+      if (submesh.source.valid()) {
+        const Vec3& source = submesh.positions[submesh.source.index()];
         CHECK((source - position(mesh, generator)).norm() < 1e-15);
       }
     }

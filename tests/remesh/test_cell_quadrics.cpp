@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cell_quadrics.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/sampling.hpp"
-#include "placement_steps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "crease_steps.hpp"
+#include "crease_defects.hpp"
 #include "gvd/remesh.hpp"
 #include "remesh/crease_meshes.hpp"
 #include "support/catch.hpp"

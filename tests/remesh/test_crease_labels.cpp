@@ -1,7 +1,7 @@
 // The labels along edges, on every mesh of the family.
 #include <algorithm>
 
-#include "crease_steps.hpp"
+#include "edge_labels.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -12,10 +12,9 @@ TEST_CASE("edge labels: they cover every edge from both faces, and agree with th
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, 12, 2));
-    const EdgeLabels labels(mesh, diagram);
     for (std::int32_t i = 0; i < mesh.edge_count(); ++i) {
       const HalfedgeId h = mesh.halfedge(EdgeId(i));
-      const std::vector<LabelInterval> parts = labels.of(EdgeId(i));
+      const std::vector<LabelInterval> parts = label_edge(mesh, diagram, EdgeId(i));
       if (parts.empty()) {
         CHECK_FALSE(diagram.vertex_label[mesh.from(h)].valid());
         continue;

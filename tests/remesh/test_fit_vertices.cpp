@@ -1,7 +1,7 @@
 // A round of the fit, on surfaces whose fit is known.
 #include <cmath>
 
-#include "placement_steps.hpp"
+#include "fit_vertices.hpp"
 #include "support/cancelled.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"

@@ -1,9 +1,10 @@
 // Moves are halved, or left out, where they would break a triangle.
 #include <algorithm>
 
+#include "dual/self_intersections.hpp"
 #include "gvd/dual.hpp"
 #include "gvd/quality.hpp"
-#include "placement_steps.hpp"
+#include "move_guard.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"

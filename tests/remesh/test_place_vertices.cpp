@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "crease_meshes.hpp"
-#include "dual/dual_steps.hpp"
+#include "dual/placed_faces.hpp"
+#include "dual/self_intersections.hpp"
 #include "gvd/error.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/placement.hpp"

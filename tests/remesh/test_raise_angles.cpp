@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cell_quadrics.hpp"
+#include "fit_vertices.hpp"
 #include "gvd/quality.hpp"
-#include "placement_steps.hpp"
+#include "move_guard.hpp"
+#include "raise_angles.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"

@@ -18,7 +18,7 @@
 #include "gvd/sampling.hpp"
 #include "remesh/dual_defects.hpp"
 #include "remesh/remesh_refusal.hpp"
-#include "repair/repair_steps.hpp"
+#include "repair/added_generators.hpp"
 #include "support/cancelled.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

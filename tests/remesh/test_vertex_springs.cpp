@@ -1,8 +1,10 @@
 // Positions of better triangles, and the springs towards them.
 #include <cmath>
 
+#include "cell_quadrics.hpp"
+#include "fit_vertices.hpp"
 #include "gvd/quality.hpp"
-#include "placement_steps.hpp"
+#include "move_guard.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 

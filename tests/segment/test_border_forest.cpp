@@ -1,8 +1,9 @@
 #include <limits>
 
+#include "border_forest.hpp"
 #include "gvd/segment.hpp"
 #include "segment/two_pieces.hpp"
-#include "segment_steps.hpp"
+#include "smooth_borders.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"

@@ -6,11 +6,12 @@
 #include <numbers>
 
 #include "base/plane.hpp"
-#include "chart_steps.hpp"
 #include "gvd/charts.hpp"
 #include "gvd/disc_cells.hpp"
 #include "gvd/error.hpp"
 #include "gvd/exact_field.hpp"
+#include "gvd/face_regions.hpp"
+#include "pack_boxes.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/many_threads.hpp"

@@ -1,7 +1,7 @@
 #include <map>
 #include <set>
 
-#include "cut_steps.hpp"
+#include "cut_triangles.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_cut_triangles {

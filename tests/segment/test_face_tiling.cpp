@@ -1,6 +1,6 @@
 // The polygons of one face: merged corners, split segments, and pieces that do not tile it.
 #include "base/barycentric.hpp"
-#include "cut_steps.hpp"
+#include "face_tiling.hpp"
 #include "support/catch.hpp"
 #include "support/tiny_meshes.hpp"
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "cut_steps.hpp"
 #include "gvd/charts.hpp"
+#include "part_touching_regions.hpp"
 #include "plain_topology.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"

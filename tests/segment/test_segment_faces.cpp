@@ -1,4 +1,4 @@
-#include "segment_steps.hpp"
+#include "label_components.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"

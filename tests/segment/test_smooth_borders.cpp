@@ -3,9 +3,10 @@
 #include <limits>
 #include <set>
 
+#include "region_topology.hpp"
 #include "segment/plain_topology.hpp"
 #include "segment/two_pieces.hpp"
-#include "segment_steps.hpp"
+#include "smooth_borders.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

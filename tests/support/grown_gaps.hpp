@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagram/growth/check_growth.hpp"
-#include "diagram/growth/growth_steps.hpp"
+#include "diagram/growth/close_gaps.hpp"
 #include "support/stages.hpp"
 
 namespace gvd::test {

@@ -93,6 +93,8 @@ struct Cell {
   std::int32_t components = 0;            ///< 1 if the cell is connected
   std::int32_t boundary_loops = 0;        ///< loops made of bisectors and of the mesh's boundary
   std::vector<GeneratorId> neighbours;    ///< cells with a bisector in common; ascending, each once, without itself
+
+  bool is_disc() const { return components == 1 && euler_characteristic == 1; }
 };
 
 /// A polygon inside one face that belongs to one cell.

@@ -3,7 +3,6 @@
 /// All of gvd::gvd: meshes, generators, distances, diagrams, readers and writers. `gvd/openmesh.hpp` is apart, because
 /// it needs OpenMesh. The other libraries have headers of their own: gvd/segment.hpp, gvd/lloyd.hpp, gvd/remesh.hpp.
 
-#include "gvd/bisector_length.hpp"
 #include "gvd/check.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/diagram.hpp"

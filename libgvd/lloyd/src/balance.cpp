@@ -26,6 +26,7 @@
 #include "base/parallel_chunks.hpp"
 #include "base/union_find.hpp"
 #include "cell_integrals.hpp"
+#include "diagram/cell_parts.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "gvd/error.hpp"
 
@@ -294,21 +295,16 @@ std::vector<double> compute_cell_masses(const Mesh& mesh, const Diagram& diagram
     for (const Cell& cell : diagram.cells) masses[cell.generator.index()] = cell.area;
     return masses;
   }
-  const auto add = [&](FaceId f, GeneratorId g, const Bary& a, const Bary& b, const Bary& c) {
-    const double share = twice_signed_area(affine_point(a), affine_point(b), affine_point(c));
-    const double mean = (density.at(f, a) + density.at(f, b) + density.at(f, c)) / 3;
-    masses[g.index()] += mesh.area(f) * share * mean;
-  };
-  for (const FaceId f : mesh.faces()) {
-    const auto& [a, b, c] = kWholeTriangle;
-    if (diagram.face_label[f].valid()) add(f, diagram.face_label[f], a, b, c);
-  }
-  // Signed triangles add up to a piece that is not convex, too.
-  for (const FacePiece& piece : diagram.pieces) {
-    for (std::size_t k = 1; k + 1 < piece.corners.size(); ++k) {
-      add(piece.face, piece.generator, piece.corners[0], piece.corners[k], piece.corners[k + 1]);
+  for_each_cell_part(diagram, [&](const FacePart& part) {
+    const FaceId f = part.face;
+    // Signed triangles add up to a part that is not convex, too.
+    for (std::size_t k = 1; k + 1 < part.corners.size(); ++k) {
+      const Bary &a = part.corners[0], &b = part.corners[k], &c = part.corners[k + 1];
+      const double share = twice_signed_area(affine_point(a), affine_point(b), affine_point(c));
+      const double mean = (density.at(f, a) + density.at(f, b) + density.at(f, c)) / 3;
+      masses[part.generator.index()] += mesh.area(f) * share * mean;
     }
-  }
+  });
   return masses;
 }
 

@@ -23,6 +23,7 @@
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
+#include "mesh/submesh.hpp"
 
 namespace gvd {
 namespace {
@@ -70,26 +71,17 @@ struct Round {
 
 /// The mesh of the faces that are left. `later` has the target of each vertex that collapsed.
 void finish_round(const Mesh& before, std::vector<std::array<VertexId, 3>> faces, Round& round) {
-  IdVector<VertexId, VertexId> number(before.vertex_count());
-  for (const auto& corners : faces) {
-    for (const VertexId v : corners) number[v] = v;
-  }
+  KeptVertices kept = drop_unused_vertices(std::size_t(before.vertex_count()), faces);
   std::vector<Vec3> positions;
-  for (const VertexId v : before.vertices()) {
-    if (!number[v].valid()) continue;
-    number[v] = round.earlier.push_back(v);
-    positions.push_back(before.position(v));
-  }
-  for (auto& corners : faces) {
-    for (VertexId& v : corners) v = number[v];
-  }
+  for (const VertexId v : kept.before) positions.push_back(before.position(v));
   for (const VertexId v : before.vertices()) {
     VertexId last = v;
     while (round.later[last].valid()) last = round.later[last];
     // Shortens the chain for all that follow.
     for (VertexId w = v; round.later[w].valid();) w = std::exchange(round.later[w], last);
   }
-  for (const VertexId v : before.vertices()) round.later[v] = number[round.later[v].valid() ? round.later[v] : v];
+  for (const VertexId v : before.vertices()) round.later[v] = kept.after[round.later[v].valid() ? round.later[v] : v];
+  round.earlier = std::move(kept.before);
   round.mesh = Mesh(std::move(positions), std::move(faces));
 }
 

@@ -17,7 +17,9 @@
 
 #include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
+#include "base/triangle_lattice.hpp"
 #include "cell_integrals.hpp"
+#include "diagram/cell_parts.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
@@ -52,12 +54,8 @@ std::vector<Bary> quadrature_points(int divisions) {
       points.push_back({1 - x - y, x, y});
     }
   };
-  for (int i = 0; i < divisions; ++i) {
-    for (int j = 0; i + j < divisions; ++j) {
-      add(i, j, 1);
-      if (i + j + 1 < divisions) add(i + 1, j + 1, -1);
-    }
-  }
+  for_each_lattice_triangle(divisions,
+                            [&](int i, int j, bool is_upright) { is_upright ? add(i, j, 1) : add(i + 1, j + 1, -1); });
   return points;
 }
 
@@ -85,12 +83,12 @@ class FaceIntegrator {
     parts_ = split_.parts_of(face);
     if (parts_.empty()) paths_.enter(face);
   }
-  /// Adds a piece of the face. Its triangles lie within the piece: beyond it, no path of its generator may be known.
-  void add(const FacePiece& piece) {
+  /// Adds a part of the face. Its triangles lie within the part: beyond it, no path of its generator may be known.
+  void add(const FacePart& part) {
     corners_.clear();
-    for (const Bary& corner : piece.corners) corners_.push_back(affine_point(corner));
+    for (const Bary& corner : part.corners) corners_.push_back(affine_point(corner));
     const auto add_corners = [&](std::size_t a, std::size_t b, std::size_t c) {
-      add({piece.corners[a], piece.corners[b], piece.corners[c]}, piece.generator);
+      add({part.corners[a], part.corners[b], part.corners[c]}, part.generator);
     };
     if (is_convex()) {
       for (std::size_t k = 1; k + 1 < corners_.size(); ++k) add_corners(0, k, k + 1);
@@ -139,7 +137,7 @@ class FaceIntegrator {
   const std::vector<Bary>& points_;
   FaceId face_;
   std::span<const SplitFaces::Part> parts_;  // of the face, if it is split
-  std::vector<Vec2> corners_;                // of the current piece; an affine map of the face
+  std::vector<Vec2> corners_;                // of the current part; an affine map of the face
 };
 
 }  // namespace
@@ -189,12 +187,9 @@ CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowFie
   std::vector<CellSums> sums(chunks.size(), CellSums(quadrature.watched));
   parallel.run(chunks.size(), {steps::kCells}, [&](std::size_t chunk) {
     FaceIntegrator integrator(paths, quadrature, points);
-    // The pieces of each face follow each other, ascending by face.
-    auto piece = std::ranges::lower_bound(diagram.pieces, FaceId(chunks[chunk].begin), {}, &FacePiece::face);
     for (FaceId face(chunks[chunk].begin); face.index() < chunks[chunk].end; face = FaceId(face.value() + 1)) {
       integrator.enter(face);
-      if (diagram.face_label[face].valid()) integrator.add(kWholeTriangle, diagram.face_label[face]);
-      for (; piece != diagram.pieces.end() && piece->face == face; ++piece) integrator.add(*piece);
+      for_each_cell_part(diagram, face, [&](const FacePart& part) { integrator.add(part); });
     }
     sums[chunk] = std::move(integrator.sums);
   });

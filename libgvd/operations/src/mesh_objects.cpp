@@ -11,15 +11,12 @@
 #include "gvd/io/diagram_json.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/parted_mesh.hpp"
-#include "io/view/view_steps.hpp"
+#include "io/view/scene_entry.hpp"
 
 namespace gvd {
 namespace {
 
-std::int64_t count_disc_cells(const Diagram& diagram) {
-  return std::count_if(diagram.cells.begin(), diagram.cells.end(),
-                       [](const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; });
-}
+std::int64_t count_disc_cells(const Diagram& diagram) { return std::ranges::count_if(diagram.cells, &Cell::is_disc); }
 
 void add_report(const Figures& figure, const Diagram& diagram) {
   const DiagramReport& report = diagram.report;

@@ -18,7 +18,10 @@
 #include "gvd/read_values.hpp"
 #include "gvd/remesh_operation.hpp"
 #include "gvd/remesh_scenes.hpp"
-#include "io/view/view_steps.hpp"
+#include "io/view/scene_colors.hpp"
+#include "io/view/scene_entry.hpp"
+#include "io/view/view_blobs.hpp"
+#include "io/view/view_page.hpp"
 #include "io/writers/region_colors.hpp"
 
 namespace gvd {

@@ -5,6 +5,8 @@
 // triangles should meet a crease. Small groups of such cells are those of coarse, curved surfaces and do not count.
 // Source: M. Garland and P. Heckbert, Surface simplification using quadric error metrics, 1997.
 
+#include "cell_quadrics.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -12,8 +14,8 @@
 
 #include "base/barycentric.hpp"
 #include "base/union_find.hpp"
-#include "crease_steps.hpp"
-#include "placement_steps.hpp"
+#include "diagram/cell_parts.hpp"
+#include "edge_labels.hpp"
 #include "repair/cell_topology.hpp"
 
 namespace gvd {
@@ -34,16 +36,12 @@ IdVector<GeneratorId, Quadric> compute_cell_quadrics(const Mesh& mesh, const Dia
   IdVector<GeneratorId, Quadric> quadrics(diagram.generators.size());
   IdVector<GeneratorId, Vec3> origin;
   for (const SurfacePoint& p : diagram.generators) origin.push_back(position(mesh, p));
-  const auto add_face = [&](FaceId f, GeneratorId g, double area) {
-    quadrics[g].add_plane(face_normal(mesh, f), mesh.position(mesh.vertices(f)[0]) - origin[g], area);
-    quadrics[g].area += area;
-  };
-  for (const FaceId f : mesh.faces()) {
-    if (diagram.face_label[f].valid()) add_face(f, diagram.face_label[f], mesh.area(f));
-  }
-  for (const FacePiece& piece : diagram.pieces) {
-    add_face(piece.face, piece.generator, std::max(0.0, area_share(piece.corners)) * mesh.area(piece.face));
-  }
+  for_each_cell_part(diagram, [&](const FacePart& part) {
+    const double area = std::max(0.0, area_share(part.corners)) * mesh.area(part.face);
+    const Vec3& corner = mesh.position(mesh.vertices(part.face)[0]);
+    quadrics[part.generator].add_plane(face_normal(mesh, part.face), corner - origin[part.generator], area);
+    quadrics[part.generator].area += area;
+  });
   for (const BoundaryArc& arc : list_boundary_arcs(mesh, diagram)) {
     Quadric& quadric = quadrics[arc.cell];
     for (const BoundaryArc::Segment& segment : arc.segments) {
@@ -132,8 +130,7 @@ void keep_large_groups(const Mesh& remesh, IdVector<GeneratorId, char>& chosen) 
 
 IdVector<GeneratorId, CreaseCell> find_crease_cells(const Mesh& surface, const Diagram& diagram, const Mesh& remesh) {
   IdVector<GeneratorId, EdgeSum> sums(diagram.generators.size());
-  const EdgeLabels labels(surface, diagram);
-  for (const EdgeId e : surface.edges()) add_edge(surface, e, labels.of(e), sums);
+  for (const EdgeId e : surface.edges()) add_edge(surface, e, label_edge(surface, diagram, e), sums);
   IdVector<GeneratorId, char> has_crease;
   for (const EdgeSum& sum : sums) {
     has_crease.push_back(sum.sharp_bending > 0 && sum.sharp_bending >= kLeastBendingShare * sum.bending);

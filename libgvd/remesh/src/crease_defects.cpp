@@ -7,6 +7,8 @@
 // unless their generators are equally far from the corner. Powers of two achieve that.
 // Source: J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation, 1995.
 
+#include "crease_defects.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +17,8 @@
 #include <utility>
 
 #include "base/least.hpp"
-#include "crease_steps.hpp"
-#include "repair/repair_steps.hpp"
+#include "edge_labels.hpp"
+#include "repair/added_generators.hpp"
 
 namespace gvd {
 namespace {
@@ -110,7 +112,7 @@ struct LabelledCurve {
 
 class CurveLabeller {
  public:
-  CurveLabeller(const Mesh& mesh, const Diagram& diagram) : mesh_(mesh), labels_(mesh, diagram) {
+  CurveLabeller(const Mesh& mesh, const Diagram& diagram) : mesh_(mesh), diagram_(diagram) {
     for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
       const SurfacePoint& p = diagram.generators[i];
       const GeneratorId g(i);
@@ -154,7 +156,7 @@ class CurveLabeller {
         labelled.generators.push_back({passed + length * (forwards ? g.at : 1 - g.at), g.generator});
       }
     }
-    for (const LabelInterval& l : labels_.of(e)) {
+    for (const LabelInterval& l : label_edge(mesh_, diagram_, e)) {
       const double begin = forwards ? l.begin : 1 - l.end, end = forwards ? l.end : 1 - l.begin;
       labelled.labels.push_back({passed + length * begin, passed + length * end, l.cell});
     }
@@ -162,7 +164,7 @@ class CurveLabeller {
   }
 
   const Mesh& mesh_;
-  EdgeLabels labels_;
+  const Diagram& diagram_;
   std::map<EdgeId, std::vector<GeneratorOnCurve>> on_edge_;  // at parameters along the edge's halfedge
   std::map<VertexId, GeneratorId> at_vertex_;
 };

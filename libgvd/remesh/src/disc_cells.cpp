@@ -21,12 +21,12 @@
 #include "gvd/remesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/text.hpp"
-#include "repair/repair_steps.hpp"
+#include "repair/fewer_generators.hpp"
+#include "repair/local_dual.hpp"
+#include "repair/propose_generators.hpp"
 
 namespace gvd {
 namespace {
-
-bool is_disc(const Cell& cell) { return cell.components == 1 && cell.euler_characteristic == 1; }
 
 /// How far a cell is from a disc.
 int count_defects(const Cell& cell) { return std::abs(cell.euler_characteristic - 1) + cell.components - 1; }
@@ -186,7 +186,7 @@ class DiscMaker {
 std::vector<GeneratorId> find_non_discs(const Diagram& diagram) {
   std::vector<GeneratorId> cells;
   for (const Cell& cell : diagram.cells) {
-    if (!is_disc(cell)) cells.push_back(cell.generator);
+    if (!cell.is_disc()) cells.push_back(cell.generator);
   }
   return cells;
 }

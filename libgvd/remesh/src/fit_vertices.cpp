@@ -11,6 +11,8 @@
 // the surface unnoticed. The sums are formed in the order of the samples, for any number of threads.
 // docs/notes/remesh-placement.md has the measurements that chose it.
 
+#include "fit_vertices.hpp"
+
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
@@ -18,7 +20,8 @@
 #include <utility>
 
 #include "base/parallel_chunks.hpp"
-#include "placement_steps.hpp"
+#include "base/triangle_lattice.hpp"
+#include "cell_quadrics.hpp"
 
 namespace gvd {
 namespace {
@@ -264,15 +267,10 @@ std::vector<AreaSample> sample_surface(const Mesh& mesh, double count) {
     const int k = std::max(1, static_cast<int>(std::lround(std::sqrt(mesh.area(f) / total * count))));
     const double area = mesh.area(f) / (k * k);
     const Vec3 normal = face_normal(mesh, f);
-    for (int s = 0; s < k; ++s) {
-      for (int t = 0; s + t < k; ++t) {
-        const auto add = [&](double third) {
-          samples.push_back({p + (s + third) / k * u + (t + third) / k * v, normal, f, area});
-        };
-        add(1.0 / 3);
-        if (s + t + 1 < k) add(2.0 / 3);
-      }
-    }
+    for_each_lattice_triangle(k, [&](int s, int t, bool is_upright) {
+      const double third = is_upright ? 1.0 / 3 : 2.0 / 3;
+      samples.push_back({p + (s + third) / k * u + (t + third) / k * v, normal, f, area});
+    });
   }
   return samples;
 }

@@ -9,14 +9,18 @@
 // Source: optimisation-based smoothing (L. Freitag and C. Ollivier-Gooch, Tetrahedral mesh improvement using swapping
 // and smoothing, 1997), with a search in place of the linear programs, and the distance beside the angle.
 // docs/notes/remesh-placement.md has the measurements behind the constants.
+#include "raise_angles.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "dual/dual_steps.hpp"
+#include "cell_quadrics.hpp"
+#include "dual/flipped_triangles.hpp"
+#include "dual/placed_faces.hpp"
+#include "fit_vertices.hpp"
 #include "gvd/quality.hpp"
-#include "placement_steps.hpp"
 
 namespace gvd {
 namespace {

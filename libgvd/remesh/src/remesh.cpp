@@ -16,14 +16,19 @@
 #include <numbers>
 #include <utility>
 
-#include "crease_steps.hpp"
-#include "dual/dual_steps.hpp"
+#include "crease_defects.hpp"
+#include "dual/dual_defects.hpp"
+#include "dual/self_intersections.hpp"
 #include "gvd/diagram_editor.hpp"
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
-#include "placement_steps.hpp"
-#include "repair/repair_steps.hpp"
+#include "mesh/component_topology.hpp"
+#include "move_guard.hpp"
+#include "repair/added_generators.hpp"
+#include "repair/fewer_generators.hpp"
+#include "repair/propose_generators.hpp"
+#include "repair/repair_slivers.hpp"
 
 namespace gvd {
 namespace {
@@ -461,7 +466,7 @@ class Remesher {
 }  // namespace
 
 std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators) {
-  const std::int64_t handles = (2 * mesh.components - mesh.boundary_loops - mesh.euler_characteristic) / 2;
+  const std::int64_t handles = twice_genus(mesh.components, mesh.boundary_loops, mesh.euler_characteristic) / 2;
   const std::int64_t topology = std::int64_t{mesh.components} + mesh.boundary_loops + handles;
   return 10 * (static_cast<std::int64_t>(generators) + topology) + 100;
 }

@@ -13,7 +13,7 @@
 
 #include "gvd/quality.hpp"
 #include "gvd/surface_distance.hpp"
-#include "placement_steps.hpp"
+#include "move_guard.hpp"
 
 namespace gvd {
 namespace {

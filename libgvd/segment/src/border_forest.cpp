@@ -4,10 +4,12 @@
 // bisectors. No face of the forest shares a side with another one than its parent and its children, so the least cost
 // of a subtree is needed for each label of its root only. From the leaves to the root that is linear, with any number
 // of labels and through the branch points, where minimum cuts choose between two labels at a time.
+#include "border_forest.hpp"
+
 #include <algorithm>
 
 #include "gvd/vec.hpp"
-#include "segment_steps.hpp"
+#include "smooth_borders.hpp"
 
 namespace gvd {
 

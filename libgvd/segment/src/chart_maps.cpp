@@ -10,6 +10,8 @@
 // face is turned round, the star's convex hull takes its place, with sides bent outwards; then a circle. With a convex
 // border the map is one-to-one by Tutte's theorem.
 // Source: M. Floater, Mean value coordinates, 2003. Invariant: a map writes the faces of its own island only.
+#include "chart_maps.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,10 +19,9 @@
 #include <utility>
 
 #include "base/plane.hpp"
-#include "chart_steps.hpp"
+#include "chart_surface.hpp"
 #include "geodesic/face_layout.hpp"
 #include "mesh/flatten_disc.hpp"
-#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -107,19 +108,12 @@ namespace {
 
 /// The border of an island that is a disc, counter-clockwise.
 std::vector<VertexId> trace_border(const Mesh& mesh, const Island& island) {
-  std::vector<VertexId> border;
   for (const FaceId f : island.faces) {
     for (const HalfedgeId h : Mesh::halfedges(f)) {
-      if (mesh.twin(h).valid()) continue;
-      HalfedgeId next = h;
-      do {
-        border.push_back(mesh.from(next));
-        next = next_on_boundary(mesh, next);
-      } while (next != h);
-      return border;
+      if (!mesh.twin(h).valid()) return trace_boundary_loop(mesh, h);
     }
   }
-  return border;
+  return {};
 }
 
 /// How the border of a disc is laid.
@@ -160,10 +154,7 @@ std::vector<double> find_angles(const IslandBorder& border, const FlatMap& map) 
     }
     angles.push_back(angles.back() + angle);
   }
-  const double total = angles.back(), turn = 2 * std::numbers::pi;
-  for (std::size_t i = 0; i <= n; ++i) {
-    angles[i] = turn * ((1 - map.even_share) * angles[i] / total + map.even_share * double(i) / double(n));
-  }
+  scale_and_even(angles, 2 * std::numbers::pi, map.even_share);
   return angles;
 }
 
@@ -207,8 +198,9 @@ std::vector<BorderPoint> lay_border(const IslandBorder& border, const FlatMap& m
     if (orientation(Vec2::Zero(), unit_vector(angles[i]), unit_vector(angles[i + 1])) <= 0) return {};
   }
   if (map.border == Border::convex) make_convex(angles, radius);
+  const std::vector<Vec2> points = lay_round(angles, radius);
   std::vector<BorderPoint> laid;
-  for (std::size_t i = 0; i < n; ++i) laid.push_back({border.vertices[i], radius[i] * unit_vector(angles[i])});
+  for (std::size_t i = 0; i < n; ++i) laid.push_back({border.vertices[i], points[i]});
   return laid;
 }
 

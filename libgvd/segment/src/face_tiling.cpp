@@ -5,12 +5,12 @@
 // so does its reverse, in another polygon or on the border. The corners of the border come first and are never merged
 // or moved, because the adjacent faces share them. Corners are sorted along the face's longest side and along an axis
 // of space, so that a face with many pieces needs no search over all pairs.
+#include "face_tiling.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
-
-#include "cut_steps.hpp"
 
 namespace gvd {
 namespace {

@@ -16,13 +16,13 @@
 #include <utility>
 
 #include "base/plane.hpp"
-#include "chart_steps.hpp"
-#include "diagram/diagram_windows.hpp"
+#include "chart_maps.hpp"
+#include "chart_surface.hpp"
 #include "face_shares.hpp"
 #include "geodesic/face_layout.hpp"
 #include "gvd/charts.hpp"
-#include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
+#include "pack_boxes.hpp"
 
 namespace gvd {
 namespace {
@@ -81,12 +81,11 @@ class ChartMaker {
   }
 
   void check_disc(const Island& island) const {
-    const std::int64_t euler = euler_characteristic(mesh(), island);
-    if (euler == 1) return;
+    if (island.euler_characteristic == 1) return;
     throw Error(ErrorCode::no_valid_result,
                 fmt::format("region {} is no disc (Euler characteristic {}), and can't be laid flat; \1disc\2 adds "
                             "generators until every region is a disc",
-                            island.generator.value(), euler),
+                            island.generator.value(), island.euler_characteristic),
                 island.generator.value());
   }
 
@@ -169,25 +168,6 @@ class ChartMaker {
   Charts charts_;
 };
 
-/// Fills shelves from below; the lower left corners of the boxes, or none where they do not fit.
-std::vector<Vec2> fill_shelves(const std::vector<Vec2>& sizes, const std::vector<std::size_t>& order, double side,
-                               double margin) {
-  std::vector<Vec2> at(sizes.size());
-  double x = 0, y = 0, height = 0;
-  for (const std::size_t i : order) {
-    const Vec2 size = sizes[i] + Vec2(2 * margin, 2 * margin);
-    if (x > 0 && x + size.x() > side) {
-      x = 0;
-      y += std::exchange(height, 0);
-    }
-    if (x + size.x() > side || y + size.y() > side) return {};
-    at[i] = Vec2(x + margin, y + margin);
-    x += size.x();
-    height = std::max(height, size.y());
-  }
-  return at;
-}
-
 /// Whether an island has two vertices that are copies of one.
 bool touches_itself(const SeparatedMesh& separated, const Island& island) {
   std::vector<std::pair<VertexId, VertexId>> vertices;  // of the input, and of the separated mesh
@@ -207,49 +187,11 @@ double Charts::share(double Chart::*area_of) const {
   return all > 0 ? part / all : 0;
 }
 
-ChartSurface::ChartSurface(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, const ChartOptions& options)
-    : surface_(mesh),
-      diagram_(diagram),
-      cut_(cut),
-      separated_(separate_regions(cut.mesh, to_regions(cut.label))),
-      parallel_(options.threads, options.progress),
-      field_(mesh, diagram.generators,
-             {.offsets = from_zero(diagram.weights), .progress = options.progress, .threads = options.threads}) {
-  islands_ = find_islands(separated_.mesh, cut.label);
-}
-
-std::vector<Island> find_islands(const Mesh& separated, const IdVector<FaceId, GeneratorId>& label) {
-  const IdVector<FaceId, std::int32_t> component = compute_face_components(separated);
-  std::vector<Island> islands;
-  std::vector<std::int32_t> number;  // of the island of each component; -1: without a label
-  for (const FaceId f : separated.faces()) {
-    const auto c = std::size_t(component[f]);
-    if (c == number.size()) {
-      number.push_back(label[f].valid() ? std::int32_t(islands.size()) : -1);
-      if (label[f].valid()) islands.push_back({label[f], {}});
-    }
-    if (number[c] >= 0) islands[std::size_t(number[c])].faces.push_back(f);
-  }
-  return islands;
-}
-
-std::int64_t euler_characteristic(const Mesh& mesh, const Island& island) {
-  std::vector<VertexId> vertices;
-  std::int64_t border = 0;
-  for (const FaceId f : island.faces) {
-    vertices.insert(vertices.end(), mesh.vertices(f).begin(), mesh.vertices(f).end());
-    for (const HalfedgeId h : Mesh::halfedges(f)) border += !mesh.twin(h).valid();
-  }
-  std::ranges::sort(vertices);
-  const std::int64_t count = std::unique(vertices.begin(), vertices.end()) - vertices.begin();
-  return count - (3 * std::ssize(island.faces) + border) / 2 + std::ssize(island.faces);
-}
-
 std::vector<GeneratorId> find_non_disc_regions(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label) {
   const SeparatedMesh separated = separate_regions(mesh, to_regions(face_label));
   std::map<GeneratorId, std::int64_t> parts;  // 2 for a region that can't be a disc
   for (const Island& island : find_islands(separated.mesh, face_label)) {
-    const bool is_disc = euler_characteristic(separated.mesh, island) == 1 && !touches_itself(separated, island);
+    const bool is_disc = island.euler_characteristic == 1 && !touches_itself(separated, island);
     parts[island.generator] += is_disc ? 1 : 2;
   }
   std::vector<GeneratorId> regions;
@@ -257,35 +199,6 @@ std::vector<GeneratorId> find_non_disc_regions(const Mesh& mesh, const IdVector<
     if (count > 1) regions.push_back(region);
   }
   return regions;
-}
-
-SurfacePoint ChartSurface::point(FaceId f, int corner) const {
-  const FaceId parent = cut_.parent[f];
-  const Vec3& at = mesh().position(mesh().vertices(f)[std::size_t(corner)]);
-  for (int i = 0; i < 3; ++i) {
-    if (surface_.position(surface_.vertices(parent)[std::size_t(i)]) == at) {
-      return edge_point(Mesh::halfedge(parent, i), 0);
-    }
-  }
-  return closest_point_on_face(surface_, parent, at).point;
-}
-
-Packing pack_boxes(const std::vector<Vec2>& sizes) {
-  constexpr double kGrowth = 1.01, kMarginOfMeanSide = 1.0 / 8;
-  std::vector<std::size_t> order(sizes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return sizes[a].y() > sizes[b].y(); });
-  double area = 0, longest = 0;
-  for (const Vec2& size : sizes) area += size.prod(), longest = std::max(longest, size.maxCoeff());
-  const double margin =
-      std::min(kChartMargin, kMarginOfMeanSide / std::sqrt(double(std::max<std::size_t>(1, sizes.size()))));
-  Packing packing;
-  if (!(longest > 0)) return {std::vector<Vec2>(sizes.size(), Vec2::Zero()), 0};
-  for (packing.side = std::max(longest, std::sqrt(area)); packing.at.empty(); packing.side *= kGrowth) {
-    packing.at = fill_shelves(sizes, order, packing.side, margin * packing.side);
-    if (!packing.at.empty()) break;
-  }
-  return packing;
 }
 
 Charts make_charts(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, const ChartOptions& options) {

@@ -11,6 +11,8 @@
 // A sector gives its corner only to a label that has a bisector with its own, so that no label crosses the border of a
 // given region, and never to a label on both of its sides that is connected already, which would close a ring.
 // Invariant: open regions keep their topology, or become connected; each change leaves fewer sectors at its vertex.
+#include "part_touching_regions.hpp"
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -18,7 +20,7 @@
 #include <vector>
 
 #include "base/union_find.hpp"
-#include "cut_steps.hpp"
+#include "cut_triangles.hpp"
 #include "gvd/segment.hpp"
 #include "mesh/vertex_ring.hpp"
 

@@ -15,8 +15,9 @@
 #include <utility>
 
 #include "base/barycentric.hpp"
+#include "diagram/bisector_length.hpp"
+#include "diagram/cell_parts.hpp"
 #include "face_shares.hpp"
-#include "gvd/bisector_length.hpp"
 #include "gvd/error.hpp"
 #include "gvd/segment.hpp"
 #include "gvd/surface_point.hpp"
@@ -24,106 +25,81 @@
 namespace gvd {
 namespace {
 
-/// Adds up the figures of all cells.
-class RegionMeter {
- public:
-  RegionMeter(const Mesh& mesh, const Diagram& diagram)
-      : mesh_(mesh), diagram_(diagram), regions_(diagram.generators.size()) {}
+using Regions = IdVector<GeneratorId, RegionStatistics>;
 
-  IdVector<GeneratorId, RegionStatistics> run() {
-    take_cells();
-    add_bisectors();
-    add_mesh_boundary();
-    measure_radii();
-    for (RegionStatistics& region : regions_) {
-      region.compactness = 4 * std::numbers::pi * (region.area / region.perimeter) / region.perimeter;
-    }
-    return std::move(regions_);
+Regions take_cells(const Mesh& mesh, const Diagram& diagram) {
+  Regions regions(diagram.generators.size());
+  const double total = compute_area(mesh);
+  for (const Cell& cell : diagram.cells) {
+    RegionStatistics& region = regions[cell.generator];
+    region.area = cell.area;
+    region.share = total > 0 ? cell.area / total : 0;
+    region.euler_characteristic = cell.euler_characteristic;
+    for (const GeneratorId g : cell.neighbours) region.neighbours.push_back({g, 0});
   }
+  return regions;
+}
 
- private:
-  void take_cells() {
-    const double total = compute_area(mesh_);
-    for (const Cell& cell : diagram_.cells) {
-      RegionStatistics& region = regions_[cell.generator];
-      region.area = cell.area;
-      region.share = total > 0 ? cell.area / total : 0;
-      region.euler_characteristic = cell.euler_characteristic;
-      for (const GeneratorId g : cell.neighbours) region.neighbours.push_back({g, 0});
-    }
-  }
-
-  void add_bisectors() {
-    for (const Bisector& bisector : diagram_.bisectors) {
-      const double length = compute_length(mesh_, bisector);
-      regions_[bisector.left].perimeter += length;
-      regions_[bisector.right].perimeter += length;
-      if (bisector.left == bisector.right) continue;
-      add_border(bisector.left, bisector.right, length);
-      add_border(bisector.right, bisector.left, length);
-    }
-  }
-
-  void add_border(GeneratorId region, GeneratorId neighbour, double length) {
-    std::vector<RegionNeighbour>& all = regions_[region].neighbours;
+void add_bisectors(const Mesh& mesh, const Diagram& diagram, Regions& regions) {
+  const auto add_border = [&](GeneratorId region, GeneratorId neighbour, double length) {
+    std::vector<RegionNeighbour>& all = regions[region].neighbours;
     const auto found = std::ranges::lower_bound(all, neighbour, {}, &RegionNeighbour::region);
     if (found != all.end() && found->region == neighbour) found->border_length += length;
+  };
+  for (const Bisector& bisector : diagram.bisectors) {
+    const double length = compute_length(mesh, bisector);
+    regions[bisector.left].perimeter += length;
+    regions[bisector.right].perimeter += length;
+    if (bisector.left == bisector.right) continue;
+    add_border(bisector.left, bisector.right, length);
+    add_border(bisector.right, bisector.left, length);
   }
+}
 
-  void add_mesh_boundary() {
-    for (const HalfedgeId h : mesh_.halfedges()) {
-      const GeneratorId g = diagram_.face_label[Mesh::face(h)];
-      if (g.valid() && !mesh_.twin(h).valid()) regions_[g].perimeter += mesh_.length(h);
+/// How much of a face's side bounds the part. Corners on the side have a 0 there, which is exact but for the
+/// rounding of coordinates that were converted from a split face.
+double covered_part(const FacePart& part, int side) {
+  const int opposite = (side + 2) % 3;
+  double sum = 0;
+  for (std::size_t i = 0; i < part.corners.size(); ++i) {
+    const Bary &a = part.corners[i], &b = part.corners[(i + 1) % part.corners.size()];
+    if (a[opposite] > kBarycentricSnap || b[opposite] > kBarycentricSnap) continue;
+    sum += std::max(0.0, a[side] - b[side]);  // pieces are counter-clockwise, as the side is
+  }
+  return sum;
+}
+
+void add_mesh_boundary(const Mesh& mesh, const Diagram& diagram, Regions& regions) {
+  for_each_cell_part(diagram, [&](const FacePart& part) {
+    for (const HalfedgeId h : Mesh::halfedges(part.face)) {
+      if (mesh.twin(h).valid()) continue;
+      regions[part.generator].perimeter += mesh.length(h) * covered_part(part, Mesh::corner(h));
     }
-    for (const FacePiece& piece : diagram_.pieces) {
-      for (const HalfedgeId h : Mesh::halfedges(piece.face)) {
-        if (mesh_.twin(h).valid()) continue;
-        regions_[piece.generator].perimeter += mesh_.length(h) * covered_part(piece, Mesh::corner(h));
-      }
+  });
+}
+
+void measure_radii(const Mesh& mesh, const Diagram& diagram, Regions& regions) {
+  const auto extend = [&](GeneratorId g, double distance) {
+    if (g.valid()) regions[g].radius = std::max(regions[g].radius, distance);
+  };
+  for (const VertexId v : mesh.vertices()) extend(diagram.vertex_label[v], diagram.vertex_distance[v]);
+  for (const BranchPoint& point : diagram.branch_points) {
+    for (const GeneratorId g : point.generators) extend(g, point.distance - diagram.weight(g));
+  }
+  std::vector<std::pair<FaceId, GeneratorId>> own;
+  for (const GeneratorId g : regions.ids()) {
+    if (!diagram.curves.empty()) continue;  // the first point of a curve is not its nearest one
+    for (const FaceId f : faces_around(mesh, diagram.generators[g.index()])) own.emplace_back(f, g);
+  }
+  std::sort(own.begin(), own.end());
+  for (const FacePiece& piece : diagram.pieces) {
+    if (!std::binary_search(own.begin(), own.end(), std::pair(piece.face, piece.generator))) continue;
+    const Vec3 from = position(mesh, diagram.generators[piece.generator.index()]);
+    for (const Bary& b : piece.corners) {
+      extend(piece.generator, (position(mesh, SurfacePoint{piece.face, b}) - from).norm());
     }
   }
-
-  /// The part of a face's side that bounds the piece. Corners on the side have a 0 there, which is exact but for the
-  /// rounding of coordinates that were converted from a split face.
-  static double covered_part(const FacePiece& piece, int side) {
-    const int opposite = (side + 2) % 3;
-    double sum = 0;
-    for (std::size_t i = 0; i < piece.corners.size(); ++i) {
-      const Bary &a = piece.corners[i], &b = piece.corners[(i + 1) % piece.corners.size()];
-      if (a[opposite] > kBarycentricSnap || b[opposite] > kBarycentricSnap) continue;
-      sum += std::max(0.0, a[side] - b[side]);  // pieces are counter-clockwise, as the side is
-    }
-    return sum;
-  }
-
-  void measure_radii() {
-    for (const VertexId v : mesh_.vertices()) extend(diagram_.vertex_label[v], diagram_.vertex_distance[v]);
-    for (const BranchPoint& point : diagram_.branch_points) {
-      for (const GeneratorId g : point.generators) extend(g, point.distance - diagram_.weight(g));
-    }
-    std::vector<std::pair<FaceId, GeneratorId>> own;
-    for (const GeneratorId g : regions_.ids()) {
-      if (!diagram_.curves.empty()) continue;  // the first point of a curve is not its nearest one
-      for (const FaceId f : faces_around(mesh_, diagram_.generators[g.index()])) own.emplace_back(f, g);
-    }
-    std::sort(own.begin(), own.end());
-    for (const FacePiece& piece : diagram_.pieces) {
-      if (!std::binary_search(own.begin(), own.end(), std::pair(piece.face, piece.generator))) continue;
-      const Vec3 from = position(mesh_, diagram_.generators[piece.generator.index()]);
-      for (const Bary& b : piece.corners) {
-        extend(piece.generator, (position(mesh_, SurfacePoint{piece.face, b}) - from).norm());
-      }
-    }
-  }
-
-  void extend(GeneratorId g, double distance) {
-    if (g.valid()) regions_[g].radius = std::max(regions_[g].radius, distance);
-  }
-
-  const Mesh& mesh_;
-  const Diagram& diagram_;
-  IdVector<GeneratorId, RegionStatistics> regions_;
-};
+}
 
 constexpr const char *kHeader = "label,area,share,perimeter,radius,compactness,euler_characteristic,neighbours",
                      *kChartsHeader = ",flipped_share,stretch,u_min,v_min,u_max,v_max";
@@ -198,7 +174,14 @@ void check_label_count(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& fa
 
 IdVector<GeneratorId, RegionStatistics> compute_region_statistics(const Mesh& mesh, const Diagram& diagram) {
   check_belongs(mesh, diagram);
-  return RegionMeter(mesh, diagram).run();
+  Regions regions = take_cells(mesh, diagram);
+  add_bisectors(mesh, diagram, regions);
+  add_mesh_boundary(mesh, diagram, regions);
+  measure_radii(mesh, diagram, regions);
+  for (RegionStatistics& region : regions) {
+    region.compactness = 4 * std::numbers::pi * (region.area / region.perimeter) / region.perimeter;
+  }
+  return regions;
 }
 
 void write_statistics_csv(std::ostream& out, const IdVector<GeneratorId, RegionStatistics>& regions,

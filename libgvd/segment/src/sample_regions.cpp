@@ -15,6 +15,7 @@
 #include "gvd/error.hpp"
 #include "gvd/face_regions.hpp"
 #include "gvd/text.hpp"
+#include "mesh/submesh.hpp"
 
 namespace gvd {
 namespace {
@@ -93,44 +94,11 @@ void share_out_to_regions(const RegionSamplingOptions& options, RegionParts& reg
   for (auto& [number, region] : regions) share_out_to_parts(*share++, region);
 }
 
-/// Takes single parts of a mesh out as meshes of their own.
-class PartCutter {
- public:
-  explicit PartCutter(const SeparatedMesh& from) : from_(from), number_(from.mesh.positions().size(), -1) {}
-
-  /// The vertices are those of the part in the order of the input's.
-  Mesh cut(const std::vector<FaceId>& faces) {
-    std::vector<VertexId> vertices;
-    for (const FaceId f : faces) {
-      for (const VertexId v : from_.mesh.vertices(f)) {
-        if (number_[v] < 0) vertices.push_back(v);
-        number_[v] = 0;
-      }
-    }
-    std::ranges::sort(vertices, {}, [&](VertexId v) { return std::pair(from_.input_vertex[v], v); });
-    std::vector<Vec3> positions;
-    for (const VertexId v : vertices) {
-      number_[v] = static_cast<std::int32_t>(positions.size());
-      positions.push_back(from_.mesh.position(v));
-    }
-    std::vector<std::array<VertexId, 3>> corners;
-    for (const FaceId f : faces) {
-      const auto& [a, b, c] = from_.mesh.vertices(f);
-      corners.push_back({VertexId(number_[a]), VertexId(number_[b]), VertexId(number_[c])});
-    }
-    return {std::move(positions), std::move(corners)};
-  }
-
- private:
-  const SeparatedMesh& from_;
-  IdVector<VertexId, std::int32_t> number_;  // in the part; no vertex is in two
-};
-
 /// Samples parts one after the other, and joins their progress.
 class PartSampler {
  public:
   PartSampler(const SeparatedMesh& mesh, const SamplingOptions& options)
-      : cutter_(mesh), options_(options), faces_(mesh.mesh.face_count()) {}
+      : mesh_(mesh), options_(options), faces_(mesh.mesh.face_count()) {}
 
   /// Adds the points of a part, with the faces that they have in the whole mesh. Errors name the region.
   void sample(std::int32_t region, const Part& part, std::vector<SurfacePoint>& points) {
@@ -143,9 +111,9 @@ class PartSampler {
       return !options_.progress || options_.progress(step, done);
     };
     try {
-      for (const SurfacePoint& point : sample_generators(cutter_.cut(part.faces), options)) {
-        points.push_back({part.faces[point.face.index()], point.bary});
-      }
+      // The order of the input's vertices is that which the part would have alone.
+      const Submesh alone = make_submesh(mesh_.mesh, part.faces, mesh_.input_vertex);
+      for (const SurfacePoint& point : sample_generators(alone.mesh, options)) points.push_back(alone.to_whole(point));
     } catch (const Error& error) {
       if (error.code() == ErrorCode::interrupted) throw;
       throw error.at(fmt::format("region {}", region));
@@ -154,7 +122,7 @@ class PartSampler {
   }
 
  private:
-  PartCutter cutter_;
+  const SeparatedMesh& mesh_;
   const SamplingOptions& options_;
   double faces_;
   std::size_t done_ = 0;

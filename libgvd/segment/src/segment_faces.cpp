@@ -10,7 +10,9 @@
 
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
-#include "segment_steps.hpp"
+#include "label_components.hpp"
+#include "region_topology.hpp"
+#include "smooth_borders.hpp"
 
 namespace gvd {
 

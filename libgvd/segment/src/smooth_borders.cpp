@@ -12,15 +12,18 @@
 // other. The faces of a cluster change one by one, each if the topology stays, or all together. Else the steps up to
 // the least cost are kept, and a further cut leaves out the faces that could not change. Every kept change lowers the
 // cost, so the border never becomes longer. docs/developer/segment-borders.md has the proofs.
+#include "smooth_borders.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/least.hpp"
+#include "border_forest.hpp"
 #include "gvd/surface_point.hpp"
 #include "mesh/vertex_ring.hpp"
 #include "min_cut.hpp"
-#include "segment_steps.hpp"
+#include "region_topology.hpp"
 
 namespace gvd {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
+#include <span>
 
 #include "base/plane.hpp"
 #include "gvd/vec.hpp"
@@ -49,7 +49,7 @@ Value interpolate(const Bary& bary, const Value& a, const Value& b, const Value&
 inline Vec2 affine_point(const Bary& bary) { return {bary[1], bary[2]}; }
 
 /// Signed area of a polygon as a fraction of the area of its face; < 0 where it is clockwise.
-inline double area_share(const std::vector<Bary>& polygon) {
+inline double area_share(std::span<const Bary> polygon) {
   return twice_signed_area(polygon.size(), [&](std::size_t i) { return affine_point(polygon[i]); });
 }
 

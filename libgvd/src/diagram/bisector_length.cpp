@@ -1,7 +1,7 @@
 // The length of a bisector, for the diagram's own figures, the regions' and the choice of new generators.
 //
 // Each point's position is computed once, and segments are added in their order.
-#include "gvd/bisector_length.hpp"
+#include "diagram/bisector_length.hpp"
 
 #include <cstddef>
 

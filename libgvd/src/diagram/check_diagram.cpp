@@ -17,9 +17,11 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
+#include "diagram/cell_parts.hpp"
 #include "diagram/check_parts.hpp"
 #include "gvd/check.hpp"
 #include "gvd/surface_point.hpp"
+#include "mesh/component_topology.hpp"
 
 namespace gvd {
 namespace {
@@ -114,20 +116,15 @@ class PartitionCheck {
   }
 
   void check_vertex_labels() {
-    for (const FaceId f : mesh_.faces()) {
-      const GeneratorId g = diagram_.face_label[f];
-      if (!g.valid()) continue;
-      for (const VertexId v : mesh_.vertices(f)) check_vertex_label(v, g);
-    }
-    for (const FacePiece& piece : diagram_.pieces) {
-      for (const Bary& corner : piece.corners) {
+    for_each_cell_part(diagram_, [&](const FacePart& part) {
+      for (const Bary& corner : part.corners) {
         for (int k = 0; k < 3; ++k) {
           // Exactly the vertex, since a crossing may be as close to it as rounding allows.
           const bool at_vertex = corner[(k + 1) % 3] == 0 && corner[(k + 2) % 3] == 0;
-          if (at_vertex) check_vertex_label(mesh_.vertices(piece.face)[k], piece.generator);
+          if (at_vertex) check_vertex_label(mesh_.vertices(part.face)[k], part.generator);
         }
       }
-    }
+    });
   }
 
   void check_vertex_label(VertexId v, GeneratorId g) {
@@ -166,10 +163,8 @@ bool contains(const Mesh& mesh, const FacePiece& piece, const SurfacePoint& p) {
 
 bool is_in_cell_within_face(const Mesh& mesh, const Diagram& diagram, const SurfacePoint& p, GeneratorId g) {
   if (diagram.face_label[p.face].valid()) return diagram.face_label[p.face] == g;
-  const auto first = std::ranges::lower_bound(diagram.pieces, p.face, {}, &FacePiece::face);
-  const auto last = std::ranges::upper_bound(diagram.pieces, p.face, {}, &FacePiece::face);
-  return std::any_of(first, last,
-                     [&](const FacePiece& piece) { return piece.generator == g && contains(mesh, piece, p); });
+  return std::ranges::any_of(pieces_in(diagram, p.face),
+                             [&](const FacePiece& piece) { return piece.generator == g && contains(mesh, piece, p); });
 }
 
 /// A point on an edge belongs to the faces on both sides. In a face without area other points lie at the same position,
@@ -230,18 +225,10 @@ void check_components(const Diagram& diagram, Violations& violations) {
   for (const Cell& c : diagram.cells) {
     const auto i = c.generator.index();
     if (c.components != 1) violations.add(6, "cell", i, "is not connected");
-    const std::int32_t twice_genus = 2 * c.components - c.boundary_loops - c.euler_characteristic;
-    if (twice_genus >= 0 && twice_genus % 2 == 0) continue;
+    const std::int32_t twice = twice_genus(c.components, c.boundary_loops, c.euler_characteristic);
+    if (twice >= 0 && twice % 2 == 0) continue;
     violations.add(6, "cell", i, "no surface has its Euler characteristic and its number of boundary loops");
   }
-}
-
-std::int64_t reached_characteristic(const Mesh& mesh, const ReachedFaces& reached) {
-  std::int64_t faces = 0, edges = 0, vertices = 0;
-  for (const FaceId f : mesh.faces()) faces += reached.contains(f);
-  for (const EdgeId e : mesh.edges()) edges += reached.contains(Mesh::face(mesh.halfedge(e)));
-  for (const VertexId v : mesh.vertices()) vertices += reached.contains(Mesh::face(mesh.halfedge(v)));
-  return vertices - edges + faces;
 }
 
 /// The surface is the disjoint union of four sets: the cells' interiors, the bisectors without their ends
@@ -253,7 +240,7 @@ void check_euler(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& r
   for (const Cell& c : diagram.cells) cells += c.euler_characteristic;
   for (const Bisector& b : diagram.bisectors) open += b.closed ? 0 : 1;
   const std::int64_t branches = diagram.branch_points.count();
-  const std::int64_t whole = reached_characteristic(mesh, reached);
+  const std::int64_t whole = reached.euler_characteristic(mesh);
   if (cells - open + branches == whole) return;
   violations.add(7, fmt::format("Euler's formula: cells {} - bisectors {} + branch points {} is not {}", cells, open,
                                 branches, whole));
@@ -279,6 +266,15 @@ ReachedFaces::ReachedFaces(const Mesh& mesh, const std::vector<SurfacePoint>& ge
   for (const std::int32_t c : component_) count = std::max(count, c + 1);
   has_generator_.assign(count, 0);
   for (const SurfacePoint& g : generators) has_generator_[component_[g.face]] = 1;
+}
+
+std::int64_t ReachedFaces::euler_characteristic(const Mesh& mesh) const {
+  const std::vector<ComponentTopology> topologies = compute_topologies(mesh, component_);
+  std::int64_t sum = 0;
+  for (std::size_t c = 0; c < topologies.size(); ++c) {
+    if (has_generator_[c]) sum += topologies[c].euler_characteristic;
+  }
+  return sum;
 }
 
 void check_ids(const Mesh& mesh, const Diagram& diagram, Violations& violations) {

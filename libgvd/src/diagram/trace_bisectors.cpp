@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <array>
 
+#include "diagram/bisector_length.hpp"
 #include "diagram/finish_diagram.hpp"
-#include "gvd/bisector_length.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {

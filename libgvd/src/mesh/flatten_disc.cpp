@@ -13,6 +13,7 @@
 
 #include "base/plane.hpp"
 #include "gvd/error.hpp"
+#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -28,98 +29,108 @@ double half_tangent(const Vec3& at, const Vec3& a, const Vec3& b) {
   return to_a.cross(to_b).norm() / std::max(lengths + to_a.dot(to_b), lengths / kWeightRange);
 }
 
-class DiscFlattener {
- public:
-  DiscFlattener(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border)
-      : mesh_(mesh), faces_(faces) {
-    for (const FaceId f : faces) {
-      for (const VertexId v : mesh.vertices(f)) disc_.vertices.push_back(v);
-    }
-    std::sort(disc_.vertices.begin(), disc_.vertices.end());
-    disc_.vertices.erase(std::unique(disc_.vertices.begin(), disc_.vertices.end()), disc_.vertices.end());
-    disc_.points.assign(disc_.vertices.size(), Vec2::Zero());
-    row_.assign(disc_.vertices.size(), 0);
-    for (const BorderPoint& b : border) {
-      disc_.points[disc_.number(b.vertex)] = b.point;
-      row_[disc_.number(b.vertex)] = -1;
-    }
-    for (int& row : row_) {
-      if (row == 0) row = rows_++;
-    }
+/// The vertices of the faces, ascending, with the border's points.
+PlaneDisc number_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border) {
+  PlaneDisc disc;
+  for (const FaceId f : faces) {
+    for (const VertexId v : mesh.vertices(f)) disc.vertices.push_back(v);
   }
+  std::sort(disc.vertices.begin(), disc.vertices.end());
+  disc.vertices.erase(std::unique(disc.vertices.begin(), disc.vertices.end()), disc.vertices.end());
+  disc.points.assign(disc.vertices.size(), Vec2::Zero());
+  for (const BorderPoint& b : border) disc.points[disc.number(b.vertex)] = b.point;
+  return disc;
+}
 
-  PlaneDisc run(DiscWeights weights) {
-    if (rows_ == 0) return std::move(disc_);
-    collect(weights);
-    Eigen::SparseMatrix<double> matrix(rows_, rows_);
-    Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(rows_, 2);
-    fill(matrix, right);
-    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(matrix);
-    if (factors.info() != Eigen::Success) throw Error(ErrorCode::no_valid_result, "a cell can't be flattened");
-    const Eigen::MatrixX2d solution = factors.solve(right);
-    for (std::size_t i = 0; i < row_.size(); ++i) {
-      if (row_[i] >= 0) disc_.points[i] = solution.row(row_[i]).transpose();
-    }
-    return std::move(disc_);
-  }
-
- private:
-  /// The weight of vertex `to` in the mean of vertex `from`; numbers in the disc.
-  struct Weight {
-    std::size_t from, to;
-    double value;
-  };
-
-  void collect(DiscWeights weights) {
-    for (const FaceId f : faces_) {
-      const auto& vertices = mesh_.vertices(f);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const VertexId at = vertices[i], a = vertices[(i + 1) % 3], b = vertices[(i + 2) % 3];
-        const std::size_t from = disc_.number(at);
-        if (row_[from] < 0) continue;
-        const Vec3 &p = mesh_.position(at), &q = mesh_.position(a), &r = mesh_.position(b);
-        const bool uniform = weights == DiscWeights::uniform;
-        const double tangent = uniform ? 1 : half_tangent(p, q, r);
-        weights_.push_back({from, disc_.number(a), uniform ? 1 : tangent / (q - p).norm()});
-        weights_.push_back({from, disc_.number(b), uniform ? 1 : tangent / (r - p).norm()});
-      }
-    }
-  }
-
-  void fill(Eigen::SparseMatrix<double>& matrix, Eigen::MatrixX2d& right) {
-    std::vector<double> largest(row_.size(), 0), sum(row_.size(), 0);
-    for (const Weight& w : weights_) largest[w.from] = std::max(largest[w.from], w.value);
-    for (Weight& w : weights_) {
-      w.value = std::max(w.value / largest[w.from], 1 / kWeightRange);
-      sum[w.from] += w.value;
-    }
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const Weight& w : weights_) {
-      const double share = w.value / sum[w.from];
-      if (row_[w.to] < 0) {
-        right.row(row_[w.from]) += share * disc_.points[w.to].transpose();
-      } else {
-        entries.emplace_back(row_[w.from], row_[w.to], -share);
-      }
-    }
-    for (int row = 0; row < rows_; ++row) entries.emplace_back(row, row, 1);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    matrix.makeCompressed();
-  }
-
-  const Mesh& mesh_;
-  const std::vector<FaceId>& faces_;
-  PlaneDisc disc_;
-  std::vector<int> row_;  ///< per vertex: of the matrix, -1 on the border
-  int rows_ = 0;
-  std::vector<Weight> weights_;
+/// The weight of vertex `to` in the mean of vertex `from`; numbers in the disc.
+struct MeanWeight {
+  std::size_t from, to;
+  double value;
 };
+
+/// The weights of the inner vertices' neighbours, those of each vertex with the sum 1. `row`: -1 for the border.
+std::vector<MeanWeight> collect_weights(const Mesh& mesh, const std::vector<FaceId>& faces, const PlaneDisc& disc,
+                                        const std::vector<int>& row, DiscWeights kind) {
+  const bool uniform = kind == DiscWeights::uniform;
+  std::vector<MeanWeight> weights;
+  for (const FaceId f : faces) {
+    const auto& vertices = mesh.vertices(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexId at = vertices[i], a = vertices[(i + 1) % 3], b = vertices[(i + 2) % 3];
+      const std::size_t from = disc.number(at);
+      if (row[from] < 0) continue;
+      const Vec3 &p = mesh.position(at), &q = mesh.position(a), &r = mesh.position(b);
+      const double tangent = uniform ? 1 : half_tangent(p, q, r);
+      weights.push_back({from, disc.number(a), uniform ? 1 : tangent / (q - p).norm()});
+      weights.push_back({from, disc.number(b), uniform ? 1 : tangent / (r - p).norm()});
+    }
+  }
+  std::vector<double> largest(row.size(), 0), sum(row.size(), 0);
+  for (const MeanWeight& w : weights) largest[w.from] = std::max(largest[w.from], w.value);
+  for (MeanWeight& w : weights) {
+    w.value = std::max(w.value / largest[w.from], 1 / kWeightRange);
+    sum[w.from] += w.value;
+  }
+  for (MeanWeight& w : weights) w.value /= sum[w.from];
+  return weights;
+}
 
 }  // namespace
 
+std::vector<VertexId> trace_boundary_loop(const Mesh& mesh, HalfedgeId h) {
+  std::vector<VertexId> loop;
+  HalfedgeId next = h;
+  do {
+    loop.push_back(mesh.from(next));
+    next = next_on_boundary(mesh, next);
+  } while (next != h);
+  return loop;
+}
+
+void scale_and_even(std::vector<double>& values, double last, double even_share) {
+  const double given = values.back(), steps = double(values.size() - 1);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = last * ((1 - even_share) * values[i] / given + even_share * double(i) / steps);
+  }
+  values.back() = last;
+}
+
+std::vector<Vec2> lay_round(const std::vector<double>& angles, const std::vector<double>& radii) {
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i + 1 < angles.size(); ++i) points.push_back(radii[i] * unit_vector(angles[i]));
+  return points;
+}
+
 PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border,
                        DiscWeights weights) {
-  return DiscFlattener(mesh, faces, border).run(weights);
+  PlaneDisc disc = number_disc(mesh, faces, border);
+  std::vector<int> row(disc.vertices.size(), 0);  // of the matrix, -1 on the border
+  for (const BorderPoint& b : border) row[disc.number(b.vertex)] = -1;
+  int rows = 0;
+  for (int& r : row) {
+    if (r == 0) r = rows++;
+  }
+  if (rows == 0) return disc;
+  Eigen::SparseMatrix<double> matrix(rows, rows);
+  Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(rows, 2);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const MeanWeight& w : collect_weights(mesh, faces, disc, row, weights)) {
+    if (row[w.to] < 0) {
+      right.row(row[w.from]) += w.value * disc.points[w.to].transpose();
+    } else {
+      entries.emplace_back(row[w.from], row[w.to], -w.value);
+    }
+  }
+  for (int r = 0; r < rows; ++r) entries.emplace_back(r, r, 1);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  matrix.makeCompressed();
+  const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(matrix);
+  if (factors.info() != Eigen::Success) throw Error(ErrorCode::no_valid_result, "a cell can't be flattened");
+  const Eigen::MatrixX2d solution = factors.solve(right);
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (row[i] >= 0) disc.points[i] = solution.row(row[i]).transpose();
+  }
+  return disc;
 }
 
 bool is_oriented(const Mesh& mesh, const std::vector<FaceId>& faces, const PlaneDisc& disc) {

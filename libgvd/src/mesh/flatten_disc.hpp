@@ -18,6 +18,19 @@ struct BorderPoint {
   Vec2 point;
 };
 
+/// The vertices of the loop of a halfedge on the boundary, from its start on. Cost: O(k) for k of them.
+std::vector<VertexId> trace_boundary_loop(const Mesh& mesh, HalfedgeId h);
+
+/// Scales ascending numbers that begin with 0 so that the last one is `last`, bit by bit. Makes their distances
+/// more even.
+/// `even_share`: share of even spacing in their distances, in [0, 1]. It keeps numbers apart that nearly coincide.
+/// Needs two numbers at least, of which the last one is above 0. Cost: O(k).
+void scale_and_even(std::vector<double>& values, double last, double even_share);
+
+/// Points round the origin, by their angles and their distances. The last angle is that of the first point again, after
+/// a full turn, and has no point. Cost: O(k).
+std::vector<Vec2> lay_round(const std::vector<double>& angles, const std::vector<double>& radii);
+
 /// Vertices of a disc, and their points of the plane.
 struct PlaneDisc {
   std::vector<VertexId> vertices;  ///< ascending

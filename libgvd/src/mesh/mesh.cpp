@@ -64,18 +64,6 @@ std::string edge_name(const Mesh& mesh, HalfedgeId h) {
   return fmt::format("{}-{}", mesh.from(h).value(), mesh.to(h).value());
 }
 
-/// Number of closed chains of boundary halfedges.
-std::int32_t count_boundary_loops(const Mesh& mesh) {
-  IdVector<HalfedgeId, char> visited(mesh.halfedge_count(), 0);
-  std::int32_t loops = 0;
-  for (HalfedgeId h : mesh.halfedges()) {
-    if (mesh.twin(h).valid() || visited[h]) continue;
-    ++loops;
-    for (; !visited[h]; h = next_on_boundary(mesh, h)) visited[h] = 1;
-  }
-  return loops;
-}
-
 /// An angle counts as below 30 degrees if it is smaller by more than this. In degrees. With coordinates of 12 digits an
 /// angle of 30 degrees is off by about 1e-10, and the triangles of a regular mesh must not count.
 constexpr double kAngleSlack = 1e-9;
@@ -208,7 +196,7 @@ MeshSummary compute_mesh_summary(const Mesh& mesh) {
   summary.edges = mesh.edge_count();
   summary.faces = mesh.face_count();
   for (const std::int32_t c : compute_face_components(mesh)) summary.components = std::max(summary.components, c + 1);
-  summary.boundary_loops = count_boundary_loops(mesh);
+  for_each_boundary_loop(mesh, [&](HalfedgeId) { ++summary.boundary_loops; });
   summary.euler_characteristic = summary.vertices - summary.edges + summary.faces;
   summary.area = compute_area(mesh);
   summary.bbox_diagonal = mesh.bbox_diagonal();

@@ -4,9 +4,9 @@
 
 namespace gvd {
 
-// All ways round a vertex of a `Mesh` are here. Two kinds of meshes have rings of their own, because they are not a
-// `Mesh`: the window propagation (geodesic/windows/geometry/vertex_fan.hpp), whose faces lie together for the cache's
-// sake, and the repair of soups, whose vertices may have several fans (mesh/repair/repair_nonmanifold_vertices.cpp).
+// All ways round a vertex of a `Mesh`, and along its boundary, are here. Two kinds of meshes have rings of their own,
+// because they are not a `Mesh`: the window propagation (geodesic/windows/vertex_fan.hpp), whose faces lie together for
+// the cache's sake, and the repair of soups, whose vertices may have several fans (mesh/repair/cut_apart.cpp).
 
 /// From a halfedge that leaves a vertex to the one of the next face counter-clockwise; invalid at the boundary.
 inline HalfedgeId next_outgoing(const Mesh& mesh, HalfedgeId outgoing) { return mesh.twin(Mesh::previous(outgoing)); }
@@ -19,6 +19,17 @@ inline HalfedgeId previous_outgoing(const Mesh& mesh, HalfedgeId outgoing) {
 
 /// From a halfedge on the boundary to the one that follows it along the boundary loop.
 inline HalfedgeId next_on_boundary(const Mesh& mesh, HalfedgeId h) { return mesh.halfedge(mesh.to(h)); }
+
+/// Calls visit(halfedge) for the first halfedge of each boundary loop, ascending.
+template <class Visit>
+void for_each_boundary_loop(const Mesh& mesh, const Visit& visit) {
+  IdVector<HalfedgeId, char> visited(static_cast<std::size_t>(mesh.halfedge_count()), 0);
+  for (const HalfedgeId first : mesh.halfedges()) {
+    if (mesh.twin(first).valid() || visited[first]) continue;
+    visit(first);
+    for (HalfedgeId h = first; !visited[h]; h = next_on_boundary(mesh, h)) visited[h] = 1;
+  }
+}
 
 /// Calls visit(halfedge) for every halfedge that leaves v, once, counter-clockwise from `mesh.halfedge(v)`.
 template <class Visit>

@@ -3,7 +3,7 @@
 // Idea: Dijkstra's algorithm on the edges bounds the largest distance R of the query's points. No path of that length
 // leaves the ball of radius R round the generator, so CGAL need not see the faces outside of it.
 // Invariant: the faces of the submesh are connected across edges, oriented as in the mesh, and each of its vertices has
-// one fan of them. Vertices where several fans remain are duplicated.
+// one fan of them (number_fans). Each vertex is in a face.
 #include "path_submesh.hpp"
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "gvd/error.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
+#include "mesh/submesh.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -60,164 +61,123 @@ IdVector<VertexId, double> compute_edge_distances(const Mesh& mesh, const std::v
   return distance;
 }
 
-/// Builds a PathSubmesh; its member functions are in the order of their calls.
-class SubmeshExtractor {
- public:
-  SubmeshExtractor(const Mesh& mesh, const DistanceQuery& query)
-      : mesh_(mesh), query_(query), views_(find_views(mesh, query.generator)) {
-    origin_ = position(mesh, query.generator);
-    slot_.assign(mesh.face_count(), -1);
-    submesh_.distances.assign(query.points.size(), std::numeric_limits<double>::quiet_NaN());
-  }
-
-  PathSubmesh run() {
-    sort_points();
-    if (!far_.empty()) measure_radius();
-    if (far_.empty()) return std::move(submesh_);
-    collect_faces();
-    number_vertices();
-    write_faces();
-    write_targets();
-    return std::move(submesh_);
-  }
-
- private:
-  bool touches(FaceId f) const {
-    return std::any_of(views_.begin(), views_.end(), [f](const SurfacePoint& view) { return view.face == f; });
-  }
-
-  /// Computes the Euclidean distances of the points in faces that contain the generator; the other points are far.
-  void sort_points() {
-    for (std::size_t i = 0; i < query_.points.size(); ++i) {
-      const SurfacePoint& point = query_.points[i];
-      check_point(mesh_, point);
-      if (touches(point.face)) {
-        submesh_.distances[i] = (position(mesh_, point) - origin_).norm();
-      } else {
-        far_.push_back(i);
-      }
+/// Writes the Euclidean distances of the points in faces that contain the generator. Returns the other points.
+std::vector<std::size_t> measure_near_points(const Mesh& mesh, const DistanceQuery& query,
+                                             const std::vector<SurfacePoint>& views, std::vector<double>& distances) {
+  const Vec3 origin = position(mesh, query.generator);
+  std::vector<std::size_t> far;
+  for (std::size_t i = 0; i < query.points.size(); ++i) {
+    const SurfacePoint& point = query.points[i];
+    check_point(mesh, point);
+    if (std::ranges::find(views, point.face, &SurfacePoint::face) != views.end()) {
+      distances[i] = (position(mesh, point) - origin).norm();
+    } else {
+      far.push_back(i);
     }
   }
+  return far;
+}
 
-  /// The radius, from upper bounds of the distances. Points without a path get infinity and are no longer far.
-  void measure_radius() {
-    std::vector<VertexId> wanted;
-    for (const std::size_t i : far_) {
-      for (const VertexId v : mesh_.vertices(query_.points[i].face)) wanted.push_back(v);
+/// The radius of a ball that the shortest paths to the far points do not leave, from upper bounds of their lengths.
+/// Points without a path get infinity, and are no longer far.
+double bound_paths(const Mesh& mesh, const DistanceQuery& query, const std::vector<SurfacePoint>& views,
+                   std::vector<std::size_t>& far, std::vector<double>& distances) {
+  std::vector<VertexId> wanted;
+  for (const std::size_t i : far) {
+    for (const VertexId v : mesh.vertices(query.points[i].face)) wanted.push_back(v);
+  }
+  const auto distance = compute_edge_distances(mesh, views, wanted);
+  double radius = 0;
+  std::erase_if(far, [&](std::size_t i) {
+    const SurfacePoint& point = query.points[i];
+    const Vec3 at = position(mesh, point);
+    double bound = kInfinity;
+    for (const VertexId v : mesh.vertices(point.face)) {
+      bound = std::min(bound, distance[v] + (mesh.position(v) - at).norm());
     }
-    const auto distance = compute_edge_distances(mesh_, views_, wanted);
-    std::erase_if(far_, [&](std::size_t i) {
-      const SurfacePoint& point = query_.points[i];
-      const Vec3 at = position(mesh_, point);
-      double bound = kInfinity;
-      for (const VertexId v : mesh_.vertices(point.face)) {
-        bound = std::min(bound, distance[v] + (mesh_.position(v) - at).norm());
-      }
-      if (std::isinf(bound)) submesh_.distances[i] = bound;
-      if (!std::isinf(bound)) radius_ = std::max(radius_, bound);
-      return std::isinf(bound);
-    });
-    radius_ *= 1 + kRadiusSlack;
-  }
+    if (std::isinf(bound)) distances[i] = bound;
+    if (!std::isinf(bound)) radius = std::max(radius, bound);
+    return std::isinf(bound);
+  });
+  return radius * (1 + kRadiusSlack);
+}
 
-  /// Whether f may intersect the ball, by an enclosing ball of f.
-  bool may_intersect_ball(FaceId f) const {
-    Vec3 centre = Vec3::Zero();
-    for (const VertexId v : mesh_.vertices(f)) centre += mesh_.position(v) / 3;
-    double extent = 0;
-    for (const VertexId v : mesh_.vertices(f)) extent = std::max(extent, (mesh_.position(v) - centre).norm());
-    return (centre - origin_).norm() - extent <= radius_;
-  }
+/// Whether f may intersect a ball, by an enclosing ball of f.
+bool may_intersect_ball(const Mesh& mesh, FaceId f, const Vec3& origin, double radius) {
+  Vec3 centre = Vec3::Zero();
+  for (const VertexId v : mesh.vertices(f)) centre += mesh.position(v) / 3;
+  double extent = 0;
+  for (const VertexId v : mesh.vertices(f)) extent = std::max(extent, (mesh.position(v) - centre).norm());
+  return (centre - origin).norm() - extent <= radius;
+}
 
-  void add_face(FaceId f) {
-    if (slot_[f] >= 0) return;
-    slot_[f] = int(faces_.size());
-    faces_.push_back(f);
-  }
-
-  void collect_faces() {
-    for (const SurfacePoint& view : views_) add_face(view.face);
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      for (int corner = 0; corner < 3; ++corner) {
-        const HalfedgeId twin = mesh_.twin(Mesh::halfedge(faces_[i], corner));
-        if (twin.valid() && may_intersect_ball(Mesh::face(twin))) add_face(Mesh::face(twin));
-      }
-    }
-  }
-
-  std::size_t corner_index(HalfedgeId h) const { return 3 * std::size_t(slot_[Mesh::face(h)]) + Mesh::corner(h); }
-
-  bool is_added(HalfedgeId h) const { return h.valid() && slot_[Mesh::face(h)] >= 0; }
-
-  /// One vertex of the submesh for each fan of its faces.
-  void number_vertices() {
-    corner_vertex_.assign(3 * faces_.size(), -1);
-    for (const FaceId f : faces_) {
-      for (int corner = 0; corner < 3; ++corner) {
-        const HalfedgeId start = Mesh::halfedge(f, corner);
-        if (corner_vertex_[corner_index(start)] >= 0) continue;
-        const int number = add_vertex(mesh_.position(mesh_.from(start)));
-        const auto number_from = [&](HalfedgeId h, auto step) {
-          for (; is_added(h) && corner_vertex_[corner_index(h)] < 0; h = step(mesh_, h)) {
-            corner_vertex_[corner_index(h)] = number;
-          }
-        };
-        number_from(start, next_outgoing);
-        number_from(previous_outgoing(mesh_, start), previous_outgoing);
-      }
+/// The faces that may intersect the ball and are so connected to the generator's; ascending.
+std::vector<FaceId> collect_faces(const Mesh& mesh, const std::vector<SurfacePoint>& views, const Vec3& origin,
+                                  double radius) {
+  IdVector<FaceId, char> is_added(mesh.face_count(), 0);
+  std::vector<FaceId> faces;
+  const auto add = [&](FaceId f) {
+    if (!std::exchange(is_added[f], 1)) faces.push_back(f);
+  };
+  for (const SurfacePoint& view : views) add(view.face);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (const HalfedgeId h : Mesh::halfedges(faces[i])) {
+      const HalfedgeId twin = mesh.twin(h);
+      if (twin.valid() && may_intersect_ball(mesh, Mesh::face(twin), origin, radius)) add(Mesh::face(twin));
     }
   }
+  std::ranges::sort(faces);
+  return faces;
+}
 
-  int add_vertex(const Vec3& at) {
-    submesh_.positions.push_back(at);
-    return int(submesh_.positions.size()) - 1;
-  }
-
-  /// First the faces that contain the generator, each split into triangles at it. The triangle without corner i has the
-  /// fraction bary[i] of the area; it is omitted if that is 0. The other faces follow whole.
-  void write_faces() {
-    submesh_.source = add_vertex(origin_);
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      const std::array<int, 3> face{corner_vertex_[3 * i], corner_vertex_[3 * i + 1], corner_vertex_[3 * i + 2]};
-      if (i >= views_.size()) {
-        local_face_.push_back(int(submesh_.faces.size()));
-        submesh_.faces.push_back(face);
-        continue;
-      }
-      local_face_.push_back(-1);
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        if (views_[i].bary[corner] == 0) continue;
-        submesh_.faces.push_back(face);
-        submesh_.faces.back()[corner] = submesh_.source;
-      }
+/// Splits the faces that contain the generator into triangles at it; the others stay whole. The triangle without
+/// corner i has the fraction bary[i] of the area; it is omitted if that is 0. Returns the number of each face in the
+/// part; invalid for one that is split.
+std::vector<FaceId> split_at_generator(const Mesh& mesh, const std::vector<SurfacePoint>& views, const Vec3& origin,
+                                       const std::vector<FaceId>& faces, PathSubmesh& part) {
+  FanFaces fans = number_fans(mesh, faces);
+  const VertexId source = fans.whole_vertex.push_back({});  // at no vertex of the mesh
+  std::vector<FaceId> number(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto view = std::ranges::find(views, faces[i], &SurfacePoint::face);
+    if (view == views.end()) {
+      number[i] = FaceId(part.faces.size());
+      part.faces.push_back(fans.faces[i]);
+      continue;
+    }
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (view->bary[corner] == 0) continue;
+      part.faces.push_back(fans.faces[i]);
+      part.faces.back()[corner] = source;
     }
   }
-
-  void write_targets() {
-    for (const std::size_t i : far_) {
-      const SurfacePoint& point = query_.points[i];
-      submesh_.targets.push_back({i, local_face_[slot_[point.face]], point.bary});
-    }
+  const KeptVertices kept = drop_unused_vertices(fans.whole_vertex.size(), part.faces);
+  part.source = kept.after[source];
+  for (const VertexId v : kept.before) {
+    part.positions.push_back(v == source ? origin : mesh.position(fans.whole_vertex[v]));
   }
-
-  const Mesh& mesh_;
-  const DistanceQuery& query_;
-  std::vector<SurfacePoint> views_;
-  Vec3 origin_;
-  double radius_ = 0;
-  std::vector<std::size_t> far_;
-  IdVector<FaceId, int> slot_;  // index in faces_; -1 for a face outside of the submesh
-  std::vector<FaceId> faces_;
-  std::vector<int> corner_vertex_;  // of the submesh, for each corner of faces_
-  std::vector<int> local_face_;     // of the submesh, for each of faces_; -1 for a split one
-  PathSubmesh submesh_;
-};
+  return number;
+}
 
 }  // namespace
 
 PathSubmesh extract_path_submesh(const Mesh& mesh, const DistanceQuery& query) {
   check_point(mesh, query.generator);
-  return SubmeshExtractor(mesh, query).run();
+  const std::vector<SurfacePoint> views = find_views(mesh, query.generator);
+  PathSubmesh part;
+  part.distances.assign(query.points.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::size_t> far = measure_near_points(mesh, query, views, part.distances);
+  const double radius = far.empty() ? 0 : bound_paths(mesh, query, views, far, part.distances);
+  if (far.empty()) return part;
+  const Vec3 origin = position(mesh, query.generator);
+  const std::vector<FaceId> faces = collect_faces(mesh, views, origin, radius);
+  const std::vector<FaceId> number = split_at_generator(mesh, views, origin, faces, part);
+  for (const std::size_t i : far) {
+    const SurfacePoint& point = query.points[i];
+    const auto found = std::ranges::lower_bound(faces, point.face);
+    part.targets.push_back({i, number[std::size_t(found - faces.begin())], point.bary});
+  }
+  return part;
 }
 
 }  // namespace gvd

@@ -12,12 +12,12 @@ namespace gvd {
 /// vertex.
 struct PathSubmesh {
   std::vector<Vec3> positions;
-  std::vector<std::array<int, 3>> faces;  ///< oriented and manifold; indices into positions
-  int source = -1;                        ///< the generator's vertex; -1 if there is no target
+  std::vector<std::array<VertexId, 3>> faces;  ///< oriented and manifold, with all vertices; in the mesh's order
+  VertexId source;                             ///< the generator's vertex; invalid if there is no target
   /// A point whose distance needs the solver.
   struct Target {
     std::size_t point;  ///< index into the query's points
-    int face;           ///< of the submesh
+    FaceId face;        ///< of the submesh
     std::array<double, 3> bary;
   };
   std::vector<Target> targets;

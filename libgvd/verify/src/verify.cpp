@@ -30,8 +30,8 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, SurfaceMesh>;
 using ShortestPath = CGAL::Surface_mesh_shortest_path<Traits>;
 using Face = SurfaceMesh::Face_index;
 
-SurfaceMesh::Vertex_index vertex_of(int index) {
-  return SurfaceMesh::Vertex_index(static_cast<SurfaceMesh::size_type>(index));
+SurfaceMesh::Vertex_index vertex_of(VertexId v) {
+  return SurfaceMesh::Vertex_index(static_cast<SurfaceMesh::size_type>(v.value()));
 }
 
 SurfaceMesh build_surface(const PathSubmesh& submesh) {
@@ -52,14 +52,14 @@ double checked(double distance) { return distance >= 0 ? distance : kInfinity; }
 /// The minimum of CGAL's distance in the target's face and of the paths through the face's corners. The latter matter
 /// where a path passes very close to a corner: by rounding it can miss the windows on both sides.
 double solve_target(ShortestPath& paths, const PathSubmesh& submesh, const PathSubmesh::Target& target) {
-  const std::array<int, 3>& corners = submesh.faces[target.face];
+  const std::array<VertexId, 3>& corners = submesh.faces[target.face.index()];
   Vec3 at = Vec3::Zero();
-  for (std::size_t i = 0; i < 3; ++i) at += target.bary[i] * submesh.positions[corners[i]];
-  const Face f(static_cast<SurfaceMesh::size_type>(target.face));
+  for (std::size_t i = 0; i < 3; ++i) at += target.bary[i] * submesh.positions[corners[i].index()];
+  const Face f(static_cast<SurfaceMesh::size_type>(target.face.value()));
   double best = checked(paths.shortest_distance_to_source_points(f, target.bary).first);
-  for (const int corner : corners) {
+  for (const VertexId corner : corners) {
     const double to_corner = checked(paths.shortest_distance_to_source_points(vertex_of(corner)).first);
-    best = std::min(best, to_corner + (submesh.positions[corner] - at).norm());
+    best = std::min(best, to_corner + (submesh.positions[corner.index()] - at).norm());
   }
   return best;
 }

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "diagram/graph/connected_tracer.hpp"
-#include "diagram/growth/growth_steps.hpp"
+#include "diagram/growth/assemble_faces.hpp"
 #include "gvd/diagram.hpp"
 #include "support/catch.hpp"
 #include "support/edge_between.hpp"

@@ -6,7 +6,8 @@
 
 #include "base/parallel_chunks.hpp"
 #include "diagram/graph/connected_tracer.hpp"
-#include "diagram/growth/growth_steps.hpp"
+#include "diagram/growth/assemble_faces.hpp"
+#include "diagram/growth/rough_bisectors.hpp"
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 #include "support/edge_between.hpp"

@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "diagram/growth/growth_steps.hpp"
+#include "diagram/growth/close_gaps.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/grown_gaps.hpp"

@@ -2,7 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include "diagram/growth/growth_steps.hpp"
+#include "diagram/graph/face_diagram.hpp"
+#include "diagram/growth/refine_bisectors.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 #include "support/catch.hpp"

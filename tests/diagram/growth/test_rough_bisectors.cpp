@@ -2,7 +2,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "diagram/growth/growth_steps.hpp"
+#include "diagram/growth/rough_bisectors.hpp"
 #include "support/catch.hpp"
 #include "support/edge_between.hpp"
 #include "support/generators.hpp"

@@ -7,7 +7,8 @@
 
 #include "gvd/geodesic_tracing.hpp"
 #include "gvd/io/mesh_writer.hpp"
-#include "io/view/view_steps.hpp"
+#include "io/view/scene_colors.hpp"
+#include "io/view/view_blobs.hpp"
 #include "io/writers/region_colors.hpp"
 #include "support/catch.hpp"
 #include "support/color_difference.hpp"

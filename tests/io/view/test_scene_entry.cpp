@@ -4,7 +4,8 @@
 #include <random>
 
 #include "gvd/diagram.hpp"
-#include "io/view/view_steps.hpp"
+#include "io/view/scene_entry.hpp"
+#include "io/view/view_blobs.hpp"
 #include "mesh/reading/array_bytes.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

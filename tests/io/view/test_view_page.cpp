@@ -7,7 +7,7 @@
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
 #include "io/view/view_sample.hpp"
-#include "io/view/view_steps.hpp"
+#include "io/view/view_template.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 

@@ -2,8 +2,8 @@
 #include <string>
 
 #include "gvd/error.hpp"
+#include "io/view/view_page.hpp"
 #include "io/view/view_sample.hpp"
-#include "io/view/view_steps.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 

@@ -4,7 +4,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
-#include "io/view/view_steps.hpp"
+#include "io/view/view_page.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -4,7 +4,7 @@
 
 #include "base/plane.hpp"
 #include "mesh/reading/soup_files.hpp"
-#include "mesh/repair/repair_steps.hpp"
+#include "mesh/repair/triangulate_soup.hpp"
 
 namespace gvd::test_triangulate_soup {
 

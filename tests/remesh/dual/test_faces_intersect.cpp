@@ -4,7 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "dual/dual_steps.hpp"
+#include "dual/exact_predicates.hpp"
+#include "dual/faces_intersect.hpp"
+#include "dual/placed_faces.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 #include "support/tiny_meshes.hpp"

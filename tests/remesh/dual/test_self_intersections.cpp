@@ -6,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "dual/dual_steps.hpp"
+#include "dual/faces_intersect.hpp"
+#include "dual/placed_faces.hpp"
+#include "dual/self_intersections.hpp"
 #include "gvd/remesh.hpp"
-#include "gvd/self_intersections.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "base/plane.hpp"
-#include "map/map_steps.hpp"
+#include "map/cell_map.hpp"
+#include "map/cut_into_cells.hpp"
+#include "map/dual_polygons.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

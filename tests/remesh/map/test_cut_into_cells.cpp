@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "gvd/error.hpp"
-#include "map/map_steps.hpp"
+#include "map/cut_into_cells.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/refusal.hpp"

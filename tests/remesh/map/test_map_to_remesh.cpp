@@ -8,7 +8,7 @@
 
 #include "gvd/error.hpp"
 #include "gvd/remesh_map.hpp"
-#include "map/map_steps.hpp"
+#include "map/nearest_points.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

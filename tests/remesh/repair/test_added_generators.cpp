@@ -1,5 +1,5 @@
 // Nearness along the surface: what lies in one place in space may be far apart. New generators keep their distance.
-#include "repair/repair_steps.hpp"
+#include "repair/added_generators.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "remesh/dual_defects.hpp"
-#include "repair/repair_steps.hpp"
+#include "repair/local_dual.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
@@ -20,38 +20,38 @@ TEST_CASE("rings of cells grow by one bisector a ring") {
   CHECK(count(grow_rings(diagram, {g}, 60)) == 60);
 }
 
-TEST_CASE("mesh part: the faces of some cells, and points there and back") {
+TEST_CASE("cell part: the faces of some cells, and points there and back") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, 20, 4));
     const CellFlags cells = grow_rings(diagram, {GeneratorId(3)}, 1);
-    const MeshPart part(mesh, diagram, cells);
-    CHECK(part.mesh().face_count() == static_cast<std::int32_t>(part.size()));
-    CHECK(part.mesh().face_count() < mesh.face_count());
+    const CellPart part = cut_out_cells(mesh, diagram, cells);
+    CHECK(part.mesh.face_count() == static_cast<std::int32_t>(part.whole_face.size()));
+    CHECK(part.mesh.face_count() < mesh.face_count());
     for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
       if (!cells[GeneratorId(i)]) continue;
       const auto point = part.to_part(diagram.generators[i]);
       REQUIRE(point);
       CHECK(part.to_whole(*point) == diagram.generators[i]);
-      CHECK((position(part.mesh(), *point) - position(mesh, diagram.generators[i])).norm() == 0);
+      CHECK((position(part.mesh, *point) - position(mesh, diagram.generators[i])).norm() == 0);
     }
   }
 }
 
-TEST_CASE("mesh part: all cells give the whole mesh, without a fringe") {
+TEST_CASE("cell part: all cells give the whole mesh, without a fringe") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, 12, 1));
-    const MeshPart part(mesh, diagram, CellFlags(diagram.cells.size(), 1));
-    const MeshSummary whole = compute_mesh_summary(mesh), same = compute_mesh_summary(part.mesh());
+    const CellPart part = cut_out_cells(mesh, diagram, CellFlags(diagram.cells.size(), 1));
+    const MeshSummary whole = compute_mesh_summary(mesh), same = compute_mesh_summary(part.mesh);
     CHECK(same.faces == whole.faces);
     CHECK(same.vertices == whole.vertices);
     CHECK(same.boundary_loops == whole.boundary_loops);
-    for (std::int32_t f = 0; f < mesh.face_count(); ++f) CHECK_FALSE(part.is_fringe(FaceId(f)));
+    for (std::int32_t f = 0; f < mesh.face_count(); ++f) CHECK_FALSE(part.is_fringe[FaceId(f)]);
   }
 }
 
-TEST_CASE("mesh part: faces that meet at one vertex only get a vertex each") {
+TEST_CASE("cell part: faces that meet at one vertex only get a vertex each") {
   // Two cells at opposite corners of a grid of four squares, whose faces meet in the middle.
   const Mesh mesh = test::make_grid(2, 2);
   std::vector<SurfacePoint> generators;
@@ -64,10 +64,10 @@ TEST_CASE("mesh part: faces that meet at one vertex only get a vertex each") {
   }
   CellFlags opposite(4, 0);
   opposite[GeneratorId(0)] = opposite[GeneratorId(3)] = 1;
-  const MeshPart part(mesh, diagram, opposite);
-  CHECK(part.mesh().face_count() == 4);
-  CHECK(part.mesh().vertex_count() == 8);
-  for (std::int32_t f = 0; f < 4; ++f) CHECK(part.is_fringe(FaceId(f)));
+  const CellPart part = cut_out_cells(mesh, diagram, opposite);
+  CHECK(part.mesh.face_count() == 4);
+  CHECK(part.mesh.vertex_count() == 8);
+  for (std::int32_t f = 0; f < 4; ++f) CHECK(part.is_fringe[FaceId(f)]);
 }
 
 std::vector<test::NamedMesh> fine_family() {
@@ -207,7 +207,7 @@ TEST_CASE("local dual: defects are those of the whole mesh where it can tell") {
   const Diagram diagram = compute_diagram(mesh, generators);
   const auto whole = test::find_dual_defects(mesh, diagram);
   const LocalDual local(mesh, diagram, {GeneratorId(0)}, {}, {});
-  CHECK(local.part().size() < static_cast<std::size_t>(mesh.face_count()));
+  CHECK(local.part().whole_face.size() < static_cast<std::size_t>(mesh.face_count()));
   const auto result = local.compute({});
   REQUIRE(result);
   const auto discs = [](const std::vector<DualDefect>& defects) {

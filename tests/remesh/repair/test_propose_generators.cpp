@@ -5,10 +5,11 @@
 #include <cmath>
 #include <vector>
 
-#include "gvd/bisector_length.hpp"
+#include "diagram/bisector_length.hpp"
 #include "gvd/dual.hpp"
 #include "remesh/dual_defects.hpp"
-#include "repair/repair_steps.hpp"
+#include "repair/added_generators.hpp"
+#include "repair/propose_generators.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

@@ -6,7 +6,7 @@
 #include "gvd/check.hpp"
 #include "gvd/remesh.hpp"
 #include "remesh/remesh_refusal.hpp"
-#include "repair/repair_steps.hpp"
+#include "repair/added_generators.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"

@@ -1,15 +1,22 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "gvd/diagram.hpp"
+#include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
-#include "gvd/self_intersections.hpp"
 #include "gvd/surface_point.hpp"
 
 namespace gvd {
+
+/// Two faces of a mesh, first < second.
+struct FacePair {
+  FaceId first, second;
+  auto operator<=>(const FacePair&) const = default;
+};
 
 /// The properties of a remesh, measured on the returned mesh itself.
 struct RemeshCertificate {
@@ -25,8 +32,8 @@ struct RemeshCertificate {
   std::int64_t flipped_faces = 0;      ///< see find_flipped_faces
   std::int64_t unused_generators = 0;  ///< generators that are a vertex of no face
 
-  std::vector<FacePair> self_intersections;  ///< of the remesh, see find_self_intersections
-  /// How many of these have parts of the input under them that intersect each other (find_inherited): no failure.
+  std::vector<FacePair> self_intersections;  ///< of the remesh: they have a common point outside of what they share
+  /// How many of these have parts of the input under them that intersect each other: no failure.
   std::int64_t inherited_intersections = 0;
   bool intersections_allowed = false;  ///< whether other ones are no failure, either
 
@@ -39,8 +46,7 @@ struct RemeshCertificate {
 /// Compares a remesh with its surface. Vertex i stands for generator i of the diagram, and `face_points` are the branch
 /// points of the faces. Of the diagram, only the generators count where no faces intersect. `threads` (0: one a core)
 /// changes no result. Never throws on a finding.
-/// Cost: O(n log n), and where the remesh intersects itself those of find_self_intersections of the surface and of
-/// find_inherited.
+/// Cost: O(n log n), and where the remesh intersects itself as much for the pairs of the surface.
 RemeshCertificate certify_remesh(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
                                  const std::vector<SurfacePoint>& face_points, int threads = 0);
 

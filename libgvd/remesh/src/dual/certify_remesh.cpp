@@ -15,12 +15,14 @@
 #include <iterator>
 #include <map>
 
+#include "dual/self_intersections.hpp"
 #include "gvd/dual.hpp"
 #include "gvd/error.hpp"
 #ifdef GVD_WITH_OPENMESH
 #include "gvd/openmesh.hpp"
 #endif
 #include "gvd/remesh_certificate.hpp"
+#include "mesh/component_topology.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd {
@@ -47,32 +49,6 @@ bool is_manifold(const Mesh& mesh) {
 }
 #endif
 
-struct ComponentTopology {
-  std::int32_t euler_characteristic = 0;
-  std::int32_t boundary_loops = 0;
-  bool operator==(const ComponentTopology&) const = default;
-};
-
-/// The topology of every component, in the order of compute_face_components.
-std::vector<ComponentTopology> component_topologies(const Mesh& mesh, const IdVector<FaceId, std::int32_t>& component) {
-  std::vector<ComponentTopology> result;
-  const auto of = [&](HalfedgeId h) -> ComponentTopology& {
-    const std::int32_t c = component[Mesh::face(h)];
-    if (std::ssize(result) <= c) result.resize(c + 1);
-    return result[c];
-  };
-  for (const VertexId v : mesh.vertices()) ++of(mesh.halfedge(v)).euler_characteristic;
-  for (const EdgeId e : mesh.edges()) --of(mesh.halfedge(e)).euler_characteristic;
-  for (const FaceId f : mesh.faces()) ++of(Mesh::halfedge(f, 0)).euler_characteristic;
-  IdVector<HalfedgeId, char> seen(mesh.halfedge_count(), 0);
-  for (const HalfedgeId first : mesh.halfedges()) {
-    if (mesh.twin(first).valid() || seen[first]) continue;
-    ++of(first).boundary_loops;
-    for (HalfedgeId h = first; !seen[h]; h = next_on_boundary(mesh, h)) seen[h] = 1;
-  }
-  return result;
-}
-
 /// The component of the surface that the generators of each component of the remesh lie on. Empty unless the
 /// components correspond one to one.
 std::vector<std::int32_t> pair_components(const IdVector<FaceId, std::int32_t>& surface_component, const Mesh& remesh,
@@ -97,8 +73,8 @@ void compare_components(const Mesh& surface, const Mesh& remesh, const std::vect
   certificate.same_components = certificate.input.components == certificate.output.components &&
                                 std::ssize(pairs) == certificate.input.components;
   if (!certificate.same_components) return;
-  const auto wanted = component_topologies(surface, surface_component);
-  const auto found = component_topologies(remesh, remesh_component);
+  const auto wanted = compute_topologies(surface, surface_component);
+  const auto found = compute_topologies(remesh, remesh_component);
   certificate.same_in_each_component = true;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i] != wanted[pairs[i]]) certificate.same_in_each_component = false;

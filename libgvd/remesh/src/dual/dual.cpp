@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "base/least.hpp"
-#include "dual/dual_steps.hpp"
+#include "dual/dual_defects.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/text.hpp"
 
@@ -74,15 +74,6 @@ class DualBuilder {
   DualMesh dual_;
 };
 
-DualDefect make_defect(DualProperty property, std::vector<GeneratorId> cells, const std::string& what, const Vec3& at) {
-  DualDefect defect;
-  defect.property = property;
-  defect.message =
-      fmt::format("({}) {}, near ({:.6g}, {:.6g}, {:.6g})", static_cast<int>(property), what, at.x(), at.y(), at.z());
-  defect.cells = std::move(cells);
-  return defect;
-}
-
 /// Tests cells, bisectors and branch points one by one; the defects are sorted by property at the end.
 class DualChecker {
  public:
@@ -130,7 +121,7 @@ class DualChecker {
     const auto add_defect = [&](DualProperty property, const std::string& what) {
       add(property, {g}, fmt::format("cell {} {}", g.value(), what), position(mesh_, diagram_.generators[g.index()]));
     };
-    if (cell.components != 1 || cell.euler_characteristic != 1) {
+    if (!cell.is_disc()) {
       add_defect(DualProperty::cell_is_disc,
                  fmt::format("is not a disc (Euler characteristic {})", cell.euler_characteristic));
     }
@@ -200,64 +191,6 @@ DualMesh build_dual(const Mesh& mesh, const Diagram& diagram) { return DualBuild
 
 std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram, const DualMesh& dual) {
   return DualChecker(mesh, diagram, dual).run();
-}
-
-bool is_flipped(const Triangle& triangle, const Vec3& normal) {
-  const auto& [a, b, c] = triangle;
-  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  const Vec3 area = (b - a).cross(c - a);
-  const bool has_area = area.norm() > kFlipTolerance * longest;
-  return !has_area || !(area.dot(normal) > kFlipTolerance * area.norm() * normal.norm());
-}
-
-std::vector<Vec3> normals_at_faces(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
-                                   const std::vector<SurfacePoint>& face_points) {
-  std::vector<Vec3> at_generator, at_face;
-  for (const SurfacePoint& generator : generators) at_generator.push_back(surface_normal(surface, generator));
-  for (const FaceId f : remesh.faces()) {
-    const auto& [a, b, c] = remesh.vertices(f);
-    at_face.push_back(at_generator[a.index()] + at_generator[b.index()] + at_generator[c.index()] +
-                      surface_normal(surface, face_points[f.index()]));
-  }
-  return at_face;
-}
-
-std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
-                                       const std::vector<SurfacePoint>& generators,
-                                       const std::vector<SurfacePoint>& face_points) {
-  const std::vector<Vec3> normals = normals_at_faces(surface, remesh, generators, face_points);
-  std::vector<FaceId> flipped;
-  for (const FaceId f : remesh.faces()) {
-    if (is_flipped(PlacedFaces(remesh).corners(f), normals[f.index()])) flipped.push_back(f);
-  }
-  return flipped;
-}
-
-std::vector<std::size_t> find_flipped_triangles(const Mesh& surface, const Diagram& diagram, const DualMesh& dual) {
-  std::vector<Vec3> positions, normals;
-  for (const SurfacePoint& generator : diagram.generators) {
-    positions.push_back(position(surface, generator));
-    normals.push_back(surface_normal(surface, generator));
-  }
-  std::vector<std::size_t> flipped;
-  for (std::size_t i = 0; i < dual.faces.size(); ++i) {
-    const auto& [a, b, c] = dual.faces[i];
-    const Vec3 at_branch = surface_normal(surface, diagram.branch_points[dual.branch_points[i]].point);
-    const Vec3 mean = normals[a.index()] + normals[b.index()] + normals[c.index()] + at_branch;
-    if (is_flipped({positions[a.index()], positions[b.index()], positions[c.index()]}, mean)) flipped.push_back(i);
-  }
-  return flipped;
-}
-
-DualDefect triangle_defect(const Diagram& diagram, const DualMesh& dual, std::size_t triangle, const std::string& what,
-                           DualProperty property) {
-  const auto& [a, b, c] = dual.faces[triangle];
-  const BranchPointId branch = dual.branch_points[triangle];
-  const std::string whole =
-      fmt::format("the triangle of the generators {}, {} and {} {}", a.value(), b.value(), c.value(), what);
-  DualDefect defect = make_defect(property, {a, b, c}, whole, diagram.branch_points[branch].position);
-  defect.branch_point = branch;
-  return defect;
 }
 
 }  // namespace gvd

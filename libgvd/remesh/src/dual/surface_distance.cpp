@@ -16,6 +16,7 @@
 #include <numbers>
 
 #include "base/parallel_chunks.hpp"
+#include "base/triangle_lattice.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "mesh/vertex_ring.hpp"
@@ -281,35 +282,27 @@ class DistanceMeasure {
     }));
   }
 
-  /// Cuts the face into k * k triangles. Row i of the lattice has the points with the weight i / k of corner 0.
+  /// Cuts the face into k * k triangles. Point (i, j) of the lattice has the weights i / k of corner 0, and j / k of
+  /// corner 2.
   void sample_face(FaceId f, Findings& found) const {
     const double share = area_ > 0 ? from_.area(f) / area_ : 0;
     const int k = std::max(1, static_cast<int>(std::ceil(std::sqrt(share * triangles_))));
     const double area = from_.area(f) / (k * k);
-    std::vector<Sample> row = sample_row(f, 0, k), next;
-    for (int i = 0; i < k; ++i, row.swap(next)) {
-      next = sample_row(f, i + 1, k);
-      for (std::size_t j = 0; j + 1 < row.size(); ++j) {
-        add_triangle({next[j], row[j], row[j + 1]}, area, found);
-        if (j + 1 < next.size()) add_triangle({row[j + 1], next[j + 1], next[j]}, area, found);
-      }
-    }
-  }
-
-  std::vector<Sample> sample_row(FaceId f, int i, int k) const {
     const auto& [a, b, c] = from_.vertices(f);
-    if (i == k) return {at_vertex_[a]};
-    std::vector<Sample> row;
-    for (int j = 0; j <= k - i; ++j) {
-      if (i == 0 && (j == 0 || j == k)) {
-        row.push_back(at_vertex_[j == 0 ? b : c]);
-        continue;
-      }
+    std::vector<Sample> points;
+    for_each_lattice_point(k, [&, a = a, b = b, c = c](int i, int j) {
+      if (i == k) return points.push_back(at_vertex_[a]);
+      if (i == 0 && (j == 0 || j == k)) return points.push_back(at_vertex_[j == 0 ? b : c]);
       const double s = double(i) / k, t = double(j) / k;
       const Vec3 at = s * from_.position(a) + (1 - s - t) * from_.position(b) + t * from_.position(c);
-      row.push_back(sample(at, row.empty() ? at_vertex_[a].nearest : row.back().nearest));
-    }
-    return row;
+      points.push_back(sample(at, j == 0 ? at_vertex_[a].nearest : points.back().nearest));
+    });
+    const auto point = [&](int i, int j) -> const Sample& { return points[std::size_t(lattice_number(k, i, j))]; };
+    for_each_lattice_triangle(k, [&](int i, int j, bool is_upright) {
+      const Sample &next = point(i + 1, j), &right = point(i, j + 1);
+      add_triangle(is_upright ? Corners{next, point(i, j), right} : Corners{right, point(i + 1, j + 1), next}, area,
+                   found);
+    });
   }
 
   /// The rule has the weights 3/4 at the centroid and 1/12 at each corner: exact for quadratic functions.
@@ -384,19 +377,6 @@ IdVector<FaceId, std::int32_t> choose_steps(const Mesh& mesh) {
   return steps;
 }
 
-/// Calls visit(point) for the points of a face's lattice of k * k triangles; for none where it has a single one.
-template <class Visit>
-void visit_lattice(const Mesh& mesh, FaceId f, std::int32_t k, const Visit& visit) {
-  if (k < 2) return;
-  const auto& [a, b, c] = mesh.vertices(f);
-  for (std::int32_t i = 0; i <= k; ++i) {
-    for (std::int32_t j = 0; j <= k - i; ++j) {
-      const double s = double(i) / k, t = double(j) / k, r = double(k - i - j) / k;
-      visit(s * mesh.position(a) + r * mesh.position(b) + t * mesh.position(c));
-    }
-  }
-}
-
 }  // namespace
 
 SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads, const Progress& progress) {
@@ -416,7 +396,12 @@ DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int th
     std::vector<double> distances;
     FaceId near(0);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      visit_lattice(from, FaceId(i), result.steps[FaceId(i)], [&](const Vec3& at) {
+      const std::int32_t k = result.steps[FaceId(i)];
+      if (k < 2) continue;
+      const auto& [a, b, c] = from.vertices(FaceId(i));
+      for_each_lattice_point(k, [&, a = a, b = b, c = c](std::int32_t row, std::int32_t column) {
+        const double s = double(row) / k, t = double(column) / k, r = double(k - row - column) / k;
+        const Vec3 at = s * from.position(a) + r * from.position(b) + t * from.position(c);
         const NearestFace nearest = tree.nearest_face(at, near);
         near = nearest.face;
         distances.push_back(nearest.distance);

@@ -16,6 +16,7 @@
 
 #include "base/union_find.hpp"
 #include "gvd/closest_point.hpp"
+#include "mesh/submesh.hpp"
 
 namespace gvd {
 namespace {
@@ -116,31 +117,10 @@ void scale_normals(std::vector<MeshProperty>& properties) {
   }
 }
 
-/// The faces of a chart, apart from each other: neighbours need not have the chart's coordinates in common elsewhere.
-class ChartSurface {
- public:
-  ChartSurface(const Mesh& mesh, std::vector<FaceId> faces) : faces_(std::move(faces)), surface_(take(mesh, faces_)) {}
-
-  SurfacePoint nearest(const Vec3& point) const {
-    const SurfacePoint found = tree_.query(point).point;
-    return {faces_[found.face.index()], found.bary};
-  }
-
- private:
-  static Mesh take(const Mesh& mesh, const std::vector<FaceId>& faces) {
-    std::vector<Vec3> positions;
-    std::vector<std::array<VertexId, 3>> triangles;
-    for (const FaceId f : faces) {
-      const std::size_t first = positions.size();
-      for (const VertexId v : mesh.vertices(f)) positions.push_back(mesh.position(v));
-      triangles.push_back({VertexId(first), VertexId(first + 1), VertexId(first + 2)});
-    }
-    return Mesh(std::move(positions), std::move(triangles));
-  }
-
-  std::vector<FaceId> faces_;
-  Mesh surface_;
-  ClosestPointTree tree_{surface_};
+/// The faces of a chart, where the nearest point of it is looked for.
+struct SearchedChart {
+  Submesh part;
+  ClosestPointTree tree{part.mesh};
 };
 
 class TextureCarrier {
@@ -186,9 +166,9 @@ class TextureCarrier {
     for (const FaceId f : faces_around(mesh_, point)) {
       if (chart_[f] == chart) return interpolate(f, weights_in(f, point));
     }
-    std::unique_ptr<ChartSurface>& surface = surfaces_[chart];
-    if (!surface) surface = std::make_unique<ChartSurface>(mesh_, faces_[chart]);
-    const SurfacePoint nearest = surface->nearest(position(mesh_, point));
+    std::unique_ptr<SearchedChart>& searched = searched_[chart];
+    if (!searched) searched.reset(new SearchedChart{make_submesh(mesh_, faces_[chart])});
+    const SurfacePoint nearest = searched->part.to_whole(searched->tree.query(position(mesh_, point)).point);
     return interpolate(nearest.face, nearest.bary);
   }
 
@@ -217,7 +197,7 @@ class TextureCarrier {
   const std::vector<Uv>& corners_;  // where each halfedge begins
   IdVector<FaceId, FaceId> chart_;  // the smallest face of the chart; invalid without texture coordinates
   std::map<FaceId, std::vector<FaceId>> faces_;
-  std::map<FaceId, std::unique_ptr<ChartSurface>> surfaces_;  // where a point outside of the chart was looked for
+  std::map<FaceId, std::unique_ptr<SearchedChart>> searched_;  // charts that some point was outside of
 };
 
 }  // namespace

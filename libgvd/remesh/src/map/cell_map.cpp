@@ -9,12 +9,15 @@
 // weights are tried in turn, from the best looking to the safest, until no triangle of either side is turned round. The
 // signs are certain, so a cell that passes is mapped one-to-one: docs/developer/proofs.md, section 7.
 
+#include "map/cell_map.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "base/barycentric.hpp"
@@ -23,7 +26,8 @@
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/surface_point.hpp"
-#include "map/map_steps.hpp"
+#include "map/cut_into_cells.hpp"
+#include "map/dual_polygons.hpp"
 
 namespace gvd {
 
@@ -33,14 +37,6 @@ std::vector<double> lengths_along(const Mesh& mesh, const std::vector<VertexId>&
     lengths.push_back(lengths.back() + (mesh.position(path[i]) - mesh.position(path[i - 1])).norm());
   }
   return lengths;
-}
-
-void scale_and_even(std::vector<double>& values, double last, double even_share) {
-  const double given = values.back(), steps = double(values.size() - 1);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = last * ((1 - even_share) * values[i] / given + even_share * double(i) / steps);
-  }
-  values.back() = last;
 }
 
 namespace {
@@ -87,58 +83,50 @@ Crossing find_crossing(const CellSurface& surface, const DualPolygons& polygons,
   return nearest.value;
 }
 
+/// Appends the targets of a half of a run, from or to the centre of a polygon. `at`: how far the vertices are from the
+/// centre. The bisector crosses the side behind the corner of `side`.
+void add_half(const DualPolygon& polygon, std::pair<GeneratorId, GeneratorId> cell_and_side,
+              const std::vector<double>& at, std::span<const HalfedgeId> halfedges,
+              std::vector<BorderTarget>& targets) {
+  const auto& [cell, side] = cell_and_side;
+  const Vec2 end = polygon.crossing(polygon.find(side)), apex = polygon.corner(polygon.find(cell));
+  const auto target = [&](std::size_t i) -> Vec2 {
+    return at[i] == 1 ? end : Vec2(polygon.centre + at[i] * (end - polygon.centre));
+  };
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    targets.push_back({halfedges[i], &polygon, apex, target(i), target(i + 1), at[i], at[i + 1]});
+  }
+}
+
 /// The targets of a cell's border, in its order, without the run along the mesh's boundary.
 ///
 /// A run goes from the centre of a polygon to the centre of the next one. Between them it crosses the edge that joins
 /// the two cells' vertices. The vertices are spaced by their distances. Both cells have the same targets, to the last
 /// bit. Throws Error{no_valid_result} where a run joins boundary and boundary. Cost: O(k) for k halfedges.
-class TargetCollector {
- public:
-  TargetCollector(const CellSurface& surface, const DualPolygons& polygons, GeneratorId cell)
-      : surface_(surface), mesh_(surface.cut.mesh), border_(surface.borders[cell]), polygons_(polygons), cell_(cell) {}
-
-  std::vector<BorderTarget> run() {
-    for (const BorderRun& r : border_.runs) {
-      if (r.other.valid()) add(r);
-    }
-    return std::move(targets_);
-  }
-
- private:
-  void add(const BorderRun& r) {
-    const Path path = run_vertices(mesh_, border_, r);
-    const DualPolygon *before = polygons_.at(path.front()), *behind = polygons_.at(path.back());
+std::vector<BorderTarget> collect_targets(const CellSurface& surface, const DualPolygons& polygons, GeneratorId cell) {
+  const Mesh& mesh = surface.cut.mesh;
+  const CellBorder& border = surface.borders[cell];
+  std::vector<BorderTarget> targets;
+  for (const BorderRun& run : border.runs) {
+    if (!run.other.valid()) continue;
+    const Path path = run_vertices(mesh, border, run);
+    const DualPolygon *before = polygons.at(path.front()), *behind = polygons.at(path.back());
     if (!before && !behind) {
-      throw Error(ErrorCode::no_valid_result, "two cells touch from boundary to boundary", cell_.value());
+      throw Error(ErrorCode::no_valid_result, "two cells touch from boundary to boundary", cell.value());
     }
-    const std::size_t middle = find_crossing(surface_, polygons_, path, {cell_, r.other}).number;
-    const auto at = path.begin() + middle;
-    if (before) add_half(*before, r.other, space(mesh_, {path.begin(), at + 1}, kEvenShare), r.begin);
-    if (!behind) return;
-    std::vector<double> spaced = space(mesh_, {path.rbegin(), std::make_reverse_iterator(at)}, kEvenShare);
+    const std::size_t middle = find_crossing(surface, polygons, path, {cell, run.other}).number;
+    const auto at = path.begin() + std::ptrdiff_t(middle);
+    const std::span<const HalfedgeId> halfedges(border.loop.data() + run.begin, run.end - run.begin);
+    if (before) {
+      add_half(*before, {cell, run.other}, space(mesh, {path.begin(), at + 1}, kEvenShare), halfedges, targets);
+    }
+    if (!behind) continue;
+    std::vector<double> spaced = space(mesh, {path.rbegin(), std::make_reverse_iterator(at)}, kEvenShare);
     std::reverse(spaced.begin(), spaced.end());
-    add_half(*behind, cell_, spaced, r.begin + middle);
+    add_half(*behind, {cell, cell}, spaced, halfedges.subspan(middle), targets);
   }
-
-  /// `at`: how far the vertices are from the polygon's centre. The bisector crosses the side behind the corner of
-  /// `side`.
-  void add_half(const DualPolygon& polygon, GeneratorId side, const std::vector<double>& at, std::size_t first) {
-    const Vec2 end = polygon.crossing(polygon.find(side)), apex = polygon.corner(polygon.find(cell_));
-    const auto target = [&](std::size_t i) -> Vec2 {
-      return at[i] == 1 ? end : Vec2(polygon.centre + at[i] * (end - polygon.centre));
-    };
-    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-      targets_.push_back({border_.loop[first + i], &polygon, apex, target(i), target(i + 1), at[i], at[i + 1]});
-    }
-  }
-
-  const CellSurface& surface_;
-  const Mesh& mesh_;
-  const CellBorder& border_;
-  const DualPolygons& polygons_;
-  GeneratorId cell_;
-  std::vector<BorderTarget> targets_;
-};
+  return targets;
+}
 
 /// Share of even spacing in the angles between vertices on a circle, and in the spacing of vertices on a straight side.
 /// Without it, triangles of three of them could have no area within rounding.
@@ -164,86 +152,83 @@ struct PlaneBorder {
   std::vector<Vec2> bases;  ///< of the ends of the targets, one more than targets; round: the first one again
 };
 
+/// Angles and distances of the targets' ends at the remesh's vertex; one more than targets. The last angle is all
+/// round.
+struct PolarEnds {
+  std::vector<double> angles, radii;
+};
+
+PolarEnds measure_ends(const Mesh& remesh, GeneratorId cell, const std::vector<BorderTarget>& targets) {
+  const Vec3& at = remesh.position(VertexId(cell.value()));
+  const auto offset = [&](const BorderTarget& t, const Vec2& point) -> Vec3 {
+    return position(remesh, t.polygon->on_remesh(point)) - at;
+  };
+  PolarEnds ends{{0}, {}};
+  for (const BorderTarget& t : targets) {
+    const Vec3 from = offset(t, t.from), to = offset(t, t.to);
+    ends.angles.push_back(ends.angles.back() + std::atan2(from.cross(to).norm(), from.dot(to)));
+    ends.radii.push_back(from.norm() * (1 + kBulge * t.at_from * (1 - t.at_from)));
+  }
+  ends.radii.push_back(offset(targets.back(), targets.back().to).norm());
+  return ends;
+}
+
+/// Places a sector in a frame of its two sides, so that points on them lie on one line without rounding.
+std::vector<Vec2> lay_sector(PolarEnds ends, double even_share) {
+  auto& [angles, radii] = ends;
+  const double sector = std::clamp(angles.back(), kLeastSector, kLargestSector);
+  scale_and_even(angles, sector, even_share);
+  std::vector<Vec2> bases;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const double along = std::sin(angles[i]) / std::sin(sector);
+    bases.push_back(radii[i] * Vec2(std::cos(angles[i]) - along * std::cos(sector), along));
+  }
+  bases.front() = Vec2(radii.front(), 0);
+  bases.back() = Vec2(0, radii.back());
+  return bases;
+}
+
+/// The points of the run along the boundary, on the two straight sides of a sector.
+void add_sides(const CellSurface& surface, GeneratorId cell, PlaneBorder& plane) {
+  const Mesh& mesh = surface.cut.mesh;
+  const CellBorder& border = surface.borders[cell];
+  const std::vector<VertexId> vertices = run_vertices(mesh, border, border.runs.back());
+  const auto anchor = std::find(vertices.begin(), vertices.end(), surface.anchors[cell]);
+  const std::vector<double> down = space(mesh, {anchor, vertices.end()}, kEvenSector),
+                            up = space(mesh, {std::make_reverse_iterator(anchor + 1), vertices.rend()}, kEvenSector);
+  const std::size_t at = anchor - vertices.begin();
+  const auto &right = plane.bases.front(), &left = plane.bases.back();
+  for (std::size_t i = 0; i <= at; ++i) plane.points.push_back({vertices[i], Vec2(0, up[at - i] * left.y())});
+  for (std::size_t i = 1; i + 1 < down.size(); ++i) {
+    plane.points.push_back({vertices[at + i], Vec2(down[i] * right.x(), 0)});
+  }
+}
+
 /// Puts the border of a cell into the plane. `targets`: those of the cell; at least three, or two at the boundary.
 /// Cost: O(k) for k halfedges.
-class BorderPlacer {
- public:
-  BorderPlacer(const CellSurface& surface, const Mesh& remesh, GeneratorId cell,
-               const std::vector<BorderTarget>& targets)
-      : surface_(surface), mesh_(surface.cut.mesh), remesh_(remesh), cell_(cell), targets_(targets) {}
-
-  PlaneBorder run(BorderShape shape) {
-    measure();
-    const bool is_star = shape == BorderShape::star;
-    if (!is_star) radii_.assign(radii_.size(), 1);
-    const double largest = *std::max_element(radii_.begin(), radii_.end());
-    for (double& radius : radii_) radius /= largest;
-    const double even_share = is_star ? 0 : kEvenSector;
-    const bool is_sector = surface_.borders[cell_].at_boundary();
-    is_sector ? place_sector(even_share) : place_round(even_share);
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      border_.points.push_back({mesh_.from(targets_[i].halfedge), border_.bases[i]});
-    }
-    if (is_sector) place_sides();
-    return std::move(border_);
+PlaneBorder lay_border(const CellSurface& surface, const Mesh& remesh, GeneratorId cell,
+                       const std::vector<BorderTarget>& targets, BorderShape shape) {
+  PolarEnds ends = measure_ends(remesh, cell, targets);
+  const bool is_star = shape == BorderShape::star;
+  if (!is_star) ends.radii.assign(ends.radii.size(), 1);
+  const double largest = *std::max_element(ends.radii.begin(), ends.radii.end());
+  for (double& radius : ends.radii) radius /= largest;
+  const double even_share = is_star ? 0 : kEvenSector;
+  const bool is_sector = surface.borders[cell].at_boundary();
+  PlaneBorder plane;
+  if (is_sector) {
+    plane.bases = lay_sector(std::move(ends), even_share);
+  } else {
+    scale_and_even(ends.angles, 2 * std::numbers::pi, even_share);
+    plane.bases = lay_round(ends.angles, ends.radii);
+    plane.bases.push_back(plane.bases.front());
   }
-
- private:
-  /// Angles and distances of the targets' ends at the remesh's vertex.
-  void measure() {
-    const Vec3& at = remesh_.position(VertexId(cell_.value()));
-    const auto offset = [&](const BorderTarget& t, const Vec2& point) -> Vec3 {
-      return position(remesh_, t.polygon->on_remesh(point)) - at;
-    };
-    angles_.push_back(0);
-    for (const BorderTarget& t : targets_) {
-      const Vec3 from = offset(t, t.from), to = offset(t, t.to);
-      angles_.push_back(angles_.back() + std::atan2(from.cross(to).norm(), from.dot(to)));
-      radii_.push_back(from.norm() * (1 + kBulge * t.at_from * (1 - t.at_from)));
-    }
-    radii_.push_back(offset(targets_.back(), targets_.back().to).norm());
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    plane.points.push_back({surface.cut.mesh.from(targets[i].halfedge), plane.bases[i]});
   }
-
-  void place_round(double even_share) {
-    scale_and_even(angles_, 2 * std::numbers::pi, even_share);
-    for (std::size_t i = 0; i < targets_.size(); ++i) border_.bases.push_back(radii_[i] * unit_vector(angles_[i]));
-    border_.bases.push_back(border_.bases.front());
-  }
-
-  /// Places a sector in a frame of its two sides, so that points on them lie on one line without rounding.
-  void place_sector(double even_share) {
-    const double sector = std::clamp(angles_.back(), kLeastSector, kLargestSector);
-    scale_and_even(angles_, sector, even_share);
-    for (std::size_t i = 0; i < angles_.size(); ++i) {
-      const double along = std::sin(angles_[i]) / std::sin(sector);
-      border_.bases.push_back(radii_[i] * Vec2(std::cos(angles_[i]) - along * std::cos(sector), along));
-    }
-    border_.bases.front() = Vec2(radii_.front(), 0);
-    border_.bases.back() = Vec2(0, radii_.back());
-  }
-
-  void place_sides() {
-    const CellBorder& border = surface_.borders[cell_];
-    const std::vector<VertexId> vertices = run_vertices(mesh_, border, border.runs.back());
-    const auto anchor = std::find(vertices.begin(), vertices.end(), surface_.anchors[cell_]);
-    const std::vector<double> down = space(mesh_, {anchor, vertices.end()}, kEvenSector),
-                              up = space(mesh_, {std::make_reverse_iterator(anchor + 1), vertices.rend()}, kEvenSector);
-    const std::size_t at = anchor - vertices.begin();
-    const auto &right = border_.bases.front(), &left = border_.bases.back();
-    for (std::size_t i = 0; i <= at; ++i) border_.points.push_back({vertices[i], Vec2(0, up[at - i] * left.y())});
-    for (std::size_t i = 1; i + 1 < down.size(); ++i) {
-      border_.points.push_back({vertices[at + i], Vec2(down[i] * right.x(), 0)});
-    }
-  }
-
-  const CellSurface& surface_;
-  const Mesh& mesh_;
-  const Mesh& remesh_;
-  GeneratorId cell_;
-  const std::vector<BorderTarget>& targets_;
-  std::vector<double> angles_, radii_;  // of the bases
-  PlaneBorder border_;
-};
+  if (is_sector) add_sides(surface, cell, plane);
+  return plane;
+}
 
 /// Largest distance of the fan's apex from the middle of the disc, whose radius is 1. Nearer to the border, triangles
 /// of the fan would be thin.
@@ -260,7 +245,7 @@ class CellFlattener {
   CellFlattener(const CellMapInput& input, GeneratorId cell, const std::vector<FaceId>& faces)
       : input_(input), mesh_(input.cells.cut.mesh), cell_(cell), faces_(faces) {
     plane_.vertex = VertexId(cell.value());
-    plane_.targets = TargetCollector(input.cells, input.polygons, cell).run();
+    plane_.targets = collect_targets(input.cells, input.polygons, cell);
   }
 
   PlaneCell run() {
@@ -276,7 +261,7 @@ class CellFlattener {
   bool is_sector() const { return input_.cells.borders[cell_].at_boundary(); }
 
   bool flatten(BorderShape shape, DiscWeights weights) {
-    PlaneBorder border = BorderPlacer(input_.cells, input_.result.mesh, cell_, plane_.targets).run(shape);
+    PlaneBorder border = lay_border(input_.cells, input_.result.mesh, cell_, plane_.targets, shape);
     plane_.bases = std::move(border.bases);
     plane_.disc = flatten_disc(mesh_, faces_, border.points, weights);
     if (!is_oriented(mesh_, faces_, plane_.disc)) return false;

@@ -6,6 +6,8 @@
 // After each kind of split the borders are traced anew. The conditions are those of docs/developer/proofs.md,
 // section 7.
 
+#include "map/cut_into_cells.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +19,6 @@
 #include "base/union_find.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
-#include "map/map_steps.hpp"
 #include "mesh/mesh_editor.hpp"
 #include "mesh/vertex_ring.hpp"
 
@@ -123,15 +124,16 @@ class BorderTracer {
     if (first < loop.size()) std::rotate(loop.begin(), loop.begin() + first, loop.end());
   }
 
-  /// A connected surface whose boundary is one simple loop is a disc if its Euler characteristic is 1.
+  /// A connected surface whose boundary is one simple loop is a disc if its Euler characteristic is 1. Each face has
+  /// three halfedges, and those of the loop have no twin: Euler's formula gives the number of faces.
   void check(GeneratorId g) const {
     const Size& size = sizes_[g];
     const CellBorder& border = borders_[g];
     const std::int64_t length = std::ssize(border.loop);
-    const std::int64_t twice_euler = 2 * (size.inner_vertices + length + size.faces) - (3 * size.faces + length);
+    const std::int64_t faces_of_disc = 2 * size.inner_vertices + length - 2;
     std::vector<VertexId> vertices;
     for (const HalfedgeId h : border.loop) vertices.push_back(mesh_.from(h));
-    if (length == 0 || length != size.border_edges || size.components != 1 || twice_euler != 2 ||
+    if (length == 0 || length != size.border_edges || size.components != 1 || size.faces != faces_of_disc ||
         find_repeated(std::move(vertices))) {
       refuse_cell(g, "is no disc of whole triangles");
     }

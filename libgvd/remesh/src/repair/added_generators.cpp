@@ -4,6 +4,8 @@
 // or on two sheets that touch. For these, a search over the faces within the distance tells whether one connected part
 // of the surface holds both. Where the distance is less than the surface's features, this agrees with the geodesic one.
 
+#include "repair/added_generators.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,7 +13,6 @@
 #include "base/least.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/text.hpp"
-#include "repair/repair_steps.hpp"
 
 namespace gvd {
 bool are_near(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, double radius) {

@@ -5,12 +5,14 @@
 // generators: it looks among all that may go, and first where the surface is flattest for the distance between
 // generators. Every change leaves one generator less, so both end; each also ends where its diagrams exceed a limit.
 
+#include "repair/fewer_generators.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/least.hpp"
 #include "repair/local_changes.hpp"
-#include "repair/repair_steps.hpp"
+#include "repair/local_dual.hpp"
 
 namespace gvd {
 namespace {

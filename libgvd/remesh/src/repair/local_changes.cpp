@@ -14,6 +14,8 @@
 #include <numeric>
 
 #include "base/least.hpp"
+#include "repair/added_generators.hpp"
+#include "repair/propose_generators.hpp"
 
 namespace gvd {
 namespace {
@@ -133,7 +135,7 @@ void LocalChanges::unite(GeneratorId g, GeneratorId other) {
 /// Points of the whole mesh, the likeliest ones first.
 std::vector<SurfacePoint> LocalChanges::list_candidates(const LocalDual& local,
                                                         const LocalDual::Result& without) const {
-  const Mesh& part = local.part().mesh();
+  const Mesh& part = local.part().mesh;
   const Diagram& diagram = without.diagram;
   std::vector<SurfacePoint> points;
   CellFlags defective(diagram.cells.size(), 0);
@@ -163,7 +165,7 @@ std::optional<LocalDual::Result> LocalChanges::compute(const LocalDual& local, c
     std::erase_if(result->defects, [&](const DualDefect& defect) { return defect.property != *search_.only; });
   }
   // A part that can't tell has its share of the whole diagram's.
-  const auto share = double(local.part().size()) / double(mesh_.face_count());
+  const auto share = double(local.part().whole_face.size()) / double(mesh_.face_count());
   events_ += result ? result->diagram.report.propagation_events
                     : std::int64_t(share * double(diagram_.report.propagation_events));
   return result;

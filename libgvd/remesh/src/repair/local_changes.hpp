@@ -10,7 +10,8 @@
 #include "gvd/dual.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
-#include "repair/repair_steps.hpp"
+#include "repair/fewer_generators.hpp"
+#include "repair/local_dual.hpp"
 
 namespace gvd {
 

@@ -4,13 +4,11 @@
 // inner cells: those that meet no face of the part's fringe, in which other cells begin. If a new cell reaches the
 // fringe, the part can't tell, and there is no result. docs/developer/proofs.md has the proof.
 //
-// In the part, faces keep their corners, so points go there and back by their face alone. Vertices are numbered anew,
-// one for each fan of connected faces: a vertex at which two fans meet would be no manifold.
+#include "repair/local_dual.hpp"
 
-#include "dual/dual_steps.hpp"
+#include "diagram/cell_parts.hpp"
+#include "dual/dual_defects.hpp"
 #include "gvd/error.hpp"
-#include "mesh/vertex_ring.hpp"
-#include "repair/repair_steps.hpp"
 
 namespace gvd {
 
@@ -32,55 +30,23 @@ CellFlags grow_rings(const Diagram& diagram, const std::vector<GeneratorId>& cel
   return flags;
 }
 
-void MeshPart::choose_faces(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part) {
-  IdVector<FaceId, char> meets(part_face_.size(), 0), meets_others(part_face_.size(), 0);
-  for (const FaceId f : mesh.faces()) {
-    const GeneratorId g = diagram.face_label[f];
-    if (g.valid()) meets[f] = in_part[g];
-  }
-  for (const FacePiece& piece : diagram.pieces) {
-    (in_part[piece.generator] ? meets : meets_others)[piece.face] = 1;
-  }
+CellPart cut_out_cells(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part) {
+  IdVector<FaceId, char> meets(mesh.face_count(), 0), meets_others(mesh.face_count(), 0);
+  for_each_cell_part(diagram,
+                     [&](const FacePart& part) { (in_part[part.generator] ? meets : meets_others)[part.face] = 1; });
+  std::vector<FaceId> faces;
+  IdVector<FaceId, char> is_fringe;
   for (const FaceId f : mesh.faces()) {
     if (!meets[f]) continue;
-    bool is_fringe = meets_others[f] != 0;
+    bool ends = meets_others[f] != 0;
     for (const HalfedgeId h : Mesh::halfedges(f)) {
       const HalfedgeId twin = mesh.twin(h);
-      is_fringe |= twin.valid() && !meets[Mesh::face(twin)];
+      ends |= twin.valid() && !meets[Mesh::face(twin)];
     }
-    part_face_[f] = whole_face_.push_back(f);
-    fringe_.push_back(is_fringe ? 1 : 0);
+    faces.push_back(f);
+    is_fringe.push_back(ends ? 1 : 0);
   }
-}
-
-void MeshPart::build(const Mesh& mesh) {
-  std::vector<std::array<VertexId, 3>> faces(whole_face_.size());
-  std::vector<Vec3> positions;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (int corner = 0; corner < 3; ++corner) {
-      if (faces[i][corner].valid()) continue;
-      const HalfedgeId h = Mesh::halfedge(whole_face_[FaceId(i)], corner);
-      number_fan(mesh, h, VertexId(std::ssize(positions)), faces);
-      positions.push_back(mesh.position(mesh.from(h)));
-    }
-  }
-  part_ = Mesh(std::move(positions), std::move(faces));
-}
-
-/// Gives the corners of the part's faces round the start of `outgoing` their vertex, as far as they are connected.
-void MeshPart::number_fan(const Mesh& mesh, HalfedgeId outgoing, VertexId v,
-                          std::vector<std::array<VertexId, 3>>& faces) const {
-  const auto number = [&](HalfedgeId h) {
-    if (!h.valid() || !part_face_[Mesh::face(h)].valid()) return false;
-    VertexId& corner = faces[part_face_[Mesh::face(h)].index()][Mesh::corner(h)];
-    if (corner.valid()) return false;
-    corner = v;
-    return true;
-  };
-  HalfedgeId h = outgoing;
-  while (number(h)) h = next_outgoing(mesh, h);
-  h = previous_outgoing(mesh, outgoing);
-  while (number(h)) h = previous_outgoing(mesh, h);
+  return {make_submesh(mesh, std::move(faces)), std::move(is_fringe)};
 }
 
 namespace {
@@ -100,10 +66,10 @@ LocalDual::LocalDual(const Mesh& mesh, const Diagram& diagram, const std::vector
 
 LocalDual::LocalDual(const Mesh& mesh, const Diagram& diagram, CellFlags stays, const std::vector<GeneratorId>& removed,
                      const DiagramOptions& options)
-    : diagram_(diagram), part_(mesh, diagram, stays), options_(options) {
+    : diagram_(diagram), part_(cut_out_cells(mesh, diagram, stays)), options_(options) {
   // The tolerance is in mean edge lengths: the same length in the part as in the whole mesh.
-  options_.chord_tolerance = std::max(
-      kLeastChordTolerance, options.chord_tolerance * mesh.mean_edge_length() / part_.mesh().mean_edge_length());
+  options_.chord_tolerance =
+      std::max(kLeastChordTolerance, options.chord_tolerance * mesh.mean_edge_length() / part_.mesh.mean_edge_length());
   for (const GeneratorId g : removed) stays[g] = 0;
   for (const Cell& cell : diagram.cells) {
     if (stays[cell.generator]) kept_.push_back(cell.generator);
@@ -115,7 +81,7 @@ std::optional<LocalDual::Result> LocalDual::compute(const std::vector<SurfacePoi
   if (!add_generators(added, generators)) return std::nullopt;
   Result result;
   try {
-    result.diagram = compute_diagram(part_.mesh(), generators, options_);
+    result.diagram = compute_diagram(part_.mesh, generators, options_);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::precondition) throw;
     return std::nullopt;
@@ -141,22 +107,18 @@ bool LocalDual::add_generators(const std::vector<SurfacePoint>& added, std::vect
 
 CellFlags LocalDual::find_inner_cells(const Diagram& diagram) const {
   CellFlags inner(diagram.generators.size(), 1);
-  for (const FaceId f : part_.mesh().faces()) {
-    const GeneratorId g = diagram.face_label[f];
-    if (g.valid() && part_.is_fringe(f)) inner[g] = 0;
-  }
-  for (const FacePiece& piece : diagram.pieces) {
-    if (part_.is_fringe(piece.face)) inner[piece.generator] = 0;
-  }
+  for_each_cell_part(diagram, [&](const FacePart& part) {
+    if (part_.is_fringe[part.face]) inner[part.generator] = 0;
+  });
   return inner;
 }
 
 std::vector<DualDefect> LocalDual::find_defects(const Result& result) const {
-  const DualMesh dual = build_dual(part_.mesh(), result.diagram);
-  std::vector<DualDefect> defects = check_dual(part_.mesh(), result.diagram, dual);
+  const DualMesh dual = build_dual(part_.mesh, result.diagram);
+  std::vector<DualDefect> defects = check_dual(part_.mesh, result.diagram, dual);
   std::erase_if(defects, [&](const DualDefect& d) { return !are_all(result.inner, d.cells); });
   if (!defects.empty()) return defects;
-  for (const std::size_t i : find_flipped_triangles(part_.mesh(), result.diagram, dual)) {
+  for (const std::size_t i : find_flipped_triangles(part_.mesh, result.diagram, dual)) {
     DualDefect defect = triangle_defect(result.diagram, dual, i, "is flipped");
     if (are_all(result.inner, defect.cells)) defects.push_back(std::move(defect));
   }

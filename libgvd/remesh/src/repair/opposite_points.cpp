@@ -26,7 +26,7 @@
 #include "gvd/closest_point.hpp"
 #include "gvd/exact_field.hpp"
 #include "repair/cell_topology.hpp"
-#include "repair/repair_steps.hpp"
+#include "repair/local_dual.hpp"
 
 namespace gvd {
 namespace {
@@ -46,7 +46,7 @@ double angle_between(const Vec2& a, const Vec2& b) {
 }
 
 /// The point of a border behind the generator of the field; nothing where no path leads to the border.
-std::optional<BorderPoint> find_behind(const MeshPart& part, const ExactField& field,
+std::optional<BorderPoint> find_behind(const Submesh& part, const ExactField& field,
                                        const std::vector<SurfacePoint>& border) {
   std::vector<BorderPoint> points;
   std::vector<Vec2> directions;
@@ -96,17 +96,17 @@ std::vector<SurfacePoint> find_opposite_points(const Mesh& mesh, const Diagram& 
   if (borders.size() < 2) return {};
   CellFlags in_part(diagram.generators.size(), 0);
   in_part[cell] = 1;
-  const MeshPart part(mesh, diagram, in_part);
+  const CellPart part = cut_out_cells(mesh, diagram, in_part);
   const auto generator = part.to_part(diagram.generators[cell.index()]);
   if (!generator) return {};
-  const ExactField field(part.mesh(), {*generator}, {.threads = 1});
+  const ExactField field(part.mesh, {*generator}, {.threads = 1});
   std::vector<SurfacePoint> points;
   std::optional<BorderPoint> last;
   for (const std::vector<SurfacePoint>& border : borders) {
     const auto behind = find_behind(part, field, border);
     if (!behind) continue;
     if (last) {
-      if (const auto point = find_opposite(part.mesh(), *last, *behind)) points.push_back(part.to_whole(*point));
+      if (const auto point = find_opposite(part.mesh, *last, *behind)) points.push_back(part.to_whole(*point));
     }
     if (points.size() == kMostPoints) break;
     last = behind;

@@ -5,13 +5,17 @@
 // one defect of each cell, because a repair often removes the cell's other defects too. Repairs near those just added
 // are computed on a part of the mesh, which saves rounds on all of it.
 
+#include "repair/propose_generators.hpp"
+
 #include <limits>
 #include <set>
 
 #include "base/least.hpp"
-#include "gvd/bisector_length.hpp"
+#include "diagram/bisector_length.hpp"
+#include "diagram/cell_parts.hpp"
 #include "gvd/error.hpp"
-#include "repair/repair_steps.hpp"
+#include "repair/added_generators.hpp"
+#include "repair/local_dual.hpp"
 
 namespace gvd {
 namespace {
@@ -278,12 +282,9 @@ constexpr int kMostRounds = 8;
 std::vector<GeneratorId> list_cells_around(const Mesh& mesh, const Diagram& diagram,
                                            const std::vector<SurfacePoint>& points) {
   std::vector<GeneratorId> cells;
-  const auto by_face = [](const FacePiece& piece, FaceId f) { return piece.face < f; };
   for (const SurfacePoint& point : points) {
     for (const FaceId f : faces_around(mesh, point)) {
-      if (diagram.face_label[f].valid()) cells.push_back(diagram.face_label[f]);
-      auto piece = std::lower_bound(diagram.pieces.begin(), diagram.pieces.end(), f, by_face);
-      for (; piece != diagram.pieces.end() && piece->face == f; ++piece) cells.push_back(piece->generator);
+      for_each_cell_part(diagram, f, [&](const FacePart& part) { cells.push_back(part.generator); });
     }
   }
   std::sort(cells.begin(), cells.end());
@@ -296,7 +297,7 @@ std::vector<SurfacePoint> propose_in_part(const LocalDual& local, const LocalDua
                                           std::size_t max_count, const Progress& progress) {
   if (result.defects.empty() || result.defects.front().property == DualProperty::not_flipped) return {};
   ProposedGenerators proposed =
-      propose_generators(local.part().mesh(), result.diagram, result.defects, max_count, progress);
+      propose_generators(local.part().mesh, result.diagram, result.defects, max_count, progress);
   if (proposed.narrow) return {};
   for (SurfacePoint& point : proposed.points) point = local.part().to_whole(point);
   return std::move(proposed.points);
@@ -338,7 +339,7 @@ std::vector<SurfacePoint> DiscCandidates::list(GeneratorId cell) {
 NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const std::vector<SurfacePoint>& added,
                                 std::size_t max_count, const DiagramOptions& options) {
   const LocalDual local(mesh, diagram, list_cells_around(mesh, diagram, added), {}, options);
-  if (kFacesPerPartFace * local.part().size() > std::size_t(mesh.face_count())) return {};
+  if (kFacesPerPartFace * local.part().whole_face.size() > std::size_t(mesh.face_count())) return {};
   NearbyGenerators nearby;
   std::vector<SurfacePoint> all = added;
   for (int round = 0; round < kMostRounds && nearby.points.size() < max_count; ++round) {

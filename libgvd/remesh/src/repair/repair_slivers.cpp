@@ -4,11 +4,13 @@
 // have slivers round them whatever is added. So this comes last, on a mesh that is right, and keeps generators only
 // where they leave fewer slivers. If they fail beside all slivers together, the thinnest half is next.
 
+#include "repair/repair_slivers.hpp"
+
 #include <algorithm>
 
-#include "dual/dual_steps.hpp"
+#include "dual/dual_defects.hpp"
 #include "gvd/quality.hpp"
-#include "repair/repair_steps.hpp"
+#include "repair/propose_generators.hpp"
 
 namespace gvd {
 namespace {

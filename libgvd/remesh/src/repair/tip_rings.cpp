@@ -12,8 +12,8 @@
 #include "gvd/geodesic_tracing.hpp"
 #include "gvd/surface_point.hpp"
 #include "mesh/vertex_ring.hpp"
+#include "repair/added_generators.hpp"
 #include "repair/cell_topology.hpp"
-#include "repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {

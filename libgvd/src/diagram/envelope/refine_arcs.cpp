@@ -6,7 +6,7 @@
 // difference of the two shortest paths, divided by its gradient. All of this happens in a narrow band along the arc,
 // with the sources visible from there. Where the bisector leaves the band, the arc is refined again with all sources.
 // Source: not in the paper, whose bisectors are straight inside a face. Its refinement of crossings on edges is in
-// growth/growth_steps.hpp.
+// growth/refine_bisectors.cpp.
 #include "diagram/envelope/refine_arcs.hpp"
 
 #include <algorithm>

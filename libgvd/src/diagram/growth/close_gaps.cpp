@@ -5,13 +5,14 @@
 // stretches ends without a limit; here a gap that stays open is left to the assembly of faces.
 // Invariant: a face belongs to at most one gap at a time. So a closed gap replaces all crossings inside its faces, and
 // no other gap has them.
+#include "diagram/growth/close_gaps.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <optional>
 #include <tuple>
 #include <utility>
 
-#include "diagram/growth/growth_steps.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {

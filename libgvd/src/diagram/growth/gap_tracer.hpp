@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "diagram/graph/connected_tracer.hpp"
-#include "diagram/growth/growth_steps.hpp"
+#include "diagram/growth/close_gaps.hpp"
+#include "diagram/growth/rough_bisectors.hpp"
 #include "gvd/progress.hpp"
 
 namespace gvd {

@@ -4,9 +4,10 @@
 // each face estimates where the bisector crosses its edges. The two faces of an edge disagree in general: welding takes
 // the mean of their estimates, which is what the paper calls consistency enforcement.
 // Invariant: along an edge crossings keep their order and kCrossingGap, so that no cell vanishes from the edge.
+#include "diagram/growth/refine_bisectors.hpp"
+
 #include <algorithm>
 
-#include "diagram/growth/growth_steps.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/marching/unfold.hpp"
 #include "gvd/diagram_steps.hpp"

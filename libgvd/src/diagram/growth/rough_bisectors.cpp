@@ -5,12 +5,13 @@
 // last. A crossing lies at each change of the nearest generator.
 // Invariant: the crossings of an edge lead from the label of its first vertex to that of its second, whatever the
 // tables say, because labels were chosen so that cells are connected.
+#include "diagram/growth/rough_bisectors.hpp"
+
 #include <algorithm>
 #include <array>
 #include <tuple>
 
 #include "diagram/assembly/form_distances.hpp"
-#include "diagram/growth/growth_steps.hpp"
 #include "geodesic/marching/local_update.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/vec.hpp"

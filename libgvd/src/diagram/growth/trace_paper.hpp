@@ -6,6 +6,7 @@
 
 #include "diagram/graph/connected_tracer.hpp"
 #include "diagram/growth/gap_tracer.hpp"
+#include "diagram/growth/refine_bisectors.hpp"
 
 namespace gvd {
 

@@ -4,7 +4,7 @@
 
 #include <new>
 
-#include "io/view/view_steps.hpp"
+#include "io/view/view_blobs.hpp"
 #include "io/writers/byte_writer.hpp"
 
 namespace gvd::io {

@@ -2,10 +2,11 @@
 //
 // A scene that was made for a mesh with labels names its colours, which are those of its files. Others are coloured as
 // a file of what they show would be.
+#include "io/view/scene_colors.hpp"
+
 #include <algorithm>
 #include <functional>
 
-#include "io/view/view_steps.hpp"
 #include "io/writers/region_colors.hpp"
 
 namespace gvd::io {

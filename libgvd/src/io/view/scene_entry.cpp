@@ -6,6 +6,8 @@
 // and are rounded to what a screen shows.
 // Pieces of cut faces are clipped to triangles here, so that the page needs no geometry: it draws what it reads.
 // Invariant: equal scenes give equal bytes; docs/developer/viewer.md lists the members of an entry.
+#include "io/view/scene_entry.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +18,7 @@
 
 #include "base/barycentric.hpp"
 #include "base/ear_clipping.hpp"
-#include "io/view/view_steps.hpp"
+#include "io/view/view_blobs.hpp"
 #include "io/writers/byte_writer.hpp"
 
 namespace gvd::io {
@@ -33,20 +35,8 @@ constexpr std::uint32_t kUnreachedCode = 0;
 constexpr std::uint32_t kCutCode = 1;
 constexpr std::uint32_t kFirstLabelCode = 2;
 
-/// Coordinates of the page are multiples of the inverse of this, shares of corners of pieces of that of the other.
-constexpr double kCoordinateParts = 1 << 20, kShareParts = 65535;
-
-/// The frame has a radius of 1 unless the mesh is too large for one; differences of twice this fit 31 bits.
-constexpr double kFarthest = 500;
-
 /// Distances on lattices have 16 bits: their steps are a hundredth of what a scale of 256 colours shows.
 constexpr double kLatticeParts = 65535;
-
-/// The least number of bytes, of 1, 2 and 4, that holds each of the values.
-int width_of(const std::vector<std::uint32_t>& values) {
-  const std::uint32_t largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-  return largest < 0x100 ? 1 : largest < 0x10000 ? 2 : 4;
-}
 
 std::uint32_t code_of(GeneratorId label) {
   return label.valid() ? kFirstLabelCode + std::uint32_t(label.value()) : kUnreachedCode;
@@ -246,60 +236,6 @@ ViewFrame compute_view_frame(const std::vector<ViewScene>& scenes) {
   const Vec3 half = box.max() / 2 - box.min() / 2;
   const double radius = half.stableNorm();
   return {box.min() / 2 + box.max() / 2, radius > 0 && std::isfinite(radius) ? radius : 1};
-}
-
-nlohmann::json ViewBlobs::add_floats(const std::vector<float>& values) {
-  std::string bytes;
-  bytes.reserve(4 * values.size());
-  for (const float value : values) bytes.append(little_endian(value).data(), 4);
-  return add(std::move(bytes), "f32", values.size());
-}
-
-nlohmann::json ViewBlobs::add_coordinates(const std::vector<double>& values) {
-  std::vector<std::uint32_t> steps;
-  steps.reserve(values.size());
-  std::array<std::int64_t, 3> before{};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::int64_t value = std::llround(std::clamp(values[i], -kFarthest, kFarthest) * kCoordinateParts),
-                       step = value - before[i % 3];
-    before[i % 3] = value;
-    steps.push_back(std::uint32_t(step < 0 ? -2 * step - 1 : 2 * step));  // the sign in the lowest bit
-  }
-  const int width = width_of(steps);
-  std::string bytes;  // first the lowest byte of each number, then the next ones: higher ones are mostly 0
-  bytes.reserve(width * steps.size());
-  for (int k = 0; k < width; ++k) {
-    for (const std::uint32_t step : steps) bytes.push_back(char(step >> (8 * k) & 0xFF));
-  }
-  json reference = add(std::move(bytes), width == 1 ? "u8" : width == 2 ? "u16" : "u32", values.size());
-  reference["unit"] = 1 / kCoordinateParts;
-  reference["step"] = 3;
-  return reference;
-}
-
-nlohmann::json ViewBlobs::add_shares(const std::vector<double>& values) {
-  std::vector<std::uint32_t> parts;
-  parts.reserve(values.size());
-  for (const double value : values) {
-    parts.push_back(std::uint32_t(std::lround(kShareParts * std::clamp(value, 0.0, 1.0))));
-  }
-  json reference = add_integers(parts);
-  reference["unit"] = 1 / kShareParts;
-  return reference;
-}
-
-nlohmann::json ViewBlobs::add_integers(const std::vector<std::uint32_t>& values) {
-  const int width = width_of(values);
-  std::string bytes;
-  bytes.reserve(width * values.size());
-  for (const std::uint32_t value : values) bytes.append(little_endian(value).data(), width);
-  return add(std::move(bytes), width == 1 ? "u8" : width == 2 ? "u16" : "u32", values.size());
-}
-
-nlohmann::json ViewBlobs::add(std::string bytes, const char* type, std::size_t count) {
-  const auto [it, fresh] = index_of_.try_emplace(std::move(bytes), blobs_.size());
-  if (fresh) blobs_.push_back(&it->first);
-  return {{"blob", it->second}, {"type", type}, {"count", count}};
 }
 
 std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<Vec2>& corners) {

@@ -11,6 +11,8 @@
 // Source: the rule of the midpoints is exact to degree 2; V - E + F over branch points, bisectors and cells is Euler's.
 // Invariant: a page is made of checked scenes only, and needs no file and no network when it is opened. A scene refers
 // to its mesh and copies all else, so the diagram may go before the page is made.
+#include "io/view/view_page.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,9 +27,13 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
+#include "diagram/cell_parts.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/view.hpp"
-#include "io/view/view_steps.hpp"
+#include "io/view/scene_colors.hpp"
+#include "io/view/scene_entry.hpp"
+#include "io/view/view_blobs.hpp"
+#include "io/view/view_template.hpp"
 
 namespace gvd {
 namespace io {
@@ -151,7 +157,7 @@ class SquaredDistance {
 
 /// Integral over a polygon of a face of area `area`: a fan of triangles with signed areas, each by the midpoints of its
 /// sides, which is exact for quadratic functions.
-double integrate(const SquaredDistance& squared, double area, const std::vector<Bary>& polygon) {
+double integrate(const SquaredDistance& squared, double area, std::span<const Bary> polygon) {
   double sum = 0;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const Bary &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
@@ -182,7 +188,7 @@ std::vector<ViewFigure> make_figures(const Mesh& mesh, const Diagram& diagram, c
   std::int64_t characteristics = 0, discs = 0;
   for (const Cell& cell : diagram.cells) {
     characteristics += cell.euler_characteristic;
-    discs += cell.euler_characteristic == 1 && cell.components == 1;
+    discs += cell.is_disc();
   }
   std::vector<ViewFigure> figures{{"Faces", fmt::format("{}", shown.face_count())},
                                   {"Vertices", fmt::format("{}", shown.vertex_count())},
@@ -303,15 +309,10 @@ void check_view_scene(const ViewScene& scene) {
 
 IdVector<GeneratorId, double> compute_cell_energies(const Mesh& mesh, const Diagram& diagram) {
   IdVector<GeneratorId, double> energies(diagram.cells.size(), 0.0);
-  const auto add = [&](FaceId f, GeneratorId cell, const std::vector<Bary>& polygon) {
-    const double energy = integrate(SquaredDistance(mesh, diagram, f), mesh.area(f), polygon);
-    if (std::isfinite(energy)) energies[cell] += energy;
-  };
-  const std::vector<Bary> whole(kWholeTriangle.begin(), kWholeTriangle.end());
-  for (const FaceId f : diagram.face_label.ids()) {
-    if (diagram.face_label[f].valid()) add(f, diagram.face_label[f], whole);
-  }
-  for (const FacePiece& piece : diagram.pieces) add(piece.face, piece.generator, piece.corners);
+  for_each_cell_part(diagram, [&](const FacePart& part) {
+    const double energy = integrate(SquaredDistance(mesh, diagram, part.face), mesh.area(part.face), part.corners);
+    if (std::isfinite(energy)) energies[part.generator] += energy;
+  });
   return energies;
 }
 

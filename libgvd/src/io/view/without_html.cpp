@@ -1,6 +1,6 @@
 // What GVD_WITH_XML=OFF leaves out for want of zlib: the page. There is no viewer either then.
 #include "gvd/error.hpp"
-#include "io/view/view_steps.hpp"
+#include "io/view/view_blobs.hpp"
 
 namespace gvd::io {
 

@@ -1,16 +1,10 @@
 // A soup of polygons becomes a manifold mesh: examined, cleaned, triangulated, oriented, cut apart and assembled.
 //
-// The steps are those of repair_steps.hpp, in the order of `build_mesh` at the end. Welding comes first, because all
-// later steps know vertices by their numbers alone. Faces are oriented before edges are cut, because the inside of the
-// surface decides which faces of an edge stay together. A step that finds nothing changes nothing and logs nothing.
-// Under DefectPolicy::error the log throws at the first defect.
-//
-// The steps on components are here: a breadth-first search gives each face of a component the orientation that its
-// neighbours ask for, relative to the first face; the majority decides. A face that would need both belongs to a
-// surface with one side only. The largest component is that of the largest area; of equal ones the first is kept.
-// Invariant: a soup of triangles without a defect becomes the mesh with the same vertices and faces in the same order.
-// Edges of three or more faces connect no component. They are cut apart later, when all faces that they join are
-// oriented.
+// `build_repaired` near the end lists the steps in their order. Each has a file. All of them are deterministic. Welding
+// comes first, because all later steps know vertices by their numbers alone. Faces are oriented before edges are cut,
+// because the inside of the surface decides which faces of an edge stay together. A step that finds nothing changes
+// nothing and logs nothing. Under DefectPolicy::error the log throws at the first defect. Invariant: a soup of
+// triangles without a defect becomes the mesh with the same vertices and faces in the same order.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,168 +12,19 @@
 #include <limits>
 
 #include "gvd/text.hpp"
-#include "mesh/repair/repair_steps.hpp"
+#include "mesh/repair/carry_appearance.hpp"
+#include "mesh/repair/clean_polygons.hpp"
+#include "mesh/repair/cut_apart.hpp"
+#include "mesh/repair/cut_twists.hpp"
+#include "mesh/repair/defect_log.hpp"
+#include "mesh/repair/examine_open_edges.hpp"
+#include "mesh/repair/soup_components.hpp"
+#include "mesh/repair/triangulate_soup.hpp"
+#include "mesh/repair/work_faces.hpp"
+#include "mesh/submesh.hpp"
 
 namespace gvd {
 namespace {
-
-/// Faces that are connected through edges of two faces, in the order of a breadth-first search from the first one.
-struct OrientedComponent {
-  std::vector<std::int32_t> faces;
-  std::int32_t flipped = 0;    // number of `faces` with the opposite orientation of the first
-  std::int32_t conflict = -1;  // a face that would need both orientations
-};
-
-/// Finds the component of `start`. Sets side[f] to 0 where f has the orientation of `start`, to 1 where the opposite
-/// one.
-OrientedComponent walk_component(const WorkFaces& work, std::int32_t start, std::vector<signed char>& side) {
-  OrientedComponent component;
-  component.faces.push_back(start);
-  side[start] = 0;
-  for (std::size_t i = 0; i < component.faces.size(); ++i) {
-    const std::int32_t f = component.faces[i];
-    for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-      const std::int32_t twin = work.twin[h];
-      if (twin < 0) continue;
-      const bool same_direction = work.from(h) == work.from(twin);
-      const signed char wanted = same_direction ? !side[f] : side[f];
-      signed char& other = side[twin / 3];
-      if (other < 0) {
-        other = wanted;
-        component.flipped += wanted;
-        component.faces.push_back(twin / 3);
-      } else if (other != wanted && component.conflict < 0) {
-        component.conflict = std::max(f, twin / 3);
-      }
-    }
-  }
-  return component;
-}
-
-/// Reverses a face by swapping its last two corners: its halfedges 0, 1, 2 become 2, 1, 0.
-void flip(WorkFaces& work, std::int32_t f) {
-  auto& corners = work.faces[f];
-  std::swap(corners[1], corners[2]);
-  std::swap(work.twin[3 * f], work.twin[3 * f + 2]);
-  for (const std::int32_t moved : {3 * f, 3 * f + 2}) {
-    if (work.twin[moved] >= 0) work.twin[work.twin[moved]] = moved;
-  }
-}
-
-[[noreturn]] void refuse_one_sided(const WorkFaces& work, const OrientedComponent& component) {
-  const std::int32_t first = *std::min_element(component.faces.begin(), component.faces.end());
-  const std::int32_t origin = work.origin[first];
-  refuse_soup(
-      fmt::format("the component of face {} has only one side, like a Moebius strip (seen at face {}): cut it open",
-                  origin, work.origin[component.conflict]),
-      origin);
-}
-
-struct Orientations {
-  std::vector<char> to_flip;    // per face
-  std::vector<char> one_sided;  // per face whether its component has one side only
-};
-
-Orientations find_orientations(const WorkFaces& work, DefectPolicy policy) {
-  Orientations result{std::vector<char>(work.faces.size(), 0), std::vector<char>(work.faces.size(), 0)};
-  std::vector<signed char> side(work.faces.size(), -1);
-  for (std::int32_t start = 0; start < work.face_count(); ++start) {
-    if (side[start] >= 0) continue;
-    const OrientedComponent component = walk_component(work, start, side);
-    if (component.conflict >= 0) {
-      if (policy != DefectPolicy::largest) refuse_one_sided(work, component);
-      for (const std::int32_t f : component.faces) result.one_sided[f] = 1;
-      continue;
-    }
-    const bool against_first = 2 * std::size_t(component.flipped) > component.faces.size();
-    for (const std::int32_t f : component.faces) result.to_flip[f] = (side[f] == 1) != against_first;
-  }
-  return result;
-}
-
-struct Component {
-  std::int32_t first_face;
-  double twice_area = 0;  // square mesh units
-};
-
-double twice_area(const WorkFaces& work, std::int32_t f, const std::vector<Vec3>& positions) {
-  const auto& [a, b, c] = work.faces[f];
-  const auto at = [&](std::int32_t v) -> const Vec3& { return positions[v]; };
-  return (at(b) - at(a)).cross(at(c) - at(a)).stableNorm();
-}
-
-/// A triangle counts as one without area if its height is at most this fraction of its longest side. Dimensionless. Ten
-/// times the rounding error of a position on the side.
-constexpr double kHeightWithoutArea = 1e-15;
-
-/// Whether a face counts as one without area: the same faces as `count_faces_below` counts in the finished mesh.
-///
-/// Nearly all faces pass a test that needs no root and no scaling: its bound is at least twice the one on twice the
-/// area, since 2 (|ab|^2 + |ac|^2) is at least the square of each side, bc too. Where squares underflow, the smallest
-/// normal number holds the test back.
-bool is_without_area(const WorkFaces& work, std::int32_t f) {
-  const auto& [a, b, c] = work.faces[f];
-  const Vec3 ab = work.positions[b] - work.positions[a], ac = work.positions[c] - work.positions[a];
-  const double bound = 4 * kHeightWithoutArea * (ab.squaredNorm() + ac.squaredNorm());
-  const double squared = ab.cross(ac).squaredNorm();
-  if (squared > bound * bound + std::numeric_limits<double>::min()) return false;
-  const double longest =
-      std::max({ab.stableNorm(), ac.stableNorm(), (work.positions[c] - work.positions[b]).stableNorm()});
-  return twice_area(work, f, work.positions) <= kHeightWithoutArea * longest * longest;
-}
-
-/// The components in the order of their first faces. Fills `component`, the number of each face's component.
-std::vector<Component> find_components(const WorkFaces& work, const std::vector<Vec3>& positions,
-                                       std::vector<std::int32_t>& component) {
-  component.assign(work.faces.size(), -1);
-  std::vector<Component> components;
-  std::vector<std::int32_t> stack;
-  for (std::int32_t start = 0; start < work.face_count(); ++start) {
-    if (component[start] >= 0) continue;
-    components.push_back({start});
-    component[start] = std::int32_t(components.size() - 1);
-    stack.push_back(start);
-    while (!stack.empty()) {
-      const std::int32_t f = stack.back();
-      stack.pop_back();
-      components.back().twice_area += twice_area(work, f, positions);
-      for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) {
-        const std::int32_t twin = work.twin[h];
-        if (twin < 0 || component[twin / 3] >= 0) continue;
-        component[twin / 3] = component[start];
-        stack.push_back(twin / 3);
-      }
-    }
-  }
-  return components;
-}
-
-/// Drops all faces but those of the components with a 1 in `kept`.
-void keep_faces(WorkFaces& work, const std::vector<std::int32_t>& component, const std::vector<char>& kept) {
-  std::vector<std::int32_t> renumbered(work.faces.size(), -1);
-  std::int32_t count = 0;
-  for (std::int32_t f = 0; f < work.face_count(); ++f) {
-    if (kept[component[f]]) renumbered[f] = count++;
-  }
-  for (std::int32_t f = 0; f < work.face_count(); ++f) {
-    const std::int32_t to = renumbered[f];
-    if (to < 0) continue;
-    work.faces[to] = work.faces[f];
-    work.origin[to] = work.origin[f];
-    for (int i = 0; i < 3; ++i) {
-      const std::int32_t twin = work.twin[3 * f + i];
-      work.twin[3 * to + i] = twin < 0 ? -1 : 3 * renumbered[twin / 3] + twin % 3;
-    }
-  }
-  work.faces.resize(count);
-  work.origin.resize(count);
-  work.twin.resize(3 * count);
-}
-
-constexpr std::array<std::string_view, 12> kKindNames = {
-    "unwelded_vertices", "zero_length_edges",        "degenerate_faces",  "duplicate_faces",
-    "crossing_quads",    "inconsistent_orientation", "nonmanifold_edges", "nonmanifold_vertices",
-    "unused_vertices",   "dropped_components",       "one_sided_edges",   "zero_area_components"};
 
 void examine_positions(const PolygonSoup& soup) {
   if (soup.positions.empty()) refuse_soup("the soup has no vertices", -1);
@@ -238,14 +83,6 @@ void examine_polygons(const PolygonSoup& soup) {
 /// .2 to .6 %; at 1.8e-15 they were off by 7 to 17 %. Dimensionless.
 constexpr double kHeightWithoutShape = 0x1p-46;
 
-std::vector<char> find_used_vertices(const WorkFaces& work) {
-  std::vector<char> used(work.positions.size(), 0);
-  for (const auto& face : work.faces) {
-    for (const std::int32_t v : face) used[v] = 1;
-  }
-  return used;
-}
-
 /// Logs the vertices in no polygon of the soup. Vertices that lost their faces by a repair do not count.
 void log_unused_vertices(const PolygonSoup& soup, DefectLog& log) {
   const std::vector<char> used = find_used_vertices(soup);
@@ -256,25 +93,20 @@ void log_unused_vertices(const PolygonSoup& soup, DefectLog& log) {
 }
 
 CheckedMesh assemble(WorkFaces work, const std::vector<std::int32_t>& weld) {
-  CheckedMesh checked;
-  const std::vector<char> used = find_used_vertices(work);
-  const auto count = std::count(used.begin(), used.end(), 1);
-  std::vector<VertexId> renumbered(work.positions.size());
-  std::vector<Vec3> positions;
-  positions.reserve(count);
-  checked.input_vertex.reserve(count);
-  for (std::size_t v = 0; v < work.positions.size(); ++v) {
-    if (!used[v]) continue;
-    renumbered[v] = checked.input_vertex.push_back(work.source[v]);
-    positions.push_back(work.positions[v]);
-  }
   std::vector<std::array<VertexId, 3>> faces;
   faces.reserve(work.faces.size());
-  for (const auto& [a, b, c] : work.faces) {
-    faces.push_back({renumbered[a], renumbered[b], renumbered[c]});
+  for (const auto& [a, b, c] : work.faces) faces.push_back({VertexId(a), VertexId(b), VertexId(c)});
+  const KeptVertices kept = drop_unused_vertices(work.positions.size(), faces);
+  CheckedMesh checked;
+  std::vector<Vec3> positions;
+  positions.reserve(kept.before.size());
+  checked.input_vertex.reserve(kept.before.size());
+  for (const VertexId v : kept.before) {
+    checked.input_vertex.push_back(work.source[v.index()]);
+    positions.push_back(work.positions[v.index()]);
   }
   checked.mesh_vertex.reserve(weld.size());
-  for (const std::int32_t v : weld) checked.mesh_vertex.push_back(renumbered[v]);
+  for (const std::int32_t v : weld) checked.mesh_vertex.push_back(kept.after[VertexId(v)]);
   checked.input_polygon = IdVector<FaceId, std::int32_t>(std::move(work.origin));
   work = {};  // its memory
   checked.mesh = Mesh(std::move(positions), std::move(faces));
@@ -320,111 +152,6 @@ void add_remarks(CheckedMesh& checked, const PolygonSoup& soup) {
 }
 
 }  // namespace
-
-EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count) {
-  EdgeTable nonmanifold_edges;
-  work.twin.assign(work.halfedge_count(), -1);
-  visit_edges(work.faces, vertex_count, [&](const EdgeHalfedges& edge) {
-    if (edge.size() > 2) nonmanifold_edges.push_back(edge.list());
-    if (edge.size() == 2) work.link(edge[0], edge[1]);
-  });
-  return nonmanifold_edges;
-}
-
-std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, DefectLog& log) {
-  Orientations orientations = find_orientations(work, log.policy());
-  const std::vector<char>& to_flip = orientations.to_flip;
-  std::int64_t count = 0;
-  std::int32_t first = -1;
-  std::int32_t last = -1;
-  for (std::int32_t f = 0; f < work.face_count(); ++f) {
-    if (!to_flip[f]) continue;
-    flip(work, f);
-    if (first < 0) first = work.origin[f];
-    count += work.origin[f] != last;  // several triangles of one polygon count once
-    last = work.origin[f];
-  }
-  for (std::vector<std::int32_t>& halfedges : nonmanifold_edges) {
-    for (std::int32_t& h : halfedges) {
-      if (to_flip[h / 3]) h = 3 * (h / 3) + 2 - h % 3;
-    }
-  }
-  log.add(DefectKind::inconsistent_orientation, count, first,
-          fmt::format("{}, first face {}",
-                      counted(count, "face is against the orientation of most of its component",
-                              "faces are against the orientation of most of their component"),
-                      first),
-          "flipped");
-  return std::move(orientations.one_sided);
-}
-
-void drop_zero_area_components(WorkFaces& work, DefectLog& log) {
-  std::vector<char> without_area(work.faces.size());
-  for (std::int32_t f = 0; f < work.face_count(); ++f) without_area[f] = is_without_area(work, f);
-  if (std::count(without_area.begin(), without_area.end(), 1) == 0) return;
-  std::vector<std::int32_t> component;
-  const std::vector<Component> components = find_components(work, work.positions, component);
-  std::vector<char> has_area(components.size(), 0);
-  for (std::int32_t f = 0; f < work.face_count(); ++f) {
-    if (!without_area[f]) has_area[component[f]] = 1;
-  }
-  const std::int64_t count = std::count(has_area.begin(), has_area.end(), 0);
-  if (count == 0 || count == std::ssize(components)) return;
-  const auto dropped = std::find(has_area.begin(), has_area.end(), 0) - has_area.begin();
-  const std::int32_t first = work.origin[components[dropped].first_face];
-  keep_faces(work, component, has_area);
-  log.add(DefectKind::zero_area_components, count, first,
-          fmt::format("{} of faces without area only, first the one of face {}",
-                      counted(count, "component consists", "components consist"), first),
-          "removed");
-}
-
-void keep_largest_component(WorkFaces& work, const std::vector<Vec3>& positions, const std::vector<char>& one_sided,
-                            DefectLog& log) {
-  if (log.policy() != DefectPolicy::largest) return;
-  std::vector<std::int32_t> component;
-  const std::vector<Component> components = find_components(work, positions, component);
-  const auto largest = std::ranges::max_element(components, {}, &Component::twice_area);
-  const std::int32_t face = work.origin[largest->first_face];
-  if (one_sided[largest->first_face]) {
-    refuse_soup(
-        fmt::format("the largest component, that of face {}, has only one side, like a Moebius strip: cut it open",
-                    face),
-        face);
-  }
-  const auto kept = largest - components.begin();
-  const std::int32_t dropped = components[kept == 0 && components.size() > 1 ? 1 : 0].first_face;
-  const std::int32_t first = work.origin[dropped];
-  std::vector<char> is_kept(components.size(), 0);
-  is_kept[std::size_t(kept)] = 1;
-  keep_faces(work, component, is_kept);
-  const std::int64_t count = std::ssize(components) - 1;
-  log.add(DefectKind::dropped_components, count, first,
-          fmt::format("{} smaller than the largest, first the one of face {}",
-                      counted(count, "component is", "components are"), first),
-          "removed");
-}
-
-std::string_view name_of(DefectKind kind) { return kKindNames[static_cast<int>(kind)]; }
-
-std::int64_t DefectReport::count(DefectKind kind) const {
-  const auto found = std::ranges::find(defects, kind, &Defect::kind);
-  return found == defects.end() ? 0 : found->count;
-}
-
-void DefectLog::add_asked(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& message) {
-  if (count == 0) return;
-  report_.defects.push_back({kind, count, first, message});
-  report_.messages.push_back(message);
-}
-
-void DefectLog::add(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& what,
-                    const std::string& action) {
-  if (count == 0) return;
-  if (policy_ == DefectPolicy::error)
-    refuse_soup(what + ": repair the mesh\1+, or allow its repair with |on_defect=repair\2", first);
-  add_asked(kind, count, first, what + ": " + action);
-}
 
 namespace {
 

@@ -5,8 +5,9 @@
 // that the first of them became. Invariant: a corner has the texture coordinates of a corner of its own polygon, bit by
 // bit, so that seams stay seams.
 
+#include "mesh/repair/carry_appearance.hpp"
+
 #include "base/plane.hpp"
-#include "mesh/repair/repair_steps.hpp"
 
 namespace gvd {
 namespace {

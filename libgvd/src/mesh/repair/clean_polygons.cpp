@@ -6,6 +6,8 @@
 // Two faces back to back that no other face touches are a closed surface without volume, and stay.
 // Source: the hash of a corner is the finalizer of splitmix64 (Steele, Lea and Flood, 2014).
 // Invariant: polygons keep their order, and each keeps the order of the corners that are left.
+#include "mesh/repair/clean_polygons.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +15,8 @@
 
 #include "base/union_find.hpp"
 #include "gvd/text.hpp"
-#include "mesh/repair/repair_steps.hpp"
+#include "mesh/repair/defect_log.hpp"
+#include "mesh/repair/work_faces.hpp"
 
 namespace gvd {
 namespace {

@@ -7,6 +7,8 @@
 // Source: vertices are cut into their fans as by A. Gueziec, G. Taubin, F. Lazarus and B. Horn, Cutting and stitching,
 // 2001. Cost: O(n log n) for n halfedges of edges with three or more faces, and O(n) for all others.
 // Invariant: no vertex moves and no area is lost; copies and midpoints are appended.
+#include "mesh/repair/cut_apart.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +17,9 @@
 #include <tuple>
 
 #include "gvd/text.hpp"
-#include "mesh/repair/repair_steps.hpp"
+#include "mesh/repair/defect_log.hpp"
+#include "mesh/repair/work_faces.hpp"
+#include "mesh/visit_edges.hpp"
 
 namespace gvd {
 namespace {

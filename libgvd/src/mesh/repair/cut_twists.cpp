@@ -6,6 +6,8 @@
 // consistent in themselves, then across the seams between parts, the longest first, where that joins no face with its
 // own reverse. The twists that are left are cut. So a face that is reversed inside the component stays where it is.
 // Invariant: flips of faces alone make a component consistent afterwards, and no face is flipped here.
+#include "mesh/repair/cut_twists.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +15,8 @@
 
 #include "base/union_find.hpp"
 #include "gvd/text.hpp"
-#include "mesh/repair/repair_steps.hpp"
+#include "mesh/repair/defect_log.hpp"
+#include "mesh/repair/work_faces.hpp"
 
 namespace gvd {
 namespace {

@@ -4,6 +4,8 @@
 // in which hardly two vertices are level: where they lie on curves, as those of a boundary do, or far apart on a
 // surface, few others are within the least distance so far along it. The sweep ends without a result where they are
 // many.
+#include "mesh/repair/examine_open_edges.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +13,7 @@
 
 #include "gvd/text.hpp"
 #include "mesh/reading/readers.hpp"
-#include "mesh/repair/repair_steps.hpp"
+#include "mesh/repair/clean_polygons.hpp"
 
 namespace gvd {
 namespace {

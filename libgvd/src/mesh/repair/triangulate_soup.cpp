@@ -9,6 +9,8 @@
 // problem, 1972); ear clipping (G. H. Meisters, Polygons have ears, 1975).
 // Invariant: each triangle but the last of its polygon was cut off along the side from its third corner to its first.
 // Only corners that are not convex at the start can lie in an ear, then or later, so only they are tested.
+#include "mesh/repair/triangulate_soup.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +24,8 @@
 #include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
 #include "gvd/text.hpp"
-#include "mesh/repair/repair_steps.hpp"
+#include "mesh/repair/defect_log.hpp"
+#include "mesh/repair/work_faces.hpp"
 
 namespace gvd {
 namespace {

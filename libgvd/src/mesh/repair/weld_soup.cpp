@@ -16,7 +16,8 @@
 #include <limits>
 
 #include "gvd/text.hpp"
-#include "mesh/repair/repair_steps.hpp"
+#include "mesh/repair/clean_polygons.hpp"
+#include "mesh/repair/defect_log.hpp"
 
 namespace gvd {
 namespace {

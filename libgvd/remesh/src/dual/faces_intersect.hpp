@@ -1,0 +1,18 @@
+#pragma once
+
+#include "dual/placed_faces.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// Whether a closed segment and a closed triangle have a common point. Exact; either may be degenerate.
+bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Triangle& triangle);
+
+/// Whether two different faces have a common point outside of the vertex or edge that they share. Exact.
+///
+/// Two faces of one edge intersect only where they are folded flat onto each other. Two faces of one vertex intersect
+/// where the opposite edge of one meets the other. Why: the common points of two faces are convex and hold the vertex,
+/// so they end on one of these edges. Two faces of the same three vertices intersect.
+bool faces_intersect(const PlacedFaces& faces, FaceId f, FaceId g);
+
+}  // namespace gvd

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "dual/placed_faces.hpp"
+#include "gvd/dual.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+#include "gvd/vec.hpp"
+
+namespace gvd {
+
+/// Whether a triangle is degenerate, or flipped against a normal of any length: see kFlipTolerance. Cost: O(1).
+bool is_flipped(const Triangle& triangle, const Vec3& normal);
+
+/// The sum of the surface's unit normals at the three generators and the branch point of each face of a remesh.
+std::vector<Vec3> normals_at_faces(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
+                                   const std::vector<SurfacePoint>& face_points);
+
+}  // namespace gvd

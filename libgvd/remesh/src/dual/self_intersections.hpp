@@ -1,0 +1,56 @@
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "dual/placed_faces.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
+#include "gvd/remesh_certificate.hpp"
+
+namespace gvd {
+
+/// The pairs of faces that have a common point outside of the vertex or edge that they share, ascending.
+///
+/// Faces that only touch intersect, too.
+/// Properties: (1) exact, unless products of three coordinates underflow; (2) empty exactly where the mesh is embedded,
+/// if no face is degenerate; (3) independent of `threads` (0: one a core).
+/// Throws Error{interrupted} if `progress` cancels.
+/// Cost: O(n log n) where faces overlap the boxes of a bounded number of others.
+std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0, const Progress& progress = {});
+
+/// find_self_intersections for a mesh whose vertices have moved.
+std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress = {});
+
+/// Two cells of a diagram, or one cell twice: first <= second.
+struct CellPair {
+  GeneratorId first, second;
+  auto operator<=>(const CellPair&) const = default;
+};
+
+/// The pairs of cells in which a surface intersects itself, ascending.
+///
+/// `given`: the intersecting pairs of faces, of find_self_intersections of the surface. A piece of a face is its part
+/// in one cell (FacePiece), or the face itself. Cells a and b intersect where, for one of these pairs of faces, a piece
+/// of one face in a and a piece of the other face in b have bounding boxes that overlap. So a large face counts only
+/// with its cells near the other face. Cost: O(k) for the pieces of `given`, and O(1) for each two that are compared:
+/// those of the first face near the second face, and of the second near the first.
+/// Throws Error{interrupted} if `progress` cancels.
+std::vector<CellPair> find_intersecting_cells(const Mesh& surface, const Diagram& diagram,
+                                              const std::vector<FacePair>& given, const Progress& progress = {});
+
+/// The pairs of faces of a remesh that intersect because the surface does, ascending. All other ones are defects.
+///
+/// The part of the surface under a face of the remesh consists of the cells of its three corners; vertex i stands for
+/// cell i. A pair is inherited if the surface intersects itself between the two parts: if a cell of one face and a cell
+/// of the other one are among `cells`, the pairs of find_intersecting_cells. Distances in space play no part.
+/// By a one-to-one map of the surface (map_to_remesh), each face is the image of a piece of each of its three cells.
+/// Why whole cells: a coarse mesh moves a curve of intersection aside. By the pieces alone, a face near the end of
+/// another one at the curve could be on its wrong side, however fine the mesh is.
+/// `pairs`: of find_self_intersections of the remesh. Cost: O(p log q) for p pairs and q pairs of cells.
+std::vector<FacePair> find_inherited(const Mesh& remesh, const std::vector<FacePair>& pairs,
+                                     const std::vector<CellPair>& cells);
+
+}  // namespace gvd

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "gvd/mesh.hpp"
+#include "gvd/placement.hpp"
+#include "gvd/remesh_certificate.hpp"
+#include "gvd/surface_point.hpp"
+
+namespace gvd {
+
+/// The faces of a mesh with other vertex positions. Throws Error{precondition} where an edge has no length.
+Mesh with_positions(const Mesh& mesh, std::vector<Vec3> positions);
+
+/// Moves the vertices of a remesh as far as its triangles stay valid.
+class MoveGuard {
+ public:
+  /// `remesh` has its vertices at the generators. What is wrong with it already is no concern of the guard. Both
+  /// meshes must outlive it.
+  MoveGuard(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
+            const std::vector<SurfacePoint>& face_points, const PlacementOptions& options);
+
+  /// Lets the triangles of these vertices have angles down to `least_angle`, degrees: they have to meet creases.
+  void loosen(const std::vector<char>& vertices, double least_angle);
+
+  /// The steps from one valid list of positions to another, each halved until all triangles are valid, or left out.
+  /// Deterministic: all triangles are tested, then all steps are changed. Cost: O(n log n) a test.
+  std::vector<Vec3> move(const std::vector<Vec3>& from, const std::vector<Vec3>& to) const;
+
+  /// The least angle that each triangle may have, degrees.
+  const IdVector<FaceId, double>& least_angles() const { return least_angle_; }
+
+  /// The normal of the surface at each triangle, of any length.
+  const IdVector<FaceId, Vec3>& normals() const { return normal_; }
+
+ private:
+  bool is_bad(FaceId f, const std::vector<Vec3>& positions) const;
+  std::vector<FaceId> find_bad_faces(const std::vector<Vec3>& positions) const;
+  std::vector<FaceId> find_crossed_faces(const std::vector<Vec3>& positions) const;
+
+  const Mesh& remesh_;
+  int threads_;
+  Progress progress_;
+  IdVector<FaceId, Vec3> normal_;         // of the surface at each face
+  IdVector<FaceId, double> least_angle_;  // that each face may have, degrees
+  std::vector<FacePair> crossed_before_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gvd/dual.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+#include "mesh/submesh.hpp"
+
+namespace gvd {
+
+/// A flag for each cell of a diagram.
+using CellFlags = IdVector<GeneratorId, char>;
+
+/// The cells that are at most `rings` bisectors away from the given ones. Cost: O(cells).
+CellFlags grow_rings(const Diagram& diagram, const std::vector<GeneratorId>& cells, int rings);
+
+/// The faces of a mesh that meet some cells of a diagram, as a mesh of their own.
+///
+/// Faces that meet at a vertex only, without a fan of such faces between them, get a vertex each. No shortest path that
+/// stays in the cells passes such a vertex. Why: if a cell holds a vertex, all faces round it belong to the part.
+struct CellPart : Submesh {
+  /// Per face, whether it meets other cells too, or an edge that is on the boundary of the part alone.
+  IdVector<FaceId, char> is_fringe;
+};
+
+/// `in_part`: which cells. The diagram is one of the mesh. Cost: O(n).
+CellPart cut_out_cells(const Mesh& mesh, const Diagram& diagram, const CellFlags& in_part);
+
+/// The diagram and the dual near some cells of a diagram, after generators have been removed and added there. Only the
+/// faces of these cells and of two rings of cells round them are computed again.
+///
+/// Why it is right. A shortest path from a generator stays in its cell. New generators take area away from cells, and
+/// the cells round a removed one share what was its own. The fringe of the part consists of the faces in which other
+/// cells begin. As long as no new cell reaches it, all shortest paths to points of the part's cells stay in the part.
+/// In the fringe, other generators may be nearer. A cell that meets no face of the fringe is the same in the diagram of
+/// the whole mesh. docs/developer/proofs.md has the proof.
+class LocalDual {
+ public:
+  /// `removed`: cells whose generators go, also to be listed in `cells`. Mesh and diagram must outlive this. Cost:
+  /// O(n).
+  LocalDual(const Mesh& mesh, const Diagram& diagram, const std::vector<GeneratorId>& cells,
+            const std::vector<GeneratorId>& removed, const DiagramOptions& options);
+
+  const CellPart& part() const { return part_; }
+
+  struct Result {
+    Diagram diagram;  ///< of the part; its first generators are those kept, in their order, then the added ones
+    CellFlags inner;  ///< cells that are the same in the diagram of the whole mesh
+    /// The defects of the dual whose cells are all inner. Flipped triangles follow where there are no others.
+    std::vector<DualDefect> defects;
+  };
+  /// The part with these points of the whole mesh added. Nothing where the part can't tell: a new cell reaches its
+  /// fringe, or a point lies outside. Nothing too where a point coincides with another generator, or a component of the
+  /// mesh is left without any.
+  std::optional<Result> compute(const std::vector<SurfacePoint>& added) const;
+
+  /// Generators of the whole diagram that are kept, in the order of the part's.
+  const std::vector<GeneratorId>& kept() const { return kept_; }
+
+ private:
+  /// `stays`: the cells of the part.
+  LocalDual(const Mesh& mesh, const Diagram& diagram, CellFlags stays, const std::vector<GeneratorId>& removed,
+            const DiagramOptions& options);
+  bool add_generators(const std::vector<SurfacePoint>& added, std::vector<SurfacePoint>& generators) const;
+  CellFlags find_inner_cells(const Diagram& diagram) const;
+  std::vector<DualDefect> find_defects(const Result& result) const;
+
+  const Diagram& diagram_;
+  CellPart part_;
+  DiagramOptions options_;
+  std::vector<GeneratorId> kept_;
+};
+
+}  // namespace gvd

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gvd/dual.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
+#include "repair/added_generators.hpp"
+#include "repair/cell_topology.hpp"
+
+namespace gvd {
+
+/// The point of the bisector's polyline nearest to its middle, by arc length from the first
+/// point; of a closed one, opposite to that. Cost: O(points).
+SurfacePoint find_midpoint(const Mesh& mesh, const Bisector& bisector);
+
+struct ProposedGenerators {
+  std::vector<SurfacePoint> points;
+  std::optional<NarrowTip> narrow;  ///< the first tip at which a defect can't be repaired
+};
+
+/// New generators that repair defects of the dual.
+///
+/// | property that fails | new generators                                                                            |
+/// | ------------------- | ----------------------------------------------------------------------------------------- |
+/// | component_reached   | the component's first vertex                                                              |
+/// | cell_is_disc        | round a tip: two more points at the generator's distance from the tip (`TipRings`); else  |
+/// |                     | thirds of the cell's shortest non-contractible loop, else as for enough_neighbours        |
+/// | one_boundary_arc    | of each boundary arc of the cell the point nearest to the generator; of these the farthest |
+/// | bisector_has_face   | closed: its point farthest from the two generators; open: the farther of its two ends     |
+/// | one_bisector        | the midpoint of that bisector of the pair that is shortest relative to its distance       |
+/// | one_branch_point    | of the branch points of the same cells the one that is farthest from its generators       |
+/// | enough_neighbours   | the cell's farthest vertex, else the farthest point of its bisectors                      |
+/// | the others          | of the branch point and its bisectors the point farthest from all generators              |
+///
+/// A candidate that is too close to a generator along the surface (kMinAddedSpacing) is skipped for the next best one.
+/// One call repairs at most one defect of each cell, in the order of `defects`, because the repair often removes the
+/// cell's other defects too. None at all where the surface round a tip is too narrow: others would not help.
+/// Returns at most `max_count` points; none where every candidate is too close.
+/// Throws Error{interrupted} if `progress`, which hears of each defect, cancels.
+/// Cost: O(n log n), and for each defect that of the elements of its cells and of the generators of its component.
+ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
+                                      std::size_t max_count, const Progress& progress = {});
+
+class DefectRepair;  // propose_generators.cpp
+
+/// Lists points of which one may make discs of a cell as one more generator: opposite points (`find_opposite_points`),
+/// a second point at the generator's distance from a tip or the opposite one of the shortest loop, then vertices, from
+/// the farthest one to the generator. Too close ones are left out, as above.
+class DiscCandidates {
+ public:
+  /// `count`: the most points of a cell. Mesh and diagram must outlive this. Cost: O(n).
+  DiscCandidates(const Mesh& mesh, const Diagram& diagram, std::size_t count);
+  DiscCandidates(const DiscCandidates&) = delete;
+  DiscCandidates& operator=(const DiscCandidates&) = delete;
+  ~DiscCandidates();
+
+  /// The points of a cell that is no disc. Cost: O(n), cutting the mesh once, and two exact fields on the cell's faces
+  /// for each opposite point.
+  std::vector<SurfacePoint> list(GeneratorId cell);
+
+ private:
+  AddedGenerators added_;
+  std::unique_ptr<DefectRepair> repair_;
+};
+
+struct NearbyGenerators {
+  std::vector<SurfacePoint> points;
+  std::int64_t events = 0;  ///< windows propagated (DiagramReport) to find them
+};
+
+/// Repairs what generators that are about to be added to a diagram leave wrong near them, or make wrong. Rounds of
+/// `propose_generators` on a part of the mesh save rounds on all of it.
+///
+/// Returns more generators to add, at most `max_count`. None where the part is more than a quarter of the mesh, or
+/// can't tell (LocalDual). Flipped triangles are not repaired: other repairs often remove them.
+/// Cost: for each round a diagram of the part.
+NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const std::vector<SurfacePoint>& added,
+                                std::size_t max_count, const DiagramOptions& options);
+
+}  // namespace gvd

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "diagram/assembly/form_distances.hpp"
+#include "diagram/graph/face_diagram.hpp"
+#include "diagram/growth/growth_input.hpp"
+#include "gvd/progress.hpp"
+
+namespace gvd {
+
+/// The distance forms of the generators whose cells lie along a face's boundary, ascending by generator.
+std::vector<DistanceForm> face_forms(const GrowthInput& input, FaceId f, const std::vector<BoundaryCrossing>& boundary);
+
+/// Joins the crossings in every crossed face but those in `skipped`, ascending; appends the arcs and branch points to
+/// `diagram`. Reports the last quarter of the step "bisectors".
+///
+/// Source: none; the paper draws one segment in a face of two labels (section 4.2) and leaves the others to growth.
+/// Cost: O(k) for k faces near bisectors.
+void assemble_faces(const GrowthInput& input, const Crossings& crossings, const std::vector<FaceId>& skipped,
+                    FaceDiagram& diagram, const Progress& progress = {});
+
+}  // namespace gvd

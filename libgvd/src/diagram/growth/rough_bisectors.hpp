@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "diagram/graph/crossings.hpp"
+#include "diagram/growth/growth_input.hpp"
+#include "gvd/progress.hpp"
+
+namespace gvd {
+
+/// The crossings of the rough bisectors with the edges: on each half of an edge, the lower envelope of linear distances
+/// from an end to the midpoint, of the generators in the tables of the edge's two faces.
+///
+/// Source: section 4.2 (rough bisectors), with the auxiliary midpoints of section 4.1. Deviation: the paper joins edge
+/// midpoints in faces of two labels. Here a crossing lies where two distances are equal along the edge, and an edge may
+/// have several: a cell can own the inside of an edge whose two ends belong to others.
+/// Reports the first half of the step "bisectors". Cost: O(k) for the k edges near bisectors.
+Crossings find_rough_crossings(const GrowthInput& input, const Progress& progress = {});
+
+/// Replaces the crossings of the given edges, ascending, by at most one each, between the labels of the edge's ends.
+/// Cost: O(k) for k crossings and edges.
+void cross_at_most_once(const GrowthInput& input, const std::vector<EdgeId>& edges, Crossings& crossings);
+
+}  // namespace gvd

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "gvd/diagram.hpp"
+#include "gvd/ids.hpp"
+#include "gvd/io/view.hpp"
+#include "gvd/mesh.hpp"
+#include "io/view/scene_entry.hpp"
+#include "io/view/view_blobs.hpp"
+
+namespace gvd::io {
+
+/// What a page holds of its scenes, which have been checked: the manifest; the arrays go into `blobs`. Cost: that of
+/// its entries.
+nlohmann::json make_view_manifest(const std::vector<ViewScene>& scenes, const ViewFrame& frame,
+                                  const ViewOptions& options, ViewBlobs& blobs);
+
+/// Computes for each cell the integral of the squared distance to its generator, in mesh units to the fourth.
+///
+/// In each face the squared distance is a quadratic function of the barycentric coordinates. The distances of the
+/// corners and the lengths of the edges give it: d^2 = sum b_i d_i^2 - sum b_i b_j l_ij^2. That is exact where straight
+/// lines from one generator reach all three corners. Elsewhere, as in cut faces, whose corners may have another
+/// generator, it is an approximation for pictures; `compute_cell_moments` of gvd/cell_moments.hpp is the exact one.
+/// A face with a corner that no generator reaches counts nothing.
+/// Throws nothing. Cost: O(n).
+IdVector<GeneratorId, double> compute_cell_energies(const Mesh& mesh, const Diagram& diagram);
+
+/// Throws Error{precondition} where a scene has no faces, an array has not the size of the mesh, or a value is out of
+/// its range. Cost: O(n).
+void check_view_scene(const ViewScene& scene);
+
+}  // namespace gvd::io

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gvd/ids.hpp"
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+
+/// What a connected part of a mesh is, but for its shape.
+struct ComponentTopology {
+  std::int32_t euler_characteristic = 0;  ///< vertices - edges + faces: 1 for a disc
+  std::int32_t boundary_loops = 0;
+  bool operator==(const ComponentTopology&) const = default;
+};
+
+/// The topology of each component. `component`: compute_face_components(mesh). Cost: O(n).
+std::vector<ComponentTopology> compute_topologies(const Mesh& mesh, const IdVector<FaceId, std::int32_t>& component);
+
+/// Twice the genus, the number of handles, over all components. Source: Euler's formula.
+constexpr std::int32_t twice_genus(std::int32_t components, std::int32_t boundary_loops,
+                                   std::int32_t euler_characteristic) {
+  return 2 * components - boundary_loops - euler_characteristic;
+}
+
+}  // namespace gvd
