@@ -1,8 +1,8 @@
 // gvd-lloyd: relaxes generators and writes them.
 //
-// Each iteration moves the generators towards the centroids of their cells, and lowers the energy (gvd/lloyd.hpp). The
-// report, the table of --trace and the page tell the iterations in the same words: the name of the step, and that of
-// what the energy was measured with. The library reads no clock: RelaxationTrace does, for --trace and --time-limit.
+// The library moves them (gvd/lloyd_operation.hpp). The report, the table of --trace and the page tell the iterations
+// in the same words: the name of the step, and that of what the energy was measured with. The library reads no clock:
+// RelaxationTrace does, for --trace and --time-limit.
 
 #include <fmt/format.h>
 

@@ -1,8 +1,6 @@
 // gvd-segment: labels the faces of a mesh, or cuts them along the bisectors.
 //
-// Whole faces get the label of the generator whose cell has them, so that borders run along edges; --cut splits the
-// faces along the bisectors, and each new face knows its parent (gvd/segment.hpp). The report has the figures of the
-// regions, and notes tell what users should not miss: generators that own no face, and faces that none reaches.
+// The library does it (gvd/segment_operation.hpp). Here are the files.
 
 #include <fmt/format.h>
 
