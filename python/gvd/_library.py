@@ -76,13 +76,18 @@ _library.gvd_call.argtypes = [ctypes.c_int32, ctypes.c_char_p, ctypes.c_void_p, 
 _library.gvd_write_as.argtypes = [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_void_p]
 
 
-def _raise(status: int) -> None:
-    """The last error of this thread. Names of files need not be UTF-8, so neither do texts."""
+def _check(status: int) -> None:
+    """Raises the last error of this thread, if there is one. Names of files need not be UTF-8, so neither do texts."""
+    if status == 0:
+        return
     text = os.fsdecode(_library.gvd_last_error())
     if status == _OUT_OF_MEMORY:
         raise MemoryError(text)
     code = _library.gvd_last_error_code().decode() or "internal_error"
     raise Error(text, code, _library.gvd_last_error_element())
+
+
+_lost: list[BaseException] = []
 
 
 class Handle:
@@ -94,28 +99,23 @@ class Handle:
         self.address = address
 
     def __del__(self, release: Callable[[Optional[int]], None] = _library.gvd_release) -> None:
-        release(self.address)
+        try:
+            release(self.address)
+        except BaseException as error:  # a signal's handler: Python would ignore it here, so the next call raises it
+            _lost.append(error)
 
     def array(self, name: str) -> NDArray[Any]:
         """A view of an array, which can't be written and keeps the object alive."""
         view = _Array()
-        status = _library.gvd_array_of(self.address, name.encode(), ctypes.byref(view))
-        if status:
-            _raise(status)
+        _check(_library.gvd_array_of(self.address, name.encode(), ctypes.byref(view)))
         shape, dtype = tuple(view.shape)[:view.dimensions], _TYPES[view.type]
-        if 0 in shape:
-            empty = numpy.empty(shape, dtype)
-            empty.flags.writeable = False
-            return empty
         return numpy.asarray(types.SimpleNamespace(owner=self, __array_interface__={  # which the array keeps
-            "data": (view.data, True), "shape": shape, "typestr": dtype.str, "strides": tuple(view.strides)[:view.dimensions], "version": 3}))
+            "data": (view.data or 1, True), "shape": shape, "typestr": dtype.str, "strides": tuple(view.strides)[:view.dimensions], "version": 3}))
 
     def part(self, name: str) -> Handle:
         """A part, such as the diagram of a result."""
         part = ctypes.c_void_p()
-        status = _library.gvd_object_of(self.address, name.encode(), ctypes.byref(part))
-        if status:
-            _raise(status)
+        _check(_library.gvd_object_of(self.address, name.encode(), ctypes.byref(part)))
         return Handle(part.value)
 
     def figures(self) -> dict[str, Any]:
@@ -225,6 +225,8 @@ def _keeping_signals(flags: _Flags, raised: list[BaseException]) -> Iterator[dic
 
     try:
         if threading.get_ident() == threading.main_thread().ident:
+            if _lost:
+                raise _lost.pop()
             for number in _SIGNALS:
                 handler = _signal.getsignal(number)
                 if callable(handler):
@@ -274,8 +276,7 @@ def _run(function: Callable[[Any], int], threads: int, progress: Optional[Callba
         raise raised[0]
     if status == _INTERRUPTED and flags.is_late:
         raise Error(f"the time limit of {time_limit:g} s is over", "interrupted")
-    if status:
-        _raise(status)
+    _check(status)
 
 
 def call(operation: str, on: Optional[Handle] = None, options: Optional[Mapping[str, Any]] = None,

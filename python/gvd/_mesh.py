@@ -218,11 +218,10 @@ class Mesh(Writable):
 
     def _batches(self, source: Points, options: dict[str, Any]) -> Iterator[tuple[int, Floats]]:
         """Rows of distances, a batch at a time: eight for each core where these take little memory."""
-        options = self._targets(options)
+        options = self._targets({**options, "each": True, "mesh_vertices": options.get("to") is None})
         columns = len(self.vertices) if options.get("to") is None else len(options["to"])
         cores = max(threads_of(options), 0) or os.cpu_count() or 1
         size = max(cores, min(8 * cores, _ROW_BYTES // (8 * columns)))
-        kind: dict[str, Any] = {"each": True, "mesh_vertices": options.get("to") is None}
         with reporting(options.pop("progress", None)) as callback:
             for begin in range(0, len(source), size):
                 end = min(begin + size, len(source))
@@ -230,7 +229,7 @@ class Mesh(Writable):
                 def part(step: str, fraction: float, begin: int = begin, end: int = end) -> Any:
                     return callback and callback(step, (begin + (end - begin) * fraction) / len(source))
 
-                made, _ = self._measure(source[begin:end], {**options, **kind, "progress": part if callback else None})
+                made, _ = self._measure(source[begin:end], {**options, "progress": part if callback else None})
                 yield begin, made.array("rows")
 
     @described("distances", without="from curves each merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm")

@@ -190,6 +190,15 @@ class Calls(unittest.TestCase):
         finally:
             signal.signal(signal.SIGINT, before)
 
+    def test_what_a_handler_raises_while_an_object_goes_ends_the_next_call(self):
+        def release(address):
+            raise KeyboardInterrupt
+
+        mesh = gvd.read(meshes.TORUS)
+        gvd._library.Handle(None).__del__(release)  # where Python would ignore it
+        self.assertRaises(KeyboardInterrupt, mesh.distances, 0)
+        self.assertEqual(len(mesh.distances(0)), len(mesh.vertices))
+
     def test_what_a_handler_of_any_signal_raises_ends_a_call(self):
         def alarm(number, frame):
             raise TimeoutError("alarm")
