@@ -98,7 +98,7 @@ std::vector<Vec2> all_equidistant_points(const FaceLayout& face, const Generator
     if (*std::min_element(bary.begin(), bary.end()) < 0) continue;
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const Sources& sources : g) {
-      const double distance = SourceDistances::nearest(sources, p).path.distance;
+      const double distance = nearest(sources, p).path.distance;
       least = std::min(least, distance);
       most = std::max(most, distance);
     }

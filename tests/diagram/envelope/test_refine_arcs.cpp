@@ -163,7 +163,7 @@ TEST_CASE("corners are found wherever paths change, also where the quarters of a
     }
     // The bisector parts corner 2 from the other two, and crosses each of the sides there once.
     const auto is_nearer_to_a = [&](const Vec2& p) {
-      return SourceDistances::nearest(std::span(sources).subspan(1), p).path.distance < sources[0].distance(p);
+      return nearest(std::span(sources).subspan(1), p).path.distance < sources[0].distance(p);
     };
     if (!is_nearer_to_a(k0) || !is_nearer_to_a(k1) || is_nearer_to_a(k2)) continue;
     ++checked;

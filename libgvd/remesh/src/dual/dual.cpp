@@ -24,55 +24,23 @@
 namespace gvd {
 namespace {
 
-class DualBuilder {
- public:
-  DualBuilder(const Mesh& mesh, const Diagram& diagram) : mesh_(mesh), diagram_(diagram) {
-    for (const Bisector& b : diagram.bisectors) edges_.insert(std::minmax(b.left, b.right));
+/// Pairs of cells with an edge of the dual, the smaller id first.
+using DualEdges = std::set<std::pair<GeneratorId, GeneratorId>>;
+
+/// The ear of a polygon with the best quality Q among those whose new edge is not an edge yet; the polygon's size if
+/// there is none.
+std::size_t best_ear(const std::vector<GeneratorId>& polygon, const std::vector<Vec3>& positions,
+                     const DualEdges& edges) {
+  const std::size_t n = polygon.size();
+  Least<std::size_t> best{n};
+  for (std::size_t i = 0; i < n; ++i) {
+    const GeneratorId before = polygon[(i + n - 1) % n], after = polygon[(i + 1) % n];
+    if (before == after || edges.count(std::minmax(before, after)) > 0) continue;
+    const auto at = [&](GeneratorId g) -> const Vec3& { return positions[g.index()]; };
+    best.offer(-compute_q(at(before), at(polygon[i]), at(after)), i);
   }
-
-  DualMesh build() {
-    for (const BranchPointId b : diagram_.branch_points.ids()) cut(b, diagram_.branch_points[b].generators);
-    return std::move(dual_);
-  }
-
- private:
-  Vec3 position_of(GeneratorId g) const { return position(mesh_, diagram_.generators[g.index()]); }
-
-  void cut(BranchPointId b, std::vector<GeneratorId> polygon) {
-    while (polygon.size() > 3) {
-      const std::size_t n = polygon.size(), ear = best_ear(polygon);
-      if (ear == n) return;
-      const GeneratorId before = polygon[(ear + n - 1) % n], after = polygon[(ear + 1) % n];
-      add(b, {before, polygon[ear], after});
-      edges_.insert(std::minmax(before, after));
-      polygon.erase(polygon.begin() + ear);
-    }
-    if (polygon.size() == 3) add(b, {polygon[0], polygon[1], polygon[2]});
-  }
-
-  /// The ear with the best quality Q among those whose new edge is not an edge yet; the polygon's size if there is
-  /// none.
-  std::size_t best_ear(const std::vector<GeneratorId>& polygon) const {
-    const std::size_t n = polygon.size();
-    Least<std::size_t> best{n};
-    for (std::size_t i = 0; i < n; ++i) {
-      const GeneratorId before = polygon[(i + n - 1) % n], after = polygon[(i + 1) % n];
-      if (before == after || edges_.count(std::minmax(before, after)) > 0) continue;
-      best.offer(-compute_q(position_of(before), position_of(polygon[i]), position_of(after)), i);
-    }
-    return best.value;
-  }
-
-  void add(BranchPointId b, const std::array<GeneratorId, 3>& face) {
-    dual_.faces.push_back(face);
-    dual_.branch_points.push_back(b);
-  }
-
-  const Mesh& mesh_;
-  const Diagram& diagram_;
-  std::set<std::pair<GeneratorId, GeneratorId>> edges_;  // of the dual so far, smaller id first
-  DualMesh dual_;
-};
+  return best.value;
+}
 
 /// Tests cells, bisectors and branch points one by one; the defects are sorted by property at the end.
 class DualChecker {
@@ -187,7 +155,30 @@ class DualChecker {
 
 }  // namespace
 
-DualMesh build_dual(const Mesh& mesh, const Diagram& diagram) { return DualBuilder(mesh, diagram).build(); }
+DualMesh build_dual(const Mesh& mesh, const Diagram& diagram) {
+  std::vector<Vec3> positions;
+  for (const SurfacePoint& p : diagram.generators) positions.push_back(position(mesh, p));
+  DualEdges edges;
+  for (const Bisector& b : diagram.bisectors) edges.insert(std::minmax(b.left, b.right));
+  DualMesh dual;
+  const auto add = [&dual](BranchPointId b, const std::array<GeneratorId, 3>& face) {
+    dual.faces.push_back(face);
+    dual.branch_points.push_back(b);
+  };
+  for (const BranchPointId b : diagram.branch_points.ids()) {
+    std::vector<GeneratorId> polygon = diagram.branch_points[b].generators;
+    while (polygon.size() > 3) {
+      const std::size_t n = polygon.size(), ear = best_ear(polygon, positions, edges);
+      if (ear == n) break;
+      const GeneratorId before = polygon[(ear + n - 1) % n], after = polygon[(ear + 1) % n];
+      add(b, {before, polygon[ear], after});
+      edges.insert(std::minmax(before, after));
+      polygon.erase(polygon.begin() + std::ptrdiff_t(ear));
+    }
+    if (polygon.size() == 3) add(b, {polygon[0], polygon[1], polygon[2]});
+  }
+  return dual;
+}
 
 std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram, const DualMesh& dual) {
   return DualChecker(mesh, diagram, dual).run();

@@ -31,68 +31,58 @@ struct BoundaryEnd {
   GeneratorId after;  ///< the cell that follows it along the halfedge
 };
 
-class ArcLister {
- public:
-  ArcLister(const Mesh& mesh, const Diagram& diagram) : mesh_(mesh), diagram_(diagram) {}
+/// The ends of bisectors on each boundary halfedge, by their places.
+using BoundaryEnds = std::map<HalfedgeId, std::vector<BoundaryEnd>>;
 
-  std::vector<BoundaryArc> list() {
-    for (const Bisector& b : diagram_.bisectors) {
-      if (b.closed) continue;
-      // The surface lies to the left of a boundary halfedge. So the next cell is the right one of a bisector that
-      // starts there, and the left one of a bisector that ends there.
-      if (!b.ends[0].valid()) add_end(b.points.front(), b.right);
-      if (!b.ends[1].valid()) add_end(b.points.back(), b.left);
-    }
-    for (auto& [h, ends] : ends_) std::ranges::stable_sort(ends, {}, &BoundaryEnd::at);
-    IdVector<HalfedgeId, char> seen(mesh_.halfedge_count(), 0);
-    for (const HalfedgeId h : mesh_.halfedges()) {
-      if (!mesh_.twin(h).valid() && !seen[h]) cut_loop(h, seen);
-    }
-    return std::move(arcs_);
-  }
-
- private:
-  void add_end(const SurfacePoint& point, GeneratorId after) {
+BoundaryEnds collect_ends(const Mesh& mesh, const Diagram& diagram) {
+  BoundaryEnds ends;
+  const auto add_end = [&](const SurfacePoint& point, GeneratorId after) {
     if (point.kind() == SurfacePoint::Kind::vertex) {
-      ends_[mesh_.halfedge(vertex(mesh_, point))].push_back({0, after});
+      ends[mesh.halfedge(vertex(mesh, point))].push_back({0, after});
     } else if (point.kind() == SurfacePoint::Kind::edge) {
       const HalfedgeId h = halfedge(point);
-      ends_[h].push_back({point.bary[Mesh::corner(Mesh::next(h))], after});
+      ends[h].push_back({point.bary[Mesh::corner(Mesh::next(h))], after});
     }
+  };
+  for (const Bisector& b : diagram.bisectors) {
+    if (b.closed) continue;
+    // The surface lies to the left of a boundary halfedge. So the next cell is the right one of a bisector that starts
+    // there, and the left one of a bisector that ends there.
+    if (!b.ends[0].valid()) add_end(b.points.front(), b.right);
+    if (!b.ends[1].valid()) add_end(b.points.back(), b.left);
   }
+  for (auto& [h, on_halfedge] : ends) std::ranges::stable_sort(on_halfedge, {}, &BoundaryEnd::at);
+  return ends;
+}
 
-  /// Walks once round the boundary loop of `first`. The segments before the first end belong to the last arc.
-  void cut_loop(HalfedgeId first, IdVector<HalfedgeId, char>& seen) {
-    const std::size_t before = arcs_.size();
-    BoundaryArc head;
-    BoundaryArc* arc = &head;
-    for (HalfedgeId h = first; !seen[h];) {
-      seen[h] = 1;
-      double begin = 0;
-      const auto here = ends_.find(h);
-      for (std::size_t i = 0; here != ends_.end() && i < here->second.size(); ++i) {
-        const BoundaryEnd& end = here->second[i];
-        arc->segments.push_back({h, begin, end.at});
-        arcs_.push_back({end.after, {}});
-        arc = &arcs_.back();
-        begin = end.at;
-      }
-      arc->segments.push_back({h, begin, 1});
-      h = next_on_boundary(mesh_, h);
+/// Appends the arcs of a boundary loop. `whole`: the cell of a loop without an end. The segments before the first end
+/// belong to the last arc.
+void cut_loop(const Mesh& mesh, HalfedgeId first, const BoundaryEnds& ends, GeneratorId whole,
+              std::vector<BoundaryArc>& arcs) {
+  const std::size_t before = arcs.size();
+  BoundaryArc head;
+  BoundaryArc* arc = &head;
+  HalfedgeId h = first;
+  do {
+    double begin = 0;
+    const auto here = ends.find(h);
+    for (std::size_t i = 0; here != ends.end() && i < here->second.size(); ++i) {
+      const BoundaryEnd& end = here->second[i];
+      arc->segments.push_back({h, begin, end.at});
+      arcs.push_back({end.after, {}});
+      arc = &arcs.back();
+      begin = end.at;
     }
-    if (arcs_.size() > before) {
-      arc->segments.insert(arc->segments.end(), head.segments.begin(), head.segments.end());
-    } else if (const GeneratorId whole = diagram_.vertex_label[mesh_.from(first)]; whole.valid()) {
-      head.cell = whole;
-      arcs_.push_back(std::move(head));
-    }
+    arc->segments.push_back({h, begin, 1});
+    h = next_on_boundary(mesh, h);
+  } while (h != first);
+  if (arcs.size() > before) {
+    arc->segments.insert(arc->segments.end(), head.segments.begin(), head.segments.end());
+  } else if (whole.valid()) {
+    head.cell = whole;
+    arcs.push_back(std::move(head));
   }
-
-  const Mesh& mesh_;
-  const Diagram& diagram_;
-  std::map<HalfedgeId, std::vector<BoundaryEnd>> ends_;
-  std::vector<BoundaryArc> arcs_;
-};
+}
 
 /// Largest distance of the generator from the loop, as a fraction of a part of the loop, at which one new generator
 /// less than parts is enough. Farther away, the generator's own cell may not cover its part of the loop.
@@ -112,7 +102,11 @@ std::vector<std::vector<std::size_t>> list_links(std::size_t faces, const std::v
 }  // namespace
 
 std::vector<BoundaryArc> list_boundary_arcs(const Mesh& mesh, const Diagram& diagram) {
-  return ArcLister(mesh, diagram).list();
+  const BoundaryEnds ends = collect_ends(mesh, diagram);
+  std::vector<BoundaryArc> arcs;
+  for_each_boundary_loop(
+      mesh, [&](HalfedgeId first) { cut_loop(mesh, first, ends, diagram.vertex_label[mesh.from(first)], arcs); });
+  return arcs;
 }
 
 SurfacePoint find_nearest_point(const Mesh& mesh, const BoundaryArc& arc, const Vec3& to) {

@@ -65,8 +65,7 @@ struct PlaneRay {
 };
 
 /// The change of a path between two samples; none where both have the same source.
-PathChange change_between(const PlaneSegment& segment, const SourceDistances::Nearest& a,
-                          const SourceDistances::Nearest& b) {
+PathChange change_between(const PlaneSegment& segment, const NearestSource& a, const NearestSource& b) {
   return a.source == b.source ? PathChange() : PathChange(segment, a, b);
 }
 

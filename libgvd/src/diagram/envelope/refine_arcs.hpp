@@ -19,11 +19,11 @@ struct BisectorSample {
   static constexpr double kDifferenceRounding = 1e-15;
 
   Vec2 point;
-  SourceDistances::Nearest left, right;
+  NearestSource left, right;
   Vec2 gradient;  ///< of the error
   double slope;   ///< length of the gradient
 
-  BisectorSample(const Vec2& p, const SourceDistances::Nearest& to_left, const SourceDistances::Nearest& to_right)
+  BisectorSample(const Vec2& p, const NearestSource& to_left, const NearestSource& to_right)
       : point(p),
         left(to_left),
         right(to_right),
@@ -70,9 +70,9 @@ void collect_visible_sources(std::span<const FaceSource> sources, const SearchBa
                              std::vector<VisibleSource>& visible);
 
 /// The shortest path to p, at a position along the band, over the sources that may see it; infinite where none does.
-[[gnu::always_inline]] inline SourceDistances::Nearest nearest_visible(const std::vector<VisibleSource>& visible,
-                                                                       double position, const Vec2& p) {
-  SourceDistances::Nearest best{nullptr, {kInfinity, p}};
+[[gnu::always_inline]] inline NearestSource nearest_visible(const std::vector<VisibleSource>& visible, double position,
+                                                            const Vec2& p) {
+  NearestSource best{nullptr, {kInfinity, p}};
   for (const VisibleSource& s : visible) {
     if ((position < s.first) | (position > s.last)) continue;
     if (take_nearer(*s.source, p, best.path)) best.source = s.source;
@@ -89,7 +89,7 @@ class PathChange {
   /// No change.
   PathChange() = default;
   /// From the shortest path to the segment's start to that to its end. Their sources must outlive this.
-  PathChange(const PlaneSegment& segment, const SourceDistances::Nearest& first, const SourceDistances::Nearest& second)
+  PathChange(const PlaneSegment& segment, const NearestSource& first, const NearestSource& second)
       : first_(first.source),
         second_(second.source),
         segment_(segment),

@@ -176,7 +176,7 @@ void append_equidistant_points(std::span<const FaceSource> a, std::span<const Fa
 struct EquidistantSearch::Disc {
   Vec2 middle;
   double radius = 0;
-  std::array<SourceDistances::Nearest, 3> nearest{};
+  std::array<NearestSource, 3> nearest{};
 
   explicit Disc(const Cell& cell) : middle((cell[0] + cell[1] + cell[2]) / 3) {
     for (const Vec2& corner : cell) radius = std::max(radius, (corner - middle).norm());
@@ -209,7 +209,7 @@ void EquidistantSearch::search(const Cell& cell, const Lists& lists, int halving
   const std::size_t top = stack_.size();
   ++cells_;
   Disc disc(cell);
-  for (std::size_t i = 0; i < 3; ++i) disc.nearest[i] = SourceDistances::nearest(sources(lists, i), disc.middle);
+  for (std::size_t i = 0; i < 3; ++i) disc.nearest[i] = nearest(sources(lists, i), disc.middle);
   if (disc.may_be_equal()) {
     const Lists kept = keep_relevant(disc, lists);
     const std::size_t triples = (kept[1] - kept[0]) * (kept[2] - kept[1]) * (kept[3] - kept[2]);
@@ -274,17 +274,9 @@ void SourceDistances::enter_with_offsets(const SourceDistances& others, const Sy
   }
 }
 
-SourceDistances::Nearest SourceDistances::nearest(std::span<const FaceSource> sources, const Vec2& p) {
-  Nearest best{nullptr, {kInfinity, p}};
-  for (const FaceSource& source : sources) {
-    if (take_nearer(source, p, best.path)) best.source = &source;
-  }
-  return best;
-}
-
 std::optional<double> SourceDistances::entry(GeneratorId g, const Bary& bary) const {
   const Vec2 p = layout_->at(bary);
-  const Nearest best = nearest(sources(g), p);
+  const NearestSource best = gvd::nearest(sources(g), p);
   if (best.source == nullptr) return std::nullopt;
   const int side = Mesh::corner(best.source->halfedge);
   if (best.source->is_corner) return side;

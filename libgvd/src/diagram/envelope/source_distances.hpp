@@ -10,6 +10,7 @@
 #include "diagram/assembly/face_distances.hpp"
 #include "geodesic/distance_field.hpp"
 #include "geodesic/face_layout.hpp"
+#include "geodesic/nearest_source.hpp"
 #include "geodesic/symbolic_offset.hpp"
 
 namespace gvd {
@@ -57,17 +58,6 @@ inline Vec2 direction(const Vec2& p, const Vec2& from) {
   return length > 0 ? Vec2(way / length) : Vec2(0, 0);
 }
 
-/// Replaces `best` by the path of a source to p where that is shorter. Returns whether it is.
-[[gnu::always_inline]] inline bool take_nearer(const FaceSource& source, const Vec2& p, FaceSource::Path& best) {
-  // No path of a source is shorter than the straight one. This test costs no square root.
-  const double rest = best.distance - source.offset;
-  if (!(rest > 0) || (p - source.image).squaredNorm() >= rest * rest) return false;
-  const auto path = source.shortest_path(p);
-  if (!(path.distance < best.distance)) return false;
-  best = path;
-  return true;
-}
-
 /// The distances inside one face from a solver's sources: as accurate as the solver. One object serves one face after
 /// the other, to save allocations; not for several threads at once.
 class SourceDistances final : public FaceDistances {
@@ -85,16 +75,10 @@ class SourceDistances final : public FaceDistances {
   /// The sources of generator g. Cost: O(log k + sources of g).
   std::span<const FaceSource> sources(GeneratorId g) const { return sources_.of(g); }
 
-  /// The shortest path over some sources, and its source: null, and infinite, where there is none.
-  struct Nearest {
-    const FaceSource* source;
-    FaceSource::Path path;
-  };
-  static Nearest nearest(std::span<const FaceSource> sources, const Vec2& p);
   /// The shortest path from generator g to p.
-  FaceSource::Path nearest(GeneratorId g, const Vec2& p) const { return nearest(sources(g), p).path; }
+  FaceSource::Path nearest(GeneratorId g, const Vec2& p) const { return gvd::nearest(sources(g), p).path; }
   /// The distance from p to the nearest of all generators.
-  double nearest_of_all(const Bary& p) const { return nearest(sources_.all(), layout_->at(p)).path.distance; }
+  double nearest_of_all(const Bary& p) const { return gvd::nearest(sources_.all(), layout_->at(p)).path.distance; }
 
   bool can_confirm() const override { return true; }
   std::optional<double> entry(GeneratorId g, const Bary& p) const override;

@@ -22,6 +22,7 @@
 #include <optional>
 #include <utility>
 
+#include "geodesic/nearest_source.hpp"
 #include "geodesic/windows/path_directions.hpp"
 #include "geodesic/windows/window_geometry.hpp"
 
@@ -99,13 +100,9 @@ void FaceContours::trace(double level, const std::array<bool, 3>& is_near, std::
 
 /// Takes a source if its distance is less than that of the best one so far.
 void FaceContours::keep_nearer(std::int32_t source, const Vec2& p, std::int32_t& best, double& distance) const {
-  // No path is shorter than the straight line from the image: mostly this tells, without a square root.
-  const FaceSource& s = sources_[source];
-  const double left = distance - s.offset;
-  if (left <= 0 || (!s.is_parallel() && (p - s.image).squaredNorm() >= left * left)) return;
-  const double d = s.distance(p);
-  if (!(d < distance)) return;
-  distance = d;
+  FaceSource::Path path{distance, p};
+  if (!take_nearer(sources_[source], p, path)) return;
+  distance = path.distance;
   best = source;
 }
 

@@ -14,6 +14,7 @@
 #include "base/plane.hpp"
 #include "geodesic/distance_field.hpp"
 #include "geodesic/generator_table.hpp"
+#include "geodesic/nearest_source.hpp"
 #include "geodesic/windows/window.hpp"
 #include "geodesic/windows/window_field.hpp"
 #include "gvd/exact_field.hpp"
@@ -37,21 +38,6 @@ void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, 
 inline void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f,
                                  std::vector<FaceSource>& sources) {
   collect_face_sources(mesh, field, f, FaceLayout(mesh, f), sources);
-}
-
-/// The source with the shortest path to p. Ties go to the lower generator, then to the one that comes first. Null if
-/// there is none.
-template <class Source, class Point>
-const Source* nearest_source(const std::vector<Source>& sources, const Point& p, double& distance) {
-  const Source* best = nullptr;
-  distance = kInfinity;
-  for (const Source& source : sources) {
-    const double d = source.distance(p);
-    if (!(d < distance) && !(best && d == distance && source.generator < best->generator)) continue;
-    best = &source;
-    distance = d;
-  }
-  return best;
 }
 
 /// Exact distances on edges and in faces, from the windows that the propagation kept near bisectors.

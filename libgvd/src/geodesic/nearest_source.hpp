@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geodesic/distance_field.hpp"
+#include "gvd/vec.hpp"
+
+// The nearest of the sources of an edge or of a face.
+
+namespace gvd {
+
+/// Replaces `best` by the path of a source to p where that is shorter. Returns whether it is.
+[[gnu::always_inline]] inline bool take_nearer(const FaceSource& source, const Vec2& p, FaceSource::Path& best) {
+  // No path of a source is shorter than the straight one. This test costs no square root.
+  const double rest = best.distance - source.offset;
+  if (!(rest > 0) || (p - source.image).squaredNorm() >= rest * rest) return false;
+  const auto path = source.shortest_path(p);
+  if (!(path.distance < best.distance)) return false;
+  best = path;
+  return true;
+}
+
+/// The shortest path over some sources of a face, and its source: null, and infinite, where there is none.
+struct NearestSource {
+  const FaceSource* source;
+  FaceSource::Path path;
+};
+
+/// The shortest path to p over these sources. Of equal ones the first is taken. Cost: O(sources).
+inline NearestSource nearest(std::span<const FaceSource> sources, const Vec2& p) {
+  NearestSource best{nullptr, {kInfinity, p}};
+  for (const FaceSource& source : sources) {
+    if (take_nearer(source, p, best.path)) best.source = &source;
+  }
+  return best;
+}
+
+/// The source with the shortest path to p. Ties go to the lower generator, then to the one that comes first. Null if
+/// there is none.
+template <class Source, class Point>
+const Source* nearest_source(const std::vector<Source>& sources, const Point& p, double& distance) {
+  const Source* best = nullptr;
+  distance = kInfinity;
+  for (const Source& source : sources) {
+    const double d = source.distance(p);
+    if (!(d < distance) && !(best && d == distance && source.generator < best->generator)) continue;
+    best = &source;
+    distance = d;
+  }
+  return best;
+}
+
+}  // namespace gvd
