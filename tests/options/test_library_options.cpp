@@ -44,9 +44,8 @@ TEST_CASE("a relaxation's options say their defaults, and resolve them") {
   LloydOptions options;
   OptionList list;
   describe(list, options);
-  CHECK(names_of(list) == Names{"accelerate", "relocate", "iterations", "tolerance", "move_tolerance", "step"});
+  CHECK(names_of(list) == Names{"accelerate", "relocate", "iterations", "tolerance", "move_tolerance"});
   CHECK(list.find("iterations")->spec.usual == "300; 100 with \1accelerate=none\2");
-  CHECK(list.find("step")->spec.usual == "1");
   CHECK(list.find_unknown_names().empty());
   resolve(options);
   CHECK(options.max_iterations == 300);
