@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Runs clang-tidy (see .clang-tidy) on C++ sources, each compiled alone, so that a missing include is an error.
 #
-#   scripts/run_tidy.sh              all sources
-#   scripts/run_tidy.sh --last N     those that the last N commits changed, or whose own header they changed (changed_sources.py)
+#   scripts/run_tidy.sh                   all sources
+#   scripts/run_tidy.sh --last N [MOST]   those that the last N commits changed, or whose own header they changed, the latest MOST
+#                                         of them (changed_sources.py)
 #
 # JOBS processes run at a time (default: all cores). BUILD_LINT names the build tree, which is configured and not built.
 set -euo pipefail
@@ -11,7 +12,7 @@ tree=${BUILD_LINT:-build-lint}
 
 list_sources() {
   if [ "${1:-}" = --last ]; then
-    scripts/changed_sources.py "$2"
+    scripts/changed_sources.py "${@:2}"
   else
     git ls-files '*.cpp'
   fi
