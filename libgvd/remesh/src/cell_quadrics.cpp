@@ -45,8 +45,8 @@ IdVector<GeneratorId, Quadric> compute_cell_quadrics(const Mesh& mesh, const Dia
   for (const BoundaryArc& arc : list_boundary_arcs(mesh, diagram)) {
     Quadric& quadric = quadrics[arc.cell];
     for (const BoundaryArc::Segment& segment : arc.segments) {
-      const Vec3 from = mesh.position(mesh.from(segment.halfedge)),
-                 edge = mesh.position(mesh.to(segment.halfedge)) - from;
+      const Vec3& from = mesh.position(mesh.from(segment.halfedge));
+      const Vec3 edge = mesh.position(mesh.to(segment.halfedge)) - from;
       const double length = (segment.end - segment.begin) * edge.norm();
       quadric.add_line(edge.normalized(), from - origin[arc.cell], length * std::sqrt(quadric.area));
     }

@@ -143,7 +143,8 @@ TEST_CASE("lengths whose products overflow or underflow change no pair") {
     INFO("2^" << exponent);
     std::vector<Vec3> positions = mesh.positions();
     for (Vec3& p : positions) p *= std::ldexp(1.0, exponent);
-    CHECK(find_self_intersections(Mesh(std::move(positions), mesh.face_vertices())) == pairs);
+    const Mesh scaled(std::move(positions), mesh.face_vertices());
+    CHECK(find_self_intersections(scaled) == pairs);
   }
 }
 
