@@ -279,7 +279,8 @@ class Mesh(Writable):
         if isolines is None:
             refuse("isolines: a distance, or a list of ascending ones, is needed, not None")
         option = "levels" if isinstance(isolines, (list, tuple)) or getattr(isolines, "ndim", 0) > 0 else "isolines"
-        of = Distances(*self._measure(points, {**options, option: isolines}))
+        with naming(levels="isolines"):
+            of = Distances(*self._measure(points, {**options, option: isolines}))
         at, offsets = of._points("isoline"), of._array("isoline_offsets").tolist()
         return [Isoline(level, bool(closed), at[begin:end]) for level, closed, begin, end in
                 zip(of._array("isoline_levels").tolist(), of._array("isoline_closed").tolist(), offsets, offsets[1:])]

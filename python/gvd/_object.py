@@ -145,7 +145,8 @@ def run(operation: str, on: Optional[Object], options: Mapping[str, Any], more: 
     if any(array.ndim == 2 and array.shape[1] == 3 for array in arrays):  # positions may be far away
         for line in made.figures()["warnings"]:
             warn(line)
-    return made, (operation, on, given, arrays)
+    # The recipe has arrays of its own: the caller may write into theirs. Meshes are pickled without one.
+    return made, (operation, on, given, [] if on is None else [numpy.array(array) for array in arrays])
 
 
 def threads_of(options: Mapping[str, Any]) -> int:

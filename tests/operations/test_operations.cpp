@@ -2,12 +2,15 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "gvd/distances_operation.hpp"
 #include "gvd/error.hpp"
 #include "gvd/io/format.hpp"
 #include "gvd/operation.hpp"
 #include "gvd/operation_json.hpp"
+#include "gvd/polygon_soup.hpp"
+#include "gvd/soup.hpp"
 #include "operations/recorder.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
@@ -140,6 +143,24 @@ TEST_CASE("rows of distances are held once: their array is the table's own memor
   CHECK(rows[2][0] == Approx(rows[0][9]));
 }
 
+TEST_CASE("rows of a mesh with more vertices than its input tell what keeps their sources from each") {
+  // Two triangles that meet in one vertex, which becomes two.
+  const std::vector<double> at{0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0};
+  const std::vector<std::int64_t> corners{0, 1, 2, 0, 3, 4};
+  const auto mesh = std::make_shared<const CheckedMesh>(build_mesh(make_soup(at, corners)));
+  REQUIRE(mesh->mesh.vertex_count() == 6);
+  REQUIRE(mesh->mesh_vertex.size() == 5);
+  const auto call = find_operation("distances")->call();
+  OptionList list;
+  call->describe(list);
+  read_json_options(list, *mesh, R"({"from": [1, 3], "each": true, "mesh_vertices": true})", {});
+  Recorder told;
+  const auto made = call->run(std::make_shared<const MeshObject>(mesh), told);
+  CHECK(dynamic_cast<const DistancesOutcome&>(*made).unreached == 6);
+  REQUIRE(!told.notes.empty());
+  CHECK_THAT(told.notes.back(), Contains("6 of 12"));
+}
+
 /// Returns what an operation says against options; empty where it accepts them.
 std::string refusal_of(const char* operation, const std::string& options) {
   const auto made = find_operation(operation)->call();
@@ -157,6 +178,14 @@ TEST_CASE("a flag with its default is as if it were not there") {
   CHECK(refusal_of("segment", R"({"count": 5, "merge_coincident": false})").empty());
   CHECK(refusal_of("remesh", R"({"count": 5, "exact_count": false, "refine": true})").empty());
   CHECK_THAT(refusal_of("segment", R"({"count": 5, "merge_coincident": true})"), Contains("exclude each other"));
+}
+
+TEST_CASE("weights need the exact method, and each operation with them says so before it begins") {
+  for (const char* operation : {"segment", "diagram", "lloyd"}) {
+    CAPTURE(operation);
+    CHECK_THAT(refusal_of(operation, R"({"count": 5, "method": "gbgvd", "balance": "area"})"),
+               Contains("\"balance\" needs \"method\": \"exact\""));
+  }
 }
 
 TEST_CASE("JSON that is nested deeply is refused before it fills the stack") {

@@ -120,6 +120,17 @@ class Results(unittest.TestCase):
                     again.to_file(theirs)
                     self.assertEqual(ours.read_bytes().replace(b"a.mtl", b""), theirs.read_bytes().replace(b"b.mtl", b""))
 
+    def test_a_pickle_knows_the_arrays_as_they_were(self):
+        mesh = gvd.read(meshes.TORUS)
+        parcels, ids = numpy.zeros(len(mesh.faces), numpy.int32), numpy.array([0, 5, 99])
+        parcels[:100] = 1
+        for made in (mesh.segment(6, within=parcels), mesh.voronoi(ids)):
+            parcels[:], ids[:] = 0, (1, 2, 3)
+            again = pickle.loads(pickle.dumps(made))
+            diagram = getattr(again, "diagram", again)
+            self.assertEqual(diagram.length, getattr(made, "diagram", made).length)
+            self.assertGreater(diagram.length, 0)
+
     def test_an_editor_survives_pickling(self):
         mesh = gvd.read(meshes.TORUS)
         editor = gvd.DiagramEditor(mesh, [0, 9])

@@ -181,6 +181,7 @@ export class Mesh extends Thing {
   }
 
   nearest(points, options = {}) {
+    if (isGiven(options?.each)) refuse('nearest: there is no option "each"; distances has it');
     return this._measure('nearest', points, options, (made) => (
       isGiven(options?.to) ? { distances: made._array('rows'), labels: made._array('nearest') } : { distances: made.distances, labels: made.labels }));
   }

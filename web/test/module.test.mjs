@@ -143,6 +143,7 @@ test('arrays go in and out', () => {
   assertClose([...square.path(1, 3).positions], [1, 0, 0, 0.5, 0.5, 0, 0, 1, 0], 'path');
   assert.deepEqual([...square.nearest([0, 2], { to: [[0.9, 0.9, 0]] }).labels], [1]);
   assert.equal(square.distances([0, 1], { each: true }).length, 8);
+  assert.throws(() => square.nearest([0, 1], { each: true }), { code: 'invalid_option', message: /no option "each"/ });
   const lines = square.isolines(0, [0.5]);
   assert.ok(lines[0].positions.length >= 6 && !lines[0].closed);
   const { diagram, masses, converged } = square.balance([0, 2], { shares: [1, 3] });

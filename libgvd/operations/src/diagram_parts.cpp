@@ -127,11 +127,13 @@ void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& dia
                .arrays = "Make the distances of each generator longer by its number",
                .unit = "mesh units"});
   list.needs("shares", "balance");
-  for (const char* name : {"balance", "weights"}) {
-    list.rule({name, {"method"}, [&diagram, name](const Given&) {
-                 return diagram.method == Method::exact ? "" : fmt::format("\1{}\2 needs \1method=exact\2", name);
-               }});
-  }
+  for (const char* name : {"balance", "weights"}) describe_weight_rule(list, name, diagram);
+}
+
+void describe_weight_rule(OptionList& list, const char* name, const DiagramOptions& diagram) {
+  list.rule({name, {"method"}, [&diagram, name](const Given&) {
+               return diagram.method == Method::exact ? "" : fmt::format("\1{}\2 needs \1method=exact\2", name);
+             }});
 }
 
 void describe_curve_rules(OptionList& list, const DiagramOptions& diagram) {

@@ -138,14 +138,14 @@ void keep_least_of_targets(const PlacedPoints& targets, std::span<const double> 
 
 /// The distances of the vertices of the mesh, or of the file. `found`: of those that are measured, several of which may
 /// be one vertex of the mesh. `of_vertices`: memory.
-void keep_least_of_vertices(const DistancesCall& call, const DistancesOutcome& made, std::span<const double> found,
+void keep_least_of_vertices(const DistancesOutcome& made, std::span<const double> found,
                             std::vector<double>& of_vertices, std::span<double> row) {
   of_vertices.assign(std::size_t(made.input->mesh.vertex_count()), kInfinity);
   for (const VertexId v : made.surface().vertices()) {
     double& least = of_vertices[made.parted.input_vertex(v).index()];
     least = std::min(least, found[v.index()]);
   }
-  if (call.mesh_vertices) {
+  if (made.has_mesh_vertices) {
     std::ranges::copy(of_vertices, row.begin());
     return;
   }
@@ -163,9 +163,9 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
   const std::vector<VertexId> at = find_vertices(mesh, made.targets.places);
   const bool has_points = has_targets && at.empty();
   const std::size_t places = has_points ? made.targets.places.size() : std::size_t(mesh.vertex_count());
-  const std::size_t points = has_targets          ? table.targets.size()
-                             : call.mesh_vertices ? std::size_t(input.mesh.vertex_count())
-                                                  : input.mesh_vertex.size();
+  const std::size_t points = has_targets              ? table.targets.size()
+                             : made.has_mesh_vertices ? std::size_t(input.mesh.vertex_count())
+                                                      : input.mesh_vertex.size();
   check_table(call.most_bytes, table.sources.size(), points);
   table.rows = {std::vector<double>(table.sources.size() * points, kInfinity), table.sources.size()};
   if (has_targets && made.targets.places.empty()) return;  // all targets are left out
@@ -185,7 +185,7 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
       if (has_targets) {
         keep_least_of_targets(made.targets, found, at, row);
       } else {
-        keep_least_of_vertices(call, made, found, of_vertices, row);
+        keep_least_of_vertices(made, found, of_vertices, row);
       }
     }
   }
@@ -403,6 +403,7 @@ std::shared_ptr<const DistancesOutcome> run(const MeshPtr& input, DistancesCall&
   made->asked = asked_of(call);
   made->input = input;
   made->has_limit = call.max_distance.has_value();
+  made->has_mesh_vertices = call.mesh_vertices && call.each;
   DistanceTable& table = made->table;
   if (!call.sources.curves.is_given()) {
     const bool may_coincide = call.keep_coincident && call.each;

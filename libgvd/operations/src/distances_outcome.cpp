@@ -102,7 +102,12 @@ class UnreachedPoints {
  public:
   /// The distances must outlive this.
   explicit UnreachedPoints(const DistancesOutcome& of)
-      : input_(*of.input), parted_(of.parted), table_(of.table), targets_(of.targets), has_limit_(of.has_limit) {}
+      : input_(*of.input),
+        parted_(of.parted),
+        table_(of.table),
+        targets_(of.targets),
+        has_limit_(of.has_limit),
+        has_mesh_vertices_(of.has_mesh_vertices) {}
 
   /// What keeps the sources of a row from a point of the table that they do not reach. Cost: O(1), for each row in turn
   /// O(components), and once that of `Barriers`.
@@ -118,7 +123,7 @@ class UnreachedPoints {
   const PartedMesh& parted_;
   const DistanceTable& table_;
   const PlacedPoints& targets_;
-  bool has_limit_;
+  bool has_limit_, has_mesh_vertices_;
   std::optional<Barriers> barriers_;
   std::vector<FaceId> face_;       // of each point of the table; invalid for a vertex in no face
   std::vector<char> is_left_out_;  // of each point of the table
@@ -144,9 +149,14 @@ void UnreachedPoints::find_faces() {
     if (parted_.is_left_out(f)) continue;
     for (const VertexId v : input_.mesh.vertices(f)) is_measured[v] = 1;
   }
-  for (const VertexId v : input_.mesh_vertex) {
+  const auto add = [&](VertexId v) {
     face_.push_back(v.valid() ? Mesh::face(input_.mesh.halfedge(v)) : FaceId());
     is_left_out_.push_back(v.valid() && !is_measured[v] ? 1 : 0);
+  };
+  if (has_mesh_vertices_) {
+    for (const VertexId v : input_.mesh.vertices()) add(v);
+  } else {
+    for (const VertexId v : input_.mesh_vertex) add(v);
   }
 }
 

@@ -160,6 +160,7 @@ void describe(OptionList& list, LloydCall& call) {
                "the input",
        .arrays = "In the end, make all cells equal and keep the generators near their centroids: in area ('area'), or "
                  "in the integral of a number for each vertex or face"});
+  describe_weight_rule(list, "balance", call.diagram);
   list.group("Constraints");
   describe(list, call.regions, "cells and distances");
   list.excludes("coarse", {"within", "mask"}, "there is no copy of regions");

@@ -16,12 +16,17 @@ void describe_mesh(OptionList& list, SurfaceRemeshOptions& options) {
               {.help = "Largest number of generators to add",
                .usual = "ten for each given generator, component, boundary loop and handle, plus 100"});
   list.option("refine", Flag{&remesh.refine},
-              {.help = "Add no generators", .more = "; fail if the given ones are too few for a valid mesh"});
+              {.help = "Add no generators",
+               .more = "; fail if the given ones are too few for a valid mesh",
+               .arrays = "Add generators where the given ones are too few for a valid mesh; false: fail there"});
   list.option(
       "exact_count", Flag{&options.exact_count},
       {.help = "Exactly as many vertices as asked for, or no mesh",
        .more = ": leave out a generator where the mesh can do without it for each one that is added (generators "
-               "of a list stay: the same as \1refine\2)"});
+               "of a list stay: the same as \1refine\2)",
+       .arrays =
+           "Exactly as many vertices as asked for, or no mesh: leave out a generator where the mesh can do without "
+           "it for each one that is added (generators that are given stay: the same as \1refine=false\2)"});
   list.option(
       "place", choice(options.placement, kPlacementNames),
       {.help = "Where to put vertices",

@@ -76,6 +76,7 @@ class DistancesOutcome : public Object {
   std::vector<MeshCurve> polylines;               ///< paths and isolines, for files
   PlacedPoints sources, targets;                  ///< on the surface
   bool has_limit = false;                         ///< whether there is a largest distance
+  bool has_mesh_vertices = false;                 ///< columns of rows are the mesh's vertices, not those of the input
   std::unique_ptr<const ExactField> field;        ///< of the nearest source; null with `each`
   IdVector<VertexId, double> distance;            ///< of the mesh's vertices from the nearest source; empty with `each`
   IdVector<VertexId, GeneratorId> label;          ///< that source
