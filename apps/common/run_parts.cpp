@@ -206,7 +206,10 @@ void write_own_file(Run& run, const std::string& option, const OutputWriter& wri
 
 void write_part_file(Run& run, const std::string& option, const Object& object) {
   write_own_file(run, option, [&](std::ostream& out) {
-    object.part_writers(option).at(file_extension(*run.options().output.own.at(option)))(out);
+    const auto writers = object.part_writers(option);
+    const auto found = writers.find(file_extension(*run.options().output.own.at(option)));
+    // Only a part of one format may go to a pipe without an extension (describe_target).
+    (found == writers.end() ? writers.begin() : found)->second(out);
   });
 }
 

@@ -8,6 +8,7 @@
 
 #include "gvd/diagram_options.hpp"
 #include "gvd/generator_options.hpp"
+#include "gvd/option_text.hpp"
 
 namespace gvd::app {
 namespace {
@@ -177,6 +178,13 @@ void describe_target(OptionList& list, OutputOptions& output, const std::string&
   list.group("Output");
   list.option(name, File{&file, Use::write, extensions}, std::move(spec));
   list.excludes(name, {"output_dir"});
+  if (extensions.size() > 1) {
+    list.rule({name, {}, [name, &file, extensions](const Given&) -> std::string {
+                 if (contains(extensions, file_extension(file))) return "";
+                 return fmt::format("\1{}\2: {} does not tell the format; give a file that ends in {}", name,
+                                    user_text(file), list_extensions(extensions, "or"));
+               }});
+  }
   output.own[name] = &file;
 }
 

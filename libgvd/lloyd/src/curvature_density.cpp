@@ -2,7 +2,7 @@
 //
 // Triangles of side h on a surface with the curvatures k1 and k2 have a mean square distance of q^2 h^4 / 1280 from it,
 // with q^2 = k1^2 + k2^2 - 2/3 k1 k2. Their sum over a given number of triangles is least where h goes with q^(-1/3).
-// docs/developer/lloyd.md, section 9, derives both, and this: the mean square distance of a disc of radius R from its
+// docs/developer/lloyd.md, section 8, derives both, and this: the mean square distance of a disc of radius R from its
 // best plane is q^2 R^4 / 64, with the same q. So q is measured in discs, as large as cells. Noise and bumps that are
 // small against cells then count little, and creases have a finite curvature.
 #include <Eigen/Eigenvalues>

@@ -61,7 +61,7 @@ void check_options(const LloydOptions& o) {
   if (!(tolerance >= 0) || !std::isfinite(tolerance)) refuse("the energy tolerance must be 0 or more");
   if (!(o.move_tolerance >= 0) || !std::isfinite(o.move_tolerance)) refuse("the move tolerance must be 0 or more");
   if (!(o.least_promise >= 0)) refuse("the least promise must be 0 or more");
-  check_diagram_options(o.diagram);  // early levels compute no diagram
+  check_diagram_options(o.diagram);  // iterations without diagrams would not tell
 }
 
 /// The progress of a part of the relaxation, from `begin` to `end` of the whole.

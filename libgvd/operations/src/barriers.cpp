@@ -91,6 +91,7 @@ std::string describe(Barrier barrier, const std::string& inside) {
                               "beyond a non-manifold edge, where sheets were cut apart",
                               "beyond a non-manifold vertex, where sheets were cut apart",
                               "in another component"};  // in the order of Barrier
+  static_assert(kWords.size() == std::size_t(Barrier::component) + 1);
   return barrier == Barrier::inside ? inside : kWords[static_cast<std::size_t>(barrier)];
 }
 

@@ -152,7 +152,8 @@ bool OptionList::can_add(std::string_view name, const Given& given) const {
 std::optional<std::string> OptionList::suggest(const std::string& wrong) const {
   std::vector<std::string> names;
   for (const Option& option : options_) {
-    if (wrong == option.spec.short_name || wrong == option.spec.also) return option.name;
+    const bool is_its_other = wrong == option.spec.short_name || wrong == option.spec.also;
+    if (is_its_other && !wrong.empty()) return option.name;
     names.push_back(option.name);
   }
   return suggest_name(wrong, names);

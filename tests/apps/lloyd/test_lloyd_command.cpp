@@ -222,6 +222,20 @@ TEST_CASE("gvd-lloyd: options out of range are usage errors") {
   }
 }
 
+TEST_CASE("commands: a file of one format may go to a pipe, and one of several is refused there before the work") {
+  const ScratchFolder scratch;
+  const CommandResult map =
+      run_command("gvd-remesh", data_file("figure.obj") + " -n 60 -q --map /dev/stdout -o " + scratch / "coarse.obj");
+  CHECK(map.exit_code == 0);
+  CHECK(nlohmann::json::parse(map.out).is_object());
+  const CommandResult points = run_command(
+      "gvd-lloyd", data_file("figure.obj") + " -n 20 --points /dev/stdout -o " + scratch / "generators.txt");
+  CHECK(points.exit_code == 2);
+  CHECK(points.err ==
+        "gvd-lloyd: error: --points: /dev/stdout does not tell the format; give a file that ends in .ply, .xyz or "
+        ".npy\n");
+}
+
 TEST_CASE("gvd-lloyd --points: the samples serve as generators, in faces bit by bit, or as positions") {
   const ScratchFolder scratch;
   const CommandResult relaxed =

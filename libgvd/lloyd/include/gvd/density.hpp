@@ -66,7 +66,7 @@ struct CurvatureDensityOptions {
 /// distance along edges. The density is (size / even spacing)^-4, so it does not depend on the mesh's units. A flat
 /// surface has the density 1 everywhere, within rounding; so has one without area.
 /// Throws Error{invalid_option} for a count below 1 or an option out of its range; Error{interrupted} if the progress
-/// callback cancels. Cost: O(n log n). Source: docs/developer/lloyd.md, section 9.
+/// callback cancels. Cost: O(n log n). Source: docs/developer/lloyd.md, section 8.
 Density make_curvature_density(const Mesh& mesh, std::int64_t count, const CurvatureDensityOptions& options = {});
 
 }  // namespace gvd

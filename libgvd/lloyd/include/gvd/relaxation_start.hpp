@@ -24,8 +24,8 @@ struct CopyOptions {
   CopySize size;                      ///< of that copy (default_copy_faces)
 };
 
-/// The copy for a relaxation with these options. By default there is none without iterations, and none for methods
-/// other than Acceleration::lbfgs: these are for comparison, iteration by iteration, on the mesh.
+/// The copy for a relaxation with these options. By default there is none without iterations, and none with
+/// Acceleration::none, which is for comparison, iteration by iteration, on the mesh.
 CopyOptions copy_options(const LloydOptions& relaxation, CopyOptions asked = {});
 
 /// Which generators a relaxation begins with, what they may do, and how the surface is weighed.

@@ -33,7 +33,7 @@ struct CellPair {
 /// The pairs of cells in which a surface intersects itself, ascending.
 ///
 /// `given`: the intersecting pairs of faces, of find_self_intersections of the surface. A piece of a face is its part
-/// in one cell (FacePiece), or the face itself. Cells a and b intersect where, for one of these pairs of faces, a piece
+/// in one cell (FacePart), or the face itself. Cells a and b intersect where, for one of these pairs of faces, a piece
 /// of one face in a and a piece of the other face in b have bounding boxes that overlap. So a large face counts only
 /// with its cells near the other face. Cost: O(k) for the pieces of `given`, and O(1) for each two that are compared:
 /// those of the first face near the second face, and of the second near the first.
