@@ -96,7 +96,7 @@ void close_ends(std::vector<std::int32_t>& corners, std::size_t begin) {
   corners.erase(corners.begin() + std::ptrdiff_t(begin), corners.begin() + std::ptrdiff_t(first));
 }
 
-struct Counts {
+struct CleanedPolygons {
   std::int64_t dropped = 0;
   std::int64_t shortened = 0;
   std::int64_t first = -1;  // polygon of the soup
@@ -104,7 +104,7 @@ struct Counts {
 
 /// Appends polygon p of the soup to `work` unless fewer than three corners are left.
 void append_polygon(const PolygonSoup& soup, const std::vector<std::int32_t>& weld, std::int32_t p, WorkPolygons& work,
-                    Counts& counts) {
+                    CleanedPolygons& counts) {
   const std::size_t begin = work.corners.size();
   for (const std::int32_t v : soup.polygon(p)) append_corner(work.corners, begin, weld[v]);
   close_ends(work.corners, begin);
@@ -121,7 +121,7 @@ void append_polygon(const PolygonSoup& soup, const std::vector<std::int32_t>& we
   }
 }
 
-std::string action_of(const Counts& counts) {
+std::string action_of(const CleanedPolygons& counts) {
   if (counts.shortened == 0) return "removed";
   if (counts.dropped == 0) return "repeated corners taken out";
   return fmt::format("{} removed, repeated corners taken out of {}", counts.dropped, counts.shortened);
@@ -243,7 +243,7 @@ WorkPolygons remove_degenerate_faces(const PolygonSoup& soup, const std::vector<
   work.corners.reserve(soup.corners.size());
   work.first_corner.reserve(soup.first_corner.size());
   work.origin.reserve(soup.polygon_count());
-  Counts counts;
+  CleanedPolygons counts;
   for (std::int32_t p = 0; p < std::ssize(soup.first_corner) - 1; ++p) append_polygon(soup, weld, p, work, counts);
   const std::int64_t count = counts.dropped + counts.shortened;
   log.add(DefectKind::degenerate_faces, count, counts.first,
