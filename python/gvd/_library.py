@@ -15,6 +15,7 @@ import pathlib
 import threading
 import time
 import types
+import weakref
 # The functions of the module signal, without its enumerations: these take 10 us a call.
 import _signal  # type: ignore[import]
 from collections.abc import Iterator, Mapping, Sequence
@@ -87,22 +88,43 @@ def _check(status: int) -> None:
     raise Error(text, code, _library.gvd_last_error_element())
 
 
-_lost: list[BaseException] = []
+class _Release(weakref.ref):  # type: ignore[type-arg]
+    """Calls gvd_release, with itself for the address, when the handle goes. No line of Python runs then: in a destructor, Python
+    ignores what a signal's handler raises, and so Ctrl-C."""
+
+    __slots__ = ("_as_parameter_",)
+
+
+class _Releases:
+    """Keeps those whose handle lives; others go in time."""
+
+    def __init__(self) -> None:
+        self._kept: dict[int, _Release] = {}
+        self._most = 64
+
+    def add(self, handle: Handle) -> None:
+        release = _Release(handle, _library.gvd_release)
+        release._as_parameter_ = handle.address
+        self._kept[id(release)] = release
+        if len(self._kept) > self._most:
+            for key, one in list(self._kept.items()):
+                if one() is None:
+                    self._kept.pop(key, None)
+            self._most = 2 * len(self._kept) + 64
+
+
+_releases = _Releases()
 
 
 class Handle:
     """An object of the library, for as long as this lives. Handles may go in any order."""
 
-    __slots__ = ("address",)
+    __slots__ = ("address", "__weakref__")
 
     def __init__(self, address: Optional[int]) -> None:
         self.address = address
-
-    def __del__(self, release: Callable[[Optional[int]], None] = _library.gvd_release) -> None:
-        try:
-            release(self.address)
-        except BaseException as error:  # a signal's handler: Python would ignore it here, so the next call raises it
-            _lost.append(error)
+        if address is not None:
+            _releases.add(self)
 
     def array(self, name: str) -> NDArray[Any]:
         """A view of an array, which can't be written and keeps the object alive."""
@@ -225,8 +247,6 @@ def _keeping_signals(flags: _Flags, raised: list[BaseException]) -> Iterator[dic
 
     try:
         if threading.get_ident() == threading.main_thread().ident:
-            if _lost:
-                raise _lost.pop()
             for number in _SIGNALS:
                 handler = _signal.getsignal(number)
                 if callable(handler):

@@ -222,7 +222,7 @@ def check_mistakes():
     assert bad(b'\xff{"count": 3}').startswith("options: not valid JSON at line 1")
     assert bad({"cuont": 3}) == 'there is no option "cuont"; did you mean "count"?'
     assert bad({"count": 0}) == "\"count\": '0' is not a whole number from 1 to 2147483647"
-    release(result("lloyd", ball, {"count": 3.0, "iterations": 2e0, "step": 1.0}))
+    release(result("lloyd", ball, {"count": 3.0, "iterations": 2e0, "move_tolerance": 1.0}))
     assert bad({"count": 2.5}).startswith("\"count\": '2.5' is not a whole number")
     assert bad({"count": True}).startswith("\"count\": 'true' is not a whole number")
     assert bad({"count": 3, "radius": 1}) == '"count" and "radius" exclude each other: keep one'
