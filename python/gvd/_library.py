@@ -93,6 +93,7 @@ class _Release(weakref.ref):  # type: ignore[type-arg]
     ignores what a signal's handler raises, and so Ctrl-C."""
 
     __slots__ = ("_as_parameter_",)
+    _as_parameter_: Optional[int]
 
 
 class _Releases:
