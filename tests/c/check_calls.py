@@ -231,7 +231,7 @@ def check_mistakes():
     assert bad({"count": None}).startswith("no generators")
     assert bad({"count": 3, "keep_boundary": 1}) == "\"keep_boundary\": '1' is neither true nor false"
     assert bad({"count": 3, "accelerate": "lbgfs"}).endswith("did you mean lbfgs?")
-    assert bad({"count": 3, "move_tolerance": "nan"}).startswith("\"move_tolerance\": 'nan' is not a number")
+    assert bad({"count": 3, "move_tolerance": "nan"}) == "\"move_tolerance\": 'nan' is not a finite number from 0 on"
     assert bad({"generators": {"array": 0}}) == '"generators": there is no array 0; 0 arrays are given'
     assert bad({"generators": {"array": -1}}, array([1.0])).startswith('"generators": there is no array -1; 1 array is given')
     assert bad({"generators": {"array": 0}}, array([(1.0, 2.0)])).startswith('"generators": points have 2 columns')
