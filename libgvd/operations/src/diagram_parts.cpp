@@ -109,17 +109,17 @@ Diagram compute_weighted(const CheckedMesh& input, const Mesh& surface, const st
   return std::exchange(balanced->diagram, {});
 }
 
+void needs_exact_method(OptionList& list, const char* name, const DiagramOptions& diagram) {
+  list.rule({name, {"method"}, [&diagram, name](const Given&) {
+               return diagram.method == Method::exact ? "" : fmt::format("\1{}\2 needs \1method=exact\2", name);
+             }});
+}
+
 }  // namespace
 
 void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& diagram) {
   using Of = ValueSource::Of;
-  list.option(
-      "balance", ValueSource{&weights.balance, {"area"}},
-      {.help = "Make all cells equal by weights of their generators",
-       .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
-               "the input",
-       .arrays = "Make all cells equal by weights of their generators: in area ('area'), or in the integral of a "
-                 "number for each vertex or face"});
+  describe_balance(list, weights.balance, "Make all cells equal by weights of their generators", diagram);
   list.option("shares", ValueSource{&weights.shares, {}, Of::generators},
               {.help = "With \1balance\2, the share of each generator, in any unit", .usual = "equal"});
   list.option("weights", ValueSource{&weights.weights, {}, Of::generators},
@@ -127,13 +127,17 @@ void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& dia
                .arrays = "Make the distances of each generator longer by its number",
                .unit = "mesh units"});
   list.needs("shares", "balance");
-  for (const char* name : {"balance", "weights"}) describe_weight_rule(list, name, diagram);
+  needs_exact_method(list, "weights", diagram);
 }
 
-void describe_weight_rule(OptionList& list, const char* name, const DiagramOptions& diagram) {
-  list.rule({name, {"method"}, [&diagram, name](const Given&) {
-               return diagram.method == Method::exact ? "" : fmt::format("\1{}\2 needs \1method=exact\2", name);
-             }});
+void describe_balance(OptionList& list, GivenNumbers& balance, const std::string& help, const DiagramOptions& diagram) {
+  list.option(
+      "balance", ValueSource{&balance, {"area"}},
+      {.help = help,
+       .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
+               "the input",
+       .arrays = help + ": in area ('area'), or in the integral of a number for each vertex or face"});
+  needs_exact_method(list, "balance", diagram);
 }
 
 void describe_curve_rules(OptionList& list, const DiagramOptions& diagram) {

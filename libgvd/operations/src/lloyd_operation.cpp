@@ -153,14 +153,8 @@ void describe(OptionList& list, LloydCall& call) {
   describe(list, call.constraints);
   describe(list, call.start);
   list.group("Relaxation");
-  list.option(
-      "balance", ValueSource{&call.balance, {"area"}},
-      {.help = "In the end, make all cells equal and keep the generators near their centroids",
-       .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
-               "the input",
-       .arrays = "In the end, make all cells equal and keep the generators near their centroids: in area ('area'), or "
-                 "in the integral of a number for each vertex or face"});
-  describe_weight_rule(list, "balance", call.diagram);
+  describe_balance(list, call.balance, "In the end, make all cells equal and keep the generators near their centroids",
+                   call.diagram);
   list.group("Constraints");
   describe(list, call.regions, "cells and distances");
   list.excludes("coarse", {"within", "mask"}, "there is no copy of regions");
