@@ -37,7 +37,7 @@ class ReachedFaces {
   ReachedFaces(const Mesh& mesh, const std::vector<SurfacePoint>& generators);
 
   bool contains(FaceId f) const { return has_generator_[component_[f]] != 0; }
-  /// Finds the components of this mesh. Cost: O(n).
+  /// Counts over all reached faces. `mesh`: that of the constructor. Cost: O(n).
   std::int64_t euler_characteristic(const Mesh& mesh) const;
 
  private:

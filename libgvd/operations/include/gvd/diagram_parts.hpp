@@ -32,10 +32,10 @@ struct DiagramParts {
 
 void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& diagram);
 
-/// Says what curves as generators do not go with: weights, regions, and what is of sampled points.
 /// Describes `balance`, for whose weights only the exact method serves. `help`: what it does, without what becomes
 /// equal.
 void describe_balance(OptionList& list, GivenNumbers& balance, const std::string& help, const DiagramOptions& diagram);
+/// Says what curves as generators do not go with: weights, regions, and what is of sampled points.
 void describe_curve_rules(OptionList& list, const DiagramOptions& diagram);
 
 /// Computes the diagram of the generators on the surface, where regions part it, balanced where that is asked for. The
