@@ -142,7 +142,7 @@ def check_runs():
 
 def check_what_all_have():
     """What one operation has, the others have, too; what can't be says why."""
-    mesh = read("figure.obj")
+    mesh = read("torus.ply")
     faces = len(numbers(mesh, "face_vertices"))
     halves = array([int(face >= faces // 2) for face in range(faces)], ctypes.c_uint8)
     vertices = len(numbers(mesh, "vertex_positions"))

@@ -2,7 +2,6 @@
 
 The schemas allow members that they do not name, so that later versions can add some. Here each member must be named.
 """
-import copy
 import json
 import os
 import pathlib
@@ -46,12 +45,11 @@ def check(name):
     found = errors(strict(schema), document)
     assert not found, f"{name}: " + "; ".join(found[:5])
     # A schema that allows everything would be no check: each required member is missed, each wrong type seen.
+    is_valid = jsonschema.Draft202012Validator(schema).is_valid  # ends at the first error
     for member in schema["required"]:
-        broken = copy.deepcopy(document)
-        del broken[member]
-        assert errors(schema, broken), f"{name}: nobody misses {member}"
+        assert not is_valid({key: value for key, value in document.items() if key != member}), f"{name}: nobody misses {member}"
         wrong = 7 if isinstance(document[member], bool) else True
-        assert errors(schema, {**document, member: wrong}), f"{name}: {member} may be {wrong}"
+        assert not is_valid({**document, member: wrong}), f"{name}: {member} may be {wrong}"
     return document
 
 
