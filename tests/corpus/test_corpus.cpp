@@ -127,7 +127,7 @@ TEST_CASE("the diagram is complete on every mesh of the corpus") {
   for (const auto& file : corpus()) {
     const std::optional<Mesh> mesh = read_mesh(file);
     if (!mesh) continue;
-    for (const int count : {2, 5, 30, 100, 300}) {
+    for (const int count : {2, 30, 300}) {
       // Exact diagrams, and those of the paper with either front.
       for (const auto& [method, seed] : std::initializer_list<std::pair<Method, unsigned>>{
                {Method::exact, 1}, {Method::gbgvd, 1}, {Method::gbgvd, 2}}) {
