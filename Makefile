@@ -196,12 +196,12 @@ paper:
 	@scripts/make_paper.py $(BUILD)/paper/paper.json $(BUILD)/paper $(if $(PAPER_NOTE),"$(PAPER_NOTE)")
 
 # Not here: tests labelled `slow`; `install`, which builds against an installed library without sanitizers; `browser`, which tests a
-# page; and those that tests/CMakeLists.txt leaves out.
+# page; `formats`, which tests what other programs read; and those that tests/CMakeLists.txt leaves out.
 sanitize:
 	@$(install_deps) build test
 	@$(configure) sanitizers $(SANITIZE) $(CMAKE_FLAGS)
 	@cmake --build $(SANITIZE) -j $(JOBS)
-	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install|browser"
+	@ctest --test-dir $(SANITIZE) --output-on-failure -j $(JOBS) -LE "slow|install|browser|formats"
 
 # The tests of threads only: everything else works in one thread.
 sanitize-threads:
