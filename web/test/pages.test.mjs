@@ -197,7 +197,9 @@ async function use_cohort(page, { name }) {
 }
 
 const kKinds = { 'index.html': use_playground, 'cohort.html': use_cohort };
+const use_of = (file) => kKinds[basename(file)] ?? use_viewer;
 const listed = pages.filter((page) => basename(page) !== 'page.html');  // those of a cohort are reached through its own
+const one_of_each = listed.filter((file, i) => i === listed.findIndex((other) => use_of(other) === use_of(file)));
 
 let failures = 0;
 function fail(text) {
@@ -205,16 +207,16 @@ function fail(text) {
   console.log(`FAILED ${text}`);
 }
 
-// From disk all of a page is used, and over HTTP what a server can change.
+// From disk all of each page is used, and over HTTP, from one page of each kind, what a server can change.
 async function use_pages(name, launch, server) {
   const browser = await launch();
-  for (const [place, address, briefly] of [['disk', (file) => pathToFileURL(file).href, false], ['HTTP', server.address, true]]) {
-    for (const file of listed) {
+  for (const [place, files, address, briefly] of [['disk', listed, (file) => pathToFileURL(file).href, false],
+                                                  ['HTTP', one_of_each, server.address, true]]) {
+    for (const file of files) {
       const begin = Date.now(), what = `${relative(folder, file)} from ${place} in ${name} ${browser.version()}`;
       const page = await open(browser, address(file));
       try {
-        const use = kKinds[basename(file)] ?? use_viewer;
-        await use(page, { name: `${name}-${place}-${basename(file, '.html')}`, briefly, browser });
+        await use_of(file)(page, { name: `${name}-${place}-${basename(file, '.html')}`, briefly, browser });
         await close(page);
         console.log(`ok     ${what} (${((Date.now() - begin) / 1000).toFixed(1)} s)`);
       } catch (error) {
