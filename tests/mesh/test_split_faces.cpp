@@ -19,6 +19,11 @@ PlacedInTriangle place(const std::array<Bary, 3>& corners, const Bary& point) {
   return {local, -std::min({local[0], local[1], local[2]})};
 }
 
+TEST_CASE("split faces: without parts no point is found") {
+  const SurfacePoint none = locate_in_parts({}, [](const auto&) { return PlacedInTriangle{}; });
+  CHECK_FALSE(none.face.valid());
+}
+
 TEST_CASE("split faces: the parts cover each split face once") {
   for (const auto& [name, mesh] : test::small_family()) {
     CAPTURE(name);
@@ -54,11 +59,6 @@ TEST_CASE("split faces: a point of a split face is found in the part that contai
     CHECK(*std::min_element(inside.bary.begin(), inside.bary.end()) >= 0);
     CHECK((position(working.mesh(), inside) - position(mesh, {FaceId(3), point})).norm() < 1e-15);
   }
-}
-
-TEST_CASE("split faces: without parts no point is found") {
-  const SurfacePoint none = locate_in_parts({}, [](const auto&) { return PlacedInTriangle{}; });
-  CHECK_FALSE(none.face.valid());
 }
 
 }  // namespace gvd::test_split_faces

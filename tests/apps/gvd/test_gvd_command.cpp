@@ -50,6 +50,12 @@ bool operator==(const Outcome& a, const Outcome& b) {
          std::tie(b.result.exit_code, b.result.out, b.result.err, b.file, b.report);
 }
 
+TEST_CASE("gvd: its version is that of the commands") {
+  const std::string version = run_command("gvd", "--version").out;
+  CHECK("gvd-segment" + version.substr(3) == run_command("gvd-segment", "--version").out);
+  CHECK(run_command("gvd", "version").out == version);
+}
+
 // Which command a call means is found before its arguments are looked at. So each way is tried with a run and with a
 // mistake, and the first one with all arguments.
 TEST_CASE("gvd: each name and way of calling a command gives the same files, words and exit codes") {
@@ -149,12 +155,6 @@ TEST_CASE("gvd: help of a command is that of the command") {
     }
     CHECK(run_command("gvd", "-h " + command.name).out == run_command("gvd-" + command.name, "-h").out);
   }
-}
-
-TEST_CASE("gvd: its version is that of the commands") {
-  const std::string version = run_command("gvd", "--version").out;
-  CHECK("gvd-segment" + version.substr(3) == run_command("gvd-segment", "--version").out);
-  CHECK(run_command("gvd", "version").out == version);
 }
 
 TEST_CASE("gvd: a word that is no command is refused in one line that says what to do") {

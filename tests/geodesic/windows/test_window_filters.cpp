@@ -15,6 +15,12 @@ Window make_window(double begin, double end, double x, double depth, double offs
   return {begin, end, x, depth, offset, GeneratorId(0), HalfedgeId(0)};
 }
 
+TEST_CASE("a path counts as shorter only beyond rounding") {
+  CHECK(is_shorter_beyond_rounding(1 - 1e-14, 1));
+  CHECK_FALSE(is_shorter_beyond_rounding(1 - 2e-16, 1));
+  CHECK(is_shorter_beyond_rounding(1, std::numeric_limits<double>::infinity()));
+}
+
 TEST_CASE("a window that a filter drops is beaten at every point of the interval") {
   std::mt19937 random(5);
   const auto unit = [&] { return double(random()) / double(std::mt19937::max()); };
@@ -47,12 +53,6 @@ TEST_CASE("a window without a width, or with its image on the edge, is empty") {
   CHECK(is_empty(make_window(0.5, 0.5, 0, 1)));
   CHECK(is_empty(make_window(0.5, 0.25, 0, 1)));
   CHECK(is_empty(make_window(0.25, 0.5, 0, 0)));
-}
-
-TEST_CASE("a path counts as shorter only beyond rounding") {
-  CHECK(is_shorter_beyond_rounding(1 - 1e-14, 1));
-  CHECK_FALSE(is_shorter_beyond_rounding(1 - 2e-16, 1));
-  CHECK(is_shorter_beyond_rounding(1, std::numeric_limits<double>::infinity()));
 }
 
 TEST_CASE("a window is left to a vertex where the two tie, and not where the window is shorter") {
