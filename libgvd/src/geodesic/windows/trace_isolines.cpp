@@ -23,7 +23,7 @@
 #include "base/parallel_chunks.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/windows/face_contours.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/propagate.hpp"
 
-namespace gvd::test_window_queries {
+namespace gvd::test_window_sources {
 
 TEST_CASE("edges are contested where a bisector crosses them, in ascending order") {
   // The bisector of two opposite corners of a square is its other diagonal.
@@ -66,4 +66,4 @@ TEST_CASE("the table of exact distances has each vertex's nearest generator, and
   for (int f = 0; f < mesh.face_count(); ++f) CHECK(table.reached(FaceId(f)));
 }
 
-}  // namespace gvd::test_window_queries
+}  // namespace gvd::test_window_sources
