@@ -69,7 +69,7 @@ class PathTracer {
     const Vec2 at = *locate_in_face(mesh_, f, p);
     for (const FaceSource& s : sources_) {
       if (reached.valid() && !(s.offset < field_.distance[reached])) continue;
-      if (reached.valid() && !s.is_corner && mesh_.opposite(s.halfedge) != reached) continue;
+      if (reached.valid() && !s.is_corner() && mesh_.opposite(s.halfedge) != reached) continue;
       if (path_.generator.valid() && s.generator != path_.generator) continue;
       const double d = s.distance(at);
       if (!(d < best_.distance)) continue;
@@ -97,7 +97,7 @@ class PathTracer {
   /// ends.
   VertexId follow_best() {
     const FaceSource& source = best_.source;
-    if (source.is_corner) return go_to(source.halfedge);
+    if (source.is_corner()) return go_to(source.halfedge);
     const FaceLayout layout(mesh_, Mesh::face(source.halfedge));
     const int i = Mesh::corner(source.halfedge);
     const Vec2 origin = layout.corner[i], along = layout.side(i);

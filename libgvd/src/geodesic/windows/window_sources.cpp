@@ -56,17 +56,19 @@ void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, 
     const int i = Mesh::corner(h);
     const Vec2 &origin = layout.corner[i], &along = side[i];
     const Vec2 inwards = turned_left(along), to_image = w.x * along - w.depth * inwards;
-    const bool is_parallel = w.is_parallel();
-    sources.push_back({is_parallel ? to_image : origin + to_image, origin + w.begin * along, origin + w.end * along,
-                       is_parallel ? -kInfinity : w.offset, w.generator, h, false, w.distance(w.begin),
-                       w.distance(w.end)});
+    FaceSource s{origin + to_image,        origin + w.begin * along, origin + w.end * along, w.offset, w.generator, h,
+                 FaceSource::Kind::window, w.distance(w.begin),      w.distance(w.end)};
+    if (w.is_parallel()) [[unlikely]] {
+      s.kind = FaceSource::Kind::parallel;
+      s.image = to_image;
+      s.offset = -kInfinity;
+    }
+    sources.push_back(s);
   });
   for (int i = 0; i < 3; ++i) {
     const VertexId v = mesh.vertices(f)[i];
     if (!field.label[v].valid()) continue;
-    const Vec2 at = layout.corner[i];
-    const double d = field.distance[v];
-    sources.push_back({at, at, at, d, field.label[v], Mesh::halfedge(f, i), true, d, d});
+    sources.push_back(FaceSource::corner(layout.corner[i], field.distance[v], field.label[v], Mesh::halfedge(f, i)));
   }
 }
 
