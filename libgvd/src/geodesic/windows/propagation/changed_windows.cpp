@@ -123,23 +123,17 @@ struct BeforeChange {
   double distance(VertexId v) const { return label(v).valid() ? field.distance[common.vertex_before[v]] : kInfinity; }
 };
 
-/// Propagates the selected generators of a working mesh, on a state that is prepared for it.
-template <class Recorder>
-WindowField propagate_selected(const WorkingMesh& working, const GeneratorFlags& selected, const Recorder& recorder,
-                               const PropagationSite& site) {
-  Propagation<Recorder> propagation(site.state, site.parallel, kInfinity, site.progress, recorder);
-  for (const GeneratorId g : working.generator_vertices().ids()) {
-    if (selected[g] != 0) propagation.start(working.vertex(g), g, 0);
-  }
-  return propagation.run();
-}
-
-/// The same; their windows enter the open faces alone.
+/// Propagates the selected generators of a working mesh. Their windows enter the open faces alone.
 RecordedWindows propagate_recorded(const WorkingMesh& working, const GeneratorFlags& selected, const FaceSet& open,
                                    const PropagationSite& site) {
   RecordedWindows result;
   result.records.resize(working.mesh().halfedge_count());
-  result.field = propagate_selected(working, selected, WindowRecorder(open.contains, result.records), site);
+  Propagation<WindowRecorder> propagation(site.state, site.parallel, kInfinity, site.progress,
+                                          WindowRecorder(open.contains, result.records));
+  for (const GeneratorId g : selected.ids()) {
+    if (selected[g] != 0) propagation.start(working.vertex(g), g, 0);
+  }
+  result.field = propagation.run();
   return result;
 }
 
@@ -153,8 +147,12 @@ WindowField probe_added(const BeforeChange& before, const WorkingMesh& after, co
     state.labels.distance[copy] = before.distance(v);
     if (std::isfinite(before.distance(v))) state.labels.label[copy] = before.label(v);
   }
+  std::vector<std::pair<VertexId, GeneratorId>> added;
+  for (const GeneratorId g : before.is_added.ids()) {
+    if (before.is_added[g] != 0) added.emplace_back(after.vertex(g), g);
+  }
   state.keep = KeepWindows::none;
-  WindowField probe = propagate_selected(after, before.is_added, NoRecorder(), site);
+  WindowField probe = propagate_on(state, added, site.parallel, site.progress);
   state.keep = KeepWindows::near_bisectors;
   state.restart();
   return probe;
