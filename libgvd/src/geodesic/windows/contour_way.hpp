@@ -13,7 +13,7 @@
 
 namespace gvd {
 
-// What a source reaches in a face within a level is a convex region. Its boundary, counter-clockwise, has three parts:
+// The part of a face that a source reaches within a level is convex. Its boundary, counter-clockwise, has three parts:
 // 0 round the right end of the opening, 1 that straight paths reach, 2 round the left end. A corner has only part 1.
 
 /// A circle, or a line, on which a part of a source's level set lies. The near side is on the left.

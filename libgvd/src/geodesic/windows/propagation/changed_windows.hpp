@@ -38,7 +38,7 @@ struct PropagationSite {
   const Progress& progress;
 };
 
-/// What a propagation of some generators has found.
+/// The result of a propagation of some generators, with a record of all windows that were carried.
 struct RecordedWindows {
   WindowField field;
   IdVector<HalfedgeId, HalfedgeRecord> records;

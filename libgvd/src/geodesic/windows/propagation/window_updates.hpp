@@ -17,7 +17,7 @@ namespace gvd {
 
 struct ChangedWindows;
 
-/// What a change of some generators has done to the windows.
+/// The effect of a change of some generators on the windows.
 struct WindowChange {
   IdVector<FaceId, std::uint8_t> is_changed;  ///< 1 for a face that is new, or whose windows or corners have changed
   std::vector<FaceId> changed;                ///< the same faces, ascending
