@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "base/lazy_max_heap.hpp"
 #include "geodesic/marching/local_march.hpp"
@@ -62,7 +61,8 @@ std::vector<std::vector<Neighbour>> find_neighbours(const Mesh& mesh, const std:
   std::vector<std::vector<Neighbour>> neighbours(candidates.size());
   IdVector<FaceId, std::int32_t> seen(mesh.face_count(), -1);  // the last candidate whose march came to the face
   const auto add_pairs = [&](std::int32_t first, FaceId f) {
-    if (std::exchange(seen[f], first) == first) return;
+    if (seen[f] == first) return;
+    seen[f] = first;
     for (const std::int32_t second : in_face[f]) {
       // No path is shorter than the straight line through space.
       if (second <= first || (positions[first] - positions[second]).norm() >= diameter) continue;
