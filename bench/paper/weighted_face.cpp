@@ -70,7 +70,7 @@ bool WeightedFace::enters_through(const BoundaryRun& run, const Vec2& p) const {
   if (source == nullptr) return false;
   const int corner = Mesh::corner(source->halfedge);
   double at = corner;
-  if (!source->is_corner) at += layout_.bary(source->entry(p))[(corner + 1) % 3];
+  if (!source->is_corner()) at += layout_.bary(source->entry(p))[(corner + 1) % 3];
   const auto contains = [&](double s) { return s > run.begin - kBesideRun && s < run.end + kBesideRun; };
   return contains(at) || contains(at + 3) || contains(at - 3);
 }

@@ -24,7 +24,7 @@
 #include "geodesic/distance_field.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
 #include "geodesic/windows/window_field.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
 #include "pieces.hpp"

@@ -11,7 +11,7 @@ using namespace paper;
 
 /// A source that sees the whole face, as if it were a corner: at p, with an offset.
 FaceSource source_at(const Vec2& p, int generator, double offset = 0) {
-  return {p, p, p, offset, GeneratorId(generator), Mesh::halfedge(FaceId(0), generator % 3), true, offset, offset};
+  return FaceSource::corner(p, offset, GeneratorId(generator), Mesh::halfedge(FaceId(0), generator % 3));
 }
 
 BoundaryCrossing crossing(int corner, double t, int previous, int next) {

@@ -6,7 +6,7 @@
 #include "diagram/envelope/trace_envelope.hpp"
 #include "diagram/graph/connected_tracer.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/error.hpp"
 #include "support/catch.hpp"

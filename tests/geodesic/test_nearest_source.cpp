@@ -13,7 +13,7 @@ namespace gvd::test_nearest_source {
 FaceSource window(const Vec2& image, double begin, double end, double offset, GeneratorId g) {
   const Vec2 left(begin, 0), right(end, 0);
   const double to_left = offset + (left - image).norm(), to_right = offset + (right - image).norm();
-  return {image, left, right, offset, g, HalfedgeId(0), false, to_left, to_right};
+  return {image, left, right, offset, g, HalfedgeId(0), FaceSource::Kind::window, to_left, to_right};
 }
 
 TEST_CASE("nearest source: none of none, and the only one of one") {

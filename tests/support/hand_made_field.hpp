@@ -33,15 +33,14 @@ inline FaceSource through_side(int generator, int i, const Vec2& image, const Op
           offset,
           GeneratorId(generator),
           Mesh::halfedge(FaceId(0), i),
-          false,
+          FaceSource::Kind::window,
           offset + (begin - image).norm(),
           offset + (end - image).norm()};
 }
 
 /// Paths from corner i of face 0, which lies at `corner`.
 inline FaceSource from_corner(int generator, int i, const Vec2& corner, double distance) {
-  return {corner, corner,   corner,  distance, GeneratorId(generator), Mesh::halfedge(FaceId(0), i),
-          true,   distance, distance};
+  return FaceSource::corner(corner, distance, GeneratorId(generator), Mesh::halfedge(FaceId(0), i));
 }
 
 }  // namespace gvd::test

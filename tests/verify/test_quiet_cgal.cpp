@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "path_submesh.hpp"
+#include "quiet_cgal.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test_quiet_cgal {

@@ -19,7 +19,7 @@ struct ExactFieldOptions {
   Progress progress = {};  ///< may be empty
   /// Number of threads, >= 1; 0: as many as there are cores. No bit of the result depends on it.
   int threads = 0;
-  /// What is farther than this counts as unreached, mesh units, >= 0; the offset included. The work ends there, and the
+  /// Points farther than this, the offset included, count as unreached; mesh units, >= 0. The work ends there, and the
   /// distances up to it are the same, except in their last bits.
   double max_distance = kInfinity;
 };
@@ -120,8 +120,8 @@ struct VertexDistances {
   IdVector<VertexId, GeneratorId> label;  ///< that generator; invalid where none reaches
 };
 
-/// What ExactField says of the vertices, bit by bit, in about half of its time. Throws what it throws. Memory: 130
-/// bytes a face, since no windows are kept.
+/// The distances and labels of the vertices, with the same bits as ExactField's, in about half of its time. Throws the
+/// same errors. Memory: 130 bytes a face, since no windows are kept.
 VertexDistances compute_vertex_distances(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                          const ExactFieldOptions& options = {});
 

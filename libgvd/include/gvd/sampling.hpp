@@ -19,7 +19,7 @@ enum class Sampling {
   poisson,          ///< `count` points, random but evenly spaced (blue noise)
   covering_radius,  ///< farthest points until no point of the surface is farther than `radius` from the nearest one
 };
-/// Those of `count` points.
+/// The ways that spread `count` points.
 inline const Choices<Sampling> kSamplingNames{{"farthest", Sampling::farthest},
                                               {"random", Sampling::random},
                                               {"vertices", Sampling::vertices},

@@ -15,6 +15,7 @@
 #include "base/plane.hpp"
 #include "cell_integrals.hpp"
 #include "geodesic/face_layout.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {

@@ -26,7 +26,7 @@
 #include "geodesic/marching/marched_distances.hpp"
 #include "geodesic/symbolic_offset.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"

@@ -22,7 +22,7 @@
 #include "diagram/finish_diagram.hpp"
 #include "geodesic/symbolic_offset.hpp"
 #include "geodesic/windows/propagation/window_updates.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"

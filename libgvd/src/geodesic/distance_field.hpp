@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -50,17 +49,28 @@ struct EdgeSource {
   }
 };
 
-/// An image with the opening through which its straight paths enter a face: an interval of a side, or a corner. In the
-/// coordinates of the face's layout (FaceLayout). Instead of an image, a source may have the direction of parallel
-/// paths, which come from a segment of a curve at right angles.
+/// Straight paths that enter a face through the same opening. In the coordinates of the face's layout (FaceLayout).
 struct FaceSource {
-  Vec2 image;       ///< or the unit vector of the direction, if the paths are parallel
-  Vec2 begin, end;  ///< the opening's left and right end, as seen from the image; equal to the image at a corner
-  double offset;    ///< distance from the generator to the image; of parallel paths -infinity
+  enum class Kind : std::uint8_t {
+    window,    ///< from an image, through an interval of a side
+    corner,    ///< from a corner of the face: it is the image and the opening
+    parallel,  ///< from a segment of a curve at right angles, through an interval of a side
+  };
+  Vec2 image;       ///< of parallel paths their direction: use direction()
+  Vec2 begin, end;  ///< the opening's left and right end, as seen from the image
+  double offset;    ///< distance from the generator to the image; of parallel paths -infinity, which bounds nothing
   GeneratorId generator;
   HalfedgeId halfedge;  ///< the side of the opening; for a corner the halfedge that leaves it
-  bool is_corner;
+  Kind kind;
   double distance_begin, distance_end;  ///< distance from the generator to the opening's two ends
+
+  static FaceSource corner(const Vec2& at, double distance, GeneratorId g, HalfedgeId leaving) {
+    return {at, at, at, distance, g, leaving, Kind::corner, distance, distance};
+  }
+  bool is_corner() const { return kind == Kind::corner; }
+  bool is_parallel() const { return kind == Kind::parallel; }
+  /// The unit vector of parallel paths.
+  const Vec2& direction() const { return image; }
 
   /// A path that makes a smaller angle with its opening, in radians, enters at the nearer end: where it crosses is
   /// rounding, and the path round that end is longer by half the square of the angle at most, 5e-19 of itself.
@@ -83,12 +93,10 @@ struct FaceSource {
   }
   [[gnu::always_inline]] double distance(const Vec2& p) const { return shortest_path(p).distance; }
 
-  /// -infinity is the offset of no image; those of fast marching may be negative.
-  bool is_parallel() const { return offset < std::numeric_limits<double>::lowest(); }
   /// Where the line of a straight path to p passes an end of the opening on its left, this cross product is > 0; < 0 on
   /// its right. Times the length of the path, unless paths are parallel.
   double beside(const Vec2& p, const Vec2& opening_end) const {
-    return is_parallel() ? cross(image, opening_end - p) : cross(p - image, opening_end - image);
+    return is_parallel() ? cross(direction(), opening_end - p) : cross(p - image, opening_end - image);
   }
   /// The same for parallel paths. A straight one begins at a point of the segment.
   Path shortest_parallel_path(const Vec2& p) const {
@@ -96,12 +104,12 @@ struct FaceSource {
     if (beside(p, end) > 0) return {distance_end + (p - end).norm(), end};
     return {straight_parallel(p), origin(p)};
   }
-  double straight_parallel(const Vec2& p) const { return distance_begin + image.dot(p - begin); }
+  double straight_parallel(const Vec2& p) const { return distance_begin + direction().dot(p - begin); }
   /// The image, or the point of the segment from which a straight path comes to p.
-  Vec2 origin(const Vec2& p) const { return is_parallel() ? p - straight_parallel(p) * image : image; }
+  Vec2 origin(const Vec2& p) const { return is_parallel() ? p - straight_parallel(p) * direction() : image; }
   /// The point where that path enters the face: the one of the opening that is nearest to the line from the image to p.
   Vec2 entry(const Vec2& p) const {
-    if (is_corner) return image;
+    if (is_corner()) return image;
     // Twice the areas between the line from the image to p and the two ends: >= 0 where the line crosses the opening.
     const double to_begin = beside(p, begin), to_end = -beside(p, end);
     const double sine = to_begin + to_end, square = is_parallel() ? 1 : (p - image).squaredNorm();  // times lengths

@@ -27,7 +27,7 @@ struct NearestSource {
   FaceSource::Path path;
 };
 
-/// The shortest path to p over these sources. Of equal ones the first is taken. Cost: O(sources).
+/// The shortest path to p over these sources; the first one of those that are equally long. Cost: O(sources).
 inline NearestSource nearest(std::span<const FaceSource> sources, const Vec2& p) {
   NearestSource best{nullptr, {kInfinity, p}};
   for (const FaceSource& source : sources) {

@@ -34,18 +34,4 @@ struct PathSubmesh {
 /// Throws Error{precondition} if a point or the generator lies in no face. Cost: O(n log n).
 PathSubmesh extract_path_submesh(const Mesh& mesh, const DistanceQuery& query);
 
-/// While an object of this class exists, a failed check of CGAL throws and prints nothing. See verify.cpp.
-class QuietCgal {
- public:
-  QuietCgal();
-  ~QuietCgal();
-  QuietCgal(const QuietCgal&) = delete;
-  QuietCgal& operator=(const QuietCgal&) = delete;
-
- private:
-  using Handler = void (*)(const char*, const char*, const char*, int, const char*);
-  Handler on_error_;
-  Handler on_warning_;
-};
-
 }  // namespace gvd

@@ -20,6 +20,7 @@
 #include "gvd/error.hpp"
 #include "gvd/vec.hpp"
 #include "path_submesh.hpp"
+#include "quiet_cgal.hpp"
 
 namespace gvd {
 namespace {

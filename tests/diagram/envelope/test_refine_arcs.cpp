@@ -330,7 +330,7 @@ const PlaneSegment kSegment{{0, 0}, {1, 0}};
 
 /// A source that sees all points from its image.
 FaceSource seeing_all(const Vec2& image, double offset) {
-  return {image, image, image, offset, GeneratorId(0), HalfedgeId(0), true, offset, offset};
+  return FaceSource::corner(image, offset, GeneratorId(0), HalfedgeId(0));
 }
 
 PathChange change_between(const FaceSource& first, const FaceSource& second) {

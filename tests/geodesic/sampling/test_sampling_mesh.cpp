@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geodesic/sampling/samplers.hpp"
+#include "geodesic/sampling/sampling_mesh.hpp"
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
 #include "support/catch.hpp"

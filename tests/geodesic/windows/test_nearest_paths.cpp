@@ -1,8 +1,8 @@
 #include <cmath>
 #include <random>
 
+#include "geodesic/windows/nearest_paths.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/window_queries.hpp"
 #include "gvd/exact_field.hpp"
 #include "gvd/geodesic_tracing.hpp"
 #include "support/catch.hpp"

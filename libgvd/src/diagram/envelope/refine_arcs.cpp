@@ -93,10 +93,10 @@ void collect_visible_sources(std::span<const FaceSource> sources, const SearchBa
   visible.clear();
   for (const FaceSource& s : sources) {
     double first = -kInfinity, last = kInfinity;
-    if (!s.is_corner && !band.is_all()) {
+    if (!s.is_corner() && !band.is_all()) {
       // Rays past the ends of the opening: a point of each, and its direction.
       const std::array<PlaneRay, 2> rays =
-          s.is_parallel() ? std::array{PlaneRay{s.begin, s.image}, PlaneRay{s.end, -s.image}}
+          s.is_parallel() ? std::array{PlaneRay{s.begin, s.direction()}, PlaneRay{s.end, -s.direction()}}
                           : std::array{PlaneRay{s.image, s.begin - s.image}, PlaneRay{s.image, s.image - s.end}};
       for (const auto& [origin, ray] : rays) {
         const Vec2 start = band.from - origin;

@@ -43,7 +43,7 @@ constexpr double kBeside = 1e-6;
 
 /// Whether a straight path of a source may pass its opening and reach the disc.
 bool may_see(const FaceSource& s, const Vec2& middle, double radius) {
-  if (s.is_corner) return true;
+  if (s.is_corner()) return true;
   if (s.is_parallel()) {
     const double slack = radius + kBesideOpening * (middle - s.begin).norm();
     return s.beside(middle, s.begin) >= -slack && s.beside(middle, s.end) <= slack;
@@ -65,8 +65,8 @@ struct Plane {
   /// Of source s, relative to the image of `first`. The distances of parallel paths are linear as they are.
   Plane(const FaceSource& s, const FaceSource& first) {
     if (s.is_parallel()) {
-      normal = {s.image.x(), s.image.y(), -1};
-      level = first.offset - s.distance_begin - s.image.dot(first.image - s.begin);
+      normal = {s.direction().x(), s.direction().y(), -1};
+      level = first.offset - s.distance_begin - s.direction().dot(first.image - s.begin);
     } else {
       const Vec2 image = s.image - first.image;
       const double offset = s.offset - first.offset;
@@ -79,8 +79,8 @@ struct Plane {
 /// Appends the point where the parallel paths of three sources are equally long: the lengths are linear, so that it
 /// solves two linear equations. Nothing where two directions are the same.
 void append_parallel_point(const FaceSource& a, const FaceSource& b, const FaceSource& c, std::vector<Vec2>& points) {
-  const auto start = [](const FaceSource& s) { return s.distance_begin - s.image.dot(s.begin); };
-  const Vec2 first = a.image - b.image, second = a.image - c.image;
+  const auto start = [](const FaceSource& s) { return s.distance_begin - s.direction().dot(s.begin); };
+  const Vec2 first = a.direction() - b.direction(), second = a.direction() - c.direction();
   const Vec2 levels(start(b) - start(a), start(c) - start(a));
   const Vec2 p =
       Vec2(second.y() * levels.x() - first.y() * levels.y(), first.x() * levels.y() - second.x() * levels.x()) /
@@ -279,7 +279,7 @@ std::optional<double> SourceDistances::entry(GeneratorId g, const Bary& bary) co
   const NearestSource best = gvd::nearest(sources(g), p);
   if (best.source == nullptr) return std::nullopt;
   const int side = Mesh::corner(best.source->halfedge);
-  if (best.source->is_corner) return side;
+  if (best.source->is_corner()) return side;
   const Vec2 start = layout_->corner[side];
   const Vec2 along = layout_->corner[(side + 1) % 3] - start;
   return side + nearest_on_segment(start, along, best.source->entry(p));

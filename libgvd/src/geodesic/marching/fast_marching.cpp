@@ -279,15 +279,15 @@ void MarchedDistances::collect(FaceId f, const FaceLayout& layout, std::vector<F
   const auto& corner = layout.corner;
   for (int i = 0; i < 3; ++i) {
     const VertexDistance& v = nearest(mesh_.vertices(f)[i]);
-    sources.push_back(
-        {corner[i], corner[i], corner[i], v.distance, v.generator, Mesh::halfedge(f, i), true, v.distance, v.distance});
+    sources.push_back(FaceSource::corner(corner[i], v.distance, v.generator, Mesh::halfedge(f, i)));
   }
   table_.for_each(f, [&](const TableEntry& entry) {
     const auto d = table_.corner_distances(entry);
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       const Vec2 image = unfold_source(corner[i], corner[j], d[i], d[j]);
-      sources.push_back({image, corner[i], corner[j], 0, entry.generator, Mesh::halfedge(f, i), false, d[i], d[j]});
+      sources.push_back({image, corner[i], corner[j], 0, entry.generator, Mesh::halfedge(f, i),
+                         FaceSource::Kind::window, d[i], d[j]});
     }
   });
 }

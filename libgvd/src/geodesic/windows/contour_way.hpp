@@ -13,7 +13,7 @@
 
 namespace gvd {
 
-// What a source reaches in a face within a level is a convex region. Its boundary, counter-clockwise, has three parts:
+// The part of a face that a source reaches within a level is convex. Its boundary, counter-clockwise, has three parts:
 // 0 round the right end of the opening, 1 that straight paths reach, 2 round the left end. A corner has only part 1.
 
 /// A circle, or a line, on which a part of a source's level set lies. The near side is on the left.
@@ -31,17 +31,18 @@ struct Carrier {
 
 inline Carrier carrier_of(const FaceSource& s, std::size_t part, double level) {
   if (part == 1) {
-    return s.is_parallel() ? Carrier::line(s.begin + (level - s.distance_begin) * s.image, turned_left(s.image))
-                           : Carrier::circle(s.image, level - s.offset);
+    return s.is_parallel()
+               ? Carrier::line(s.begin + (level - s.distance_begin) * s.direction(), turned_left(s.direction()))
+               : Carrier::circle(s.image, level - s.offset);
   }
-  if (s.is_corner) return {};
+  if (s.is_corner()) return {};
   return part == 0 ? Carrier::circle(s.end, level - s.distance_end)
                    : Carrier::circle(s.begin, level - s.distance_begin);
 }
 
 /// The part of a source's boundary on which p lies.
 inline std::size_t part_at(const FaceSource& s, const Vec2& p) {
-  if (s.is_corner || (s.beside(p, s.begin) >= 0 && s.beside(p, s.end) <= 0)) return 1;
+  if (s.is_corner() || (s.beside(p, s.begin) >= 0 && s.beside(p, s.end) <= 0)) return 1;
   return s.beside(p, s.begin) < 0 ? 2 : 0;
 }
 
@@ -95,11 +96,11 @@ class ContourWay {
     arm_ = from - carrier_.at;
     const double length = arm_.norm();
     arm_ = length > 0 ? Vec2(carrier_.radius / length * arm_) : Vec2(carrier_.radius, 0);
-    if (s.is_corner || part == 2) {
-      end_ = s.is_corner ? kFullTurn : std::numbers::pi;
+    if (s.is_corner() || part == 2) {
+      end_ = s.is_corner() ? kFullTurn : std::numbers::pi;
       return;
     }
-    const Vec2 through_end = s.is_parallel() ? s.image : Vec2((part == 0 ? s.end : s.begin) - s.image);
+    const Vec2 through_end = s.is_parallel() ? s.direction() : Vec2((part == 0 ? s.end : s.begin) - s.image);
     end_ = turn(arm_, through_end);
     if (end_ > std::numbers::pi) end_ = 0;  // rounding: already there
   }
@@ -165,7 +166,7 @@ class StretchOfWay {
   /// Whether straight paths of the source may come to the stretch. Never false if they do. `slack`: how far from the
   /// stretch they may pass; `farthest`: no image is farther from its opening; mesh units.
   bool may_see(const FaceSource& s, double slack, double farthest) const {
-    if (s.is_corner || !is_short_) return true;
+    if (s.is_corner() || !is_short_) return true;
     const double least = slack * (s.is_parallel() ? 1 : farthest);
     const auto is_beyond_begin = [&](const Vec2& p) { return s.beside(p, s.begin) < -least; };
     const auto is_beyond_end = [&](const Vec2& p) { return s.beside(p, s.end) > least; };

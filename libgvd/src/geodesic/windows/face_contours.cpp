@@ -66,7 +66,7 @@ void FaceContours::enter(const FaceLayout& layout, std::span<const FaceSource> s
   // A corner to which a window brings its distance adds nothing: no path over it is shorter than the window's own.
   std::array<double, 3> by_windows{kInfinity, kInfinity, kInfinity};
   for (const Candidate& c : of_face_) {
-    if (sources[c.source].is_corner) continue;
+    if (sources[c.source].is_corner()) continue;
     for (std::size_t i = 0; i < 3; ++i) by_windows[i] = std::min(by_windows[i], c.at_corner[i]);
   }
   // It is kept apart: paths round the ends of openings there are paths over it.
@@ -74,7 +74,7 @@ void FaceContours::enter(const FaceLayout& layout, std::span<const FaceSource> s
   std::erase_if(of_face_, [&](const Candidate& c) {
     const FaceSource& s = sources[c.source];
     const auto i = std::ranges::find(layout.corner, s.image) - layout.corner.begin();
-    const bool is_beaten = s.is_corner && i < 3 && by_windows[i] <= s.offset + kRounding * (s.offset + longest_);
+    const bool is_beaten = s.is_corner() && i < 3 && by_windows[i] <= s.offset + kRounding * (s.offset + longest_);
     if (is_beaten) beaten_corners_.push_back(c.source);
     return is_beaten;
   });
@@ -192,7 +192,7 @@ std::vector<Directions> FaceContours::list_directions(const Triangle& triangle, 
         stack_.begin() + std::ptrdiff_t(candidates.begin), stack_.begin() + std::ptrdiff_t(candidates.end),
         [&](const Candidate& a, const Candidate& b) { return a.at_corner[k] < b.at_corner[k]; });
     const FaceSource& s = sources_[best->source];
-    if (s.is_corner) continue;
+    if (s.is_corner()) continue;
     if (const Vec2 last = direction_of(s, triangle.corner[k]); !last.isZero(0)) found.push_back({last, last});
   }
   return found;
@@ -343,7 +343,7 @@ FaceContours::Exit FaceContours::find_exit(const Triangle& triangle, const Conto
 /// on there, or else to the next part. False where there is none.
 bool FaceContours::pass_end(Place& place) const {
   const FaceSource& s = sources_[place.source];
-  if (place.part == 2 || s.is_corner) return false;
+  if (place.part == 2 || s.is_corner()) return false;
   ++place.part;
   if (place.part == 1) return true;
   const Vec2 ahead = turned_left(direction_of(s, place.at));

@@ -25,7 +25,7 @@ struct Directions {
 
 /// The directions of a source's straight paths at the points of a triangle. None where none comes there.
 inline std::optional<Directions> directions_of(const FaceSource& s, const std::array<Vec2, 3>& triangle) {
-  if (s.is_parallel()) return Directions{s.image, s.image};
+  if (s.is_parallel()) return Directions{s.direction(), s.direction()};
   std::optional<Directions> found;
   for (const Vec2& corner : triangle) {
     const Vec2 ray = corner - s.image;
@@ -33,7 +33,7 @@ inline std::optional<Directions> directions_of(const FaceSource& s, const std::a
     if (!found) found = Directions{ray, ray};
     found->include(ray);
   }
-  if (!found || s.is_corner) return found;
+  if (!found || s.is_corner()) return found;
   const Vec2 to_begin = s.begin - s.image, to_end = s.end - s.image;
   if (cross(found->right, to_begin) < 0 || cross(found->left, to_end) > 0) return std::nullopt;
   if (cross(found->left, to_begin) < 0) found->left = to_begin;

@@ -23,7 +23,7 @@
 #include "base/parallel_chunks.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/windows/face_contours.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -106,14 +106,9 @@ void merge(std::vector<Reach>& reaches, double seam) {
   reaches.resize(count);
 }
 
-/// Memory that is used for one edge after the other.
-struct EdgeScratch {
-  std::vector<EdgeSource> sources = {};
-  std::vector<Reach> reaches = {};
-};
-
-void cross_edge(const LevelSets& sets, EdgeId e, EdgeScratch& scratch, std::vector<Crossing>& found) {
-  auto& [sources, reaches] = scratch;
+/// Appends the crossings of an edge. `sources` and `reaches` are memory that is used for one edge after the other.
+void cross_edge(const LevelSets& sets, EdgeId e, std::vector<EdgeSource>& sources, std::vector<Reach>& reaches,
+                std::vector<Crossing>& found) {
   const Mesh& mesh = sets.mesh;
   const HalfedgeId h = mesh.halfedge(e);
   const double length = mesh.length(h), start = sets.field.distance[mesh.from(h)],
@@ -167,8 +162,9 @@ void find_crossings(LevelSets& sets, const ParallelChunks& parallel) {
   const std::int32_t edges = sets.mesh.edge_count();
   sets.crossings = parallel.collect(cut_into_chunks(edges, kChunk), kEdgePart, [&](const Chunk& chunk) {
     std::vector<Crossing> found;
-    EdgeScratch scratch;
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) cross_edge(sets, EdgeId(i), scratch, found);
+    std::vector<EdgeSource> sources;
+    std::vector<Reach> reaches;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) cross_edge(sets, EdgeId(i), sources, reaches, found);
     return found;
   });
   sets.first.assign(edges + 1, 0);
@@ -278,112 +274,98 @@ class FaceTracer {
   std::vector<FaceContour> curves_;  // likewise
 };
 
-/// Joins arcs to curves.
-class ArcJoiner {
- public:
-  ArcJoiner(const LevelSets& sets, const std::vector<ArcList>& lists)
-      : sets_(sets), leaving_(sets.crossings.size(), -1), is_entered_(sets.crossings.size(), false) {
-    for (const ArcList& list : lists) {
-      std::size_t begin = 0;
-      for (const Arc& arc : list.arcs) {
-        if (arc.from != FaceContour::kClosed) {
-          leaving_[arc.from] = std::int32_t(arcs_.size());
-          is_entered_[arc.to] = true;
-        }
-        arcs_.push_back({arc, {list.points.data() + begin, list.points.data() + arc.end}});
-        begin = arc.end;
-      }
-    }
-  }
+/// Whether two points are in one place, but for the rounding of the distances on the edges and of their coordinates.
+bool is_same(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, double level) {
+  const Vec3 p = position(mesh, a), q = position(mesh, b);
+  return (q - p).norm() <= kSeam * level + kCoordinateRounding * p.cwiseAbs().maxCoeff();
+}
 
-  /// Curves that begin on the boundary, then closed ones, then those inside faces; by level.
-  std::vector<Isoline> run() {
-    std::vector<Isoline> lines;
-    for (const bool closed : {false, true}) {
-      for (std::size_t i = 0; i < leaving_.size(); ++i) {
-        if (leaving_[i] < 0 || (!closed && is_entered_[i])) continue;
-        Isoline line = follow(std::int32_t(i));
-        line.closed = closed;
-        add(std::move(line), lines);
+/// Leaves out one of two neighbours in the same place, of which the other one shares faces with those before and
+/// behind. The ends of an open curve stay: they are on the boundary.
+void drop_repeated(const Mesh& mesh, Isoline& line) {
+  const auto are_same = [&](const SurfacePoint& a, const SurfacePoint& b) { return is_same(mesh, a, b, line.level); };
+  const auto are_neighbours = [&](const SurfacePoint& a, const SurfacePoint& b) {
+    return find_common_view(mesh, a, b).has_value();
+  };
+  std::vector<SurfacePoint> kept;
+  kept.reserve(line.points.size());
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    const SurfacePoint& p = line.points[i];
+    if (!kept.empty() && are_same(kept.back(), p)) {
+      const bool is_last = i + 1 == line.points.size();
+      if (is_last ? line.closed && are_neighbours(kept.back(), kept.front())
+                  : are_neighbours(kept.back(), line.points[i + 1])) {
+        continue;
       }
+      if (kept.size() > 1 && are_neighbours(kept[kept.size() - 2], p)) kept.pop_back();
     }
-    for (const auto& [arc, points] : arcs_) {
-      if (arc.from != FaceContour::kClosed) continue;
-      Isoline line{sets_.levels[arc.level], true, {}};
-      line.points.assign(points.begin(), points.end());
-      add(std::move(line), lines);
-    }
-    std::ranges::stable_sort(lines, {}, &Isoline::level);
-    return lines;
+    kept.push_back(p);
   }
+  if (line.closed && kept.size() > 1 && are_same(kept.back(), kept.front()) &&
+      are_neighbours(kept[kept.size() - 2], kept.front())) {
+    kept.pop_back();
+  }
+  line.points = std::move(kept);
+}
 
- private:
-  struct ArcOfList {
-    Arc arc;
-    std::span<const SurfacePoint> points;
+/// Whether a curve is no more than a point.
+bool is_point(const Mesh& mesh, const Isoline& line) {
+  const std::size_t count = line.points.size();
+  return count < (line.closed ? 3 : 2) ||
+         (count == 2 && is_same(mesh, line.points.front(), line.points.back(), line.level));
+}
+
+/// Joins arcs to curves: those that begin on the boundary, then closed ones, then those inside faces; by level. Points
+/// that repeat the one before are left out, and so are curves that are no more than a point.
+std::vector<Isoline> join_arcs(const LevelSets& sets, const std::vector<ArcList>& lists) {
+  const Mesh& mesh = sets.mesh;
+  std::vector<Isoline> lines;
+  const auto add = [&](Isoline&& line) {
+    drop_repeated(mesh, line);
+    if (!is_point(mesh, line)) lines.push_back(std::move(line));
   };
 
-  /// Follows the arcs from a crossing to the boundary, or round to it, and takes them.
-  Isoline follow(std::int32_t at) {
-    Isoline line{sets_.levels[sets_.crossings[at].level], false, {}};
-    for (;;) {
-      const HalfedgeId h = sets_.mesh.halfedge(sets_.crossings[at].edge);
-      const SurfacePoint point = edge_point(h, std::min(1.0, sets_.crossings[at].t / sets_.mesh.length(h)));
-      line.points.push_back(make_surface_point(point.face, point.bary));
-      const std::int32_t next = std::exchange(leaving_[at], -1);
-      if (next < 0) return line;
-      line.points.insert(line.points.end(), arcs_[next].points.begin(), arcs_[next].points.end());
-      at = arcs_[next].arc.to;
-    }
-  }
-
-  /// Leaves out points that repeat the one before, and what is no more than a point.
-  void add(Isoline&& line, std::vector<Isoline>& lines) const {
-    drop_repeated(line);
-    const bool is_point = line.points.size() < (line.closed ? 3 : 2) ||
-                          (line.points.size() == 2 && is_same(line.points.front(), line.points.back(), line.level));
-    if (!is_point) lines.push_back(std::move(line));
-  }
-
-  /// Leaves out one of two neighbours in the same place, of which the other one shares faces with those before and
-  /// behind. The ends of an open curve stay: they are on the boundary.
-  void drop_repeated(Isoline& line) const {
-    std::vector<SurfacePoint> kept;
-    kept.reserve(line.points.size());
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-      const SurfacePoint& p = line.points[i];
-      if (!kept.empty() && is_same(kept.back(), p, line.level)) {
-        const bool is_last = i + 1 == line.points.size();
-        if (is_last ? line.closed && are_neighbours(kept.back(), kept.front())
-                    : are_neighbours(kept.back(), line.points[i + 1])) {
-          continue;
-        }
-        if (kept.size() > 1 && are_neighbours(kept[kept.size() - 2], p)) kept.pop_back();
+  std::vector<std::pair<Arc, std::span<const SurfacePoint>>> arcs;  // with the points of each
+  std::vector<std::int32_t> leaving(sets.crossings.size(),
+                                    -1);                       // [crossing] the arc from it that is not taken; -1: none
+  std::vector<bool> is_entered(sets.crossings.size(), false);  // [crossing]
+  for (const ArcList& list : lists) {
+    std::size_t begin = 0;
+    for (const Arc& arc : list.arcs) {
+      if (arc.from != FaceContour::kClosed) {
+        leaving[arc.from] = std::int32_t(arcs.size());
+        is_entered[arc.to] = true;
       }
-      kept.push_back(p);
+      arcs.push_back({arc, {list.points.data() + begin, list.points.data() + arc.end}});
+      begin = arc.end;
     }
-    if (line.closed && kept.size() > 1 && is_same(kept.back(), kept.front(), line.level) &&
-        are_neighbours(kept[kept.size() - 2], kept.front())) {
-      kept.pop_back();
+  }
+
+  // Follows the arcs from a crossing to the boundary, or round to it, and takes them.
+  const auto follow = [&](std::size_t first, bool closed) {
+    Isoline line{sets.levels[sets.crossings[first].level], closed, {}};
+    for (std::size_t at = first;;) {
+      const HalfedgeId h = mesh.halfedge(sets.crossings[at].edge);
+      const SurfacePoint point = edge_point(h, std::min(1.0, sets.crossings[at].t / mesh.length(h)));
+      line.points.push_back(make_surface_point(point.face, point.bary));
+      const std::int32_t next = std::exchange(leaving[at], -1);
+      if (next < 0) return line;
+      const auto& [arc, points] = arcs[next];
+      line.points.insert(line.points.end(), points.begin(), points.end());
+      at = arc.to;
     }
-    line.points = std::move(kept);
+  };
+  for (const bool closed : {false, true}) {
+    for (std::size_t i = 0; i < leaving.size(); ++i) {
+      if (leaving[i] >= 0 && (closed || !is_entered[i])) add(follow(i, closed));
+    }
   }
-
-  bool are_neighbours(const SurfacePoint& a, const SurfacePoint& b) const {
-    return find_common_view(sets_.mesh, a, b).has_value();
+  for (const auto& [arc, points] : arcs) {
+    if (arc.from == FaceContour::kClosed) add({sets.levels[arc.level], true, {points.begin(), points.end()}});
   }
-
-  /// Whether two points are in one place, but for the rounding of the distances on the edges and of their coordinates.
-  bool is_same(const SurfacePoint& a, const SurfacePoint& b, double level) const {
-    const Vec3 p = position(sets_.mesh, a), q = position(sets_.mesh, b);
-    return (q - p).norm() <= kSeam * level + kCoordinateRounding * p.cwiseAbs().maxCoeff();
-  }
-
-  const LevelSets& sets_;
-  std::vector<ArcOfList> arcs_;
-  std::vector<std::int32_t> leaving_;  // [crossing] the arc that leaves it and has not been taken; -1: none
-  std::vector<bool> is_entered_;       // [crossing]
-};
+  std::ranges::stable_sort(lines, {}, &Isoline::level);
+  return lines;
+}
 
 }  // namespace
 
@@ -400,7 +382,7 @@ std::vector<Isoline> trace_isolines(const Mesh& mesh, const WindowField& field, 
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) tracer.trace(FaceId(i), found);
     return found;
   });
-  return ArcJoiner(sets, arcs).run();
+  return join_arcs(sets, arcs);
 }
 
 }  // namespace gvd

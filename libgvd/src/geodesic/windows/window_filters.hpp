@@ -39,7 +39,7 @@ static_assert(kLengthRounding < kSameLength && kSameLength < kDropClearance / 2)
 
 /// The order of paths to one vertex, which decides ties: by length, then by generator. Lengths that differ by less than
 /// kSameLength are equal. Returns whether a path of length `d` from `generator` precedes the known one, whose generator
-/// is `label`. Of one generator's paths, only one that is shorter beyond rounding does.
+/// is `label`. A path from the generator of the known one must be shorter beyond rounding.
 ///
 /// Paths from several generators tie on symmetric meshes. Neither rounding nor the order in which windows are
 /// propagated may decide there: neighbouring vertices would get labels that contradict each other.

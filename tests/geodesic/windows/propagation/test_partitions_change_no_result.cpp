@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "geodesic/face_layout.hpp"
+#include "geodesic/nearest_source.hpp"
 #include "geodesic/windows/propagation/join_points.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"

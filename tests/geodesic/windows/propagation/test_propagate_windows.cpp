@@ -4,8 +4,9 @@
 #include <random>
 
 #include "geodesic/face_layout.hpp"
+#include "geodesic/nearest_source.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

@@ -25,7 +25,7 @@ CurveSectors::CurveSectors(const Mesh& mesh, const FaceFrames& frames, const Cur
   for (const HalfedgeId h : curves.edges) is_curve_[mesh.edge(h).index()] = true;
 }
 
-/// Of a boundary vertex, the last edge has no halfedge that leaves it: it is the one before the last corner's.
+/// The last edge of a boundary vertex has no halfedge that leaves the vertex: it is the one before the last corner's.
 CurveSectors::Spokes CurveSectors::spokes(VertexId v) const {
   Spokes found;
   double angle = 0;

@@ -18,10 +18,12 @@
 #include "base/barycentric.hpp"
 #include "base/parallel_chunks.hpp"
 #include "geodesic/face_layout.hpp"
+#include "geodesic/nearest_source.hpp"
 #include "geodesic/tangent_fan.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "geodesic/windows/shortest_path.hpp"
 #include "geodesic/windows/trace_isolines.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "gvd/error.hpp"
 #include "mesh/working_mesh.hpp"
 

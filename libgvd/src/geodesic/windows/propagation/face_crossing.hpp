@@ -239,8 +239,8 @@ class FaceCrossing {
   bool has_thin_faces_;  // other meshes count no faces and look for no gaps
   static constexpr double kLeastPositive = std::numeric_limits<double>::min();
 
-  /// Of the directions of paths by rounding, radians: kPositionRounding over the sine's power of two, so that it is the
-  /// same for most sets of generators.
+  /// By how much rounding turns the directions of paths, radians: kPositionRounding over the power of two of the least
+  /// sine, so that it is the same for most sets of generators.
   double drift_;
 };
 

@@ -101,6 +101,13 @@ void PropagationState::mark_curves(const CurveEdges& curves) {
   }
 }
 
+WindowField propagate_on(PropagationState& state, std::span<const std::pair<VertexId, GeneratorId>> generators,
+                         const ParallelChunks& parallel, const Progress& progress) {
+  Propagation<NoRecorder> propagation(state, parallel, kInfinity, progress);
+  for (const auto& [v, g] : generators) propagation.start(v, g, 0);
+  return propagation.run();
+}
+
 WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
                               const PropagationOptions& options, const Progress& progress) {
   return propagate_from_points(mesh, {mesh.vertex_count(), mesh.face_count()}, generators, options, progress);

@@ -28,8 +28,8 @@ struct PropagationOptions {
   std::int32_t partition_faces = 8192;
   /// Records where all paths leave their generators; for KeepWindows::all.
   bool departures = false;
-  /// What is farther than this from all generators is not reached; mesh units, >= 0. Distances up to it are exact, and
-  /// every window that holds one of them is kept. What lies a few edges beyond it is visited too.
+  /// Points farther than this from all generators are not reached; mesh units, >= 0. Distances up to it are exact, and
+  /// every window that holds one of them is kept. The propagation goes on for a few edges beyond it.
   double max_distance = kInfinity;
 };
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "base/parallel_chunks.hpp"
 #include "geodesic/windows/face_frames.hpp"
@@ -10,8 +11,10 @@
 #include "geodesic/windows/propagation/mesh_partitions.hpp"
 #include "geodesic/windows/propagation/partition_exchange.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
+#include "geodesic/windows/window_field.hpp"
 #include "geodesic/windows/window_filters.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/progress.hpp"
 
 namespace gvd {
 
@@ -55,5 +58,10 @@ struct PropagationState {
   IdVector<SharedCopyId, LastSent> last_sent;
   IdVector<HalfedgeId, std::uint8_t> on_curve;  // 1 for those of a curve; empty if there is none
 };
+
+/// Propagates generators from their vertices on a prepared state. Distances that it has already are bounds.
+/// `parallel` reports no progress.
+WindowField propagate_on(PropagationState& state, std::span<const std::pair<VertexId, GeneratorId>> generators,
+                         const ParallelChunks& parallel, const Progress& progress);
 
 }  // namespace gvd

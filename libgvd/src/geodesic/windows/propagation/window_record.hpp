@@ -10,9 +10,9 @@
 
 namespace gvd {
 
-/// What has come to a halfedge: a digest of all windows that were carried from it, in their order and with their
-/// buckets. Let two runs have the same records along a closed strip of faces. Then what is beyond the strip has had the
-/// same effect on the windows of either side.
+/// A digest of all windows that were carried from a halfedge, in their order and with their buckets. If two runs have
+/// the same records along a closed strip of faces, the faces on one side of the strip have had the same effect on the
+/// other side in both runs.
 struct HalfedgeRecord {
   std::uint64_t digest = 0;
   std::uint32_t count = 0;  ///< number of windows; those that end at the boundary are counted, too

@@ -15,7 +15,9 @@
 
 namespace gvd {
 
-/// What a change of some generators has done to the windows.
+struct ChangedWindows;
+
+/// The effect of a change of some generators on the windows.
 struct WindowChange {
   IdVector<FaceId, std::uint8_t> is_changed;  ///< 1 for a face that is new, or whose windows or corners have changed
   std::vector<FaceId> changed;                ///< the same faces, ascending
@@ -45,7 +47,6 @@ class EditableWindows {
   void run_with(int threads) { threads_ = threads; }
 
  private:
-  friend class WindowUpdate;
   /// The face with the least sine among those that no generator splits.
   struct LeastSine {
     FaceId face;
@@ -55,6 +56,9 @@ class EditableWindows {
   template <class Faces>
   void note_least_sine(const WorkingMesh& working, const Faces& faces);
   void follow(const GeneratorChange& change);
+  void renumber_split(const GeneratorChange& change);
+  void count_carried(const GeneratorChange& change, const ChangedWindows& changed);
+  void take(const GeneratorChange& change, const ChangedWindows& changed);
 
   int threads_;
   std::unique_ptr<PropagationState> state_;  // between propagations; its mesh is the last one's

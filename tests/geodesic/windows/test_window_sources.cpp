@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
+#include "gvd/generator_curve.hpp"
+#include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/propagate.hpp"
 
-namespace gvd::test_window_queries {
+namespace gvd::test_window_sources {
 
 TEST_CASE("edges are contested where a bisector crosses them, in ascending order") {
   // The bisector of two opposite corners of a square is its other diagonal.
@@ -48,6 +50,38 @@ TEST_CASE("the sources of an edge are those of the field") {
   }
 }
 
+TEST_CASE(
+    "the sources of a face beside a curve are windows, corners and parallel paths, each with its image or direction") {
+  const Mesh mesh = test::make_grid(6, 6);
+  const HalfedgeId segment = Mesh::halfedge(FaceId(mesh.face_count() / 2), 0);
+  const GeneratorCurve curve = make_polyline({edge_point(segment, 0), edge_point(Mesh::next(segment), 0)}, false);
+  const WorkingMesh working(mesh, std::vector{curve});
+  const WindowField field = propagate_windows(working, {}, {});
+  std::vector<FaceSource> sources;
+  int windows = 0, corners = 0, parallel = 0;
+  for (const FaceId f : mesh.faces()) {
+    collect_face_sources(mesh, field, f, sources);
+    for (const FaceSource& s : sources) {
+      const Vec2 middle = 0.5 * (s.begin + s.end);
+      if (s.kind == FaceSource::Kind::corner) {
+        ++corners;
+        CHECK(s.begin == s.image);
+        CHECK(s.end == s.image);
+      } else if (s.kind == FaceSource::Kind::parallel) {
+        ++parallel;
+        CHECK(s.direction().norm() == Approx(1));
+        CHECK(s.distance(middle) == Approx(0.5 * (s.distance_begin + s.distance_end)).margin(1e-12));
+      } else {
+        ++windows;
+        CHECK(s.distance(middle) >= Approx(s.offset + (middle - s.image).norm()));
+      }
+    }
+  }
+  CHECK(corners == 3 * mesh.face_count());
+  CHECK(windows > 0);
+  CHECK(parallel > 0);
+}
+
 TEST_CASE("the table of exact distances has each vertex's nearest generator, and no distance that is too short") {
   const Mesh mesh = test::make_bumpy_sphere(3, 2);
   const std::vector<VertexId> generators{VertexId(0), VertexId(100), VertexId(200)};
@@ -66,4 +100,4 @@ TEST_CASE("the table of exact distances has each vertex's nearest generator, and
   for (int f = 0; f < mesh.face_count(); ++f) CHECK(table.reached(FaceId(f)));
 }
 
-}  // namespace gvd::test_window_queries
+}  // namespace gvd::test_window_sources

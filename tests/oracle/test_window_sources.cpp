@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "gvd/verify.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 
-namespace gvd::test_window_queries {
+namespace gvd::test_window_sources {
 
 TEST_CASE("what reaches a point of an edge is a path, and the shortest one is among it") {
   constexpr double kExact = 1e-12;
@@ -48,4 +48,4 @@ TEST_CASE("what reaches a point of an edge is a path, and the shortest one is am
   }
 }
 
-}  // namespace gvd::test_window_queries
+}  // namespace gvd::test_window_sources

@@ -4,15 +4,17 @@
 #include <numbers>
 #include <vector>
 
+#include "geodesic/nearest_source.hpp"
 #include "geodesic/windows/propagation/propagate_windows.hpp"
-#include "geodesic/windows/window_queries.hpp"
+#include "geodesic/windows/shortest_path.hpp"
+#include "geodesic/windows/window_sources.hpp"
 #include "mesh/working_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-namespace gvd::test_window_queries_paths {
+namespace gvd::test_shortest_path {
 
 /// Faces round vertex 0, whose `count` neighbours lie up and down alternately: a saddle if `height` is large enough.
 Mesh make_crown(int count, double height) {
@@ -133,4 +135,4 @@ TEST_CASE("every window is a path of its generator, and none is shorter than the
   }
 }
 
-}  // namespace gvd::test_window_queries_paths
+}  // namespace gvd::test_shortest_path

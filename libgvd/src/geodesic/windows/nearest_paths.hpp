@@ -3,103 +3,19 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
-#include <mutex>
-#include <optional>
-#include <shared_mutex>
-#include <utility>
 #include <vector>
 
 #include "base/barycentric.hpp"
 #include "base/plane.hpp"
-#include "geodesic/distance_field.hpp"
-#include "geodesic/generator_table.hpp"
-#include "geodesic/nearest_source.hpp"
 #include "geodesic/windows/window.hpp"
 #include "geodesic/windows/window_field.hpp"
-#include "gvd/exact_field.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
-#include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {
-
-/// Overwrites `sources` with all that reach the edge of halfedge h: its two ends, then the windows from both sides.
-/// Positions run from `from(h)`. Cost: O(windows on the two faces).
-void collect_edge_sources(const Mesh& mesh, const WindowField& field, HalfedgeId h, std::vector<EdgeSource>& sources);
-
-/// Overwrites `sources` with all that reach the points of face f, in its layout: the windows that enter through its
-/// sides, then its corners. Cost: O(windows on the face).
-void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, const FaceLayout& layout,
-                          std::vector<FaceSource>& sources);
-inline void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f,
-                                 std::vector<FaceSource>& sources) {
-  collect_face_sources(mesh, field, f, FaceLayout(mesh, f), sources);
-}
-
-/// Exact distances on edges and in faces, from the windows that the propagation kept near bisectors.
-class WindowDistances final : public DistanceField {
- public:
-  /// Both have to outlive this.
-  WindowDistances(const Mesh& mesh, const WindowField& field) : mesh_(mesh), field_(field) {}
-
-  std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const override;
-  void collect(EdgeId e, std::vector<EdgeSource>& sources) const override {
-    collect_edge_sources(mesh_, field_, mesh_.halfedge(e), sources);
-  }
-  void collect(FaceId f, const FaceLayout& layout, std::vector<FaceSource>& sources) const override {
-    collect_face_sources(mesh_, field_, f, layout, sources);
-  }
-
- private:
-  const Mesh& mesh_;
-  const WindowField& field_;
-};
-
-/// The generator tables that correspond to exact distances: the input of the paper's growth. A generator has a line in
-/// a face's table if one of its windows, or a corner with its label, reaches the face. Its distances at the corners are
-/// computed from these.
-/// Reports the step "tables". Cost: O(n + windows).
-GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, const Progress& progress = {});
-
-/// Where paths end, and where they go on from vertices with many faces: the same for all paths of a generator that come
-/// to one. Searching the tip of a cone of n faces again for each path would take O(n^2). Several threads may use it.
-class PathMemo {
- public:
-  /// `generators`: the vertices that the field was propagated from.
-  explicit PathMemo(std::vector<VertexId> generators) : generators_(std::move(generators)) {}
-
-  using Key = std::pair<VertexId, GeneratorId>;
-  struct Step {
-    FaceSource source;
-    double distance;
-    Vec2 at;  // the vertex in the layout of the source's face
-  };
-
-  VertexId end(GeneratorId g) const { return generators_[g.index()]; }
-  std::optional<Step> find(const Key& key) const {
-    const std::shared_lock lock(mutex_);
-    const auto found = steps_.find(key);
-    return found != steps_.end() ? std::optional(found->second) : std::nullopt;
-  }
-  void add(const Key& key, const Step& step) {
-    const std::unique_lock lock(mutex_);
-    steps_.emplace(key, step);
-  }
-
- private:
-  std::vector<VertexId> generators_;
-  mutable std::shared_mutex mutex_;
-  std::map<Key, Step> steps_;
-};
-
-/// Traces a shortest path over edges and pseudo-sources; its length includes the generator's offset. All windows must
-/// have been kept. `only`: the generator that it leads to, if valid. Cost: O(faces crossed + windows at its ends).
-GeodesicPath trace_shortest_path(const Mesh& mesh, const WindowField& field, PathMemo& memo, const SurfacePoint& start,
-                                 GeneratorId only = {});
 
 /// Turns departures, which count angles on the working mesh, into tangent vectors of the input mesh at the generators
 /// (see geodesic_tracing.hpp).
