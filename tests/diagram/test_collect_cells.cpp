@@ -25,7 +25,7 @@ Diagram collect(const Mesh& mesh, const std::vector<SurfacePoint>& generators, i
   const TracedDiagram traced = test::trace_growth(working, marched.table, Front::circle);
   Diagram diagram;
   trace_bisectors(working, traced, parallel, diagram);
-  collect_cells(working, traced, {parallel}, diagram);
+  collect_cells(working, traced, parallel, diagram);
   return diagram;
 }
 

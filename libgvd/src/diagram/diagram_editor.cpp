@@ -42,13 +42,11 @@ std::vector<VertexId> vertices_of(const Mesh& mesh, const std::vector<FaceId>& f
 }
 
 /// The labels of the windows, of which only those near the change are looked at for support.
-NearestLabels labels_of(const WorkingMesh& working, const WindowField& windows, const KnownTrace* known,
-                        const ParallelChunks& parallel) {
-  if (known == nullptr) return take_labels(working, windows.distance, windows.label, parallel);
+NearestLabels labels_of(const WorkingMesh& working, const WindowField& windows, const KnownTrace& known) {
   std::vector<VertexId> before;  // by their present numbers; inserted vertices are generators, or have changed
   const auto is_of_input = [&](VertexId v) { return v.value() < working.input().vertex_count(); };
-  std::ranges::copy_if(known->windows.unsupported, std::back_inserter(before), is_of_input);
-  return take_labels(working, windows.distance, windows.label, before, vertices_of(working.mesh(), known->changed));
+  std::ranges::copy_if(known.traced.nearest().unsupported, std::back_inserter(before), is_of_input);
+  return take_labels(working, windows.distance, windows.label, before, vertices_of(working.mesh(), known.changed));
 }
 
 /// Whether crossings can stay: their symbolic offsets are the same for both numbers of generators.
@@ -65,14 +63,13 @@ struct DiagramEditor::State {
   void check(GeneratorId g) const;
   void compute(std::vector<SurfacePoint> generators);
   void change(std::vector<SurfacePoint> generators, const ChangedGenerators& changed);
-  void trace(const WorkingMesh& of, const WindowField& field, const KnownTrace* known, TracedWindows& result,
-             Diagram& next);
+  void take(std::unique_ptr<WorkingMesh> new_working, TracedDiagram new_traced, Diagram next);
 
   const Mesh& mesh;
   DiagramOptions options;
   std::unique_ptr<WorkingMesh> working;
   std::unique_ptr<EditableWindows> windows;
-  TracedWindows traced{};
+  TracedDiagram traced{};
   Diagram diagram{};
   std::int32_t propagated = 0;
   bool is_current = false;  ///< whether the windows are those of the diagram: not after an interruption
@@ -87,40 +84,31 @@ void DiagramEditor::State::check(GeneratorId g) const {
               g.value());
 }
 
-/// Traces the windows and fills in the next diagram, except for its generators. If anything is known, pieces are taken
-/// from the present diagram. From then on, nothing is reported, so that nothing interrupts.
-void DiagramEditor::State::trace(const WorkingMesh& of, const WindowField& field, const KnownTrace* known,
-                                 TracedWindows& result, Diagram& next) {
-  const ParallelChunks parallel(options.threads, options.progress);
-  const WindowDistances distances(of.mesh(), field);
-  const EnvelopeTracer tracer(of, distances, chord_length(of.mesh(), options), parallel);
-  RetracingTracer retracing(tracer, of, field, known, result.crossings);
-  NearestLabels labels = labels_of(of, field, known, parallel);
-  result.unsupported = labels.unsupported;
-  result.traced = trace_connected(of, std::move(labels), retracing, options.progress);
-  next.report.propagation_events = field.carried;
-  if (known == nullptr) return finish_diagram(of, result.traced, {parallel}, next);
-  report_progress(options.progress, steps::kCells, 0);
-  const Progress silent;
-  const ParallelChunks uninterrupted(options.threads, silent);
-  KnownPieces pieces{retracing.take_kept(), diagram.pieces};
-  finish_diagram(of, result.traced, {uninterrupted, &pieces}, next);
+/// Takes over what a change has computed. Throws nothing.
+void DiagramEditor::State::take(std::unique_ptr<WorkingMesh> new_working, TracedDiagram new_traced, Diagram next) {
+  working = std::move(new_working);
+  traced = std::move(new_traced);
+  diagram = std::move(next);
+  is_current = true;
 }
 
 /// Computes all. The state changes only where nothing can throw any more.
 void DiagramEditor::State::compute(std::vector<SurfacePoint> generators) {
-  auto new_working = std::make_unique<WorkingMesh>(mesh, generators, options.progress);
-  auto new_windows = std::make_unique<EditableWindows>(*new_working, options.threads, options.progress);
-  TracedWindows new_traced;
+  auto after = std::make_unique<WorkingMesh>(mesh, generators, options.progress);
+  auto new_windows = std::make_unique<EditableWindows>(*after, options.threads, options.progress);
+  const WindowField& field = new_windows->field();
+  const ParallelChunks parallel(options.threads, options.progress);
+  const WindowDistances distances(after->mesh(), field);
+  EnvelopeTracer tracer(*after, distances, chord_length(after->mesh(), options), parallel);
+  TracedDiagram new_traced =
+      trace_connected(*after, take_labels(*after, field.distance, field.label, parallel), tracer, options.progress);
   Diagram next;
   next.generators = std::move(generators);
-  trace(*new_working, new_windows->field(), nullptr, new_traced, next);
-  working = std::move(new_working);
+  next.report.propagation_events = field.carried;
+  finish_diagram(*after, new_traced, parallel, next);
   windows = std::move(new_windows);
-  traced = std::move(new_traced);
-  diagram = std::move(next);
-  propagated = static_cast<std::int32_t>(diagram.generators.size());
-  is_current = true;
+  propagated = static_cast<std::int32_t>(next.generators.size());
+  take(std::move(after), std::move(new_traced), std::move(next));
 }
 
 /// Refused generators throw before the windows change. After an interruption the windows are lost, and the next change
@@ -133,16 +121,23 @@ void DiagramEditor::State::change(std::vector<SurfacePoint> generators, const Ch
   if (!have_same_offsets(mesh, diagram.generators.size(), generators.size())) {
     update.is_changed.assign(update.is_changed.size(), 1);  // not `changed`: labels are the same elsewhere
   }
+  const KnownTrace known{working->mesh(), traced, common, update.is_changed, update.changed};
+  const WindowField& field = windows->field();
+  const ParallelChunks parallel(options.threads, options.progress);
+  const WindowDistances distances(after->mesh(), field);
+  const EnvelopeTracer tracer(*after, distances, chord_length(after->mesh(), options), parallel);
+  RetracingTracer retracing(tracer, *after, field, known);
+  TracedDiagram new_traced = trace_connected(*after, labels_of(*after, field, known), retracing, options.progress);
   Diagram next;
   next.generators = std::move(generators);
-  TracedWindows new_traced;
-  const KnownTrace known{working->mesh(), traced, common, update.is_changed, update.changed};
-  trace(*after, windows->field(), &known, new_traced, next);
-  working = std::move(after);
-  traced = std::move(new_traced);
-  diagram = std::move(next);
+  next.report.propagation_events = field.carried;
+  report_progress(options.progress, steps::kCells, 0);
+  // Pieces are moved out of the present diagram from here on: nothing is reported, so that nothing interrupts.
+  const Progress silent;
+  KnownPieces pieces{retracing.take_kept(), diagram.pieces};
+  finish_diagram(*after, new_traced, ParallelChunks(options.threads, silent), next, &pieces);
   propagated = update.propagated;
-  is_current = true;
+  take(std::move(after), std::move(new_traced), std::move(next));
 }
 
 DiagramEditor::DiagramEditor(const Mesh& mesh, std::vector<SurfacePoint> generators, DiagramOptions options) {

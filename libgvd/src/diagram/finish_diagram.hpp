@@ -21,16 +21,10 @@ struct KnownPieces {
   std::vector<FacePiece>& pieces;           ///< of the diagram before, from which those of known faces are moved
 };
 
-/// The threads of the steps, which report through its callback, and pieces that need not be traced.
-struct FinishingTools {
-  const ParallelChunks& parallel;
-  KnownPieces* known = nullptr;  ///< null if there are none
-};
-
 /// All of them, for exact distances without weights: `diagram` has its generators. Fills in all that is not counted by
-/// the solver.
-void finish_diagram(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools,
-                    Diagram& diagram);
+/// the solver. `known`: null if all pieces are to be traced.
+void finish_diagram(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                    Diagram& diagram, KnownPieces* known = nullptr);
 
 /// The chord tolerance as a length, mesh units.
 double chord_length(const Mesh& mesh, const DiagramOptions& options);
@@ -43,9 +37,9 @@ void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, co
                      Diagram& diagram);
 
 /// Fills in face labels, pieces and cells by several threads; expects the bisectors in `diagram`, for a cell's
-/// neighbours. Reports the second half of the step "cells". Cost: O(n).
-void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools,
-                   Diagram& diagram);
+/// neighbours. `known`: null if all pieces are to be traced. Reports the second half of the step "cells". Cost: O(n).
+void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                   Diagram& diagram, KnownPieces* known = nullptr);
 
 /// Fills in the neighbours of the cells: those with a bisector in common. Part of `collect_cells`; a diagram of another
 /// origin may need it, too. Cost: O(b log b) for b bisectors.

@@ -66,8 +66,8 @@ class FaceCopier {
 /// Whether the crossings of the edge of h are those before the change.
 bool RetracingTracer::is_known(HalfedgeId h) const {
   const HalfedgeId twin = mesh_.twin(h);
-  if (known_->is_changed[Mesh::face(h)] != 0) return false;
-  return !twin.valid() || known_->is_changed[Mesh::face(twin)] == 0;
+  if (known_.is_changed[Mesh::face(h)] != 0) return false;
+  return !twin.valid() || known_.is_changed[Mesh::face(twin)] == 0;
 }
 
 /// Whether a window on halfedge h has another label than the edge's ends, or these have different ones.
@@ -80,10 +80,9 @@ bool RetracingTracer::is_contested(HalfedgeId h, const NearestLabels& labels) co
 
 /// The crossings of the edges at changed faces, and the known ones of all others.
 Crossings RetracingTracer::cross_edges(const NearestLabels& labels) const {
-  if (known_ == nullptr) return crossings_ = tracer_.cross_edges(labels);
   std::vector<EdgeId> edges;
   for (const FaceId f : mesh_.faces()) {
-    if (known_->is_changed[f] == 0) continue;
+    if (known_.is_changed[f] == 0) continue;
     for (const HalfedgeId h : Mesh::halfedges(f)) {
       const HalfedgeId twin = mesh_.twin(h);
       if (is_contested(h, labels) || (twin.valid() && is_contested(twin, labels))) edges.push_back(mesh_.edge(h));
@@ -92,9 +91,9 @@ Crossings RetracingTracer::cross_edges(const NearestLabels& labels) const {
   std::ranges::sort(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   std::vector<Crossing> crossings = tracer_.cross(edges, labels);
-  for (Crossing crossing : known_->windows.crossings.items()) {
-    const HalfedgeId old = known_->mesh.halfedge(crossing.edge);
-    const FaceId f = known_->common.after[Mesh::face(old)];
+  for (Crossing crossing : known_.traced.first_crossings().items()) {
+    const HalfedgeId old = known_.mesh.halfedge(crossing.edge);
+    const FaceId f = known_.common.after[Mesh::face(old)];
     if (!f.valid()) continue;
     const HalfedgeId h = Mesh::halfedge(f, Mesh::corner(old));
     if (!is_known(h)) continue;
@@ -102,24 +101,23 @@ Crossings RetracingTracer::cross_edges(const NearestLabels& labels) const {
     crossings.push_back(crossing);
   }
   std::ranges::sort(crossings, {}, [](const Crossing& c) { return std::pair(c.edge, c.t); });
-  return crossings_ = {mesh_.edge_count(), std::move(crossings)};
+  return {mesh_.edge_count(), std::move(crossings)};
 }
 
 /// Whether face f has the sources and the crossings that it had before the change.
 bool RetracingTracer::has_known_crossings(FaceId f, const Crossings& crossings, std::vector<BoundaryCrossing>& now,
                                           std::vector<BoundaryCrossing>& before) const {
-  if (known_->is_changed[f] != 0) return false;
+  if (known_.is_changed[f] != 0) return false;
   boundary_crossings(mesh_, crossings, f, now);
-  boundary_crossings(known_->mesh, known_->windows.traced.crossings, known_->common.before[f], before);
+  boundary_crossings(known_.mesh, known_.traced.crossings, known_.common.before[f], before);
   return std::ranges::equal(now, before, [](const BoundaryCrossing& a, const BoundaryCrossing& b) {
     return a.corner == b.corner && a.t == b.t && a.previous == b.previous && a.next == b.next;
   });
 }
 
 /// Assembles the faces with other sources or crossings, and copies the known arcs of all others.
-void RetracingTracer::close_faces(TracedDiagram& traced) const {
-  if (known_ == nullptr) return tracer_.close_faces(traced);
-  const TracedDiagram& before = known_->windows.traced;
+void RetracingTracer::close_faces(TracedDiagram& traced) {
+  const TracedDiagram& before = known_.traced;
   const auto counts = count_by_face(mesh_, traced.crossings);
   const std::vector<FaceId> faces = crossed_faces(counts);
   std::vector<BoundaryCrossing> now, past;  // of the current face
@@ -142,8 +140,8 @@ void RetracingTracer::close_faces(TracedDiagram& traced) const {
           f, f, [](CrossingId id) { return id; }, traced.faces);
       continue;
     }
-    const FaceId old = known_->common.before[f];
-    boundary_crossings(known_->mesh, before.crossings, old, past);
+    const FaceId old = known_.common.before[f];
+    boundary_crossings(known_.mesh, before.crossings, old, past);
     boundary_crossings(mesh_, traced.crossings, f, now);
     const auto crossing = [&](CrossingId id) {
       return now[static_cast<std::size_t>(std::ranges::find(past, id, &BoundaryCrossing::id) - past.begin())].id;
@@ -151,7 +149,7 @@ void RetracingTracer::close_faces(TracedDiagram& traced) const {
     from_before.append(old, f, crossing, traced.faces);
   }
   for (const StraightenedFace& s : before.straightened) {
-    const FaceId f = known_->common.after[s.face];
+    const FaceId f = known_.common.after[s.face];
     if (f.valid() && kept_[f] != 0) traced.straightened.push_back({f, s.error});
   }
   std::ranges::sort(traced.straightened, {}, &StraightenedFace::face);

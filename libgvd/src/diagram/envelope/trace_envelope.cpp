@@ -183,7 +183,7 @@ void EnvelopeTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const 
   crossings.replace(edges, cross_all(crosser, &EdgeCrosser::cross_once, edges, parallel_, steps::kCrossingsAgain));
 }
 
-void EnvelopeTracer::close_faces(TracedDiagram& traced) const {
+void EnvelopeTracer::close_faces(TracedDiagram& traced) {
   report_progress(parallel_.progress(), steps::kFaces, 0);
   const auto counts = count_by_face(mesh_, traced.crossings);
   for (AssembledFaces& assembled : assemble(crossed_faces(counts), counts, traced.crossings)) {

@@ -33,7 +33,7 @@ class EnvelopeTracer final : public DiagramTracer {
   Crossings cross_edges(const NearestLabels& labels) const override;
   void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                           Crossings& crossings) const override;
-  void close_faces(TracedDiagram& traced) const override;
+  void close_faces(TracedDiagram& traced) override;
 
   /// The crossings of some edges, which ascend, as `cross_edges` finds them.
   std::vector<Crossing> cross(const std::vector<EdgeId>& edges, const NearestLabels& labels) const;

@@ -21,7 +21,7 @@ class DiagramTracer {
                                   Crossings& crossings) const = 0;
   /// Fills in the arcs and branch points of all faces, ascending by face; may change the diagram's crossings and
   /// labels.
-  virtual void close_faces(TracedDiagram& traced) const = 0;
+  virtual void close_faces(TracedDiagram& traced) = 0;
   /// From now on, closes the faces at these edges by their crossings alone. Nothing to do for a tracer without growth.
   virtual void disable_growth(const std::vector<EdgeId>&) {}
 };

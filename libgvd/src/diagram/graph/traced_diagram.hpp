@@ -32,8 +32,14 @@ struct TracedDiagram {
   IdVector<GeneratorId, std::int32_t> cell_components{};  ///< 1 where a cell is connected
   TracerCounts counts{};
   std::vector<StraightenedFace> straightened{};  ///< ascending
-  /// The nearest generators of all vertices before some got other labels to connect cells; none if none did.
-  std::optional<NearestLabels> before_relabelling{};
+  /// The labels and the crossings before some of them were replaced to connect cells; none if none were.
+  std::optional<NearestLabels> labels_before{};
+  std::optional<Crossings> crossings_before{};
+
+  /// The nearest generators of all vertices, before any got other labels to connect cells.
+  const NearestLabels& nearest() const { return labels_before ? *labels_before : labels; }
+  /// The crossings that the tracer found first, before any were replaced to connect cells.
+  const Crossings& first_crossings() const { return crossings_before ? *crossings_before : crossings; }
 };
 
 }  // namespace gvd
