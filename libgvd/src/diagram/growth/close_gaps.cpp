@@ -148,87 +148,23 @@ class GapCloser {
   IdVector<FaceId, int> merged_of_;  // the gap that has the face, or kNone
 };
 
-/// Gives the crossings of a diagram and of its grown gaps common numbers, and appends what grew.
-class GapInstaller {
- public:
-  GapInstaller(const Mesh& mesh, const std::vector<ClosedGap>& closed, TracedDiagram& traced)
-      : mesh_(mesh), closed_(closed), traced_(traced), renamed_(traced.crossings.size()) {
-    for (const ClosedGap& c : closed) grown_id_.emplace_back(c.grown.nodes.size());
-  }
-
-  void install() {
-    std::vector<Crossing> items;
-    for (const NumberedCrossing& c : merge_crossings()) {
-      *c.id = CrossingId(items.size());
-      items.push_back(c.crossing);
-    }
-    traced_.crossings = Crossings(mesh_.edge_count(), std::move(items));
-    for (std::size_t c = 0; c < closed_.size(); ++c) append(closed_[c].grown, grown_id_[c]);
-  }
-
- private:
-  /// A crossing of the new diagram, and the place for its new id.
-  struct NumberedCrossing {
-    Crossing crossing;
-    CrossingId* id;
-  };
-
-  /// The crossings that stay and those that grew, ascending by (edge, t).
-  std::vector<NumberedCrossing> merge_crossings() {
-    std::vector<NumberedCrossing> all;
-    const IdVector<EdgeId, char> inside = edges_inside();
-    for (const CrossingId id : renamed_.ids()) {
-      const Crossing& c = traced_.crossings[id];
-      if (!inside[c.edge]) all.push_back({c, &renamed_[id]});
-    }
-    for (std::size_t c = 0; c < closed_.size(); ++c) {
-      const auto& nodes = closed_[c].grown.nodes;
-      for (std::size_t n = 0; n < nodes.size(); ++n) {
-        if (nodes[n].kind == GapNode::Kind::crossing) all.push_back({nodes[n].crossing, &grown_id_[c][n]});
+/// Tells for each edge whether all its faces lie in one closed gap. Two gaps never have an edge in common.
+IdVector<EdgeId, char> edges_inside(const Mesh& mesh, const std::vector<ClosedGap>& closed) {
+  IdVector<EdgeId, char> inside(mesh.edge_count(), 0);
+  for (const ClosedGap& c : closed) {
+    for (const FaceId f : c.gap.faces) {
+      for (const HalfedgeId h : Mesh::halfedges(f)) {
+        if (!is_rim(mesh, c.gap, h)) inside[mesh.edge(h)] = 1;
       }
     }
-    std::ranges::sort(all, {}, [](const NumberedCrossing& c) { return std::tuple(c.crossing.edge, c.crossing.t); });
-    return all;
   }
+  return inside;
+}
 
-  /// Tells for each edge whether all its faces lie in one grown gap. Two gaps never have an edge in common.
-  IdVector<EdgeId, char> edges_inside() const {
-    IdVector<EdgeId, char> inside(mesh_.edge_count(), 0);
-    for (const ClosedGap& c : closed_) {
-      for (const FaceId f : c.gap.faces) {
-        for (const HalfedgeId h : Mesh::halfedges(f)) {
-          if (!is_rim(mesh_, c.gap, h)) inside[mesh_.edge(h)] = 1;
-        }
-      }
-    }
-    return inside;
-  }
-
-  /// Appends the branch points, arcs and moved vertices of one gap. `grown_id` has the ids of its new crossings.
-  void append(const GrownGap& grown, const std::vector<CrossingId>& grown_id) {
-    std::vector<ArcEnd> ends;
-    for (std::size_t n = 0; n < grown.nodes.size(); ++n) {
-      const GapNode& node = grown.nodes[n];
-      if (node.kind == GapNode::Kind::branch) {
-        ends.push_back(at(traced_.faces.branches.push_back({node.face, node.bary, node.distance})));
-      } else {
-        ends.push_back(at(node.kind == GapNode::Kind::rim ? renamed_[node.rim] : grown_id[n]));
-      }
-    }
-    for (const GapArc& arc : grown.arcs) {
-      traced_.faces.arcs.push_back({arc.face, ends[arc.begin], ends[arc.end], arc.left, arc.right});
-    }
-    for (const auto& [v, g] : grown.labels) {
-      traced_.labels.label[v] = g;
-      traced_.moved.push_back(v);
-    }
-  }
-
-  const Mesh& mesh_;
-  const std::vector<ClosedGap>& closed_;
-  TracedDiagram& traced_;
-  IdVector<CrossingId, CrossingId> renamed_;       // new ids of the crossings that stay
-  std::vector<std::vector<CrossingId>> grown_id_;  // per gap and node: ids of the crossings that grew
+/// A crossing of the new diagram, and the place for its new id.
+struct NumberedCrossing {
+  Crossing crossing;
+  CrossingId* id;
 };
 
 }  // namespace
@@ -271,7 +207,49 @@ std::vector<ClosedGap> close_gaps(const GrowthInput& input, const Crossings& cro
 }
 
 void install_gaps(const Mesh& mesh, const std::vector<ClosedGap>& closed, TracedDiagram& traced) {
-  GapInstaller(mesh, closed, traced).install();
+  // Crossings that stay and crossings that grew get their numbers in common, ascending by (edge, t).
+  IdVector<CrossingId, CrossingId> renamed(traced.crossings.size());  // new ids of those that stay
+  std::vector<std::vector<CrossingId>> grown_ids(closed.size());      // for each gap and node: of those that grew
+  std::vector<NumberedCrossing> all;
+  const IdVector<EdgeId, char> inside = edges_inside(mesh, closed);
+  for (const CrossingId id : renamed.ids()) {
+    const Crossing& c = traced.crossings[id];
+    if (!inside[c.edge]) all.push_back({c, &renamed[id]});
+  }
+  for (std::size_t c = 0; c < closed.size(); ++c) {
+    const std::vector<GapNode>& nodes = closed[c].grown.nodes;
+    grown_ids[c].resize(nodes.size());
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      if (nodes[n].kind == GapNode::Kind::crossing) all.push_back({nodes[n].crossing, &grown_ids[c][n]});
+    }
+  }
+  std::ranges::sort(all, {}, [](const NumberedCrossing& c) { return std::tuple(c.crossing.edge, c.crossing.t); });
+  std::vector<Crossing> items;
+  for (const NumberedCrossing& c : all) {
+    *c.id = CrossingId(items.size());
+    items.push_back(c.crossing);
+  }
+  traced.crossings = Crossings(mesh.edge_count(), std::move(items));
+
+  for (std::size_t c = 0; c < closed.size(); ++c) {
+    const GrownGap& grown = closed[c].grown;
+    std::vector<ArcEnd> ends;  // the nodes
+    for (std::size_t n = 0; n < grown.nodes.size(); ++n) {
+      const GapNode& node = grown.nodes[n];
+      if (node.kind == GapNode::Kind::branch) {
+        ends.push_back(at(traced.faces.branches.push_back({node.face, node.bary, node.distance})));
+      } else {
+        ends.push_back(at(node.kind == GapNode::Kind::rim ? renamed[node.rim] : grown_ids[c][n]));
+      }
+    }
+    for (const GapArc& arc : grown.arcs) {
+      traced.faces.arcs.push_back({arc.face, ends[arc.begin], ends[arc.end], arc.left, arc.right});
+    }
+    for (const auto& [v, g] : grown.labels) {
+      traced.labels.label[v] = g;
+      traced.moved.push_back(v);
+    }
+  }
 }
 
 }  // namespace gvd
