@@ -105,6 +105,8 @@ std::optional<Bary> moved_to_polygon(const FacePolygon& polygon, const std::opti
   return nearest;
 }
 
+double inversion_of(bool is_accurate) { return is_accurate ? kTieInversion : 0; }
+
 }  // namespace
 
 Bary midpoint(const FacePolygon& polygon, std::size_t i) {
@@ -135,9 +137,9 @@ bool is_inside(const FacePolygon& polygon, const Bary& p, double inversion) {
 
 double bary_distance(const Bary& p, const Bary& q) { return std::hypot(q[1] - p[1], q[2] - p[2]); }
 
-void LabelIntervals::unite_by_paths() {
+void LabelIntervals::unite_by_paths(const FacePaths& paths) {
   for (int i = 0; i < std::ssize(boundary_); ++i) {
-    const auto entry = distances_.entry(boundary_[i].next, middle_of_interval(i));
+    const auto entry = paths.entry(boundary_[i].next, middle_of_interval(i));
     if (!entry) return;
     const int entered = interval_at(*entry);
     if (boundary_[entered].next == boundary_[i].next) unite(entered, i);
@@ -161,26 +163,25 @@ Bary LabelIntervals::middle_of_interval(int i) const {
   return bary_on_side(corner, middle - corner);
 }
 
-bool LabelIntervals::path_enters_through(int interval, const Bary& p) {
-  const auto entry = distances_.entry(boundary_[interval].next, p);
+bool LabelIntervals::path_enters_through(int interval, const Bary& p, const FacePaths& paths) {
+  const auto entry = paths.entry(boundary_[interval].next, p);
   if (!entry) return false;
   const int n = static_cast<int>(boundary_.size()), entered = interval_at(*entry);
   if (are_one_piece(entered, interval)) return true;
+  const auto is_near = [&](int crossing) {
+    const double distance = std::abs(*entry - position(crossing));
+    return std::min(distance, 3 - distance) <= std::max(kNearCrossing, paths.crossing_error(boundary_[crossing]));
+  };
   // Over crossings that are as near as rounding, in both directions.
-  for (int i = entered; is_near_crossing(*entry, i); i = (i + n - 1) % n) {
+  for (int i = entered; is_near(i); i = (i + n - 1) % n) {
     if (are_one_piece((i + n - 1) % n, interval)) return true;
     if (i == (entered + 1) % n) break;
   }
-  for (int i = (entered + 1) % n; is_near_crossing(*entry, i); i = (i + 1) % n) {
+  for (int i = (entered + 1) % n; is_near(i); i = (i + 1) % n) {
     if (are_one_piece(i, interval)) return true;
     if (i == entered) break;
   }
   return false;
-}
-
-bool LabelIntervals::is_near_crossing(double position, int i) const {
-  const double distance = std::abs(position - this->position(i));
-  return std::min(distance, 3 - distance) <= std::max(kNearCrossing, distances_.crossing_error(boundary_[i]));
 }
 
 // Pieces do not cross. So the smaller polygons are nested, and one pass over the corners cuts each off when its second
@@ -211,7 +212,7 @@ std::vector<FacePolygon> split_at_united_intervals(const FacePolygon& polygon, L
 }
 
 std::optional<BranchSearch::Confirmed> BranchSearch::find_confirmed(const FacePolygon& polygon) {
-  if (!distances_.can_confirm()) return std::nullopt;
+  if (paths_ == nullptr) return std::nullopt;
   const Bary inside = centre(polygon);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     if (!is_first_search(polygon, i, Search::from_nearby)) continue;
@@ -221,7 +222,7 @@ std::optional<BranchSearch::Confirmed> BranchSearch::find_confirmed(const FacePo
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Neighbours near(polygon, i);
     if (!near.differ() || !is_first_search(polygon, i, Search::everywhere)) continue;
-    for (const Bary& start : distances_.equidistant_points(near.before.next, near.own.next, near.after.next)) {
+    for (const Bary& start : paths_->equidistant_points(near.before.next, near.own.next, near.after.next)) {
       if (const auto p = confirmed_point(polygon, i, start)) return Confirmed{i, *p};
     }
   }
@@ -240,14 +241,14 @@ std::optional<Bary> BranchSearch::confirmed_point(const FacePolygon& polygon, st
   const Neighbours near(polygon, i);
   if (!near.differ()) return std::nullopt;
   const auto p = distances_.equidistant(near.before.next, near.own.next, near.after.next, start);
-  if (!p || !distances_.is_branch_point(near.before.next, near.own.next, near.after.next, *p)) return std::nullopt;
+  if (!p || !paths_->is_branch_point(near.before.next, near.own.next, near.after.next, *p)) return std::nullopt;
   for (const PolygonCorner* corner : {&near.before, &near.own, &near.after}) {
-    if (!intervals_.path_enters_through(corner->interval, *p)) return std::nullopt;
+    if (!intervals_.path_enters_through(corner->interval, *p, *paths_)) return std::nullopt;
   }
   return p;
 }
 
-/// Where the first search of accurate distances ends outside of the face, others start at the polygon's corners and the
+/// Where the first search by accurate distances ends outside of the face, others start at the polygon's corners and the
 /// face's. By a tie the point lies there: at a vertex, or on an edge that is a bisector.
 std::optional<Bary> BranchSearch::guess(const FacePolygon& polygon, std::size_t i, const Bary& start) const {
   const Neighbours near(polygon, i);
@@ -255,7 +256,7 @@ std::optional<Bary> BranchSearch::guess(const FacePolygon& polygon, std::size_t 
     return distances_.equidistant(near.before.next, near.own.next, near.after.next, from);
   };
   const auto first = search(start);
-  if (!distances_.can_confirm() || is_in_face(first)) return first;
+  if (paths_ == nullptr || is_in_face(first)) return first;
   std::vector<Bary> starts{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const PolygonCorner& corner : polygon) starts.push_back(corner.bary);
   for (const Bary& other : starts) {
@@ -278,29 +279,29 @@ double BranchSearch::clearance(const FacePolygon& polygon, std::size_t i) const 
   return least;
 }
 
-Bary BranchPlacement::place_in_face(const FacePolygon& polygon, const std::optional<Bary>& wanted) const {
-  const double least = is_accurate_ ? kInsideExactly : kInsideOfGuess;
-  return approach(centre(polygon), wanted, is_accurate_,
+Bary place_in_face(const FacePolygon& polygon, const std::optional<Bary>& wanted, bool is_accurate) {
+  const double least = is_accurate ? kInsideExactly : kInsideOfGuess;
+  return approach(centre(polygon), wanted, is_accurate,
                   [&](const Bary& p) { return *std::min_element(p.begin(), p.end()) >= least; });
 }
 
-Bary BranchPlacement::place_in_polygon(const FacePolygon& polygon, const std::optional<Bary>& wanted) const {
-  return approach(centre(polygon), is_accurate_ ? moved_to_polygon(polygon, wanted) : wanted, is_accurate_,
-                  [&](const Bary& p) { return is_inside(polygon, p, inversion()); });
+Bary place_in_polygon(const FacePolygon& polygon, const std::optional<Bary>& wanted, bool is_accurate) {
+  return approach(centre(polygon), is_accurate ? moved_to_polygon(polygon, wanted) : wanted, is_accurate,
+                  [&](const Bary& p) { return is_inside(polygon, p, inversion_of(is_accurate)); });
 }
 
-Bary BranchPlacement::place_at_interval(const FacePolygon& polygon, std::size_t i,
-                                        const std::optional<Bary>& wanted) const {
+Bary place_at_interval(const FacePolygon& polygon, std::size_t i, const std::optional<Bary>& wanted, bool is_accurate) {
+  const double inversion = inversion_of(is_accurate);
   const std::size_t n = polygon.size();
   std::vector<Bary> rest{Bary{}};  // the branch point, then the remaining corners
   for (std::size_t k = 2; k < n; ++k) rest.push_back(polygon[(i + k) % n].bary);
   const auto is_valid = [&](const Bary& p) {
     rest[0] = p;
-    return is_convex(rest, inversion()) && is_inside(polygon, p, inversion());
+    return is_convex(rest, inversion) && is_inside(polygon, p, inversion);
   };
   // Every point of the quadrilateral of the interval's two corners and their neighbours is valid, so its centre is.
   const FacePolygon around{polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]};
-  return approach(centre(around), wanted, is_accurate_, is_valid);
+  return approach(centre(around), wanted, is_accurate, is_valid);
 }
 
 }  // namespace gvd

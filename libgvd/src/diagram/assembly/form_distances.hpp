@@ -32,7 +32,7 @@ inline double form_value(Front front, double distance) {
   return front == Front::circle ? distance * std::abs(distance) : distance;
 }
 
-/// The distances of distance forms: they give good guesses and confirm nothing.
+/// The distances of distance forms: they give good guesses, and know no paths.
 class FormDistances final : public FaceDistances {
  public:
   /// `forms`: ascending by generator, each once. They must outlive this.

@@ -60,7 +60,7 @@ inline Vec2 direction(const Vec2& p, const Vec2& from) {
 
 /// The distances inside one face from a solver's sources: as accurate as the solver. One object serves one face after
 /// the other, to save allocations; not for several threads at once.
-class SourceDistances final : public FaceDistances {
+class SourceDistances final : public FaceDistances, public FacePaths {
  public:
   /// `field` must outlive this.
   explicit SourceDistances(const DistanceField& field) : field_(field) {}
@@ -80,7 +80,6 @@ class SourceDistances final : public FaceDistances {
   /// The distance from p to the nearest of all generators.
   double nearest_of_all(const Bary& p) const { return gvd::nearest(sources_.all(), layout_->at(p)).path.distance; }
 
-  bool can_confirm() const override { return true; }
   std::optional<double> entry(GeneratorId g, const Bary& p) const override;
 
   /// The distance itself, mesh units.

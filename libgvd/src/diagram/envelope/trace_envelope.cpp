@@ -49,12 +49,12 @@ class FaceAssembler {
     const bool may_branch = boundary_.size() > 2;
     if (may_branch) with_offsets_.enter_with_offsets(plain_, input_.offset);
     const SourceDistances& deciding = may_branch ? with_offsets_ : plain_;
-    assemble_face(f, boundary_, deciding, result_.diagram);
+    assemble_face(f, boundary_, deciding, result_.diagram, &deciding);
     for (FaceArc& arc : face.arcs()) refine(deciding, face, arc);
     bool straightened = separator_.separate(face);
     if (may_branch && separator_.is_inverted(face)) {
       face.clear();
-      assemble_face(f, boundary_, GuessingDistances(deciding), result_.diagram);
+      assemble_face(f, boundary_, deciding, result_.diagram);
       straightened = true;
     }
     if (straightened) result_.straightened.push_back({f, largest_error(face)});
