@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
-#include "diagram/finish_diagram.hpp"
+#include "diagram/collect_cells.hpp"
+#include "diagram/trace_bisectors.hpp"
 #include "gvd/mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

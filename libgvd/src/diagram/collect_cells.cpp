@@ -6,6 +6,8 @@
 // cancel. So neither bisectors nor the mesh's boundary are counted. The boundary loops are counted on their own, by
 // union-find over the sides of arcs; tests compare the two.
 // Source: not in the paper, which stops at the bisectors. Cost: O(n) for n faces, of which only those with arcs are cut.
+#include "diagram/collect_cells.hpp"
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -15,7 +17,6 @@
 
 #include "base/barycentric.hpp"
 #include "base/union_find.hpp"
-#include "diagram/finish_diagram.hpp"
 #include "diagram/graph/face_diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 

@@ -22,6 +22,7 @@
 #include "diagram/graph/connected_tracer.hpp"
 #include "diagram/growth/gap_tracer.hpp"
 #include "diagram/growth/trace_paper.hpp"
+#include "diagram/trace_bisectors.hpp"
 #include "geodesic/marching/fast_marching.hpp"
 #include "geodesic/marching/marched_distances.hpp"
 #include "geodesic/symbolic_offset.hpp"

@@ -1,8 +1,7 @@
 // The paper's error measure E (section 5.2): how far the bisectors are from where the exact distances are equal.
 //
-// Every segment of a bisector is cut into panels with four Gauss-Lobatto samples each. Where the difference of the two
-// distances changes its sign inside a panel, the cubic through the samples is split at its roots. Neighbouring panels
-// share the sample between them.
+// Every segment of a bisector is cut into panels with four Gauss-Lobatto samples each. Neighbouring panels share the
+// sample between them.
 // Source: equations (11) and (12); the paper names no quadrature. The points of a bisector between two vertices of it
 // are taken to lie on the straight segment, as they are drawn and written.
 // Invariant: each generator is asked for its distances once, and the sums run in the order of the bisectors.
@@ -14,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
 
 #include "base/barycentric.hpp"
@@ -24,38 +22,6 @@
 
 namespace gvd {
 namespace {
-
-/// Bisections that reduce an interval of length 1 to the spacing of doubles near 1.
-constexpr int kBisections = 53;
-
-/// The cubic through the four samples, in Lagrange's form.
-double cubic(const std::array<double, 4>& samples, double x) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    double term = samples[i];
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (j != i) term *= (x - kLobattoNodes[j]) / (kLobattoNodes[i] - kLobattoNodes[j]);
-    }
-    sum += term;
-  }
-  return sum;
-}
-
-double root_between(const std::array<double, 4>& samples, std::size_t node) {
-  double low = kLobattoNodes[node], high = kLobattoNodes[node + 1];
-  const bool negative = samples[node] < 0;
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = (low + high) / 2;
-    ((cubic(samples, middle) < 0) == negative ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
-
-/// |integral of the cubic over [a, b]|, by the two-point Gauss rule, which is exact for cubics.
-double absolute_integral(const std::array<double, 4>& samples, double a, double b) {
-  const double middle = (a + b) / 2, to_node = (b - a) / 2 * std::numbers::inv_sqrt3;
-  return std::abs(cubic(samples, middle - to_node) + cubic(samples, middle + to_node)) * (b - a) / 2;
-}
 
 /// One interval of the quadrature: the samples at its Gauss-Lobatto points.
 struct Panel {
@@ -167,23 +133,6 @@ double integrate(const Panel& panel, const std::vector<Sample>& samples) {
 }
 
 }  // namespace
-
-double integrate_absolute(const std::array<double, 4>& samples) {
-  double sum = 0, start = 0;
-  const auto cut_at = [&](double x) {
-    sum += absolute_integral(samples, start, x);
-    start = x;
-  };
-  for (std::size_t i = 0; i < 3; ++i) {
-    if ((samples[i] < 0 && samples[i + 1] > 0) || (samples[i] > 0 && samples[i + 1] < 0)) {
-      cut_at(root_between(samples, i));
-    } else if (samples[i + 1] == 0) {
-      cut_at(kLobattoNodes[i + 1]);
-    }
-  }
-  cut_at(1);
-  return sum;
-}
 
 ErrorMeasure compute_error_measure(const Mesh& mesh, const Diagram& diagram, const ExactDistances& exact,
                                    const ErrorMeasureOptions& options) {

@@ -8,11 +8,12 @@
 // Source: the paper's bisectors grow as wholes (section 4.3); here they follow from the arcs of any tracer.
 // Invariant: every arc belongs to exactly one bisector, and the cell on its left is one and the same all along it. Ends
 // that nothing continues, inside the mesh, are counted: a sound diagram has none.
+#include "diagram/trace_bisectors.hpp"
+
 #include <algorithm>
 #include <array>
 
 #include "diagram/bisector_length.hpp"
-#include "diagram/finish_diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
