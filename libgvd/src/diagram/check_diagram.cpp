@@ -8,6 +8,8 @@
 // Euler's formula counts what no local check sees: a cell that is missing, or one with a hole that has no bisector.
 // Invariant: no check throws or stops at its first finding. Each finding names the number of its property. Faces and
 // pieces are visited in one order, ascending by face, and areas are summed in that order.
+#include "diagram/check_diagram.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +20,6 @@
 
 #include "base/barycentric.hpp"
 #include "diagram/cell_parts.hpp"
-#include "diagram/check_parts.hpp"
 #include "gvd/check.hpp"
 #include "gvd/surface_point.hpp"
 #include "mesh/component_topology.hpp"

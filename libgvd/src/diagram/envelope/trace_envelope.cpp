@@ -116,48 +116,6 @@ class FaceAssembler {
   AssembledFaces result_;
 };
 
-/// Finds the crossings of one edge after the other, from the lower envelope of its sources.
-struct EdgeCrosser {
-  const Mesh& mesh;
-  const DistanceField& field;
-  const SymbolicOffset& offset;
-  const NearestLabels& labels;
-  EdgeEnvelope envelope{};  // of the current edge
-  EdgeCrossings crossings{};
-  std::vector<EdgeSource> sources{};
-  std::vector<Crossing> result{};
-
-  /// Appends all crossings of e.
-  void cross(EdgeId e) {
-    build_envelope(e);
-    crossings.append_all(envelope, e, first(e), last(e), result);
-  }
-  /// Appends one crossing of e, where the labels of its ends differ.
-  void cross_once(EdgeId e) {
-    if (first(e) == last(e)) return;
-    build_envelope(e);
-    crossings.append_single(envelope, e, first(e), last(e), result);
-  }
-
-  GeneratorId first(EdgeId e) const { return labels.label[mesh.from(mesh.halfedge(e))]; }
-  GeneratorId last(EdgeId e) const { return labels.label[mesh.to(mesh.halfedge(e))]; }
-  void build_envelope(EdgeId e) {
-    field.collect(e, sources);
-    envelope.build(sources, mesh.length(e), offset);
-  }
-};
-
-/// Crosses edges by several threads; each chunk begins with a copy of the crosser.
-std::vector<Crossing> cross_all(const EdgeCrosser& crosser, void (EdgeCrosser::*cross_edge)(EdgeId),
-                                const std::vector<EdgeId>& edges, const ParallelChunks& parallel,
-                                const StepPart& step) {
-  return parallel.collect(cut_into_chunks(edges.size(), kChunkEdges), step, [&](const Chunk& chunk) {
-    EdgeCrosser own = crosser;
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) (own.*cross_edge)(edges[i]);
-    return std::move(own.result);
-  });
-}
-
 }  // namespace
 
 EnvelopeTracer::EnvelopeTracer(const WorkingMesh& working, const DistanceField& field, double tolerance,
@@ -172,15 +130,34 @@ Crossings EnvelopeTracer::cross_edges(const NearestLabels& labels) const {
   return {mesh_.edge_count(), cross(field_.contested_edges(parallel_), labels)};
 }
 
-std::vector<Crossing> EnvelopeTracer::cross(const std::vector<EdgeId>& edges, const NearestLabels& labels) const {
-  const EdgeCrosser crosser{mesh_, field_, offset_, labels};
-  return cross_all(crosser, &EdgeCrosser::cross, edges, parallel_, steps::kCrossings);
+std::vector<Crossing> EnvelopeTracer::cross(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                                            bool at_most_once) const {
+  const StepPart& step = at_most_once ? steps::kCrossingsAgain : steps::kCrossings;
+  return parallel_.collect(cut_into_chunks(edges.size(), kChunkEdges), step, [&](const Chunk& chunk) {
+    std::vector<EdgeSource> sources;  // of the current edge
+    EdgeEnvelope envelope;            // of the current edge
+    EdgeCrossings crossings;
+    std::vector<Crossing> result;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const EdgeId e = edges[i];
+      const HalfedgeId h = mesh_.halfedge(e);
+      const GeneratorId first = labels.label[mesh_.from(h)], last = labels.label[mesh_.to(h)];
+      if (at_most_once && first == last) continue;
+      field_.collect(e, sources);
+      envelope.build(sources, mesh_.length(e), offset_);
+      if (at_most_once) {
+        crossings.append_single(envelope, e, first, last, result);
+      } else {
+        crossings.append_all(envelope, e, first, last, result);
+      }
+    }
+    return result;
+  });
 }
 
 void EnvelopeTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                                         Crossings& crossings) const {
-  const EdgeCrosser crosser{mesh_, field_, offset_, labels};
-  crossings.replace(edges, cross_all(crosser, &EdgeCrosser::cross_once, edges, parallel_, steps::kCrossingsAgain));
+  crossings.replace(edges, cross(edges, labels, true));
 }
 
 void EnvelopeTracer::close_faces(TracedDiagram& traced) {

@@ -30,81 +30,33 @@ constexpr int kGapStride = 1 << 5;
 /// every third or fourth 5.
 constexpr int kWholeRing = 4;
 
-class GapCloser {
+/// A gap, or several that were merged; empty if another one took it.
+struct MergedGap {
+  Gap gap;
+  std::vector<int> gaps;  // the given gaps that it contains
+  std::optional<GrownGap> grown;
+};
+
+/// The gaps, of which some are merged as they grow, and the gap of each face.
+class MergedGaps {
  public:
-  GapCloser(const GrowthInput& input, const Crossings& crossings, const std::vector<Gap>& gaps, const ClosingPlan& plan)
-      : input_(input), mesh_(input.mesh()), crossings_(crossings), plan_(plan) {
-    merged_of_.resize(mesh_.face_count(), kNone);
+  MergedGaps(const Mesh& mesh, const std::vector<Gap>& gaps) : of_face_(mesh.face_count(), kNone) {
     for (int i = 0; i < std::ssize(gaps); ++i) {
-      merged_.push_back({gaps[i], {i}, std::nullopt});
-      for (const FaceId f : gaps[i].faces) merged_of_[f] = i;
+      all.push_back({gaps[i], {i}, std::nullopt});
+      for (const FaceId f : gaps[i].faces) of_face_[f] = i;
     }
   }
 
-  std::vector<ClosedGap> run(const Progress& progress) {
-    report_progress(progress, steps::kGrowth, 0);
-    for (int i = 0; i < std::ssize(merged_); ++i) {
-      if (i % kGapStride == 0) report_progress(progress, steps::kGrowth, double(i) / double(merged_.size()));
-      if (!merged_[i].gap.faces.empty() && !merged_[i].grown) close(i);
-    }
-    std::vector<ClosedGap> closed;
-    for (MergedGap& r : merged_) {
-      if (r.grown) closed.push_back({std::move(r.gap), std::move(*r.grown), std::move(r.gaps)});
-    }
-    return closed;
-  }
-
- private:
-  static constexpr int kNone = -1;
-
-  /// A gap, or several that were merged; empty if another one took it.
-  struct MergedGap {
-    Gap gap;
-    std::vector<int> gaps;  // the given gaps that it contains
-    std::optional<GrownGap> grown;
-  };
-
-  /// Grows gap `index`, enlarged where needed. The gaps that it takes on the way are kept if that fails.
-  void close(int index) {
-    if (merged_[index].gap.faces.size() > kMaxGapFaces) return;
-    MergedGap merged{merged_[index].gap, {}, std::nullopt};
-    std::vector<int> taken{index};
-    for (int enlargement = 0; merged.gap.faces.size() <= kMaxGapFaces && may_grow(merged.gap); ++enlargement) {
-      const FaceId entered = grow(merged);
-      if (merged.grown) {
-        replace(index, taken, std::move(merged));
-        return;
-      }
-      if (enlargement == plan_.enlargements) return;
-      const bool whole_ring = !entered.valid() || enlargement % kWholeRing == kWholeRing - 1;
-      const std::vector<FaceId> added = whole_ring ? faces_around(merged.gap) : std::vector{entered};
-      if (!take(added, merged.gap, taken)) return;
-    }
-  }
-
-  /// Tries the rules one after the other. If none of them closes the gap, returns the face that an end wants to enter,
-  /// by the first rule for which there is one.
-  FaceId grow(MergedGap& merged) const {
-    FaceId entered;
-    for (const GrowthRules& rules : plan_.rules) {
-      GrowthOutcome outcome = grow_bisectors(input_, crossings_, merged.gap, rules);
-      if (!entered.valid()) entered = outcome.entered;
-      merged.grown = std::move(outcome.grown);
-      if (merged.grown) break;
-    }
-    return entered;
-  }
-
-  /// Adds faces to a gap, and the whole gaps that they belong to; appends these to `taken`. False if one of them is
-  /// too large to grow.
+  /// Adds faces to a gap, and the whole gaps that they belong to; appends these to `taken`. False if one of them is too
+  /// large to grow.
   bool take(const std::vector<FaceId>& faces, Gap& gap, std::vector<int>& taken) const {
     std::vector<FaceId> added = faces;
     for (const FaceId f : faces) {
-      const int other = merged_of_[f];
+      const int other = of_face_[f];
       if (other == kNone || std::find(taken.begin(), taken.end(), other) != taken.end()) continue;
-      if (merged_[other].gap.faces.size() > kMaxGapFaces) return false;
+      if (all[other].gap.faces.size() > kMaxGapFaces) return false;
       taken.push_back(other);
-      added.insert(added.end(), merged_[other].gap.faces.begin(), merged_[other].gap.faces.end());
+      added.insert(added.end(), all[other].gap.faces.begin(), all[other].gap.faces.end());
     }
     gap.faces.insert(gap.faces.end(), added.begin(), added.end());
     std::sort(gap.faces.begin(), gap.faces.end());
@@ -112,41 +64,57 @@ class GapCloser {
     return true;
   }
 
-  /// The faces outside the gap that have an edge in common with it.
-  std::vector<FaceId> faces_around(const Gap& gap) const {
-    std::vector<FaceId> around;
-    for (const FaceId f : gap.faces) {
-      for (const HalfedgeId h : Mesh::halfedges(f)) {
-        if (is_rim(mesh_, gap, h)) around.push_back(Mesh::face(mesh_.twin(h)));
-      }
-    }
-    return around;
-  }
-
-  bool may_grow(const Gap& gap) const {
-    const auto is_forbidden = [&](HalfedgeId h) { return std::ranges::binary_search(plan_.forbidden, mesh_.edge(h)); };
-    return std::ranges::none_of(gap.faces,
-                                [&](FaceId f) { return std::ranges::any_of(Mesh::halfedges(f), is_forbidden); });
-  }
-
-  /// Puts a grown gap in the place of those that it consists of.
-  void replace(int index, const std::vector<int>& taken, MergedGap merged) {
+  /// Puts a grown gap in the place of those that it took, as gap `index`.
+  void replace(int index, const std::vector<int>& taken, Gap gap, GrownGap grown) {
+    std::vector<int> contained;
     for (const int t : taken) {
-      std::copy(merged_[t].gaps.begin(), merged_[t].gaps.end(), std::back_inserter(merged.gaps));
-      merged_[t] = {};
+      contained.insert(contained.end(), all[t].gaps.begin(), all[t].gaps.end());
+      all[t] = {};
     }
-    std::sort(merged.gaps.begin(), merged.gaps.end());
-    for (const FaceId f : merged.gap.faces) merged_of_[f] = index;
-    merged_[index] = std::move(merged);
+    std::sort(contained.begin(), contained.end());
+    for (const FaceId f : gap.faces) of_face_[f] = index;
+    all[index] = {std::move(gap), std::move(contained), std::move(grown)};
   }
 
-  const GrowthInput& input_;
-  const Mesh& mesh_;
-  const Crossings& crossings_;
-  const ClosingPlan& plan_;
-  std::vector<MergedGap> merged_;
-  IdVector<FaceId, int> merged_of_;  // the gap that has the face, or kNone
+  std::vector<MergedGap> all;
+
+ private:
+  static constexpr int kNone = -1;
+
+  IdVector<FaceId, int> of_face_;  // or kNone
 };
+
+/// The faces outside the gap that have an edge in common with it.
+std::vector<FaceId> faces_around(const Mesh& mesh, const Gap& gap) {
+  std::vector<FaceId> around;
+  for (const FaceId f : gap.faces) {
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
+      if (is_rim(mesh, gap, h)) around.push_back(Mesh::face(mesh.twin(h)));
+    }
+  }
+  return around;
+}
+
+/// Whether the gap is small enough, and has no edge where growth is not allowed.
+bool may_grow(const Mesh& mesh, const Gap& gap, const std::vector<EdgeId>& forbidden) {
+  if (gap.faces.size() > kMaxGapFaces) return false;
+  const auto is_forbidden = [&](HalfedgeId h) { return std::ranges::binary_search(forbidden, mesh.edge(h)); };
+  return std::ranges::none_of(gap.faces,
+                              [&](FaceId f) { return std::ranges::any_of(Mesh::halfedges(f), is_forbidden); });
+}
+
+/// Tries the rules one after the other. If none of them closes the gap, names the face that an end wants to enter, by
+/// the first rule for which there is one.
+GrowthOutcome grow_by_rules(const GrowthInput& input, const Crossings& crossings, const Gap& gap,
+                            const std::vector<GrowthRules>& rules) {
+  FaceId entered;
+  for (const GrowthRules& rule : rules) {
+    GrowthOutcome outcome = grow_bisectors(input, crossings, gap, rule);
+    if (outcome.grown) return outcome;
+    if (!entered.valid()) entered = outcome.entered;
+  }
+  return {std::nullopt, entered};
+}
 
 /// Tells for each edge whether all its faces lie in one closed gap. Two gaps never have an edge in common.
 IdVector<EdgeId, char> edges_inside(const Mesh& mesh, const std::vector<ClosedGap>& closed) {
@@ -203,7 +171,30 @@ void ClosingPlan::forbid(const std::vector<EdgeId>& edges) {
 
 std::vector<ClosedGap> close_gaps(const GrowthInput& input, const Crossings& crossings, const std::vector<Gap>& gaps,
                                   const ClosingPlan& plan, const Progress& progress) {
-  return GapCloser(input, crossings, gaps, plan).run(progress);
+  const Mesh& mesh = input.mesh();
+  MergedGaps merged(mesh, gaps);
+  // Grows gap `index`, enlarged where needed. The gaps that it takes on the way are kept if that fails.
+  const auto close = [&](int index) {
+    Gap gap = merged.all[index].gap;
+    std::vector<int> taken{index};
+    for (int enlargement = 0; may_grow(mesh, gap, plan.forbidden); ++enlargement) {
+      GrowthOutcome outcome = grow_by_rules(input, crossings, gap, plan.rules);
+      if (outcome.grown) return merged.replace(index, taken, std::move(gap), std::move(*outcome.grown));
+      if (enlargement == plan.enlargements) return;
+      const bool whole_ring = !outcome.entered.valid() || enlargement % kWholeRing == kWholeRing - 1;
+      if (!merged.take(whole_ring ? faces_around(mesh, gap) : std::vector{outcome.entered}, gap, taken)) return;
+    }
+  };
+  report_progress(progress, steps::kGrowth, 0);
+  for (int i = 0; i < std::ssize(gaps); ++i) {
+    if (i % kGapStride == 0) report_progress(progress, steps::kGrowth, double(i) / double(gaps.size()));
+    if (!merged.all[i].gap.faces.empty() && !merged.all[i].grown) close(i);
+  }
+  std::vector<ClosedGap> closed;
+  for (MergedGap& m : merged.all) {
+    if (m.grown) closed.push_back({std::move(m.gap), std::move(*m.grown), std::move(m.gaps)});
+  }
+  return closed;
 }
 
 void install_gaps(const Mesh& mesh, const std::vector<ClosedGap>& closed, TracedDiagram& traced) {
