@@ -29,7 +29,7 @@ constexpr std::size_t kChunkFaces = 1 << 11;
 /// In place of the first side of a loop at an end.
 constexpr std::int32_t kNoSide = -1;
 
-/// What the faces of a chunk give: the shares of cells, and the pieces of faces that are cut.
+/// The shares of cells in a chunk of faces, and the pieces of those faces that are cut.
 struct CollectedFaces {
   CellShares shares;
   std::vector<FacePiece> pieces;

@@ -13,10 +13,10 @@
 
 namespace gvd {
 
-/// Pieces of faces that a diagram before has, too.
+/// Pieces of faces that an earlier diagram has, too.
 struct KnownPieces {
   IdVector<FaceId, std::uint8_t> is_known;  ///< 1 for faces of the working mesh that have the arcs that they had
-  std::vector<FacePiece>& pieces;           ///< of the diagram before, from which those of known faces are moved
+  std::vector<FacePiece>& pieces;           ///< of the earlier diagram; those of known faces are moved out of it
 };
 
 /// Fills in face labels, pieces and cells by several threads; expects the bisectors in `diagram`, for a cell's
@@ -32,7 +32,7 @@ void find_neighbours(Diagram& diagram);
 /// edges.
 IdVector<GeneratorId, std::int32_t> count_boundary_loops(const WorkingMesh& working, const TracedDiagram& traced);
 
-/// What a subset of the mesh's elements adds to a cell.
+/// The contribution of a subset of the mesh's elements to a cell.
 struct CellShare {
   GeneratorId generator;
   std::int32_t euler_characteristic = 0;

@@ -1,13 +1,13 @@
 // A diagram that follows changes of its generators.
 //
-// Idea: a change of one generator leaves most windows, crossings and arcs as they are. `update_windows` finds the faces
-// whose windows change, and `RetracingTracer` traces these; labels, bisectors and cells are then collected as
-// `compute_diagram` does.
-// The work beyond the neighbourhood of the change is copying and counting: the working mesh, the lists of crossings and
-// arcs, the sums of the cells. These take most of the time of a change of one generator in a hundred.
+// A change of one generator leaves most windows, crossings and arcs as they are. `EditableWindows` finds the faces
+// whose windows change, and `RetracingTracer` traces these. Labels, bisectors and cells are then collected as in
+// `compute_diagram`. Beyond the neighbourhood of the change there is only copying and counting: the working mesh, the
+// lists of crossings and arcs, the sums of the cells. With a hundred generators, this takes most of the time.
 // A generator that is removed leaves its number to the last one. Otherwise all later numbers would change, and with
 // them the ties that numbers decide.
-// Source: none. Invariant: the diagram is that of `compute_diagram` with the same generators, to the last bit.
+// Source: none. Invariant: the diagram is that of `compute_diagram` with the same generators, except where shortest
+// paths tie to the last bit.
 #include "gvd/diagram_editor.hpp"
 
 #include <fmt/format.h>
@@ -92,7 +92,7 @@ void DiagramEditor::State::take(std::unique_ptr<WorkingMesh> new_working, Traced
   is_current = true;
 }
 
-/// Computes all. The state changes only where nothing can throw any more.
+/// Computes everything from scratch. The state changes only after the last step that can throw.
 void DiagramEditor::State::compute(std::vector<SurfacePoint> generators) {
   auto after = std::make_unique<WorkingMesh>(mesh, generators, options.progress);
   auto new_windows = std::make_unique<EditableWindows>(*after, options.threads, options.progress);
@@ -111,8 +111,8 @@ void DiagramEditor::State::compute(std::vector<SurfacePoint> generators) {
   take(std::move(after), std::move(new_traced), std::move(next));
 }
 
-/// Refused generators throw before the windows change. After an interruption the windows are lost, and the next change
-/// computes all.
+/// Refused generators throw before the windows change. An interruption loses the windows, so that the next change
+/// starts from scratch.
 void DiagramEditor::State::change(std::vector<SurfacePoint> generators, const ChangedGenerators& changed) {
   auto after = std::make_unique<WorkingMesh>(mesh, generators, options.progress);
   if (!std::exchange(is_current, false)) return compute(std::move(generators));
@@ -132,7 +132,7 @@ void DiagramEditor::State::change(std::vector<SurfacePoint> generators, const Ch
   next.generators = std::move(generators);
   next.report.propagation_events = field.carried;
   report_progress(options.progress, steps::kCells, 0);
-  // Pieces are moved out of the present diagram from here on: nothing is reported, so that nothing interrupts.
+  // From here on pieces move out of the present diagram. Nothing is reported, so that nothing can interrupt.
   const Progress silent;
   KnownPieces pieces{retracing.take_kept(), diagram.pieces};
   finish_diagram(*after, new_traced, ParallelChunks(options.threads, silent), next, &pieces);

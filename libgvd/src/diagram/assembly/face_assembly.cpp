@@ -30,8 +30,8 @@ double excess_at(const FacePolygon& polygon, const FaceDistances& distances, std
   return std::isinf(own) ? own : own - others;
 }
 
-/// Segments between two intervals of a polygon with at most so many are tried. Two cells whose four intervals alternate
-/// are the usual case. More intervals would cost the square of their number.
+/// Segments between two intervals are tried in polygons with at most this many intervals. The usual case is two cells
+/// whose four intervals alternate. The cost grows with the square of their number.
 constexpr std::size_t kFewIntervals = 6;
 
 /// Where these segments begin and end on their intervals, as fractions.

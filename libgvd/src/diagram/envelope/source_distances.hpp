@@ -19,8 +19,9 @@ namespace gvd {
 /// allocations.
 class EquidistantSearch {
  public:
-  /// All candidates in the face, to rounding, or to half of the digits where two rays touch: the branch points of the
-  /// three generators are among them. Most are none: the rays don't pass the openings, or another source is nearer.
+  /// All candidates in the face, to rounding, or to half of the digits where two rays touch. The branch points of the
+  /// three generators are among them. Most candidates are no branch points, because their rays don't pass the openings
+  /// or another source is nearer.
   /// Cost: O(k) memory, and mostly O(k log k) time, for k sources; a bounded number of cells, however many paths tie.
   const std::vector<Vec2>& find(const FaceLayout& face, std::span<const FaceSource> a, std::span<const FaceSource> b,
                                 std::span<const FaceSource> c);
@@ -58,8 +59,8 @@ inline Vec2 direction(const Vec2& p, const Vec2& from) {
   return length > 0 ? Vec2(way / length) : Vec2(0, 0);
 }
 
-/// The distances inside one face from a solver's sources: as accurate as the solver. One object serves one face after
-/// the other, to save allocations; not for several threads at once.
+/// The distances inside one face from a solver's sources: as accurate as the solver. Entering one face after the other
+/// with the same object saves allocations. Not for several threads at once.
 class SourceDistances final : public FaceDistances, public FacePaths {
  public:
   /// `field` must outlive this.

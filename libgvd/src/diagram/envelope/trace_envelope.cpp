@@ -25,7 +25,7 @@
 namespace gvd {
 namespace {
 
-/// Chunks of so many edges, or of faces with so much work: the sum of the squares of their crossings. Half a
+/// Edges in a chunk, and the work of its faces: the sum of the squares of their crossings. Half a
 /// millisecond, long enough to occupy a thread and short enough to cancel after.
 constexpr std::size_t kChunkEdges = 128, kChunkWork = 512;
 

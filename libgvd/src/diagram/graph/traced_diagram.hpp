@@ -10,7 +10,7 @@
 
 namespace gvd {
 
-/// What a tracer counts; DiagramReport says what the fields mean.
+/// The counts of a tracer; DiagramReport explains the fields.
 struct TracerCounts {
   std::int64_t relabelled_vertices = 0;
   std::int64_t gaps = 0;
@@ -23,7 +23,7 @@ struct StraightenedFace {
   double error;  ///< largest difference of the two distances along an arc of the face, mesh units
 };
 
-/// What a tracer hands over: how the bisectors cross the edges and run through the faces of the working mesh.
+/// The result of a tracer: how the bisectors cross the edges and run through the faces of the working mesh.
 struct TracedDiagram {
   NearestLabels labels;
   Crossings crossings;

@@ -11,7 +11,7 @@
 namespace gvd {
 namespace {
 
-/// Progress is reported once in so many faces.
+/// Progress is reported after this many faces.
 constexpr std::size_t kFaceStride = 1 << 10;
 
 /// A face and the distance forms of the generators whose cells lie along its boundary.

@@ -1,7 +1,7 @@
 // Gaps: found, closed by growth, and put into the diagram (section 4.3).
 //
 // A gap is a connected set of faces in which three or more generators compete; two bisectors may meet nowhere else.
-// Growth through a gap fails where an end wants to leave it, so such a gap takes more faces and grows anew. The paper
+// Growth through a gap fails where an end wants to leave it, so such a gap takes more faces and starts over. The paper
 // stretches ends without a limit; here a gap that stays open is left to the assembly of faces.
 // Invariant: a face belongs to at most one gap at a time. So a closed gap replaces all crossings inside its faces, and
 // no other gap has them.
@@ -22,12 +22,11 @@ namespace {
 /// triangle, but counts only the labels of its corners (section 3).
 constexpr int kGapGenerators = 3;
 
-/// Progress is reported once in so many gaps.
+/// Progress is reported after this many gaps.
 constexpr int kGapStride = 1 << 5;
 
-/// One enlargement in kWholeRing takes all faces around the gap. Ends that miss each other go on for ever if the gap
-/// only takes the face before the first of them. Measured on four meshes with 780 gaps: without it 20 stay open, with
-/// every third or fourth 5.
+/// One enlargement in kWholeRing takes all faces around the gap. Ends that miss each other would go on for ever if the
+/// gap only took the face before the first of them (docs/notes/performance.md).
 constexpr int kWholeRing = 4;
 
 /// A gap, or several that were merged; empty if another one took it.

@@ -37,9 +37,8 @@ class GapTracer : public DiagramTracer {
   void close(const std::vector<Gap>& gaps, TracedDiagram& traced) const;
 
  private:
-  /// The number of times that a gap is enlarged if it does not close. Measured on four meshes with 780 gaps: of 95 that
-  /// do not close at first, 9 stay open with 6, 5 with 10 and 2 with 20, at up to four times the time. The paper names
-  /// no limit.
+  /// The number of times that a gap is enlarged if it does not close: nearly all of them do
+  /// (docs/notes/performance.md). The paper names no limit.
   static constexpr int kEnlargements = 10;
 
   const WorkingMesh& working_;
