@@ -16,6 +16,7 @@
 #include <span>
 
 #include "base/barycentric.hpp"
+#include "base/sort_unique.hpp"
 #include "base/union_find.hpp"
 #include "diagram/graph/face_diagram.hpp"
 #include "gvd/diagram_steps.hpp"
@@ -126,8 +127,7 @@ void find_neighbours(Diagram& diagram) {
     diagram.cells[b.right].neighbours.push_back(b.left);
   }
   for (Cell& c : diagram.cells) {
-    std::sort(c.neighbours.begin(), c.neighbours.end());
-    c.neighbours.erase(std::unique(c.neighbours.begin(), c.neighbours.end()), c.neighbours.end());
+    sort_unique(c.neighbours);
   }
 }
 

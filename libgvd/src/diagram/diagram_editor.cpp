@@ -17,6 +17,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/sort_unique.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "diagram/envelope/retrace_envelope.hpp"
 #include "diagram/finish_diagram.hpp"
@@ -36,8 +37,7 @@ namespace {
 std::vector<VertexId> vertices_of(const Mesh& mesh, const std::vector<FaceId>& faces) {
   std::vector<VertexId> vertices;
   for (const FaceId f : faces) vertices.insert(vertices.end(), mesh.vertices(f).begin(), mesh.vertices(f).end());
-  std::ranges::sort(vertices);
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sort_unique(vertices);
   return vertices;
 }
 

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "gvd/diagram_steps.hpp"
+#include "base/sort_unique.hpp"
 
 namespace gvd {
 namespace {
@@ -88,8 +88,7 @@ Crossings RetracingTracer::cross_edges(const NearestLabels& labels) const {
       if (is_contested(h, labels) || (twin.valid() && is_contested(twin, labels))) edges.push_back(mesh_.edge(h));
     }
   }
-  std::ranges::sort(edges);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   std::vector<Crossing> crossings = tracer_.cross(edges, labels);
   for (Crossing crossing : known_.traced.first_crossings().items()) {
     const HalfedgeId old = known_.mesh.halfedge(crossing.edge);

@@ -24,6 +24,7 @@
 #include <span>
 #include <utility>
 
+#include "base/sort_unique.hpp"
 #include "base/union_find.hpp"
 #include "diagram/graph/face_diagram.hpp"
 #include "gvd/diagram_steps.hpp"
@@ -216,9 +217,7 @@ CellComponents find_cell_components(const WorkingMesh& working, const TracedDiag
     if (all.sets.find(i) == generator.value()) continue;
     for (const HalfedgeId h : Mesh::halfedges(face)) result.island_edges.push_back(mesh.edge(h));
   }
-  std::ranges::sort(result.island_edges);
-  result.island_edges.erase(std::unique(result.island_edges.begin(), result.island_edges.end()),
-                            result.island_edges.end());
+  sort_unique(result.island_edges);
   for (const auto& [v, member] : unanchored) {
     if (all.sets.find(member) != label[v].value()) result.island_vertices.push_back(v);
   }
@@ -238,8 +237,7 @@ std::vector<EdgeId> find_disconnected_intervals(const Mesh& mesh, const NearestL
     faces.push_back(Mesh::face(h));
     if (twin.valid()) faces.push_back(Mesh::face(twin));
   }
-  std::ranges::sort(faces);
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sort_unique(faces);
   UnionFind groups(items.size());
   for (const FaceId f : faces) unite_in_face(mesh, labels, crossings, f, groups);
   std::vector<EdgeId> edges;

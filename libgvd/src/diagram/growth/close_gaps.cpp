@@ -13,6 +13,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sort_unique.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
@@ -58,8 +59,7 @@ class MergedGaps {
       added.insert(added.end(), all[other].gap.faces.begin(), all[other].gap.faces.end());
     }
     gap.faces.insert(gap.faces.end(), added.begin(), added.end());
-    std::sort(gap.faces.begin(), gap.faces.end());
-    gap.faces.erase(std::unique(gap.faces.begin(), gap.faces.end()), gap.faces.end());
+    sort_unique(gap.faces);
     return true;
   }
 
