@@ -126,17 +126,13 @@ void RetracingTracer::close_faces(TracedDiagram& traced) {
     kept_[f] = has_known_crossings(f, traced.crossings, now, past) ? 1 : 0;
     if (kept_[f] == 0) changed.push_back(f);
   }
-  const std::vector<AssembledFaces> assembled = tracer_.assemble(changed, counts, traced.crossings);
-  FaceDiagram fresh;
-  for (const AssembledFaces& part : assembled) {
-    fresh.append(part.diagram);
-    traced.straightened.insert(traced.straightened.end(), part.straightened.begin(), part.straightened.end());
-  }
-  FaceCopier from_fresh(fresh), from_before(before.faces);
+  AssembledFaces assembled = tracer_.assemble(changed, counts, traced.crossings);
+  traced.straightened = std::move(assembled.straightened);
+  FaceCopier from_assembled(assembled.diagram), from_before(before.faces);
   for (const FaceId f : faces) {
     if (kept_[f] == 0) {
-      from_fresh.append(
-          f, f, [](CrossingId id) { return id; }, traced.faces);
+      const auto same = [](CrossingId id) { return id; };
+      from_assembled.append(f, f, same, traced.faces);
       continue;
     }
     const FaceId old = known_.common.before[f];

@@ -163,21 +163,26 @@ void EnvelopeTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const 
 void EnvelopeTracer::close_faces(TracedDiagram& traced) {
   report_progress(parallel_.progress(), steps::kFaces, 0);
   const auto counts = count_by_face(mesh_, traced.crossings);
-  for (AssembledFaces& assembled : assemble(crossed_faces(counts), counts, traced.crossings)) {
-    traced.faces.append(assembled.diagram);
-    std::ranges::move(assembled.straightened, std::back_inserter(traced.straightened));
-  }
+  AssembledFaces assembled = assemble(crossed_faces(counts), counts, traced.crossings);
+  traced.faces = std::move(assembled.diagram);
+  traced.straightened = std::move(assembled.straightened);
   report_progress(parallel_.progress(), steps::kBisectors, 0.5);
 }
 
-std::vector<AssembledFaces> EnvelopeTracer::assemble(const std::vector<FaceId>& faces,
-                                                     const IdVector<FaceId, std::int32_t>& counts,
-                                                     const Crossings& crossings) const {
+AssembledFaces EnvelopeTracer::assemble(const std::vector<FaceId>& faces, const IdVector<FaceId, std::int32_t>& counts,
+                                        const Crossings& crossings) const {
   const auto work = [&](std::size_t i) { return std::size_t(counts[faces[i]]) * std::size_t(counts[faces[i]]); };
   const EnvelopeFaces input{mesh_, crossings, field_, offset_, tolerance_};
-  return parallel_.map(cut_by_work(faces.size(), kChunkWork, work), StepPart{steps::kFaces}, [&](const Chunk& chunk) {
+  const auto assemble_chunk = [&](const Chunk& chunk) {
     return assemble_envelope(input, std::span(faces).subspan(chunk.begin, chunk.end - chunk.begin));
-  });
+  };
+  AssembledFaces all;
+  const auto chunks = cut_by_work(faces.size(), kChunkWork, work);
+  for (const AssembledFaces& part : parallel_.map(chunks, StepPart{steps::kFaces}, assemble_chunk)) {
+    all.diagram.append(part.diagram);
+    all.straightened.insert(all.straightened.end(), part.straightened.begin(), part.straightened.end());
+  }
+  return all;
 }
 
 AssembledFaces assemble_envelope(const EnvelopeFaces& input, std::span<const FaceId> faces) {

@@ -38,9 +38,9 @@ class EnvelopeTracer final : public DiagramTracer {
   /// The crossings of some edges, which ascend, as `cross_edges` finds them; or at most one of each.
   std::vector<Crossing> cross(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                               bool at_most_once = false) const;
-  /// Assembles some faces, which ascend, in chunks; `counts`: of the crossings on each face.
-  std::vector<AssembledFaces> assemble(const std::vector<FaceId>& faces, const IdVector<FaceId, std::int32_t>& counts,
-                                       const Crossings& crossings) const;
+  /// Assembles some faces, which ascend, by several threads. `counts`: of the crossings on each face.
+  AssembledFaces assemble(const std::vector<FaceId>& faces, const IdVector<FaceId, std::int32_t>& counts,
+                          const Crossings& crossings) const;
 
  private:
   const Mesh& mesh_;
