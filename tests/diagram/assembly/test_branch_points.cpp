@@ -2,6 +2,7 @@
 #include <limits>
 #include <utility>
 
+#include "diagram/assembly/branch_points.hpp"
 #include "diagram/assembly/face_distances.hpp"
 #include "diagram/assembly/face_polygon.hpp"
 #include "support/catch.hpp"

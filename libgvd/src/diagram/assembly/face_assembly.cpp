@@ -15,6 +15,7 @@
 #include <tuple>
 #include <utility>
 
+#include "diagram/assembly/branch_points.hpp"
 #include "diagram/assembly/face_polygon.hpp"
 
 namespace gvd {

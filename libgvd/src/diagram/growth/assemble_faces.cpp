@@ -6,6 +6,7 @@
 #include <set>
 
 #include "diagram/assembly/face_assembly.hpp"
+#include "diagram/assembly/form_distances.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
@@ -13,6 +14,20 @@ namespace {
 
 /// Progress is reported after this many faces.
 constexpr std::size_t kFaceStride = 1 << 10;
+
+/// The distance forms of the generators whose cells lie along a face's boundary, ascending by generator.
+std::vector<DistanceForm> face_forms(const GrowthInput& input, FaceId f,
+                                     const std::vector<BoundaryCrossing>& boundary) {
+  std::set<GeneratorId> met;
+  for (const BoundaryCrossing& c : boundary) met.insert(c.next);
+  std::vector<DistanceForm> forms;
+  for (const GeneratorId g : met) {
+    DistanceForm form{g, corner_distances(input, f, g)};
+    for (double& value : form.corner) value = form_value(input.front, value);
+    forms.push_back(form);
+  }
+  return forms;
+}
 
 /// A face and the distance forms of the generators whose cells lie along its boundary.
 struct FaceForms {
@@ -52,19 +67,6 @@ void measure_branches(const FaceForms& forms, std::size_t first_arc, std::size_t
 }
 
 }  // namespace
-
-std::vector<DistanceForm> face_forms(const GrowthInput& input, FaceId f,
-                                     const std::vector<BoundaryCrossing>& boundary) {
-  std::set<GeneratorId> met;
-  for (const BoundaryCrossing& c : boundary) met.insert(c.next);
-  std::vector<DistanceForm> forms;
-  for (const GeneratorId g : met) {
-    DistanceForm form{g, corner_distances(input, f, g)};
-    for (double& value : form.corner) value = form_value(input.front, value);
-    forms.push_back(form);
-  }
-  return forms;
-}
 
 void assemble_faces(const GrowthInput& input, const Crossings& crossings, const std::vector<FaceId>& skipped,
                     FaceDiagram& diagram, const Progress& progress) {
