@@ -75,7 +75,7 @@ TracedDiagram trace_tables(const WorkingMesh& working, const GeneratorTable& tab
   return trace_connected(working, std::move(labels), tracer, options.progress);
 }
 
-/// What solver and tracer leave to the steps that all methods share.
+/// The result of solver and tracer, for the steps that all methods share.
 struct Traced {
   TracedDiagram diagram;
   AddedLengths added;  ///< contained in the distances of the labels

@@ -127,6 +127,8 @@ TEST_CASE("connected cells take one round") {
   CHECK_FALSE(traced.faces.arcs.empty());
   CHECK(cells.tracer.rounds == 1);
   CHECK((cells.tracer.crossed_again.empty() && cells.tracer.disabled.empty()));
+  CHECK(&traced.nearest() == &traced.labels);
+  CHECK(&traced.first_crossings() == &traced.crossings);
 }
 
 TEST_CASE("an edge with a disconnected interval is crossed again before the faces are closed") {
@@ -137,6 +139,8 @@ TEST_CASE("an edge with a disconnected interval is crossed again before the face
   };
   const TracedDiagram traced = cells.trace();
   CHECK(traced.crossings.count(e) == 0);
+  CHECK(traced.first_crossings().count(e) == 2);
+  CHECK(traced.first_crossings().size() == traced.crossings.size() + 2);
   CHECK(traced.cell_components.raw() == ones(2));
   CHECK(cells.tracer.rounds == 1);
   CHECK(cells.tracer.crossed_again == std::vector<Edges>{{e}});
