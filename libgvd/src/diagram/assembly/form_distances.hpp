@@ -38,6 +38,10 @@ class FormDistances final : public FaceDistances {
   /// `forms`: ascending by generator, each once. They must outlive this.
   explicit FormDistances(const std::vector<DistanceForm>& forms) : forms_(forms) {}
 
+  const DistanceForm& form(GeneratorId g) const {
+    return *std::ranges::lower_bound(forms_, g, {}, &DistanceForm::generator);
+  }
+
   double at(GeneratorId g, const Bary& p) const override { return form(g).at(p); }
 
   /// The solution of a 2 x 2 system, whatever the start. Nothing where the bisectors are parallel.
@@ -57,10 +61,6 @@ class FormDistances final : public FaceDistances {
   }
 
  private:
-  const DistanceForm& form(GeneratorId g) const {
-    return *std::ranges::lower_bound(forms_, g, {}, &DistanceForm::generator);
-  }
-
   const std::vector<DistanceForm>& forms_;
 };
 
