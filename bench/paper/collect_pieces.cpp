@@ -18,7 +18,7 @@
 
 #include "base/barycentric.hpp"
 #include "base/union_find.hpp"
-#include "diagram/finish_diagram.hpp"
+#include "diagram/collect_cells.hpp"
 #include "gvd/surface_point.hpp"
 #include "pieces.hpp"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/check_parts.hpp"
+#include "diagram/check_diagram.hpp"
 #include "gvd/check.hpp"
 #include "gvd/diagram.hpp"
 #include "support/catch.hpp"

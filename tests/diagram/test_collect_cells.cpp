@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
-#include "diagram/finish_diagram.hpp"
+#include "diagram/collect_cells.hpp"
+#include "diagram/trace_bisectors.hpp"
 #include "gvd/mesh.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -25,7 +26,7 @@ Diagram collect(const Mesh& mesh, const std::vector<SurfacePoint>& generators, i
   const TracedDiagram traced = test::trace_growth(working, marched.table, Front::circle);
   Diagram diagram;
   trace_bisectors(working, traced, parallel, diagram);
-  collect_cells(working, traced, {parallel}, diagram);
+  collect_cells(working, traced, parallel, diagram);
   return diagram;
 }
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "diagram/finish_diagram.hpp"
+#include "diagram/trace_bisectors.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"

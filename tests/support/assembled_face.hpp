@@ -35,13 +35,14 @@ struct AssembledFace {
 
   AssembledFace(const std::vector<BoundaryInterval>& intervals, const std::vector<DistanceForm>& forms)
       : AssembledFace(intervals, FormDistances(forms)) {}
-  AssembledFace(const std::vector<BoundaryInterval>& intervals, const FaceDistances& distances) {
+  AssembledFace(const std::vector<BoundaryInterval>& intervals, const FaceDistances& distances,
+                const FacePaths* paths = nullptr) {
     for (std::size_t i = 0; i < intervals.size(); ++i) {
       const int previous = intervals[(i + intervals.size() - 1) % intervals.size()].next;
       boundary.push_back({CrossingId(static_cast<std::int64_t>(i)), intervals[i].corner, intervals[i].t,
                           GeneratorId(previous), GeneratorId(intervals[i].next)});
     }
-    assemble_face(FaceId(0), boundary, distances, diagram);
+    assemble_face(FaceId(0), boundary, distances, diagram, paths);
   }
 
   WorkingPieces pieces() const { return pieces_of(diagram.arcs); }

@@ -37,16 +37,15 @@ inline FacePolygon polygon_of(const std::vector<BoundaryCrossing>& boundary) {
 
 /// Distances from points in the plane of barycentric coordinates, with all answers known. Every path comes straight
 /// through the boundary position that `entries` gives its generator.
-class PointDistances : public FaceDistances {
+class PointDistances : public FaceDistances, public FacePaths {
  public:
   std::vector<Vec2> points;                    ///< of the generators, as affine points of the face
   std::vector<std::optional<double>> entries;  ///< corner + t for each generator; nothing where it is unknown
   std::optional<Bary> equal;                   ///< the answer to every search
-  bool confirms = true, is_branch = true;
+  bool is_branch = true;
   double error = 0;          ///< of all crossings
   mutable int searches = 0;  ///< calls of equidistant()
 
-  bool can_confirm() const override { return confirms; }
   double at(GeneratorId g, const Bary& p) const override { return (affine_point(p) - points[g.index()]).norm(); }
   std::optional<Bary> equidistant(GeneratorId, GeneratorId, GeneratorId, const Bary&) const override {
     ++searches;

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagram/check_parts.hpp"
+#include "diagram/check_diagram.hpp"
 #include "gvd/diagram.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"

@@ -11,11 +11,10 @@
 
 namespace gvd {
 
-/// An exact diagram whose generators can be moved, added and removed. Each change computes again what it
-/// has an effect on, and nothing else.
+/// An exact diagram whose generators can be moved, added and removed. Each change updates only what changed.
 ///
-/// For a generator that is dragged, for some that are added where a diagram is not good enough, and for trials of
-/// single moves. Where many generators change at once, `compute_diagram` is faster: a move costs a fifth of it.
+/// Use it to drag a generator, to add generators where a diagram is not good enough, or to try single moves. If many
+/// generators change at once, `compute_diagram` is faster: a move costs a fifth of it.
 ///
 ///     DiagramEditor editor(mesh, generators);
 ///     for (const SurfacePoint& p : path) show(editor.move(GeneratorId(3), p));
@@ -30,7 +29,7 @@ namespace gvd {
 /// Cost of a change: O(n) with small constants, for copies and sums over n faces, and the work of `compute_diagram` in
 /// the cells of the generator and of its neighbours. With 100 generators on 69,451 faces, a move takes a fifth to a
 /// quarter of the time of a new diagram (docs/notes/performance.md). If most cells are neighbours, as with ten
-/// generators, it takes about as long as a new diagram. After an interruption, the next change computes all.
+/// generators, it takes about as long as a new diagram. After an interruption, the next change starts from scratch.
 /// Memory: about 450 bytes a face, and as much again during a change.
 class DiagramEditor {
  public:

@@ -40,7 +40,7 @@ inline DiagramOptions growth_options() {
 /// face has one bisector, both generators are unfolded into the face's plane, and the bisector is where the distances
 /// to the two images are equal. So distances must be in mesh units.
 ///
-/// What is made of the numbers:
+/// How the numbers are used:
 /// - a generator's distance from itself is 0, whatever the row says, and others are farther from it, by a thousandth of
 ///   the shortest edge there at least: it owns its vertex, and a cell around it;
 /// - a generator on an edge or inside a face is a vertex of the working mesh: distances there are linear in the face;

@@ -8,6 +8,8 @@
 // Euler's formula counts what no local check sees: a cell that is missing, or one with a hole that has no bisector.
 // Invariant: no check throws or stops at its first finding. Each finding names the number of its property. Faces and
 // pieces are visited in one order, ascending by face, and areas are summed in that order.
+#include "diagram/check_diagram.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +20,6 @@
 
 #include "base/barycentric.hpp"
 #include "diagram/cell_parts.hpp"
-#include "diagram/check_parts.hpp"
 #include "gvd/check.hpp"
 #include "gvd/surface_point.hpp"
 #include "mesh/component_topology.hpp"
@@ -57,88 +58,46 @@ constexpr double kAreaTolerance = 1e-9;
 /// longest edge: one or two rounding steps a corner. It dominates for thin faces far from the origin.
 constexpr double kCornerRounding = 1e-15;
 
-class PartitionCheck {
- public:
-  PartitionCheck(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& reached, Violations& violations)
-      : mesh_(mesh),
-        diagram_(diagram),
-        reached_(reached),
-        violations_(violations),
-        cell_area_(diagram.cells.size(), 0.0) {}
+/// The rounding error of the areas of all faces and pieces, whose corners are rounded independently.
+double area_rounding(const Mesh& mesh, const Diagram& diagram) {
+  double edges = 0;
+  const auto longest = [&](FaceId f) { return std::ranges::max(mesh.shape(f).length); };
+  for (const FaceId f : mesh.faces()) edges += longest(f);
+  for (const FacePiece& piece : diagram.pieces) edges += longest(piece.face);
+  return kCornerRounding * mesh.largest_coordinate() * edges;
+}
 
-  void run() {
-    check_areas();
-    check_vertex_labels();
-  }
-
- private:
-  void check_areas() {
-    double total = 0;
-    for (const FaceId f : mesh_.faces()) {
-      const double share = covered_share(f), expected = reached_.contains(f) ? 1 : 0;
-      if (std::abs(share - expected) > kAreaTolerance) {
-        violations_.add(2, "face", f.index(),
-                        fmt::format("its label and pieces cover {:f} of its area instead of {}", share, int(expected)));
-      }
-      total += expected * mesh_.area(f);
-    }
-    const double tolerance = kAreaTolerance * total + area_rounding();
-    for (const Cell& c : diagram_.cells) {
-      if (std::abs(c.area - cell_area_[c.generator]) <= tolerance) continue;
-      violations_.add(2, "cell", c.generator.index(), "its area is not that of its faces and pieces");
-    }
-    if (next_ < diagram_.pieces.size()) violations_.add(2, "piece", next_, "pieces are not sorted by face");
-  }
-
-  /// Computes the share of f's area that its label or its pieces cover, and credits it to the cells. Faces come in
-  /// order.
-  double covered_share(FaceId f) {
-    double share = diagram_.face_label[f].valid() ? 1 : 0;
-    const bool cut = next_ < diagram_.pieces.size() && diagram_.pieces[next_].face == f;
-    if (cut && share > 0) violations_.add(2, "face", f.index(), "has a label and pieces");
-    if (share > 0) cell_area_[diagram_.face_label[f]] += mesh_.area(f);
-    for (; next_ < diagram_.pieces.size() && diagram_.pieces[next_].face == f; ++next_) {
-      const double piece_share = area_share(diagram_.pieces[next_].corners);
-      if (piece_share < -kAreaTolerance) violations_.add(2, "piece", next_, "its area is negative");
+/// Checks that labels and pieces cover the reached faces, and that cells have the area of their faces and pieces.
+void check_areas(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& reached, Violations& violations) {
+  IdVector<GeneratorId, double> cell_area(diagram.cells.size(), 0.0);  // of its faces and pieces
+  std::size_t next = 0;                                                // first piece that is not yet counted
+  double total = 0;
+  for (const FaceId f : mesh.faces()) {
+    const GeneratorId whole = diagram.face_label[f];
+    double share = whole.valid() ? 1 : 0;
+    const auto has_piece = [&] { return next < diagram.pieces.size() && diagram.pieces[next].face == f; };
+    if (whole.valid() && has_piece()) violations.add(2, "face", f.index(), "has a label and pieces");
+    if (whole.valid()) cell_area[whole] += mesh.area(f);
+    for (; has_piece(); ++next) {
+      const double piece_share = area_share(diagram.pieces[next].corners);
+      if (piece_share < -kAreaTolerance) violations.add(2, "piece", next, "its area is negative");
       share += piece_share;
-      cell_area_[diagram_.pieces[next_].generator] += piece_share * mesh_.area(f);
+      cell_area[diagram.pieces[next].generator] += piece_share * mesh.area(f);
     }
-    return share;
+    const double expected = reached.contains(f) ? 1 : 0;
+    if (std::abs(share - expected) > kAreaTolerance) {
+      violations.add(2, "face", f.index(),
+                     fmt::format("its label and pieces cover {:f} of its area instead of {}", share, int(expected)));
+    }
+    total += expected * mesh.area(f);
   }
-
-  /// The rounding error of the areas of all faces and pieces, whose corners are rounded independently.
-  double area_rounding() const {
-    double edges = 0;
-    const auto longest = [&](FaceId f) { return std::ranges::max(mesh_.shape(f).length); };
-    for (const FaceId f : mesh_.faces()) edges += longest(f);
-    for (const FacePiece& piece : diagram_.pieces) edges += longest(piece.face);
-    return kCornerRounding * mesh_.largest_coordinate() * edges;
+  const double tolerance = kAreaTolerance * total + area_rounding(mesh, diagram);
+  for (const Cell& c : diagram.cells) {
+    if (std::abs(c.area - cell_area[c.generator]) <= tolerance) continue;
+    violations.add(2, "cell", c.generator.index(), "its area is not that of its faces and pieces");
   }
-
-  void check_vertex_labels() {
-    for_each_cell_part(diagram_, [&](const FacePart& part) {
-      for (const Bary& corner : part.corners) {
-        for (int k = 0; k < 3; ++k) {
-          // Exactly the vertex, since a crossing may be as close to it as rounding allows.
-          const bool at_vertex = corner[(k + 1) % 3] == 0 && corner[(k + 2) % 3] == 0;
-          if (at_vertex) check_vertex_label(mesh_.vertices(part.face)[k], part.generator);
-        }
-      }
-    });
-  }
-
-  void check_vertex_label(VertexId v, GeneratorId g) {
-    if (diagram_.vertex_label[v] == g) return;
-    violations_.add(2, "vertex", v.index(), "its label is not that of a face or piece at it");
-  }
-
-  const Mesh& mesh_;
-  const Diagram& diagram_;
-  const ReachedFaces& reached_;
-  Violations& violations_;
-  IdVector<GeneratorId, double> cell_area_;  // area of the faces and pieces of each cell
-  std::size_t next_ = 0;                     // first piece that is not yet counted
-};
+  if (next < diagram.pieces.size()) violations.add(2, "piece", next, "pieces are not sorted by face");
+}
 
 /// The largest distance of a generator from its cell, relative to the bounding box's diagonal: rounding, and a thousand
 /// times the distance within which a generator is taken for a vertex.
@@ -298,7 +257,18 @@ void check_ids(const Mesh& mesh, const Diagram& diagram, Violations& violations)
 }
 
 void check_partition(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& reached, Violations& violations) {
-  PartitionCheck(mesh, diagram, reached, violations).run();
+  check_areas(mesh, diagram, reached, violations);
+  for_each_cell_part(diagram, [&](const FacePart& part) {
+    for (const Bary& corner : part.corners) {
+      for (int k = 0; k < 3; ++k) {
+        // Exactly the vertex, since a crossing may be as close to it as rounding allows.
+        if (corner[(k + 1) % 3] != 0 || corner[(k + 2) % 3] != 0) continue;
+        const VertexId v = mesh.vertices(part.face)[k];
+        if (diagram.vertex_label[v] == part.generator) continue;
+        violations.add(2, "vertex", v.index(), "its label is not that of a face or piece at it");
+      }
+    }
+  });
 }
 
 void check_generators(const Mesh& mesh, const Diagram& diagram, Violations& violations) {

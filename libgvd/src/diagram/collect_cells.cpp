@@ -6,6 +6,8 @@
 // cancel. So neither bisectors nor the mesh's boundary are counted. The boundary loops are counted on their own, by
 // union-find over the sides of arcs; tests compare the two.
 // Source: not in the paper, which stops at the bisectors. Cost: O(n) for n faces, of which only those with arcs are cut.
+#include "diagram/collect_cells.hpp"
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -14,8 +16,8 @@
 #include <span>
 
 #include "base/barycentric.hpp"
+#include "base/sort_unique.hpp"
 #include "base/union_find.hpp"
-#include "diagram/finish_diagram.hpp"
 #include "diagram/graph/face_diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 
@@ -25,254 +27,96 @@ namespace {
 /// Faces in a chunk. Some are cut into pieces, which takes longer than a look-up.
 constexpr std::size_t kChunkFaces = 1 << 11;
 
-constexpr std::int32_t kNoPiece = -1;
+/// In place of the first side of a loop at an end.
+constexpr std::int32_t kNoSide = -1;
 
-/// Unites the sides of arcs and the label intervals of boundary edges that follow each other around a cell: every set
-/// is a loop.
-class LoopCounter {
- public:
-  LoopCounter(const WorkingMesh& working, const TracedDiagram& traced)
-      : mesh_(working.mesh()),
-        traced_(traced),
-        loops_(working.generator_vertices().size(), 0),
-        sets_(0),
-        at_crossing_(traced.crossings.size(), {kNoPiece, kNoPiece}),
-        at_branch_(traced.faces.branches.size()) {}
-
-  IdVector<GeneratorId, std::int32_t> count() {
-    for (const FaceArc& arc : traced_.faces.arcs) {
-      add_side(arc, arc.left);
-      add_side(arc, arc.right);
-    }
-    for (const EdgeId e : mesh_.edges()) {
-      if (mesh_.is_boundary(e)) add_boundary_edge(e);
-    }
-    for (int i = 0; i < std::ssize(label_); ++i) {
-      if (label_[i].valid() && sets_.find(i) == i) ++loops_[label_[i]];
-    }
-    return std::move(loops_);
-  }
-
- private:
-  std::int32_t add(GeneratorId g) {
-    label_.push_back(g);
-    return sets_.add();
-  }
-
-  // The cells at a crossing or at a branch point differ, so the end and the cell of a side determine what follows it.
-  void add_side(const FaceArc& arc, GeneratorId g) {
-    const std::int32_t side = add(g);
-    for (const ArcEnd& end : {arc.begin, arc.end}) {
-      if (end.crossing.valid()) {
-        unite_at(end.crossing, g, side);
-      } else {
-        unite(at_branch_[end.branch].try_emplace(g, kNoPiece).first->second, side);
-      }
-    }
-  }
-
-  void add_boundary_edge(EdgeId e) {
-    const HalfedgeId h = mesh_.halfedge(e);
-    GeneratorId g = traced_.labels.label[mesh_.from(h)];
-    std::int32_t interval = add(g);
-    unite(at_vertex_.try_emplace(mesh_.from(h), kNoPiece).first->second, interval);
-    for (std::int32_t k = 0; k < traced_.crossings.count(e); ++k) {
-      const CrossingId id(traced_.crossings.first(e).value() + k);
-      unite_at(id, g, interval);
-      g = traced_.crossings[id].after;
-      interval = add(g);
-      unite_at(id, g, interval);
-    }
-    unite(at_vertex_.try_emplace(mesh_.to(h), kNoPiece).first->second, interval);
-  }
-
-  void unite_at(CrossingId id, GeneratorId g, std::int32_t member) {
-    unite(at_crossing_[id][traced_.crossings[id].before == g ? 0 : 1], member);
-  }
-
-  void unite(std::int32_t& first, std::int32_t member) {
-    if (first == kNoPiece) first = member;
-    sets_.unite(first, member);
-  }
-
-  const Mesh& mesh_;
-  const TracedDiagram& traced_;
-  IdVector<GeneratorId, std::int32_t> loops_;
-  UnionFind sets_;
-  std::vector<GeneratorId> label_;
-  IdVector<CrossingId, std::array<std::int32_t, 2>> at_crossing_;
-  IdVector<BranchPointId, std::map<GeneratorId, std::int32_t>> at_branch_;
-  std::map<VertexId, std::int32_t> at_vertex_;
-};
-
-/// What the faces of a chunk give: the shares of cells, and the pieces of faces that are cut.
+/// The shares of cells in a chunk of faces, and the pieces of those faces that are cut.
 struct CollectedFaces {
   CellShares shares;
   std::vector<FacePiece> pieces;
-  std::ptrdiff_t known = 0;                ///< number of the known piece after the last one that was taken
-  std::vector<BoundaryCrossing> boundary;  ///< of the current face
-  WorkingPieces working_pieces;            ///< of the current face
 };
 
-class CellCollector {
- public:
-  CellCollector(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools, Diagram& diagram)
-      : working_(working),
-        mesh_(working.mesh()),
-        traced_(traced),
-        parallel_(tools.parallel),
-        diagram_(diagram),
-        known_(tools.known) {}
-
-  void collect() {
-    diagram_.cells.resize(working_.generator_vertices().size());
-    diagram_.face_label.resize(working_.input().face_count());
-    count_vertices();
-    count_edges();
-    collect_faces();
-    sort_pieces();
-    find_neighbours(diagram_);
-    const auto loops = count_boundary_loops(working_, traced_);
-    for (const GeneratorId g : diagram_.cells.ids()) {
-      diagram_.cells[g].generator = g;
-      diagram_.cells[g].components = traced_.cell_components[g];
-      diagram_.cells[g].boundary_loops = loops[g];
-    }
+/// The known pieces of face f. `next`: the piece after those of the face before.
+std::span<FacePiece> known_pieces_in(std::vector<FacePiece>& pieces, FaceId f, std::size_t& next) {
+  if (next == pieces.size() || pieces[next].face != f) {
+    next = std::ranges::lower_bound(pieces, f, {}, &FacePiece::face) - pieces.begin();
   }
+  const std::size_t first = next;
+  while (next < pieces.size() && pieces[next].face == f) ++next;
+  return std::span(pieces).subspan(first, next - first);
+}
 
- private:
-  void count_vertices() {
-    count(mesh_.vertex_count(), 1, [&](std::size_t i) {
-      const VertexId v(i);
-      return mesh_.is_boundary(v) ? GeneratorId() : traced_.labels.label[v];
-    });
-  }
-
-  void count_edges() {
-    count(mesh_.edge_count(), -1, [&](std::size_t i) {
-      const HalfedgeId h = mesh_.halfedge(EdgeId(i));
-      return mesh_.twin(h).valid() ? traced_.labels.label[mesh_.from(h)] : GeneratorId();
-    });
-    for (const Crossing& c : traced_.crossings.items()) {
-      if (!mesh_.is_boundary(c.edge)) --diagram_.cells[c.after].euler_characteristic;
-    }
-  }
-
-  /// Adds `sign` to the Euler characteristic of label_of(i)'s cell for every i below `items`.
-  template <class LabelOf>
-  void count(std::int32_t items, std::int32_t sign, const LabelOf& label_of) {
-    const auto count_chunk = [&](const Chunk& chunk) {
-      CellShares shares;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        const GeneratorId g = label_of(i);
-        if (g.valid()) shares[g].euler_characteristic += sign;
-      }
-      return shares.take();
-    };
-    for (const auto& shares :
-         parallel_.map(cut_into_chunks(items, kScanChunk), steps::kVerticesAndEdges, count_chunk)) {
-      add(shares);
-    }
-  }
-
-  void collect_faces() {
-    const auto chunks = cut_into_chunks(mesh_.face_count(), kChunkFaces);
-    const auto collect_chunk = [&](const Chunk& chunk) { return collect_faces(chunk); };
-    for (CollectedFaces& faces : parallel_.map(chunks, steps::kPieces, collect_chunk)) {
-      add(faces.shares.take());
-      std::move(faces.pieces.begin(), faces.pieces.end(), std::back_inserter(diagram_.pieces));
-    }
-  }
-
-  /// Labels the faces of a chunk, and cuts those with arcs into pieces. Writes labels of its own faces only.
-  CollectedFaces collect_faces(const Chunk& chunk) {
-    CollectedFaces faces;
-    const std::vector<FaceArc>& arcs = traced_.faces.arcs;
-    auto arc = std::ranges::lower_bound(arcs, FaceId(chunk.begin), {}, &FaceArc::face);
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const FaceId f(i);
-      const auto begin = arc;
-      while (arc != arcs.end() && arc->face == f) ++arc;
-      if (begin == arc) {
-        collect_whole(f, faces);
-      } else if (known_ != nullptr && known_->is_known[f] != 0 && !working_.is_split(f)) {
-        collect_known(f, faces);
-      } else {
-        collect_cut(f, std::span(std::to_address(begin), std::to_address(arc)), faces);
-      }
-    }
-    return faces;
-  }
-
-  void collect_whole(FaceId f, CollectedFaces& faces) {
-    const GeneratorId g = traced_.labels.label[mesh_.vertices(f)[0]];
-    if (!g.valid()) return;
-    CellShare& share = faces.shares[g];
+/// Labels the faces of a chunk, and cuts those with arcs into pieces, or moves pieces that are known. Writes labels of
+/// its own faces only.
+CollectedFaces collect_faces(const WorkingMesh& working, const TracedDiagram& traced, KnownPieces* known,
+                             const Chunk& chunk, IdVector<FaceId, GeneratorId>& face_label) {
+  const Mesh& mesh = working.mesh();
+  CollectedFaces result;
+  const auto add_share = [&result](GeneratorId g, double area) {
+    CellShare& share = result.shares[g];
     ++share.euler_characteristic;
-    share.area += mesh_.area(f);
-    if (working_.is_split(f)) {
-      add_piece(f, g, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, faces);
+    share.area += area;
+  };
+  const auto add_piece = [&](FaceId f, GeneratorId g, std::vector<Bary> corners) {
+    for (Bary& corner : corners) corner = working.parent_bary(f, corner);
+    result.pieces.push_back({working.parent(f), g, std::move(corners)});
+  };
+  const auto area_of = [](const std::vector<Bary>& corners) {
+    return std::max(0.0, area_share(corners));  // negative only by rounding
+  };
+  std::vector<BoundaryCrossing> boundary;  // of the current face
+  WorkingPieces cut;                       // of the current face
+  std::size_t next_known = 0;              // the known piece after the last one that was moved
+  const std::vector<FaceArc>& arcs = traced.faces.arcs;
+  auto arc = std::ranges::lower_bound(arcs, FaceId(chunk.begin), {}, &FaceArc::face);
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    const FaceId f(i);
+    const auto begin = arc;
+    while (arc != arcs.end() && arc->face == f) ++arc;
+    const double area = mesh.area(f);
+    if (begin == arc) {
+      const GeneratorId g = traced.labels.label[mesh.vertices(f)[0]];
+      if (!g.valid()) continue;
+      add_share(g, area);
+      if (working.is_split(f)) {
+        add_piece(f, g, {kWholeTriangle.begin(), kWholeTriangle.end()});
+      } else {
+        face_label[f] = g;
+      }
+    } else if (known != nullptr && known->is_known[f] != 0 && !working.is_split(f)) {
+      for (FacePiece& piece : known_pieces_in(known->pieces, f, next_known)) {
+        add_share(piece.generator, area * area_of(piece.corners));
+        result.pieces.push_back(std::move(piece));
+      }
     } else {
-      diagram_.face_label[f] = g;
+      boundary_crossings(mesh, traced.crossings, f, boundary);
+      trace_pieces(boundary, {std::to_address(begin), std::to_address(arc)}, traced.faces, cut);
+      for (WorkingPiece& piece : cut.pieces) {
+        add_share(piece.generator, area * area_of(piece.corners));
+        add_piece(f, piece.generator, std::move(piece.corners));
+      }
     }
   }
+  return result;
+}
 
-  void collect_cut(FaceId f, std::span<const FaceArc> arcs, CollectedFaces& faces) const {
-    const double area = mesh_.area(f);
-    boundary_crossings(mesh_, traced_.crossings, f, faces.boundary);
-    trace_pieces(faces.boundary, arcs, traced_.faces, faces.working_pieces);
-    for (WorkingPiece& piece : faces.working_pieces.pieces) {
-      CellShare& share = faces.shares[piece.generator];
-      ++share.euler_characteristic;
-      share.area += area * std::max(0.0, area_share(piece.corners));  // negative only by rounding
-      add_piece(f, piece.generator, std::move(piece.corners), faces);
+/// Adds `sign` to the Euler characteristic of the cell label_of(i) for each i below `items`, if that is valid.
+template <class LabelOf>
+void count_items(std::int32_t items, std::int32_t sign, const ParallelChunks& parallel, const LabelOf& label_of,
+                 IdVector<GeneratorId, Cell>& cells) {
+  const auto count_chunk = [&](const Chunk& chunk) {
+    CellShares shares;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const GeneratorId g = label_of(i);
+      if (g.valid()) shares[g].euler_characteristic += sign;
     }
+    return shares.take();
+  };
+  const auto chunks = cut_into_chunks(items, kScanChunk);
+  for (const CellShare& share : parallel.collect(chunks, steps::kVerticesAndEdges, count_chunk)) {
+    cells[share.generator].euler_characteristic += share.euler_characteristic;
   }
-
-  void collect_known(FaceId f, CollectedFaces& faces) const {
-    const double area = mesh_.area(f);
-    auto piece = known_->pieces.begin() + faces.known;
-    if (piece == known_->pieces.end() || piece->face != f) {
-      piece = std::ranges::lower_bound(known_->pieces, f, {}, &FacePiece::face);
-    }
-    for (; piece != known_->pieces.end() && piece->face == f; ++piece) {
-      CellShare& share = faces.shares[piece->generator];
-      ++share.euler_characteristic;
-      share.area += area * std::max(0.0, area_share(piece->corners));
-      faces.pieces.push_back(std::move(*piece));
-    }
-    faces.known = piece - known_->pieces.begin();
-  }
-
-  void add_piece(FaceId f, GeneratorId g, std::vector<Bary> corners, CollectedFaces& faces) const {
-    for (Bary& corner : corners) corner = working_.parent_bary(f, corner);
-    faces.pieces.push_back({working_.parent(f), g, std::move(corners)});
-  }
-
-  void add(const std::vector<CellShare>& shares) {
-    for (const CellShare& share : shares) {
-      Cell& cell = diagram_.cells[share.generator];
-      cell.euler_characteristic += share.euler_characteristic;
-      cell.area += share.area;
-    }
-  }
-
-  /// Only the pieces of parts that generators made are out of order. They come last.
-  void sort_pieces() {
-    std::vector<FacePiece>& pieces = diagram_.pieces;
-    const auto by_face = [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; };
-    const auto last = std::is_sorted_until(pieces.begin(), pieces.end(), by_face);
-    std::stable_sort(last, pieces.end(), by_face);
-    std::inplace_merge(pieces.begin(), last, pieces.end(), by_face);
-  }
-
-  const WorkingMesh& working_;
-  const Mesh& mesh_;
-  const TracedDiagram& traced_;
-  const ParallelChunks& parallel_;
-  Diagram& diagram_;
-  KnownPieces* known_;  // null without any
-};
+}
 
 }  // namespace
 
@@ -283,18 +127,112 @@ void find_neighbours(Diagram& diagram) {
     diagram.cells[b.right].neighbours.push_back(b.left);
   }
   for (Cell& c : diagram.cells) {
-    std::sort(c.neighbours.begin(), c.neighbours.end());
-    c.neighbours.erase(std::unique(c.neighbours.begin(), c.neighbours.end()), c.neighbours.end());
+    sort_unique(c.neighbours);
   }
 }
 
+/// Unites the sides of arcs and the label intervals of boundary edges that follow each other around a cell: each set is
+/// a loop.
 IdVector<GeneratorId, std::int32_t> count_boundary_loops(const WorkingMesh& working, const TracedDiagram& traced) {
-  return LoopCounter(working, traced).count();
+  const Mesh& mesh = working.mesh();
+  const Crossings& crossings = traced.crossings;
+  UnionFind sets(0);
+  std::vector<GeneratorId> label;  // of each member
+  const auto add = [&](GeneratorId g) {
+    label.push_back(g);
+    return sets.add();
+  };
+  // The cells at a crossing or at a branch point differ, so that the end and the cell of a side determine what follows.
+  IdVector<CrossingId, std::array<std::int32_t, 2>> at_crossing(crossings.size(), {kNoSide, kNoSide});
+  IdVector<BranchPointId, std::map<GeneratorId, std::int32_t>> at_branch(traced.faces.branches.size());
+  std::map<VertexId, std::int32_t> at_vertex;
+  const auto unite = [&](std::int32_t& first, std::int32_t member) {
+    if (first == kNoSide) first = member;
+    sets.unite(first, member);
+  };
+  const auto unite_at_crossing = [&](CrossingId id, GeneratorId g, std::int32_t member) {
+    unite(at_crossing[id][crossings[id].before == g ? 0 : 1], member);
+  };
+  const auto unite_at_vertex = [&](VertexId v, std::int32_t member) {
+    unite(at_vertex.try_emplace(v, kNoSide).first->second, member);
+  };
+  for (const FaceArc& arc : traced.faces.arcs) {
+    for (const GeneratorId g : {arc.left, arc.right}) {
+      const std::int32_t side = add(g);
+      for (const ArcEnd& end : {arc.begin, arc.end}) {
+        if (end.crossing.valid()) {
+          unite_at_crossing(end.crossing, g, side);
+        } else {
+          unite(at_branch[end.branch].try_emplace(g, kNoSide).first->second, side);
+        }
+      }
+    }
+  }
+  for (const EdgeId e : mesh.edges()) {
+    if (!mesh.is_boundary(e)) continue;
+    const HalfedgeId h = mesh.halfedge(e);
+    GeneratorId g = traced.labels.label[mesh.from(h)];
+    std::int32_t interval = add(g);
+    unite_at_vertex(mesh.from(h), interval);
+    for (std::int32_t k = 0; k < crossings.count(e); ++k) {
+      const CrossingId id(crossings.first(e).value() + k);
+      unite_at_crossing(id, g, interval);
+      g = crossings[id].after;
+      interval = add(g);
+      unite_at_crossing(id, g, interval);
+    }
+    unite_at_vertex(mesh.to(h), interval);
+  }
+  IdVector<GeneratorId, std::int32_t> loops(working.generator_vertices().size(), 0);
+  for (int i = 0; i < std::ssize(label); ++i) {
+    if (label[i].valid() && sets.find(i) == i) ++loops[label[i]];
+  }
+  return loops;
 }
 
-void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools,
-                   Diagram& diagram) {
-  CellCollector(working, traced, tools, diagram).collect();
+void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                   Diagram& diagram, KnownPieces* known) {
+  const Mesh& mesh = working.mesh();
+  const IdVector<VertexId, GeneratorId>& label = traced.labels.label;
+  diagram.cells.resize(working.generator_vertices().size());
+  diagram.face_label.resize(working.input().face_count());
+  const auto inner_vertex = [&](std::size_t i) {
+    const VertexId v(i);
+    return mesh.is_boundary(v) ? GeneratorId() : label[v];
+  };
+  const auto first_of_inner_edge = [&](std::size_t i) {
+    const HalfedgeId h = mesh.halfedge(EdgeId(i));
+    return mesh.twin(h).valid() ? label[mesh.from(h)] : GeneratorId();
+  };
+  count_items(mesh.vertex_count(), 1, parallel, inner_vertex, diagram.cells);
+  count_items(mesh.edge_count(), -1, parallel, first_of_inner_edge, diagram.cells);
+  for (const Crossing& c : traced.crossings.items()) {
+    if (!mesh.is_boundary(c.edge)) --diagram.cells[c.after].euler_characteristic;
+  }
+  std::vector<FacePiece>& pieces = diagram.pieces;
+  const auto chunks = cut_into_chunks(mesh.face_count(), kChunkFaces);
+  const auto collect = [&](const Chunk& chunk) {
+    return collect_faces(working, traced, known, chunk, diagram.face_label);
+  };
+  for (CollectedFaces& faces : parallel.map(chunks, steps::kPieces, collect)) {
+    for (const CellShare& share : faces.shares.take()) {
+      diagram.cells[share.generator].euler_characteristic += share.euler_characteristic;
+      diagram.cells[share.generator].area += share.area;
+    }
+    std::ranges::move(faces.pieces, std::back_inserter(pieces));
+  }
+  // Only the pieces of faces that generators split are out of order. They come last.
+  const auto by_face = [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; };
+  const auto last = std::is_sorted_until(pieces.begin(), pieces.end(), by_face);
+  std::stable_sort(last, pieces.end(), by_face);
+  std::inplace_merge(pieces.begin(), last, pieces.end(), by_face);
+  find_neighbours(diagram);
+  const auto loops = count_boundary_loops(working, traced);
+  for (const GeneratorId g : diagram.cells.ids()) {
+    diagram.cells[g].generator = g;
+    diagram.cells[g].components = traced.cell_components[g];
+    diagram.cells[g].boundary_loops = loops[g];
+  }
 }
 
 }  // namespace gvd

@@ -22,6 +22,7 @@
 #include "diagram/graph/connected_tracer.hpp"
 #include "diagram/growth/gap_tracer.hpp"
 #include "diagram/growth/trace_paper.hpp"
+#include "diagram/trace_bisectors.hpp"
 #include "geodesic/marching/fast_marching.hpp"
 #include "geodesic/marching/marched_distances.hpp"
 #include "geodesic/symbolic_offset.hpp"
@@ -54,7 +55,7 @@ struct AddedLengths {
 /// the distance from its nearest generator.
 void take_vertex_labels(const WorkingMesh& working, const TracedDiagram& traced, const AddedLengths& added,
                         Diagram& diagram) {
-  const NearestLabels& nearest = traced.before_relabelling ? *traced.before_relabelling : traced.labels;
+  const NearestLabels& nearest = traced.nearest();
   diagram.vertex_label.resize(working.input().vertex_count());
   diagram.vertex_distance.resize(working.input().vertex_count());
   for (const VertexId v : working.input().vertices()) {
@@ -74,7 +75,7 @@ TracedDiagram trace_tables(const WorkingMesh& working, const GeneratorTable& tab
   return trace_connected(working, std::move(labels), tracer, options.progress);
 }
 
-/// What solver and tracer leave to the steps that all methods share.
+/// The result of solver and tracer, for the steps that all methods share.
 struct Traced {
   TracedDiagram diagram;
   AddedLengths added;  ///< contained in the distances of the labels
@@ -159,14 +160,14 @@ void take_counts(const TracedDiagram& traced, DiagramReport& report) {
 
 /// The steps that all methods share.
 void finish(const WorkingMesh& working, const TracedDiagram& traced, const AddedLengths& added,
-            const FinishingTools& tools, Diagram& diagram) {
+            const ParallelChunks& parallel, Diagram& diagram, KnownPieces* known = nullptr) {
   take_counts(traced, diagram.report);
-  report_progress(tools.parallel.progress(), steps::kCells, 0);
+  report_progress(parallel.progress(), steps::kCells, 0);
   take_vertex_labels(working, traced, added, diagram);
   diagram.report.face_classes = count_face_classes(working.input(), diagram.vertex_label);
-  trace_bisectors(working, traced, tools.parallel, diagram);
+  trace_bisectors(working, traced, parallel, diagram);
   for (BranchPoint& branch : diagram.branch_points) branch.distance += least_weight(diagram.weights);
-  collect_cells(working, traced, tools, diagram);
+  collect_cells(working, traced, parallel, diagram, known);
 }
 
 /// Runs all steps with the tables that `solve(working)` makes.
@@ -180,7 +181,7 @@ Diagram compute_by_tables(const Mesh& mesh, const std::vector<SurfacePoint>& gen
   diagram.generators = generators;
   const FastMarchingResult solved = solve(working);
   const Traced traced = trace_marched(working, solved, options, parallel, diagram.report);
-  finish(working, traced.diagram, traced.added, {parallel}, diagram);
+  finish(working, traced.diagram, traced.added, parallel, diagram);
   return diagram;
 }
 
@@ -190,7 +191,7 @@ void trace_and_read(const WorkingMesh& working, const DiagramOptions& options, K
   const ParallelChunks parallel(options.threads, options.progress);
   const WindowField field = propagate(working, options, keep);
   const Traced traced = trace_windows(working, field, options, parallel, diagram.report);
-  finish(working, traced.diagram, traced.added, {parallel}, diagram);
+  finish(working, traced.diagram, traced.added, parallel, diagram);
   if (read) read(working, field, diagram);
 }
 
@@ -202,9 +203,9 @@ std::vector<double> from_zero(std::vector<double> weights) {
   return weights;
 }
 
-void finish_diagram(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools,
-                    Diagram& diagram) {
-  finish(working, traced, {}, tools, diagram);
+void finish_diagram(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                    Diagram& diagram, KnownPieces* known) {
+  finish(working, traced, {}, parallel, diagram, known);
 }
 
 double chord_length(const Mesh& mesh, const DiagramOptions& options) {

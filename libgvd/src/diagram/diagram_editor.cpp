@@ -1,13 +1,13 @@
 // A diagram that follows changes of its generators.
 //
-// Idea: a change of one generator leaves most windows, crossings and arcs as they are. `update_windows` finds the faces
-// whose windows change, and `RetracingTracer` traces these; labels, bisectors and cells are then collected as
-// `compute_diagram` does.
-// The work beyond the neighbourhood of the change is copying and counting: the working mesh, the lists of crossings and
-// arcs, the sums of the cells. These take most of the time of a change of one generator in a hundred.
+// A change of one generator leaves most windows, crossings and arcs as they are. `EditableWindows` finds the faces
+// whose windows change, and `RetracingTracer` traces these. Labels, bisectors and cells are then collected as in
+// `compute_diagram`. Beyond the neighbourhood of the change there is only copying and counting: the working mesh, the
+// lists of crossings and arcs, the sums of the cells. With a hundred generators, this takes most of the time.
 // A generator that is removed leaves its number to the last one. Otherwise all later numbers would change, and with
 // them the ties that numbers decide.
-// Source: none. Invariant: the diagram is that of `compute_diagram` with the same generators, to the last bit.
+// Source: none. Invariant: the diagram is that of `compute_diagram` with the same generators, except where shortest
+// paths tie to the last bit.
 #include "gvd/diagram_editor.hpp"
 
 #include <fmt/format.h>
@@ -17,6 +17,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/sort_unique.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "diagram/envelope/retrace_envelope.hpp"
 #include "diagram/finish_diagram.hpp"
@@ -36,19 +37,16 @@ namespace {
 std::vector<VertexId> vertices_of(const Mesh& mesh, const std::vector<FaceId>& faces) {
   std::vector<VertexId> vertices;
   for (const FaceId f : faces) vertices.insert(vertices.end(), mesh.vertices(f).begin(), mesh.vertices(f).end());
-  std::ranges::sort(vertices);
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sort_unique(vertices);
   return vertices;
 }
 
 /// The labels of the windows, of which only those near the change are looked at for support.
-NearestLabels labels_of(const WorkingMesh& working, const WindowField& windows, const KnownTrace* known,
-                        const ParallelChunks& parallel) {
-  if (known == nullptr) return take_labels(working, windows.distance, windows.label, parallel);
+NearestLabels labels_of(const WorkingMesh& working, const WindowField& windows, const KnownTrace& known) {
   std::vector<VertexId> before;  // by their present numbers; inserted vertices are generators, or have changed
   const auto is_of_input = [&](VertexId v) { return v.value() < working.input().vertex_count(); };
-  std::ranges::copy_if(known->windows.unsupported, std::back_inserter(before), is_of_input);
-  return take_labels(working, windows.distance, windows.label, before, vertices_of(working.mesh(), known->changed));
+  std::ranges::copy_if(known.traced.nearest().unsupported, std::back_inserter(before), is_of_input);
+  return take_labels(working, windows.distance, windows.label, before, vertices_of(working.mesh(), known.changed));
 }
 
 /// Whether crossings can stay: their symbolic offsets are the same for both numbers of generators.
@@ -65,14 +63,13 @@ struct DiagramEditor::State {
   void check(GeneratorId g) const;
   void compute(std::vector<SurfacePoint> generators);
   void change(std::vector<SurfacePoint> generators, const ChangedGenerators& changed);
-  void trace(const WorkingMesh& of, const WindowField& field, const KnownTrace* known, TracedWindows& result,
-             Diagram& next);
+  void take(std::unique_ptr<WorkingMesh> new_working, TracedDiagram new_traced, Diagram next);
 
   const Mesh& mesh;
   DiagramOptions options;
   std::unique_ptr<WorkingMesh> working;
   std::unique_ptr<EditableWindows> windows;
-  TracedWindows traced{};
+  TracedDiagram traced{};
   Diagram diagram{};
   std::int32_t propagated = 0;
   bool is_current = false;  ///< whether the windows are those of the diagram: not after an interruption
@@ -87,44 +84,35 @@ void DiagramEditor::State::check(GeneratorId g) const {
               g.value());
 }
 
-/// Traces the windows and fills in the next diagram, except for its generators. If anything is known, pieces are taken
-/// from the present diagram. From then on, nothing is reported, so that nothing interrupts.
-void DiagramEditor::State::trace(const WorkingMesh& of, const WindowField& field, const KnownTrace* known,
-                                 TracedWindows& result, Diagram& next) {
-  const ParallelChunks parallel(options.threads, options.progress);
-  const WindowDistances distances(of.mesh(), field);
-  const EnvelopeTracer tracer(of, distances, chord_length(of.mesh(), options), parallel);
-  RetracingTracer retracing(tracer, of, field, known, result.crossings);
-  NearestLabels labels = labels_of(of, field, known, parallel);
-  result.unsupported = labels.unsupported;
-  result.traced = trace_connected(of, std::move(labels), retracing, options.progress);
-  next.report.propagation_events = field.carried;
-  if (known == nullptr) return finish_diagram(of, result.traced, {parallel}, next);
-  report_progress(options.progress, steps::kCells, 0);
-  const Progress silent;
-  const ParallelChunks uninterrupted(options.threads, silent);
-  KnownPieces pieces{retracing.take_kept(), diagram.pieces};
-  finish_diagram(of, result.traced, {uninterrupted, &pieces}, next);
-}
-
-/// Computes all. The state changes only where nothing can throw any more.
-void DiagramEditor::State::compute(std::vector<SurfacePoint> generators) {
-  auto new_working = std::make_unique<WorkingMesh>(mesh, generators, options.progress);
-  auto new_windows = std::make_unique<EditableWindows>(*new_working, options.threads, options.progress);
-  TracedWindows new_traced;
-  Diagram next;
-  next.generators = std::move(generators);
-  trace(*new_working, new_windows->field(), nullptr, new_traced, next);
+/// Takes over what a change has computed. Throws nothing.
+void DiagramEditor::State::take(std::unique_ptr<WorkingMesh> new_working, TracedDiagram new_traced, Diagram next) {
   working = std::move(new_working);
-  windows = std::move(new_windows);
   traced = std::move(new_traced);
   diagram = std::move(next);
-  propagated = static_cast<std::int32_t>(diagram.generators.size());
   is_current = true;
 }
 
-/// Refused generators throw before the windows change. After an interruption the windows are lost, and the next change
-/// computes all.
+/// Computes everything from scratch. The state changes only after the last step that can throw.
+void DiagramEditor::State::compute(std::vector<SurfacePoint> generators) {
+  auto after = std::make_unique<WorkingMesh>(mesh, generators, options.progress);
+  auto new_windows = std::make_unique<EditableWindows>(*after, options.threads, options.progress);
+  const WindowField& field = new_windows->field();
+  const ParallelChunks parallel(options.threads, options.progress);
+  const WindowDistances distances(after->mesh(), field);
+  EnvelopeTracer tracer(*after, distances, chord_length(after->mesh(), options), parallel);
+  TracedDiagram new_traced =
+      trace_connected(*after, take_labels(*after, field.distance, field.label, parallel), tracer, options.progress);
+  Diagram next;
+  next.generators = std::move(generators);
+  next.report.propagation_events = field.carried;
+  finish_diagram(*after, new_traced, parallel, next);
+  windows = std::move(new_windows);
+  propagated = static_cast<std::int32_t>(next.generators.size());
+  take(std::move(after), std::move(new_traced), std::move(next));
+}
+
+/// Refused generators throw before the windows change. An interruption loses the windows, so that the next change
+/// starts from scratch.
 void DiagramEditor::State::change(std::vector<SurfacePoint> generators, const ChangedGenerators& changed) {
   auto after = std::make_unique<WorkingMesh>(mesh, generators, options.progress);
   if (!std::exchange(is_current, false)) return compute(std::move(generators));
@@ -133,16 +121,23 @@ void DiagramEditor::State::change(std::vector<SurfacePoint> generators, const Ch
   if (!have_same_offsets(mesh, diagram.generators.size(), generators.size())) {
     update.is_changed.assign(update.is_changed.size(), 1);  // not `changed`: labels are the same elsewhere
   }
+  const KnownTrace known{working->mesh(), traced, common, update.is_changed, update.changed};
+  const WindowField& field = windows->field();
+  const ParallelChunks parallel(options.threads, options.progress);
+  const WindowDistances distances(after->mesh(), field);
+  const EnvelopeTracer tracer(*after, distances, chord_length(after->mesh(), options), parallel);
+  RetracingTracer retracing(tracer, *after, field, known);
+  TracedDiagram new_traced = trace_connected(*after, labels_of(*after, field, known), retracing, options.progress);
   Diagram next;
   next.generators = std::move(generators);
-  TracedWindows new_traced;
-  const KnownTrace known{working->mesh(), traced, common, update.is_changed, update.changed};
-  trace(*after, windows->field(), &known, new_traced, next);
-  working = std::move(after);
-  traced = std::move(new_traced);
-  diagram = std::move(next);
+  next.report.propagation_events = field.carried;
+  report_progress(options.progress, steps::kCells, 0);
+  // From here on pieces move out of the present diagram. Nothing is reported, so that nothing can interrupt.
+  const Progress silent;
+  KnownPieces pieces{retracing.take_kept(), diagram.pieces};
+  finish_diagram(*after, new_traced, ParallelChunks(options.threads, silent), next, &pieces);
   propagated = update.propagated;
-  is_current = true;
+  take(std::move(after), std::move(new_traced), std::move(next));
 }
 
 DiagramEditor::DiagramEditor(const Mesh& mesh, std::vector<SurfacePoint> generators, DiagramOptions options) {

@@ -1,8 +1,7 @@
 // The paper's error measure E (section 5.2): how far the bisectors are from where the exact distances are equal.
 //
-// Every segment of a bisector is cut into panels with four Gauss-Lobatto samples each. Where the difference of the two
-// distances changes its sign inside a panel, the cubic through the samples is split at its roots. Neighbouring panels
-// share the sample between them.
+// Every segment of a bisector is cut into panels with four Gauss-Lobatto samples each. Neighbouring panels share the
+// sample between them.
 // Source: equations (11) and (12); the paper names no quadrature. The points of a bisector between two vertices of it
 // are taken to lie on the straight segment, as they are drawn and written.
 // Invariant: each generator is asked for its distances once, and the sums run in the order of the bisectors.
@@ -14,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
 
 #include "base/barycentric.hpp"
@@ -24,38 +22,6 @@
 
 namespace gvd {
 namespace {
-
-/// Bisections that reduce an interval of length 1 to the spacing of doubles near 1.
-constexpr int kBisections = 53;
-
-/// The cubic through the four samples, in Lagrange's form.
-double cubic(const std::array<double, 4>& samples, double x) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    double term = samples[i];
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (j != i) term *= (x - kLobattoNodes[j]) / (kLobattoNodes[i] - kLobattoNodes[j]);
-    }
-    sum += term;
-  }
-  return sum;
-}
-
-double root_between(const std::array<double, 4>& samples, std::size_t node) {
-  double low = kLobattoNodes[node], high = kLobattoNodes[node + 1];
-  const bool negative = samples[node] < 0;
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = (low + high) / 2;
-    ((cubic(samples, middle) < 0) == negative ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
-
-/// |integral of the cubic over [a, b]|, by the two-point Gauss rule, which is exact for cubics.
-double absolute_integral(const std::array<double, 4>& samples, double a, double b) {
-  const double middle = (a + b) / 2, to_node = (b - a) / 2 * std::numbers::inv_sqrt3;
-  return std::abs(cubic(samples, middle - to_node) + cubic(samples, middle + to_node)) * (b - a) / 2;
-}
 
 /// One interval of the quadrature: the samples at its Gauss-Lobatto points.
 struct Panel {
@@ -76,66 +42,51 @@ struct Sample {
 }
 
 /// The samples along all bisectors. Neighbouring panels share the sample between them.
-class BisectorSampling {
- public:
-  BisectorSampling(const Mesh& mesh, const Diagram& diagram, int panels) : mesh_(mesh), panels_(panels) {
-    for (const BisectorId id : diagram.bisectors.ids()) {
-      check(id, diagram);
-      if (diagram.bisectors[id].left != diagram.bisectors[id].right) add(id, diagram.bisectors[id]);
-    }
-  }
-
+struct BisectorSamples {
   std::vector<Sample> samples;
-  std::vector<Panel> all_panels;
+  std::vector<Panel> panels;
 
- private:
-  void check(BisectorId id, const Diagram& diagram) const {
-    const Bisector& bisector = diagram.bisectors[id];
-    const auto check_point = [&](const SurfacePoint& p) {
-      if (!p.face.valid() || p.face.value() >= mesh_.face_count()) refuse(id, "refers to no face of the mesh");
-    };
-    for (const GeneratorId g : {bisector.left, bisector.right}) {
-      if (!g.valid() || g.index() >= diagram.generators.size()) refuse(id, "refers to no generator of the diagram");
-      check_point(diagram.generators[g.index()]);
-    }
-    std::ranges::for_each(bisector.points, check_point);
-  }
-
-  std::size_t add_sample(BisectorId id, const SurfacePoint& point) {
+  std::size_t add(BisectorId id, const SurfacePoint& point) {
     samples.push_back({point, id});
     return samples.size() - 1;
   }
+};
 
-  void add(BisectorId id, const Bisector& bisector) {
-    const std::size_t count = bisector.points.size();
-    if (count < 2) return;
-    const std::size_t first = add_sample(id, bisector.points.front());
-    std::size_t last = first;
-    const std::size_t segments = bisector.closed ? count : count - 1;
-    for (std::size_t i = 0; i < segments; ++i) {
-      const auto view = find_common_view(mesh_, bisector.points[i], bisector.points[(i + 1) % count]);
-      if (!view) refuse(id, fmt::format("has no face in common for its points {} and {}", i, (i + 1) % count));
-      add_segment(id, view->first, view->second, last);
-    }
+void check_bisector(const Mesh& mesh, const Diagram& diagram, BisectorId id) {
+  const Bisector& bisector = diagram.bisectors[id];
+  const auto check_point = [&](const SurfacePoint& p) {
+    if (!p.face.valid() || p.face.value() >= mesh.face_count()) refuse(id, "refers to no face of the mesh");
+  };
+  for (const GeneratorId g : {bisector.left, bisector.right}) {
+    if (!g.valid() || g.index() >= diagram.generators.size()) refuse(id, "refers to no generator of the diagram");
+    check_point(diagram.generators[g.index()]);
   }
+  std::ranges::for_each(bisector.points, check_point);
+}
 
-  void add_segment(BisectorId id, const SurfacePoint& a, const SurfacePoint& b, std::size_t& last) {
-    const double length = (position(mesh_, b) - position(mesh_, a)).norm();
-    if (length == 0) return;
-    for (int k = 0; k < panels_; ++k) {
-      Panel panel{{last, 0, 0, 0}, length / panels_};
-      for (std::size_t i = 1; i < 4; ++i) {
-        const double t = (k + kLobattoNodes[i]) / panels_;
-        panel.samples[i] = add_sample(id, make_surface_point(a.face, mix(a.bary, b.bary, t)));
+/// Appends the samples of a bisector, `panels` for each segment.
+void sample_bisector(const Mesh& mesh, BisectorId id, const Bisector& bisector, int panels, BisectorSamples& result) {
+  const std::size_t count = bisector.points.size();
+  if (count < 2) return;
+  std::size_t last = result.add(id, bisector.points.front());
+  const std::size_t segments = bisector.closed ? count : count - 1;
+  for (std::size_t i = 0; i < segments; ++i) {
+    const auto view = find_common_view(mesh, bisector.points[i], bisector.points[(i + 1) % count]);
+    if (!view) refuse(id, fmt::format("has no face in common for its points {} and {}", i, (i + 1) % count));
+    const auto& [a, b] = *view;
+    const double length = (position(mesh, b) - position(mesh, a)).norm();
+    if (length == 0) continue;
+    for (int k = 0; k < panels; ++k) {
+      Panel panel{{last, 0, 0, 0}, length / panels};
+      for (std::size_t node = 1; node < 4; ++node) {
+        const double t = (k + kLobattoNodes[node]) / panels;
+        panel.samples[node] = result.add(id, make_surface_point(a.face, mix(a.bary, b.bary, t)));
       }
       last = panel.samples[3];
-      all_panels.push_back(panel);
+      result.panels.push_back(panel);
     }
   }
-
-  const Mesh& mesh_;
-  int panels_;
-};
+}
 
 /// Queries and stores the distances of all samples with their weights, in one query for each generator.
 void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sample>& samples) {
@@ -183,34 +134,22 @@ double integrate(const Panel& panel, const std::vector<Sample>& samples) {
 
 }  // namespace
 
-double integrate_absolute(const std::array<double, 4>& samples) {
-  double sum = 0, start = 0;
-  const auto cut_at = [&](double x) {
-    sum += absolute_integral(samples, start, x);
-    start = x;
-  };
-  for (std::size_t i = 0; i < 3; ++i) {
-    if ((samples[i] < 0 && samples[i + 1] > 0) || (samples[i] > 0 && samples[i + 1] < 0)) {
-      cut_at(root_between(samples, i));
-    } else if (samples[i + 1] == 0) {
-      cut_at(kLobattoNodes[i + 1]);
-    }
-  }
-  cut_at(1);
-  return sum;
-}
-
 ErrorMeasure compute_error_measure(const Mesh& mesh, const Diagram& diagram, const ExactDistances& exact,
                                    const ErrorMeasureOptions& options) {
   if (options.panels < 1) throw Error(ErrorCode::invalid_option, "the number of panels must be 1 or more");
-  BisectorSampling sampling(mesh, diagram, options.panels);
-  measure(diagram, exact, sampling.samples);
+  BisectorSamples sampled;
+  for (const BisectorId id : diagram.bisectors.ids()) {
+    check_bisector(mesh, diagram, id);
+    const Bisector& bisector = diagram.bisectors[id];
+    if (bisector.left != bisector.right) sample_bisector(mesh, id, bisector, options.panels, sampled);
+  }
+  measure(diagram, exact, sampled.samples);
   ErrorMeasure result;
-  for (const Panel& panel : sampling.all_panels) {
-    result.error_integral += integrate(panel, sampling.samples);
+  for (const Panel& panel : sampled.panels) {
+    result.error_integral += integrate(panel, sampled.samples);
     result.length += panel.length;
   }
-  for (const Sample& sample : sampling.samples) {
+  for (const Sample& sample : sampled.samples) {
     result.error_max = std::max(result.error_max, std::abs(difference(sample)));
   }
   if (result.length > 0) result.error_mean = result.error_integral / result.length;

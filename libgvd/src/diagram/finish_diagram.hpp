@@ -1,87 +1,19 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <unordered_map>
-#include <utility>
-#include <vector>
-
 #include "base/parallel_chunks.hpp"
+#include "diagram/collect_cells.hpp"
 #include "diagram/graph/traced_diagram.hpp"
 #include "gvd/diagram.hpp"
 #include "mesh/working_mesh.hpp"
 
 namespace gvd {
 
-// The steps that turn a traced diagram of the working mesh into the `Diagram` of the input, in their order.
-
-/// Pieces of faces that a diagram before has, too.
-struct KnownPieces {
-  IdVector<FaceId, std::uint8_t> is_known;  ///< 1 for faces of the working mesh that have the arcs that they had
-  std::vector<FacePiece>& pieces;           ///< of the diagram before, from which those of known faces are moved
-};
-
-/// The threads of the steps, which report through its callback, and pieces that need not be traced.
-struct FinishingTools {
-  const ParallelChunks& parallel;
-  KnownPieces* known = nullptr;  ///< null if there are none
-};
-
-/// All of them, for exact distances without weights: `diagram` has its generators. Fills in all that is not counted by
-/// the solver.
-void finish_diagram(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools,
-                    Diagram& diagram);
+/// Turns a traced diagram of exact distances without weights into the `Diagram` of the input, which has its generators.
+/// Fills in all that is not counted by the solver. `known`: null if all pieces are to be traced.
+void finish_diagram(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
+                    Diagram& diagram, KnownPieces* known = nullptr);
 
 /// The chord tolerance as a length, mesh units.
 double chord_length(const Mesh& mesh, const DiagramOptions& options);
-
-/// Follows the arcs from branch point to branch point and fills in bisectors, branch points and their total length, in
-/// the input mesh's faces. Counts ends that are unresolved in its report. Several threads compute the points. Reports
-/// the first half of the step "cells".
-/// Cost: O(k) for k arcs.
-void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
-                     Diagram& diagram);
-
-/// Fills in face labels, pieces and cells by several threads; expects the bisectors in `diagram`, for a cell's
-/// neighbours. Reports the second half of the step "cells". Cost: O(n).
-void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const FinishingTools& tools,
-                   Diagram& diagram);
-
-/// Fills in the neighbours of the cells: those with a bisector in common. Part of `collect_cells`; a diagram of another
-/// origin may need it, too. Cost: O(b log b) for b bisectors.
-void find_neighbours(Diagram& diagram);
-
-/// The boundary loops of every cell, made of bisectors and of the mesh's boundary. Cost: O(k) for k arcs and boundary
-/// edges.
-IdVector<GeneratorId, std::int32_t> count_boundary_loops(const WorkingMesh& working, const TracedDiagram& traced);
-
-/// What a subset of the mesh's elements adds to a cell.
-struct CellShare {
-  GeneratorId generator;
-  std::int32_t euler_characteristic = 0;
-  double area = 0;  ///< square mesh units
-};
-
-/// The shares of cells in a subset of the mesh, in the order of insertion. Memory and time depend on the cells in the
-/// subset, not on the number of generators.
-class CellShares {
- public:
-  /// The share of cell g, new if there is none; valid until the next call.
-  CellShare& operator[](GeneratorId g) {
-    if (last_ < shares_.size() && shares_[last_].generator == g) return shares_[last_];
-    const auto [known, is_new] = index_.try_emplace(g.value(), shares_.size());
-    if (is_new) shares_.push_back({g, 0, 0});
-    last_ = known->second;
-    return shares_[last_];
-  }
-
-  /// All shares, each cell once, in the order of insertion.
-  std::vector<CellShare> take() { return std::move(shares_); }
-
- private:
-  std::unordered_map<std::int32_t, std::size_t> index_;  // of each cell's share
-  std::vector<CellShare> shares_;
-  std::size_t last_ = 0;  // of the last call: most calls ask for the same cell again
-};
 
 }  // namespace gvd

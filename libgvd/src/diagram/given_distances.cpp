@@ -47,133 +47,105 @@ void merge(std::vector<Candidate>& candidates, const Candidate& added) {
   candidates.push_back(added);
 }
 
-class Tabulator {
- public:
-  Tabulator(const WorkingMesh& working, const std::vector<SurfacePoint>& generators)
-      : working_(working),
-        mesh_(working.mesh()),
-        generators_(generators),
-        candidates_(mesh_.face_count()),
-        offset_(SymbolicOffset::of_marching(mesh_.mean_edge_length(), generators.size())) {
-    const auto component = compute_face_components(mesh_);
-    for (const VertexId v : mesh_.vertices()) component_.push_back(component[Mesh::face(mesh_.halfedge(v))]);
-    for (const VertexId v : working.generator_vertices()) {
-      double shortest = kInfinity;
-      for_each_neighbour(mesh_, v, [&](VertexId, HalfedgeId h) { shortest = std::min(shortest, mesh_.length(h)); });
-      separation_.push_back(kLeastSeparation * shortest);
+/// The distances of one generator to the vertices of the working mesh.
+using DistanceRow = IdVector<VertexId, double>;
+
+/// Goes on along the edges from the vertices whose distance is known.
+void extend_row(const Mesh& mesh, DistanceRow& row) {
+  using Offer = std::pair<double, VertexId>;
+  std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
+  for (const VertexId v : mesh.vertices()) {
+    if (row[v] != kInfinity) continue;
+    for_each_neighbour(mesh, v, [&](VertexId u, HalfedgeId h) {
+      if (row[u] != kInfinity) offers.emplace(row[u] + mesh.length(h), v);
+    });
+  }
+  while (!offers.empty()) {
+    const auto [distance, v] = offers.top();
+    offers.pop();
+    if (row[v] != kInfinity) continue;
+    row[v] = distance;
+    for_each_neighbour(mesh, v, [&, from = distance](VertexId u, HalfedgeId h) {
+      if (row[u] == kInfinity) offers.emplace(from + mesh.length(h), u);
+    });
+  }
+}
+
+/// The distance at a point of the input, linear in its face.
+double interpolate_row(const Mesh& input, const SurfacePoint& point, const DistanceRow& row) {
+  double distance = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (point.bary[i] > 0) distance += point.bary[i] * row[input.vertices(point.face)[i]];
+  }
+  return distance;
+}
+
+void check_distance(GeneratorId g, VertexId v, double d) {
+  if (d >= 0 && (d <= kLongestDistance || d == kInfinity)) return;
+  throw Error(ErrorCode::precondition,
+              fmt::format("the distance of generator {} at vertex {} is {}; give a number from 0 to {:g}, or "
+                          "infinity where it is unknown",
+                          g.value(), v.value(), d, kLongestDistance),
+              v.value());
+}
+
+GeneratorTable make_table(const Mesh& mesh, const IdVector<FaceId, std::vector<Candidate>>& candidates) {
+  GeneratorTable table(mesh.vertex_count(), mesh.face_count());
+  for (const FaceId f : mesh.faces()) {
+    for (const auto& [generator, distance] : candidates[f]) {
+      std::array<std::int32_t, 3> corner{};
+      for (std::size_t i = 0; i < 3; ++i) corner[i] = table.lower(mesh.vertices(f)[i], generator, distance[i]);
+      table.add(f, generator, corner, 0);
     }
   }
-
-  FastMarchingResult run(const DistanceSolver& solver, const Progress& progress) {
-    for (const GeneratorId g : working_.generator_vertices().ids()) {
-      report_progress(progress, steps::kDistances, double(g.value()) / double(generators_.size()));
-      row_.assign(mesh_.vertex_count(), kInfinity);
-      solver(g, std::span(row_.raw()).first(working_.input().vertex_count()));
-      check_row(g);
-      complete_row(g);
-      merge_row(g);
-    }
-    return {make_table(), offset_, 0};
-  }
-
- private:
-  bool reaches(GeneratorId g, VertexId v) const { return component_[v] == component_[working_.vertex(g)]; }
-
-  void check_row(GeneratorId g) {
-    for (const VertexId v : working_.input().vertices()) {
-      const double d = row_[v];
-      if (!reaches(g, v)) {
-        row_[v] = kInfinity;
-        continue;
-      }
-      if (!(d >= 0) || (d > kLongestDistance && d != kInfinity)) {
-        throw Error(ErrorCode::precondition,
-                    fmt::format("the distance of generator {} at vertex {} is {}; give a number from 0 to {:g}, or "
-                                "infinity where it is unknown",
-                                g.value(), v.value(), d, kLongestDistance),
-                    v.value());
-      }
-    }
-  }
-
-  /// Fills in the generators that are vertices of the working mesh alone, and what the solver does not know.
-  void complete_row(GeneratorId g) {
-    for (const GeneratorId other : working_.generator_vertices().ids()) {
-      const VertexId v = working_.vertex(other);
-      if (!reaches(g, v)) continue;
-      if (v.value() >= working_.input().vertex_count()) row_[v] = interpolate(generators_[other.index()]);
-      row_[v] = std::max(row_[v], separation_[other]);
-    }
-    row_[working_.vertex(g)] = 0;
-    extend_row();
-  }
-
-  /// Linear in the face of the input.
-  double interpolate(const SurfacePoint& point) const {
-    double distance = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (point.bary[i] > 0) distance += point.bary[i] * row_[working_.input().vertices(point.face)[i]];
-    }
-    return distance;
-  }
-
-  /// Goes on along the edges from the vertices whose distance is known.
-  void extend_row() {
-    using Offer = std::pair<double, VertexId>;
-    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
-    for (const VertexId v : mesh_.vertices()) {
-      if (row_[v] != kInfinity) continue;
-      for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId h) {
-        if (row_[u] != kInfinity) offers.emplace(row_[u] + mesh_.length(h), v);
-      });
-    }
-    while (!offers.empty()) {
-      const auto [distance, v] = offers.top();
-      offers.pop();
-      if (row_[v] != kInfinity) continue;
-      row_[v] = distance;
-      for_each_neighbour(mesh_, v, [&, from = distance](VertexId u, HalfedgeId h) {
-        if (row_[u] == kInfinity) offers.emplace(from + mesh_.length(h), u);
-      });
-    }
-  }
-
-  void merge_row(GeneratorId g) {
-    const double offset = offset_.of(g);
-    for (const FaceId f : mesh_.faces()) {
-      const auto& [a, b, c] = mesh_.vertices(f);
-      if (row_[a] == kInfinity) continue;  // a component without the generator
-      merge(candidates_[f], {g, {row_[a] + offset, row_[b] + offset, row_[c] + offset}});
-    }
-  }
-
-  GeneratorTable make_table() const {
-    GeneratorTable table(mesh_.vertex_count(), mesh_.face_count());
-    for (const FaceId f : mesh_.faces()) {
-      for (const auto& [generator, distance] : candidates_[f]) {
-        std::array<std::int32_t, 3> corner{};
-        for (std::size_t i = 0; i < 3; ++i) corner[i] = table.lower(mesh_.vertices(f)[i], generator, distance[i]);
-        table.add(f, generator, corner, 0);
-      }
-    }
-    return table;
-  }
-
-  const WorkingMesh& working_;
-  const Mesh& mesh_;
-  const std::vector<SurfacePoint>& generators_;
-  IdVector<VertexId, std::int32_t> component_;
-  IdVector<FaceId, std::vector<Candidate>> candidates_;
-  SymbolicOffset offset_;
-  IdVector<GeneratorId, double> separation_;  // least distance of the others at its vertex
-  IdVector<VertexId, double> row_;            // of the current generator
-};
+  return table;
+}
 
 }  // namespace
 
 FastMarchingResult tabulate_distances(const WorkingMesh& working, const std::vector<SurfacePoint>& generators,
                                       const DistanceSolver& solver, const Progress& progress) {
-  return Tabulator(working, generators).run(solver, progress);
+  const Mesh &mesh = working.mesh(), &input = working.input();
+  const auto offset = SymbolicOffset::of_marching(mesh.mean_edge_length(), generators.size());
+  const IdVector<FaceId, std::int32_t> component = compute_face_components(mesh);
+  const auto component_of = [&](VertexId v) { return component[Mesh::face(mesh.halfedge(v))]; };
+  IdVector<GeneratorId, double> separation;  // least distance of the others at its vertex
+  for (const VertexId v : working.generator_vertices()) {
+    double shortest = kInfinity;
+    for_each_neighbour(mesh, v, [&](VertexId, HalfedgeId h) { shortest = std::min(shortest, mesh.length(h)); });
+    separation.push_back(kLeastSeparation * shortest);
+  }
+  IdVector<FaceId, std::vector<Candidate>> candidates(mesh.face_count());
+  DistanceRow row;
+  for (const GeneratorId g : working.generator_vertices().ids()) {
+    report_progress(progress, steps::kDistances, double(g.value()) / double(generators.size()));
+    const std::int32_t own_component = component_of(working.vertex(g));
+    row.assign(mesh.vertex_count(), kInfinity);
+    solver(g, std::span(row.raw()).first(input.vertex_count()));
+    for (const VertexId v : input.vertices()) {
+      if (component_of(v) == own_component) {
+        check_distance(g, v, row[v]);
+      } else {
+        row[v] = kInfinity;
+      }
+    }
+    // The solver does not know the generators that are vertices of the working mesh alone.
+    for (const GeneratorId other : working.generator_vertices().ids()) {
+      const VertexId v = working.vertex(other);
+      if (component_of(v) != own_component) continue;
+      if (v.value() >= input.vertex_count()) row[v] = interpolate_row(input, generators[other.index()], row);
+      row[v] = std::max(row[v], separation[other]);
+    }
+    row[working.vertex(g)] = 0;
+    extend_row(mesh, row);
+    const double longer = offset.of(g);
+    for (const FaceId f : mesh.faces()) {
+      const auto& [a, b, c] = mesh.vertices(f);
+      if (row[a] == kInfinity) continue;  // a component without the generator
+      merge(candidates[f], {g, {row[a] + longer, row[b] + longer, row[c] + longer}});
+    }
+  }
+  return {make_table(mesh, candidates), offset, 0};
 }
 
 }  // namespace gvd

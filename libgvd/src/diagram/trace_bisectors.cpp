@@ -8,20 +8,57 @@
 // Source: the paper's bisectors grow as wholes (section 4.3); here they follow from the arcs of any tracer.
 // Invariant: every arc belongs to exactly one bisector, and the cell on its left is one and the same all along it. Ends
 // that nothing continues, inside the mesh, are counted: a sound diagram has none.
+#include "diagram/trace_bisectors.hpp"
+
 #include <algorithm>
 #include <array>
 
 #include "diagram/bisector_length.hpp"
-#include "diagram/finish_diagram.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 namespace {
 
-constexpr std::int32_t kNoMember = -1;
+constexpr std::int32_t kNoArc = -1;
 
 /// Arcs of the bisectors in a chunk.
 constexpr std::size_t kChunkArcs = 512;
+
+/// The arcs that end at each crossing, two at most, and at each branch point, counter-clockwise.
+struct ArcLinks {
+  IdVector<CrossingId, std::array<std::int32_t, 2>> at_crossing;
+  IdVector<BranchPointId, std::vector<std::int32_t>> at_branch;
+};
+
+/// Sorts the arcs at a branch point counter-clockwise: the cell on the left of one is on the right of the next.
+void order_ring(const std::vector<FaceArc>& arcs, BranchPointId b, std::vector<std::int32_t>& ring) {
+  if (ring.empty()) return;
+  for (auto next = ring.begin() + 1; next != ring.end(); ++next) {
+    const GeneratorId left = arcs[*(next - 1)].left_from(at(b));
+    const auto found =
+        std::find_if(next, ring.end(), [&](std::int32_t arc) { return arcs[arc].right_from(at(b)) == left; });
+    if (found != ring.end()) std::iter_swap(next, found);
+  }
+}
+
+ArcLinks link_arcs(const TracedDiagram& traced) {
+  const std::vector<FaceArc>& arcs = traced.faces.arcs;
+  ArcLinks links;
+  links.at_crossing.assign(traced.crossings.size(), {kNoArc, kNoArc});
+  links.at_branch.resize(traced.faces.branches.size());
+  for (std::int32_t arc = 0; arc < std::ssize(arcs); ++arc) {
+    for (const ArcEnd& end : {arcs[arc].begin, arcs[arc].end}) {
+      if (end.crossing.valid()) {
+        auto& slots = links.at_crossing[end.crossing];
+        slots[slots[0] == kNoArc ? 0 : 1] = arc;
+      } else {
+        links.at_branch[end.branch].push_back(arc);
+      }
+    }
+  }
+  for (const BranchPointId b : links.at_branch.ids()) order_ring(arcs, b, links.at_branch[b]);
+  return links;
+}
 
 /// The arcs of a bisector, from one of its ends to the other.
 struct ArcChain {
@@ -29,157 +66,117 @@ struct ArcChain {
     std::int32_t arc;
     bool forwards;
   };
-  ArcEnd from;
+  ArcEnd from, to;
+  bool closed;
   std::vector<Step> steps;
 };
 
-class BisectorTracer {
- public:
-  BisectorTracer(const WorkingMesh& working, const TracedDiagram& traced, Diagram& diagram)
-      : working_(working), traced_(traced), arcs_(traced.faces.arcs), diagram_(diagram), visited_(arcs_.size(), false) {
-    link_arcs();
-  }
-
-  void trace(const ParallelChunks& parallel) {
-    add_branch_points();
-    find_chains();
-    const auto chunks = cut_by_work(chains_.size(), kChunkArcs, [&](std::size_t i) { return chains_[i].steps.size(); });
-    const auto lengths = parallel.collect(chunks, steps::kPolylines, [&](const Chunk& chunk) {
-      std::vector<double> of_chunk;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) of_chunk.push_back(build_polyline(i));
-      return of_chunk;
-    });
-    for (const double length : lengths) diagram_.length += length;
-  }
-
- private:
-  void link_arcs() {
-    crossing_arcs_.assign(traced_.crossings.size(), {kNoMember, kNoMember});
-    branch_arcs_.resize(traced_.faces.branches.size());
-    for (std::int32_t arc = 0; arc < std::ssize(arcs_); ++arc) {
-      for (const ArcEnd& end : {arcs_[arc].begin, arcs_[arc].end}) {
-        if (end.crossing.valid()) {
-          auto& slots = crossing_arcs_[end.crossing];
-          slots[slots[0] == kNoMember ? 0 : 1] = arc;
-        } else {
-          branch_arcs_[end.branch].push_back(arc);
-        }
-      }
-    }
-    for (const BranchPointId b : branch_arcs_.ids()) order_ring(b);
-  }
-
-  /// Sorts the arcs at a branch point counter-clockwise: the cell on the left of one is on the right of the next.
-  void order_ring(BranchPointId b) {
-    auto& ring = branch_arcs_[b];
-    if (ring.empty()) return;
-    for (auto next = ring.begin() + 1; next != ring.end(); ++next) {
-      const GeneratorId left = arcs_[*(next - 1)].left_from(at(b));
-      const auto found =
-          std::find_if(next, ring.end(), [&](std::int32_t arc) { return arcs_[arc].right_from(at(b)) == left; });
-      if (found != ring.end()) std::iter_swap(next, found);
-    }
-  }
-
-  void add_branch_points() {
-    for (const BranchPointId b : traced_.faces.branches.ids()) {
-      const FaceBranch& branch = traced_.faces.branches[b];
-      BranchPoint out;
-      out.point = input_point(branch.face, branch.bary);
-      out.position = position(working_.input(), out.point);
-      for (const std::int32_t arc : branch_arcs_[b]) out.generators.push_back(arcs_[arc].right_from(at(b)));
-      out.distance = branch.distance;
-      diagram_.branch_points.push_back(std::move(out));
-    }
-  }
-
-  SurfacePoint input_point(FaceId f, const std::array<double, 3>& bary) const {
-    return make_surface_point(working_.parent(f), working_.parent_bary(f, bary));
-  }
-
-  SurfacePoint point(const ArcEnd& end) const {
-    if (end.branch.valid()) return diagram_.branch_points[end.branch].point;
-    const Crossing& crossing = traced_.crossings[end.crossing];
-    const SurfacePoint p = edge_point(working_.mesh().halfedge(crossing.edge), crossing.t);
-    return input_point(p.face, p.bary);
-  }
-
-  void find_chains() {
-    for (const BranchPointId branch : branch_arcs_.ids()) {
-      for (const std::int32_t arc : branch_arcs_[branch]) follow(arc, at(branch), false);
-    }
-    for (const CrossingId crossing : crossing_arcs_.ids()) {
-      const auto [arc, other] = crossing_arcs_[crossing];
-      if (arc != kNoMember && other == kNoMember) follow(arc, at(crossing), false);
-    }
-    // The remaining arcs have no end: their bisectors are closed.
-    for (std::int32_t arc = 0; arc < std::ssize(arcs_); ++arc) follow(arc, arcs_[arc].begin, true);
-  }
-
-  /// Adds the bisector that begins with `arc` at `from`, if that arc is new: it ends at a branch point, at the mesh's
-  /// boundary, or where it began. An end at a crossing where no further arc begins is unresolved.
-  void follow(std::int32_t arc, const ArcEnd& from, bool closed) {
-    if (visited_[arc]) return;
-    Bisector bisector;
-    bisector.left = arcs_[arc].left_from(from);
-    bisector.right = arcs_[arc].right_from(from);
-    bisector.closed = closed;
-    if (!closed) bisector.ends[0] = from.branch;
-    ArcChain& chain = chains_.emplace_back(ArcChain{from, {}});
-    ArcEnd here = from;
-    while (arc != kNoMember && !visited_[arc]) {
-      visited_[arc] = true;
-      const FaceArc& a = arcs_[arc];
-      const bool forwards = a.begin == here;
+std::vector<ArcChain> find_chains(const std::vector<FaceArc>& arcs, const ArcLinks& links) {
+  std::vector<ArcChain> chains;
+  std::vector<bool> visited(arcs.size(), false);
+  // Adds the chain that begins with `arc` at `from`, if that arc is new: it ends at a branch point, at a crossing where
+  // no further arc begins, or where it began.
+  const auto follow = [&](std::int32_t arc, const ArcEnd& from, bool closed) {
+    if (visited[arc]) return;
+    ArcChain& chain = chains.emplace_back(ArcChain{from, from, closed, {}});
+    while (arc != kNoArc && !visited[arc]) {
+      visited[arc] = true;
+      const FaceArc& a = arcs[arc];
+      const bool forwards = a.begin == chain.to;
       chain.steps.push_back({arc, forwards});
-      here = forwards ? a.end : a.begin;
-      if (here.branch.valid()) break;
-      const auto& [first, second] = crossing_arcs_[here.crossing];
+      chain.to = forwards ? a.end : a.begin;
+      if (chain.to.branch.valid()) break;
+      const auto& [first, second] = links.at_crossing[chain.to.crossing];
       arc = first == arc ? second : first;
     }
-    bisector.ends[1] = here.branch;
-    if (!closed) diagram_.report.unresolved_ends += is_unresolved(from) + is_unresolved(here);
-    diagram_.bisectors.push_back(std::move(bisector));
+  };
+  for (const BranchPointId b : links.at_branch.ids()) {
+    for (const std::int32_t arc : links.at_branch[b]) follow(arc, at(b), false);
   }
-
-  bool is_unresolved(const ArcEnd& end) const {
-    return !end.branch.valid() && !working_.mesh().is_boundary(traced_.crossings[end.crossing].edge);
+  for (const CrossingId c : links.at_crossing.ids()) {
+    const auto [arc, other] = links.at_crossing[c];
+    if (arc != kNoArc && other == kNoArc) follow(arc, at(c), false);
   }
+  // The remaining arcs have no end: their bisectors are closed.
+  for (std::int32_t arc = 0; arc < std::ssize(arcs); ++arc) follow(arc, arcs[arc].begin, true);
+  return chains;
+}
 
-  /// Sets the points of bisector i; returns its length.
-  double build_polyline(std::size_t i) {
-    Bisector& bisector = diagram_.bisectors[BisectorId(i)];
-    if (!bisector.closed) bisector.points.push_back(point(chains_[i].from));
-    for (const ArcChain::Step& step : chains_[i].steps) {
-      const FaceArc& arc = arcs_[step.arc];
-      add_inner_points(arc, step.forwards, bisector.points);
-      bisector.points.push_back(point(step.forwards ? arc.end : arc.begin));
+/// A point of a face of the working mesh, in the input's faces.
+SurfacePoint input_point(const WorkingMesh& working, FaceId f, const Bary& bary) {
+  return make_surface_point(working.parent(f), working.parent_bary(f, bary));
+}
+
+/// All points of a bisector, in the input's faces, except for the first one of a closed bisector.
+std::vector<SurfacePoint> build_polyline(const WorkingMesh& working, const TracedDiagram& traced,
+                                         const ArcChain& chain) {
+  const auto point = [&](const ArcEnd& end) {
+    if (end.branch.valid()) {
+      const FaceBranch& branch = traced.faces.branches[end.branch];
+      return input_point(working, branch.face, branch.bary);
     }
-    return compute_length(working_.input(), bisector);
-  }
-
-  void add_inner_points(const FaceArc& arc, bool forwards, std::vector<SurfacePoint>& points) const {
-    const auto inner = traced_.faces.inner_points(arc);
-    for (std::size_t i = 0; i < inner.size(); ++i) {
-      points.push_back(input_point(arc.face, inner[forwards ? i : inner.size() - 1 - i]));
+    const Crossing& crossing = traced.crossings[end.crossing];
+    const SurfacePoint p = edge_point(working.mesh().halfedge(crossing.edge), crossing.t);
+    return input_point(working, p.face, p.bary);
+  };
+  std::vector<SurfacePoint> points;
+  if (!chain.closed) points.push_back(point(chain.from));
+  for (const auto& [index, forwards] : chain.steps) {
+    const FaceArc& arc = traced.faces.arcs[index];
+    const auto inner = traced.faces.inner_points(arc);
+    for (std::size_t k = 0; k < inner.size(); ++k) {
+      points.push_back(input_point(working, arc.face, inner[forwards ? k : inner.size() - 1 - k]));
     }
+    points.push_back(point(forwards ? arc.end : arc.begin));
   }
-
-  const WorkingMesh& working_;
-  const TracedDiagram& traced_;
-  const std::vector<FaceArc>& arcs_;
-  Diagram& diagram_;
-  std::vector<bool> visited_;
-  IdVector<CrossingId, std::array<std::int32_t, 2>> crossing_arcs_;
-  IdVector<BranchPointId, std::vector<std::int32_t>> branch_arcs_;
-  std::vector<ArcChain> chains_;  // one for each bisector
-};
+  return points;
+}
 
 }  // namespace
 
 void trace_bisectors(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
                      Diagram& diagram) {
-  BisectorTracer(working, traced, diagram).trace(parallel);
+  const Mesh& mesh = working.mesh();
+  const std::vector<FaceArc>& arcs = traced.faces.arcs;
+  const ArcLinks links = link_arcs(traced);
+  for (const BranchPointId b : traced.faces.branches.ids()) {
+    const FaceBranch& branch = traced.faces.branches[b];
+    BranchPoint out;
+    out.point = input_point(working, branch.face, branch.bary);
+    out.position = position(working.input(), out.point);
+    for (const std::int32_t arc : links.at_branch[b]) out.generators.push_back(arcs[arc].right_from(at(b)));
+    out.distance = branch.distance;
+    diagram.branch_points.push_back(std::move(out));
+  }
+
+  const std::vector<ArcChain> chains = find_chains(arcs, links);
+  const auto is_unresolved = [&](const ArcEnd& end) {
+    return !end.branch.valid() && !mesh.is_boundary(traced.crossings[end.crossing].edge);
+  };
+  for (const ArcChain& chain : chains) {
+    const FaceArc& first = arcs[chain.steps.front().arc];
+    Bisector bisector;
+    bisector.left = first.left_from(chain.from);
+    bisector.right = first.right_from(chain.from);
+    bisector.closed = chain.closed;
+    if (!chain.closed) {
+      bisector.ends = {chain.from.branch, chain.to.branch};
+      diagram.report.unresolved_ends += is_unresolved(chain.from) + is_unresolved(chain.to);
+    }
+    diagram.bisectors.push_back(std::move(bisector));
+  }
+
+  const auto chunks = cut_by_work(chains.size(), kChunkArcs, [&](std::size_t i) { return chains[i].steps.size(); });
+  const auto lengths = parallel.collect(chunks, steps::kPolylines, [&](const Chunk& chunk) {
+    std::vector<double> of_chunk;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      Bisector& bisector = diagram.bisectors[BisectorId(i)];
+      bisector.points = build_polyline(working, traced, chains[i]);
+      of_chunk.push_back(compute_length(working.input(), bisector));
+    }
+    return of_chunk;
+  });
+  for (const double length : lengths) diagram.length += length;
 }
 
 }  // namespace gvd

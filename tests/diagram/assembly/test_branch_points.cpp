@@ -2,6 +2,7 @@
 #include <limits>
 #include <utility>
 
+#include "diagram/assembly/branch_points.hpp"
 #include "diagram/assembly/face_distances.hpp"
 #include "diagram/assembly/face_polygon.hpp"
 #include "support/catch.hpp"
@@ -15,8 +16,9 @@ struct ThreeCells {
   std::vector<BoundaryCrossing> boundary = test::boundary_of({{0.5, 1}, {1.5, 2}, {2.5, 0}});
   FacePolygon polygon = test::polygon_of(boundary);
   test::PointDistances distances;
-  LabelIntervals intervals{boundary, distances};
-  BranchSearch search{distances, intervals};
+  LabelIntervals intervals{boundary};
+  BranchSearch search{distances, &distances, intervals};
+  BranchSearch guesses{distances, nullptr, intervals};
 
   ThreeCells() {
     distances.points = {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
@@ -25,10 +27,9 @@ struct ThreeCells {
   }
 };
 
-TEST_CASE("distances that can't confirm find no branch point, and are not asked") {
+TEST_CASE("without paths no branch point is confirmed, and the distances are not asked") {
   ThreeCells face;
-  face.distances.confirms = false;
-  CHECK_FALSE(face.search.find_confirmed(face.polygon));
+  CHECK_FALSE(face.guesses.find_confirmed(face.polygon));
   CHECK(face.distances.searches == 0);
 }
 
@@ -76,8 +77,7 @@ TEST_CASE("a guess outside of the face is searched again from the corners; one i
   face.distances.equal = Bary{-0.5, 0.75, 0.75};
   CHECK(face.search.guess(face.polygon, 0, {0.3, 0.3, 0.4}) == face.distances.equal);
   CHECK(face.distances.searches == 1 + 1 + 3 + 3);
-  face.distances.confirms = false;
-  face.search.guess(face.polygon, 0, {0.3, 0.3, 0.4});
+  face.guesses.guess(face.polygon, 0, {0.3, 0.3, 0.4});
   CHECK(face.distances.searches == 1 + 7 + 1);
 }
 
@@ -101,38 +101,36 @@ const FacePolygon kFive = test::polygon_of(test::boundary_of({{0.3, 1}, {0.7, 2}
 double least(const Bary& p) { return *std::min_element(p.begin(), p.end()); }
 
 TEST_CASE("without a guess a branch point lies in the centre") {
-  const BranchPlacement placement(false);
-  CHECK(placement.place_in_face(kThree, std::nullopt) == centre(kThree));
-  CHECK(placement.place_in_polygon(kThree, std::nullopt) == centre(kThree));
+  CHECK(place_in_face(kThree, std::nullopt, false) == centre(kThree));
+  CHECK(place_in_polygon(kThree, std::nullopt, false) == centre(kThree));
 }
 
 TEST_CASE("a valid guess is not moved") {
   for (const bool is_accurate : {false, true}) {
-    const BranchPlacement placement(is_accurate);
     const Bary corner_of_face{0.98, 0.01, 0.01};
-    CHECK(placement.place_in_face(kThree, corner_of_face) == corner_of_face);
-    CHECK(placement.place_in_polygon(kThree, Bary{0.3, 0.3, 0.4}) == Bary{0.3, 0.3, 0.4});
+    CHECK(place_in_face(kThree, corner_of_face, is_accurate) == corner_of_face);
+    CHECK(place_in_polygon(kThree, Bary{0.3, 0.3, 0.4}, is_accurate) == Bary{0.3, 0.3, 0.4});
   }
 }
 
 TEST_CASE("a guess on a side stays there to rounding where it is accurate, and keeps clear of it where it is not") {
   const Bary on_side{0.5, 0.5, 0};
-  const Bary rough = BranchPlacement(false).place_in_face(kThree, on_side);
-  const Bary accurate = BranchPlacement(true).place_in_face(kThree, on_side);
+  const Bary rough = place_in_face(kThree, on_side, false);
+  const Bary accurate = place_in_face(kThree, on_side, true);
   CHECK(least(rough) > 0.01);
   CHECK(least(accurate) > 0);
   CHECK(least(accurate) < kInsideFace);
-  CHECK(BranchPlacement(true).place_in_face(kThree, Bary{0.5, 0.5 - kInsideFace, kInsideFace})[2] == kInsideFace);
+  CHECK(place_in_face(kThree, Bary{0.5, 0.5 - kInsideFace, kInsideFace}, true)[2] == kInsideFace);
 }
 
 // In a thin face, a ten-thousandth of its height is a distance that rounding and ties account for.
 TEST_CASE("an accurate guess a little outside stays as near as it was beyond") {
   for (const double beyond : {1e-10, 1e-8, 1e-6, 1e-4}) {
     const Bary wanted{0.5, 0.5 + beyond, -beyond};
-    const Bary p = BranchPlacement(true).place_in_face(kThree, wanted);
+    const Bary p = place_in_face(kThree, wanted, true);
     CHECK(least(p) > 0);
     CHECK(bary_distance(p, wanted) < 4 * beyond + 1e-11);
-    CHECK(least(BranchPlacement(false).place_in_face(kThree, wanted)) > 0.01);
+    CHECK(least(place_in_face(kThree, wanted, false)) > 0.01);
   }
 }
 
@@ -145,15 +143,14 @@ TEST_CASE("an accurate guess beside the end of a sliver stays at that end") {
   if (!is_convex({sliver[0].bary, sliver[1].bary, sliver[2].bary}, 0)) std::swap(sliver[0].bary, sliver[1].bary);
   for (const Bary& wanted :
        {Bary{-1e-7, 0.5 + 1e-7, 0.5}, Bary{1e-7, 0.5 + 1e-7, 0.5 - 2e-7}, Bary{1e-7, 0.5 - 3e-7, 0.5 + 2e-7}}) {
-    const Bary p = BranchPlacement(true).place_in_polygon(sliver, wanted);
+    const Bary p = place_in_polygon(sliver, wanted, true);
     CHECK(is_inside(sliver, p, kTieInversion));
     CHECK(bary_distance(p, end) < 1e-6);
   }
 }
 
 TEST_CASE("a guess far outside keeps clear of the limit") {
-  const BranchPlacement placement(false);
-  const Bary p = placement.place_in_polygon(kThree, Bary{-5, 3, 3});
+  const Bary p = place_in_polygon(kThree, Bary{-5, 3, 3}, false);
   CHECK(is_inside(kThree, p, 0));
   CHECK(least(p) > 0.01);
   CHECK(bary_distance(p, centre(kThree)) > 0.05);
@@ -162,11 +159,10 @@ TEST_CASE("a guess far outside keeps clear of the limit") {
 TEST_CASE("a branch point at an interval leaves a convex polygon, wherever it is wanted") {
   test::Random random(9);
   for (const bool is_accurate : {false, true}) {
-    const BranchPlacement placement(is_accurate);
     for (int round = 0; round < 500; ++round) {
       const std::size_t i = static_cast<std::size_t>(random.below(5));
       const double u = random.real(-2, 2), v = random.real(-2, 2);
-      const Bary p = placement.place_at_interval(kFive, i, Bary{u, v, 1 - u - v});
+      const Bary p = place_at_interval(kFive, i, Bary{u, v, 1 - u - v}, is_accurate);
       std::vector<Bary> rest{p};
       for (std::size_t k = 2; k < 5; ++k) rest.push_back(kFive[(i + k) % 5].bary);
       REQUIRE(is_convex(rest, is_accurate ? kTieInversion : 0));

@@ -211,11 +211,10 @@ TEST_CASE("random label intervals and random forms: complete, without intersecti
 }
 
 /// Claims to confirm, with paths that enter anywhere.
-class ContradictoryDistances final : public FaceDistances {
+class ContradictoryDistances final : public FaceDistances, public FacePaths {
  public:
   ContradictoryDistances(const std::vector<DistanceForm>& forms, test::Random& random)
       : forms_(forms), random_(random) {}
-  bool can_confirm() const override { return true; }
   double at(GeneratorId g, const Bary& p) const override { return forms_.at(g, p); }
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override {
     return forms_.equidistant(a, b, c, start);
@@ -242,7 +241,8 @@ TEST_CASE("paths that contradict each other, as by rounding of ties: still compl
     const auto intervals = test::random_intervals(random, 2 + random.below(14), 2 + random.below(5));
     if (intervals.empty()) continue;
     const auto forms = test::flat_forms(7);
-    require_complete(AssembledFace(intervals, ContradictoryDistances(forms, random)));
+    const ContradictoryDistances distances(forms, random);
+    require_complete(AssembledFace(intervals, distances, &distances));
   }
 }
 
@@ -291,15 +291,14 @@ TEST_CASE("pairs cross where their ends alternate; nested, disjoint and touching
 TEST_CASE("where every label comes once, there is no pair") {
   test::PointDistances distances;
   distances.points = {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
-  CHECK(find_pairs_to_unite(polygon_of({0, 1, 2}), distances).empty());
+  CHECK(find_pairs_to_unite(polygon_of({0, 1, 2}), distances, true).empty());
 }
 
 TEST_CASE("the generator that is nearest between its intervals is united") {
   test::PointDistances distances;
-  distances.confirms = false;
   for (const int near : {0, 1}) {
     distances.points = {Vec2(near == 0 ? 0.3 : 5, 0.3), Vec2(near == 1 ? 0.3 : 5, 0.3)};
-    const auto pairs = find_pairs_to_unite(polygon_of({0, 1, 0, 1}), distances);
+    const auto pairs = find_pairs_to_unite(polygon_of({0, 1, 0, 1}), distances, false);
     REQUIRE(pairs.size() == 1);
     CHECK(pairs[0].i == static_cast<std::size_t>(near));
     CHECK(pairs[0].j == static_cast<std::size_t>(near) + 2);
@@ -310,17 +309,16 @@ TEST_CASE("the generator that is nearest between its intervals is united") {
 TEST_CASE("a pair that is not nearest is united only where a pair must be") {
   test::PointDistances distances;
   distances.points = {Vec2(9, 9), Vec2(0.3, 0.3), Vec2(0.4, 0.3)};
-  distances.confirms = false;
-  CHECK(find_pairs_to_unite(polygon_of({0, 1, 0, 2}), distances).empty());  // 1 and 2 can have branch points with 0
-  distances.confirms = true;
-  REQUIRE(find_pairs_to_unite(polygon_of({0, 1, 0, 2}), distances).size() == 1);
-  CHECK(find_pairs_to_unite(polygon_of({0, 1, 0, 2}), distances)[0].excess > 0);
+  const FacePolygon polygon = polygon_of({0, 1, 0, 2});
+  CHECK(find_pairs_to_unite(polygon, distances, false).empty());  // 1 and 2 can have branch points with 0
+  REQUIRE(find_pairs_to_unite(polygon, distances, true).size() == 1);
+  CHECK(find_pairs_to_unite(polygon, distances, true)[0].excess > 0);
 }
 
 TEST_CASE("no two of the pairs cross, and they come in the order of their excess") {
   test::PointDistances distances;
   distances.points = {Vec2(0.3, 0.3), Vec2(0.31, 0.3)};
-  const auto pairs = find_pairs_to_unite(polygon_of({0, 1, 0, 1, 0, 1, 0, 1}), distances);
+  const auto pairs = find_pairs_to_unite(polygon_of({0, 1, 0, 1, 0, 1, 0, 1}), distances, true);
   REQUIRE(pairs.size() > 1);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -341,7 +339,7 @@ TEST_CASE("two intervals are united through a narrow channel, and those that it 
   } distances;
   // The channel leads from side 1 to side 2, beside corner 0.
   const FacePolygon polygon = test::polygon_of(test::boundary_of({{1.5375, 1}, {1.5625, 0}, {2.875, 1}, {2.925, 0}}));
-  const auto pairs = find_pairs_to_unite(polygon, distances);
+  const auto pairs = find_pairs_to_unite(polygon, distances, true);
   REQUIRE(pairs.size() == 1);
   CHECK(polygon[pairs[0].i].next == GeneratorId(1));
 }

@@ -70,11 +70,11 @@ const Bary kAnywhere{0.3, 0.3, 0.4};
 TEST_CASE("distances that know no paths unite nothing, and no path enters anywhere") {
   const auto boundary = test::boundary_of({{0.2, 0}, {0.7, 1}, {1.5, 0}, {2.5, 1}});
   const test::PointDistances distances;
-  LabelIntervals intervals(boundary, distances);
-  intervals.unite_by_paths();
+  LabelIntervals intervals(boundary);
+  intervals.unite_by_paths(distances);
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < i; ++j) CHECK_FALSE(intervals.are_one_piece(i, j));
-    CHECK_FALSE(intervals.path_enters_through(i, kAnywhere));
+    CHECK_FALSE(intervals.path_enters_through(i, kAnywhere, distances));
   }
 }
 
@@ -82,8 +82,8 @@ TEST_CASE("intervals of one generator are united where its paths enter, the othe
   const auto boundary = test::boundary_of({{0.2, 0}, {0.7, 1}, {1.5, 0}, {2.5, 1}});
   test::PointDistances distances;
   distances.entries = {0.4, 0.9};  // generator 1 enters through each of its intervals: as its first one says
-  LabelIntervals intervals(boundary, distances);
-  intervals.unite_by_paths();
+  LabelIntervals intervals(boundary);
+  intervals.unite_by_paths(distances);
   CHECK(intervals.are_one_piece(0, 2));
   CHECK(intervals.are_one_piece(1, 3));
   CHECK_FALSE(intervals.are_one_piece(0, 1));
@@ -93,8 +93,8 @@ TEST_CASE("a path that enters through another generator's interval unites nothin
   const auto boundary = test::boundary_of({{0.2, 0}, {0.7, 1}, {1.5, 0}, {2.5, 1}});
   test::PointDistances distances;
   distances.entries = {1.0, 0.5};  // each through an interval of the other
-  LabelIntervals intervals(boundary, distances);
-  intervals.unite_by_paths();
+  LabelIntervals intervals(boundary);
+  intervals.unite_by_paths(distances);
   CHECK_FALSE(intervals.are_one_piece(0, 2));
   CHECK_FALSE(intervals.are_one_piece(1, 3));
 }
@@ -104,13 +104,13 @@ TEST_CASE("the interval over the last corner contains positions on both sides of
   test::PointDistances distances;
   for (const double position : {2.6, 2.999, 0.0, 0.4}) {
     distances.entries = {std::nullopt, position};
-    LabelIntervals intervals(boundary, distances);
-    CHECK(intervals.path_enters_through(1, kAnywhere));
+    LabelIntervals intervals(boundary);
+    CHECK(intervals.path_enters_through(1, kAnywhere, distances));
   }
   for (const double position : {0.6, 2.0, 2.4}) {
     distances.entries = {std::nullopt, position};
-    LabelIntervals intervals(boundary, distances);
-    CHECK_FALSE(intervals.path_enters_through(1, kAnywhere));
+    LabelIntervals intervals(boundary);
+    CHECK_FALSE(intervals.path_enters_through(1, kAnywhere, distances));
   }
 }
 
@@ -118,10 +118,10 @@ TEST_CASE("a path enters through every interval of its piece") {
   const auto boundary = test::boundary_of({{0.2, 0}, {0.7, 1}, {1.5, 0}, {2.5, 1}});
   test::PointDistances distances;
   distances.entries = {1.7};
-  LabelIntervals intervals(boundary, distances);
-  CHECK_FALSE(intervals.path_enters_through(0, kAnywhere));
+  LabelIntervals intervals(boundary);
+  CHECK_FALSE(intervals.path_enters_through(0, kAnywhere, distances));
   intervals.unite(0, 2);
-  CHECK(intervals.path_enters_through(0, kAnywhere));
+  CHECK(intervals.path_enters_through(0, kAnywhere, distances));
 }
 
 TEST_CASE("beside a crossing, the path may enter through the interval beyond it, within rounding") {
@@ -129,8 +129,8 @@ TEST_CASE("beside a crossing, the path may enter through the interval beyond it,
   test::PointDistances distances;
   const auto enters = [&](double position, int interval) {
     distances.entries = {position, position, position};
-    LabelIntervals intervals(boundary, distances);
-    return intervals.path_enters_through(interval, kAnywhere);
+    LabelIntervals intervals(boundary);
+    return intervals.path_enters_through(interval, kAnywhere, distances);
   };
   CHECK(enters(1.5 + 1e-10, 0));
   CHECK(enters(1.5 - 1e-10, 1));
@@ -146,21 +146,20 @@ TEST_CASE("distance to a crossing is measured round the face") {
   const auto boundary = test::boundary_of({{1e-12, 0}, {1.5, 1}});
   test::PointDistances distances;
   distances.entries = {3 - 1e-12};
-  LabelIntervals intervals(boundary, distances);
-  CHECK(intervals.path_enters_through(0, kAnywhere));
+  LabelIntervals intervals(boundary);
+  CHECK(intervals.path_enters_through(0, kAnywhere, distances));
 }
 
 /// A polygon of n corners, of which these intervals are united.
 struct Split {
   std::vector<BoundaryCrossing> boundary;
-  test::PointDistances distances;
   std::vector<std::vector<int>> polygons;  // the intervals of each
 
   Split(int n, const std::vector<std::pair<int, int>>& united) {
     std::vector<std::pair<double, int>> positions;
     for (int i = 0; i < n; ++i) positions.emplace_back(3.0 * i / n, i);
     boundary = test::boundary_of(positions);
-    LabelIntervals intervals(boundary, distances);
+    LabelIntervals intervals(boundary);
     for (const auto& [i, j] : united) intervals.unite(i, j);
     for (const FacePolygon& polygon : split_at_united_intervals(test::polygon_of(boundary), intervals)) {
       auto& own = polygons.emplace_back();

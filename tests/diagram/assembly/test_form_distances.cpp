@@ -1,4 +1,5 @@
 #include <cmath>
+#include <type_traits>
 
 #include "diagram/assembly/form_distances.hpp"
 #include "support/assembled_face.hpp"
@@ -23,14 +24,7 @@ TEST_CASE("a form finds its generator among those that are given, which need not
   CHECK(distances.at(GeneratorId(7), {0, 0.5, 0.5}) == 5.5);
 }
 
-TEST_CASE("forms confirm nothing and know no paths") {
-  const std::vector<DistanceForm> forms = test::flat_forms(3);
-  const FormDistances distances(forms);
-  CHECK_FALSE(distances.can_confirm());
-  CHECK_FALSE(distances.entry(kA, {1, 0, 0}));
-  CHECK_FALSE(distances.is_branch_point(kA, kB, kC, {0.3, 0.3, 0.4}));
-  CHECK(distances.equidistant_points(kA, kB, kC).empty());
-}
+static_assert(!std::is_base_of_v<FacePaths, FormDistances>, "forms confirm nothing and know no paths");
 
 TEST_CASE("at the equidistant point of random forms the three values are equal") {
   test::Random random(1);

@@ -74,18 +74,6 @@ TEST_CASE("the entry is where the path crosses the side") {
   CHECK_FALSE(distances.entry(GeneratorId(9), distances.layout().bary(p)));
 }
 
-TEST_CASE("distances that can't confirm know no entry and no branch point") {
-  const HandMadeField field(three_behind_sides(0, 0, 0));
-  SourceDistances distances(field);
-  distances.enter(test::make_triangle(), FaceId(0));
-  const auto p = distances.equidistant(kA, kB, kC, {0.3, 0.3, 0.4});
-  REQUIRE(p);
-  REQUIRE(distances.is_branch_point(kA, kB, kC, *p));
-  const GuessingDistances guessing(distances);
-  CHECK_FALSE(guessing.entry(kA, *p));
-  CHECK_FALSE(guessing.is_branch_point(kA, kB, kC, *p));
-}
-
 TEST_CASE("Newton's method finds the branch point from most starts in the face, with and without offsets") {
   test::Random random(4);
   int found = 0;

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "diagram/graph/connected_tracer.hpp"
+#include "diagram/graph/cell_components.hpp"
 #include "diagram/growth/assemble_faces.hpp"
 #include "gvd/diagram.hpp"
 #include "support/catch.hpp"

@@ -28,7 +28,7 @@ struct MiddleTracer final : DiagramTracer {
   std::function<void(Crossings&)> poke{};      ///< changes the first crossings
   std::function<void(TracedDiagram&)> grow{};  ///< changes the diagram before its faces are assembled
   mutable std::vector<Edges> crossed_again{}, disabled{};
-  mutable int rounds = 0;
+  int rounds = 0;
 
   Crossings cross_edges(const NearestLabels& labels) const override {
     Edges all;
@@ -43,7 +43,7 @@ struct MiddleTracer final : DiagramTracer {
     crossings.replace(edges, middles(edges, labels));
   }
 
-  void close_faces(TracedDiagram& traced) const override {
+  void close_faces(TracedDiagram& traced) override {
     ++rounds;
     if (grow) grow(traced);
     const GrowthInput input{stages.working, stages.table(), traced.labels, stages.front};
@@ -127,6 +127,8 @@ TEST_CASE("connected cells take one round") {
   CHECK_FALSE(traced.faces.arcs.empty());
   CHECK(cells.tracer.rounds == 1);
   CHECK((cells.tracer.crossed_again.empty() && cells.tracer.disabled.empty()));
+  CHECK(&traced.nearest() == &traced.labels);
+  CHECK(&traced.first_crossings() == &traced.crossings);
 }
 
 TEST_CASE("an edge with a disconnected interval is crossed again before the faces are closed") {
@@ -137,6 +139,8 @@ TEST_CASE("an edge with a disconnected interval is crossed again before the face
   };
   const TracedDiagram traced = cells.trace();
   CHECK(traced.crossings.count(e) == 0);
+  CHECK(traced.first_crossings().count(e) == 2);
+  CHECK(traced.first_crossings().size() == traced.crossings.size() + 2);
   CHECK(traced.cell_components.raw() == ones(2));
   CHECK(cells.tracer.rounds == 1);
   CHECK(cells.tracer.crossed_again == std::vector<Edges>{{e}});
@@ -153,9 +157,9 @@ TEST_CASE("an island of the labels takes the label of a neighbour") {
   const TracedDiagram traced = cells.trace(labels);
   CHECK(traced.labels.label[cells.inner] == GeneratorId(0));
   CHECK(traced.counts.relabelled_vertices == 1);
-  REQUIRE(traced.before_relabelling);
-  CHECK(traced.before_relabelling->label.raw() == labels.label.raw());
-  CHECK(traced.before_relabelling->distance.raw() == labels.distance.raw());
+  REQUIRE(traced.labels_before);
+  CHECK(traced.labels_before->label.raw() == labels.label.raw());
+  CHECK(traced.labels_before->distance.raw() == labels.distance.raw());
   CHECK(traced.cell_components.raw() == ones(2));
   CHECK(cells.tracer.rounds == 2);
   REQUIRE(cells.tracer.crossed_again.size() == 1);
@@ -230,7 +234,7 @@ TEST_CASE("a tracer without growth has nothing to disable") {
   struct WithoutGrowth final : DiagramTracer {
     Crossings cross_edges(const NearestLabels&) const override { return {}; }
     void cross_at_most_once(const Edges&, const NearestLabels&, Crossings&) const override {}
-    void close_faces(TracedDiagram&) const override {}
+    void close_faces(TracedDiagram&) override {}
   };
   WithoutGrowth tracer;
   CHECK_NOTHROW(tracer.disable_growth({EdgeId(0)}));

@@ -15,6 +15,7 @@
 #include <tuple>
 #include <utility>
 
+#include "diagram/assembly/branch_points.hpp"
 #include "diagram/assembly/face_polygon.hpp"
 
 namespace gvd {
@@ -30,8 +31,8 @@ double excess_at(const FacePolygon& polygon, const FaceDistances& distances, std
   return std::isinf(own) ? own : own - others;
 }
 
-/// Segments between two intervals of a polygon with at most so many are tried. Two cells whose four intervals alternate
-/// are the usual case. More intervals would cost the square of their number.
+/// Segments between two intervals are tried in polygons with at most this many intervals. The usual case is two cells
+/// whose four intervals alternate. The cost grows with the square of their number.
 constexpr std::size_t kFewIntervals = 6;
 
 /// Where these segments begin and end on their intervals, as fractions.
@@ -62,22 +63,18 @@ double excess_along_segments(const FacePolygon& polygon, const FaceDistances& di
   return least;
 }
 
-double compute_excess(const FacePolygon& polygon, const FaceDistances& distances, std::size_t i, std::size_t j) {
-  if (distances.can_confirm() && polygon.size() <= kFewIntervals) {
-    return excess_along_segments(polygon, distances, i, j);
-  }
-  return excess_at(polygon, distances, i, mix(midpoint(polygon, i), midpoint(polygon, j), 0.5));
-}
-
 /// All pairs of one generator, ascending by excess, then by corners.
-std::vector<IntervalPair> collect_pairs(const FacePolygon& polygon, const FaceDistances& distances) {
+std::vector<IntervalPair> collect_pairs(const FacePolygon& polygon, const FaceDistances& distances, bool is_accurate) {
+  const auto excess = [&](std::size_t i, std::size_t j) {
+    if (is_accurate && polygon.size() <= kFewIntervals) return excess_along_segments(polygon, distances, i, j);
+    return excess_at(polygon, distances, i, mix(midpoint(polygon, i), midpoint(polygon, j), 0.5));
+  };
   std::map<GeneratorId, std::vector<std::size_t>> corners;
   for (std::size_t i = 0; i < polygon.size(); ++i) corners[polygon[i].next].push_back(i);
   std::vector<IntervalPair> pairs;
   for (const auto& [generator, own] : corners) {
     for (std::size_t b = 1; b < own.size(); ++b) {
-      for (std::size_t a = 0; a < b; ++a)
-        pairs.push_back({compute_excess(polygon, distances, own[a], own[b]), own[a], own[b]});
+      for (std::size_t a = 0; a < b; ++a) pairs.push_back({excess(own[a], own[b]), own[a], own[b]});
     }
   }
   std::ranges::sort(pairs, {}, [](const IntervalPair& p) { return std::tuple(p.excess, p.i, p.j); });
@@ -94,21 +91,21 @@ bool has_three_different(const FacePolygon& polygon) {
 class FaceAssembly {
  public:
   FaceAssembly(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceDistances& distances,
-               FaceDiagram& diagram)
+               const FacePaths* paths, FaceDiagram& diagram)
       : face_(f),
         boundary_(boundary),
         distances_(distances),
+        paths_(paths),
         diagram_(diagram),
-        intervals_(boundary, distances),
-        search_(distances, intervals_),
-        placement_(distances.can_confirm()) {}
+        intervals_(boundary),
+        search_(distances, paths, intervals_) {}
 
   void run() {
     FacePolygon polygon;
     for (std::size_t i = 0; i < boundary_.size(); ++i) {
       polygon.push_back({at(boundary_[i].id), boundary_[i].bary(), boundary_[i].next, static_cast<int>(i)});
     }
-    if (polygon.size() > 3) intervals_.unite_by_paths();
+    if (paths_ != nullptr && polygon.size() > 3) intervals_.unite_by_paths(*paths_);
     open_.push_back(std::move(polygon));
     while (!open_.empty()) {
       const FacePolygon next = std::move(open_.back());
@@ -125,7 +122,7 @@ class FaceAssembly {
     if (const auto confirmed = search_.find_confirmed(polygon)) {
       polygon.size() == 3 ? join_three(polygon, confirmed->point)
                           : close_interval(polygon, confirmed->corner, confirmed->point);
-    } else if (const auto pairs = find_pairs_to_unite(polygon, distances_); !pairs.empty()) {
+    } else if (const auto pairs = find_pairs_to_unite(polygon, distances_, is_accurate()); !pairs.empty()) {
       unite(polygon, pairs);
     } else if (polygon.size() == 3) {
       join_three(polygon, place_last_branch(polygon));
@@ -157,8 +154,8 @@ class FaceAssembly {
   Bary place_last_branch(const FacePolygon& polygon) const {
     const auto wanted = search_.guess(polygon, 1, centre(polygon));
     // Where the face has three crossings, the straight arcs may lie anywhere in it.
-    return boundary_.size() == 3 ? placement_.place_in_face(polygon, wanted)
-                                 : placement_.place_in_polygon(polygon, wanted);
+    return boundary_.size() == 3 ? place_in_face(polygon, wanted, is_accurate())
+                                 : place_in_polygon(polygon, wanted, is_accurate());
   }
 
   void join_three(const FacePolygon& polygon, const Bary& p) {
@@ -179,7 +176,7 @@ class FaceAssembly {
       if (chosen == n || clearance > best) std::tie(chosen, best) = std::tuple(i, clearance);
     }
     const auto wanted = search_.guess(polygon, chosen, midpoint(polygon, chosen));
-    close_interval(polygon, chosen, placement_.place_at_interval(polygon, chosen, wanted));
+    close_interval(polygon, chosen, place_at_interval(polygon, chosen, wanted, is_accurate()));
   }
 
   /// Joins the two corners of interval i to a branch point at p, which replaces them in the polygon.
@@ -195,13 +192,15 @@ class FaceAssembly {
     open_.push_back(std::move(smaller));
   }
 
+  bool is_accurate() const { return paths_ != nullptr; }
+
   FaceId face_;
   const std::vector<BoundaryCrossing>& boundary_;
   const FaceDistances& distances_;
+  const FacePaths* paths_;  // null if branch points are guessed
   FaceDiagram& diagram_;
   LabelIntervals intervals_;
   BranchSearch search_;
-  BranchPlacement placement_;
   std::vector<FacePolygon> open_;  // polygons that remain to be assembled
 };
 
@@ -213,29 +212,30 @@ bool IntervalPair::crosses(const IntervalPair& other) const {
   return is_between(other.i) != is_between(other.j) && !is_end(other.i) && !is_end(other.j);
 }
 
-std::vector<IntervalPair> find_pairs_to_unite(const FacePolygon& polygon, const FaceDistances& distances) {
-  const std::vector<IntervalPair> pairs = collect_pairs(polygon, distances);
+std::vector<IntervalPair> find_pairs_to_unite(const FacePolygon& polygon, const FaceDistances& distances,
+                                              bool is_accurate) {
+  const std::vector<IntervalPair> pairs = collect_pairs(polygon, distances, is_accurate);
   std::vector<IntervalPair> chosen;
   for (const IntervalPair& pair : pairs) {
     const bool fits =
         std::none_of(chosen.begin(), chosen.end(), [&](const IntervalPair& c) { return c.crosses(pair); });
     if (pair.excess <= 0 && fits) chosen.push_back(pair);
   }
-  // Distances that can confirm have found no branch point here. So two intervals of one cell belong to one piece,
-  // though their paths enter through different sides.
-  const bool must_unite = distances.can_confirm() || !has_three_different(polygon);
+  // The paths of accurate distances have confirmed no branch point here. So two intervals of one cell belong to one
+  // piece, though their paths enter through different sides.
+  const bool must_unite = is_accurate || !has_three_different(polygon);
   if (chosen.empty() && !pairs.empty() && must_unite) chosen.push_back(pairs.front());
   return chosen;
 }
 
 void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceDistances& distances,
-                   FaceDiagram& diagram) {
+                   FaceDiagram& diagram, const FacePaths* paths) {
   if (boundary.empty()) return;
   if (boundary.size() == 2) {  // most faces: without the lists of the others
     diagram.arcs.push_back({f, at(boundary[0].id), at(boundary[1].id), boundary[1].next, boundary[0].next});
     return;
   }
-  FaceAssembly(f, boundary, distances, diagram).run();
+  FaceAssembly(f, boundary, distances, paths, diagram).run();
 }
 
 }  // namespace gvd

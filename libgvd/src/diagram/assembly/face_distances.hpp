@@ -15,8 +15,7 @@ inline constexpr double kBeyondFace = 1e-9;
 /// Least barycentric coordinate of a confirmed branch point: points between here and -kBeyondFace are moved inside.
 inline constexpr double kInsideFace = 2e-12;
 
-/// The distances inside one face, as its assembly uses them. Every implementation can guess branch points; accurate
-/// ones can confirm them, too, and override the second half.
+/// The distances inside one face, as its assembly compares them.
 class FaceDistances {
  public:
   virtual ~FaceDistances() = default;
@@ -25,35 +24,25 @@ class FaceDistances {
   virtual double at(GeneratorId g, const Bary& p) const = 0;
   /// A point equally far from the three generators, found by a search from `start`; it may lie outside of the face.
   virtual std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const = 0;
-
-  /// Whether the distances are accurate enough to confirm branch points: if not, entry() and is_branch_point() have no
-  /// answer, and every point is a guess.
-  virtual bool can_confirm() const { return false; }
-  /// All points in the face that are equally far from the three, and some that are not: candidates to search from.
-  virtual std::vector<Bary> equidistant_points(GeneratorId, GeneratorId, GeneratorId) const { return {}; }
-  /// Where the shortest path from g to p enters the face: corner + t on the halfedge of that corner, in [0, 3]; nothing
-  /// where it is unknown. The path stays in g's cell, so p and the boundary there belong to one piece.
-  virtual std::optional<double> entry(GeneratorId, const Bary&) const { return std::nullopt; }
-  /// How far rounding may have moved a crossing along its edge, as a fraction of the edge. Large where the two
-  /// generators nearly coincide.
-  virtual double crossing_error(const BoundaryCrossing&) const { return 0; }
-  /// Whether p is a branch point of the diagram, with the cells of a, b, c counter-clockwise round it. Such a point is
-  /// used as it is.
-  virtual bool is_branch_point(GeneratorId, GeneratorId, GeneratorId, const Bary&) const { return false; }
 };
 
-/// Other distances, which must outlive this, without what can confirm: the assembly takes convex steps alone.
-class GuessingDistances final : public FaceDistances {
+/// The shortest paths inside one face. Only accurate distances have them. They confirm branch points, which are guessed
+/// without them.
+class FacePaths {
  public:
-  explicit GuessingDistances(const FaceDistances& distances) : distances_(distances) {}
+  virtual ~FacePaths() = default;
 
-  double at(GeneratorId g, const Bary& p) const override { return distances_.at(g, p); }
-  std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override {
-    return distances_.equidistant(a, b, c, start);
-  }
-
- private:
-  const FaceDistances& distances_;
+  /// Where the shortest path from g to p enters the face: corner + t on the halfedge of that corner, in [0, 3]; nothing
+  /// where it is unknown. The path stays in g's cell, so p and the boundary there belong to one piece.
+  virtual std::optional<double> entry(GeneratorId g, const Bary& p) const = 0;
+  /// All points in the face that are equally far from the three, and some that are not: candidates to search from.
+  virtual std::vector<Bary> equidistant_points(GeneratorId a, GeneratorId b, GeneratorId c) const = 0;
+  /// Whether p is a branch point of the diagram, with the cells of a, b, c counter-clockwise round it. Such a point is
+  /// used as it is.
+  virtual bool is_branch_point(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& p) const = 0;
+  /// How far rounding may have moved a crossing along its edge, as a fraction of the edge. Large where the two
+  /// generators nearly coincide.
+  virtual double crossing_error(const BoundaryCrossing& crossing) const = 0;
 };
 
 }  // namespace gvd

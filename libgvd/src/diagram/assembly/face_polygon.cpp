@@ -1,25 +1,17 @@
-// Polygons in a face, the label intervals round them, and where a branch point lies in them.
+// Polygons in a face, and the label intervals round them.
 //
 // All tests are in barycentric coordinates, which an affine map takes to the plane: they keep convexity and the order
 // of points, for a needle as for a regular triangle. A shortest path stays in its cell. So the interval through which
 // it enters the face, and the interval that it reaches, belong to one piece; what is on either side of a piece that
-// crosses the polygon can be assembled alone.
-//
-// A branch point that the distances confirm is used as it is. Three shortest paths of equal length reach it, through
-// the intervals in question, and no other generator is nearer. Where there is none, Newton's method or a linear system
-// gives a guess. A guess is moved to where the arcs that end there can't cross whatever is left of the face: so closing
-// a face never depends on a number. Source: not in the paper, which leaves open how a face with many crossings is
-// closed (section 4.3).
+// crosses the polygon can be assembled alone. Source: not in the paper, which leaves open how a face with many
+// crossings is closed (section 4.3).
 #include "diagram/assembly/face_polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
-
-#include "base/roots.hpp"
 
 namespace gvd {
 namespace {
@@ -31,78 +23,6 @@ constexpr double kNearCrossing = 1e-9;
 bool turns_left(const Bary& a, const Bary& b, const Bary& c, double inversion) {
   const double area = twice_signed_area(affine_point(a), affine_point(b), affine_point(c));
   return area >= 0 || area >= -inversion * std::max({bary_distance(a, b), bary_distance(b, c), bary_distance(c, a)});
-}
-
-/// A polygon's interval i and the intervals before and after it, each by the corner that it begins at.
-struct Neighbours {
-  const PolygonCorner &before, &own, &after;
-  Neighbours(const FacePolygon& polygon, std::size_t i)
-      : before(polygon[(i + polygon.size() - 1) % polygon.size()]),
-        own(polygon[i]),
-        after(polygon[(i + 1) % polygon.size()]) {}
-  bool differ() const { return before.next != after.next; }
-};
-
-bool is_in_face(const std::optional<Bary>& p) { return p && *std::min_element(p->begin(), p->end()) > -kBeyondFace; }
-
-/// Least barycentric coordinate of a guessed branch point: ten times the gap between crossings and corners. It moves
-/// the point by at most a millionth of the triangle's height.
-constexpr double kInsideOfGuess = 1e-6;
-
-/// The same for accurate guesses, which lie on a side or at a vertex by a tie: they move by rounding only. A little
-/// less than the coordinate of confirmed points, so that these do not move at all.
-constexpr double kInsideExactly = 1.2e-12;
-static_assert(kInsideExactly < kInsideFace);
-
-/// Number of halvings of the way to a point that is not valid: to the last digits of a coordinate.
-constexpr int kHalvings = 45;
-
-/// The last part of the valid way is left out, relative to its length: at its end three points are collinear, and an
-/// arc would touch the end of another one. A point up to kByTie beyond the end, in barycentric coordinates, is invalid
-/// by rounding and stays as near as kShort. An accurate guess farther beyond comes from a tie, or from rounding, in a
-/// thin face: it stays as near as it was beyond. Otherwise a point farther beyond is a bad guess, which needs no
-/// accuracy.
-constexpr double kShort = 1e-12, kShortOfGuess = 0.125, kByTie = 1e-9;
-
-/// The part of the valid way that is left out where the wanted point lies `beyond` its end, in barycentric coordinates.
-double left_out(double beyond, bool is_accurate) {
-  if (beyond <= kByTie) return kShort;
-  return is_accurate ? std::min(beyond, kShortOfGuess) : kShortOfGuess;
-}
-
-/// The point nearest to `wanted` on the way from `safe` that `is_valid` accepts.
-template <class IsValid>
-Bary approach(const Bary& safe, const std::optional<Bary>& wanted, bool is_accurate, IsValid is_valid) {
-  if (!wanted) return safe;
-  if (is_valid(*wanted)) return *wanted;
-  const double last = find_last(kHalvings, [&](double t) { return is_valid(mix(safe, *wanted, t)); });
-  const double beyond = (1 - last) * bary_distance(safe, *wanted);
-  return mix(safe, *wanted, last * (1 - left_out(beyond, is_accurate)));
-}
-
-/// A polygon that a first branch point has left may be much thinner than it is long. An accurate guess may lie beside
-/// it by rounding or a tie: up to this far, in barycentric coordinates. It moves to the nearest point of the polygon,
-/// and not to where the way from the centre leaves it.
-constexpr double kBesidePolygon = 1e-4;
-
-Bary nearest_of_segment(const Bary& a, const Bary& b, const Bary& p) {
-  const Vec2 from = affine_point(a), along = affine_point(b) - from;
-  return mix(a, b, nearest_on_segment(from, along, affine_point(p)));
-}
-
-/// The guess or, where it is just beside the polygon, the nearest point of the polygon.
-std::optional<Bary> moved_to_polygon(const FacePolygon& polygon, const std::optional<Bary>& wanted) {
-  if (!wanted || is_inside(polygon, *wanted, 0)) return wanted;
-  std::optional<Bary> nearest = wanted;
-  double least = kBesidePolygon;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Bary p = nearest_of_segment(polygon[i].bary, polygon[(i + 1) % polygon.size()].bary, *wanted);
-    const double distance = bary_distance(p, *wanted);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = p;
-  }
-  return nearest;
 }
 
 }  // namespace
@@ -135,9 +55,9 @@ bool is_inside(const FacePolygon& polygon, const Bary& p, double inversion) {
 
 double bary_distance(const Bary& p, const Bary& q) { return std::hypot(q[1] - p[1], q[2] - p[2]); }
 
-void LabelIntervals::unite_by_paths() {
+void LabelIntervals::unite_by_paths(const FacePaths& paths) {
   for (int i = 0; i < std::ssize(boundary_); ++i) {
-    const auto entry = distances_.entry(boundary_[i].next, middle_of_interval(i));
+    const auto entry = paths.entry(boundary_[i].next, middle_of_interval(i));
     if (!entry) return;
     const int entered = interval_at(*entry);
     if (boundary_[entered].next == boundary_[i].next) unite(entered, i);
@@ -161,26 +81,25 @@ Bary LabelIntervals::middle_of_interval(int i) const {
   return bary_on_side(corner, middle - corner);
 }
 
-bool LabelIntervals::path_enters_through(int interval, const Bary& p) {
-  const auto entry = distances_.entry(boundary_[interval].next, p);
+bool LabelIntervals::path_enters_through(int interval, const Bary& p, const FacePaths& paths) {
+  const auto entry = paths.entry(boundary_[interval].next, p);
   if (!entry) return false;
   const int n = static_cast<int>(boundary_.size()), entered = interval_at(*entry);
   if (are_one_piece(entered, interval)) return true;
+  const auto is_near = [&](int crossing) {
+    const double distance = std::abs(*entry - position(crossing));
+    return std::min(distance, 3 - distance) <= std::max(kNearCrossing, paths.crossing_error(boundary_[crossing]));
+  };
   // Over crossings that are as near as rounding, in both directions.
-  for (int i = entered; is_near_crossing(*entry, i); i = (i + n - 1) % n) {
+  for (int i = entered; is_near(i); i = (i + n - 1) % n) {
     if (are_one_piece((i + n - 1) % n, interval)) return true;
     if (i == (entered + 1) % n) break;
   }
-  for (int i = (entered + 1) % n; is_near_crossing(*entry, i); i = (i + 1) % n) {
+  for (int i = (entered + 1) % n; is_near(i); i = (i + 1) % n) {
     if (are_one_piece(i, interval)) return true;
     if (i == entered) break;
   }
   return false;
-}
-
-bool LabelIntervals::is_near_crossing(double position, int i) const {
-  const double distance = std::abs(position - this->position(i));
-  return std::min(distance, 3 - distance) <= std::max(kNearCrossing, distances_.crossing_error(boundary_[i]));
 }
 
 // Pieces do not cross. So the smaller polygons are nested, and one pass over the corners cuts each off when its second
@@ -208,99 +127,6 @@ std::vector<FacePolygon> split_at_united_intervals(const FacePolygon& polygon, L
   }
   if (!polygons.empty()) polygons.push_back(std::move(rest));
   return polygons;
-}
-
-std::optional<BranchSearch::Confirmed> BranchSearch::find_confirmed(const FacePolygon& polygon) {
-  if (!distances_.can_confirm()) return std::nullopt;
-  const Bary inside = centre(polygon);
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    if (!is_first_search(polygon, i, Search::from_nearby)) continue;
-    if (const auto p = confirmed_point(polygon, i, mix(midpoint(polygon, i), inside, 0.5))) return Confirmed{i, *p};
-  }
-  // The search stagnates at ridges of the distances. So now it starts from every candidate.
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Neighbours near(polygon, i);
-    if (!near.differ() || !is_first_search(polygon, i, Search::everywhere)) continue;
-    for (const Bary& start : distances_.equidistant_points(near.before.next, near.own.next, near.after.next)) {
-      if (const auto p = confirmed_point(polygon, i, start)) return Confirmed{i, *p};
-    }
-  }
-  return std::nullopt;
-}
-
-/// Whether this search for interval i and its neighbours has not been made yet; records it. Most intervals keep their
-/// neighbours when one is closed: without the record, hundreds of generators in one face take minutes.
-bool BranchSearch::is_first_search(const FacePolygon& polygon, std::size_t i, Search search) {
-  const Neighbours near(polygon, i);
-  return failed_.insert({search, near.before.interval, near.own.interval, near.after.interval}).second;
-}
-
-/// The confirmed branch point of interval i and its neighbours, searched from `start`.
-std::optional<Bary> BranchSearch::confirmed_point(const FacePolygon& polygon, std::size_t i, const Bary& start) {
-  const Neighbours near(polygon, i);
-  if (!near.differ()) return std::nullopt;
-  const auto p = distances_.equidistant(near.before.next, near.own.next, near.after.next, start);
-  if (!p || !distances_.is_branch_point(near.before.next, near.own.next, near.after.next, *p)) return std::nullopt;
-  for (const PolygonCorner* corner : {&near.before, &near.own, &near.after}) {
-    if (!intervals_.path_enters_through(corner->interval, *p)) return std::nullopt;
-  }
-  return p;
-}
-
-/// Where the first search of accurate distances ends outside of the face, others start at the polygon's corners and the
-/// face's. By a tie the point lies there: at a vertex, or on an edge that is a bisector.
-std::optional<Bary> BranchSearch::guess(const FacePolygon& polygon, std::size_t i, const Bary& start) const {
-  const Neighbours near(polygon, i);
-  const auto search = [&](const Bary& from) {
-    return distances_.equidistant(near.before.next, near.own.next, near.after.next, from);
-  };
-  const auto first = search(start);
-  if (!distances_.can_confirm() || is_in_face(first)) return first;
-  std::vector<Bary> starts{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (const PolygonCorner& corner : polygon) starts.push_back(corner.bary);
-  for (const Bary& other : starts) {
-    const auto p = search(other);
-    if (is_in_face(p)) return p;
-  }
-  return first;
-}
-
-double BranchSearch::clearance(const FacePolygon& polygon, std::size_t i) const {
-  const Neighbours near(polygon, i);
-  const auto p = guess(polygon, i, midpoint(polygon, i));
-  if (!is_in_face(p)) return -std::numeric_limits<double>::max();
-  const double own = distances_.at(near.own.next, *p);
-  double least = kInfinity;
-  for (const PolygonCorner& c : polygon) {
-    if (c.next == near.before.next || c.next == near.own.next || c.next == near.after.next) continue;
-    least = std::min(least, distances_.at(c.next, *p) - own);
-  }
-  return least;
-}
-
-Bary BranchPlacement::place_in_face(const FacePolygon& polygon, const std::optional<Bary>& wanted) const {
-  const double least = is_accurate_ ? kInsideExactly : kInsideOfGuess;
-  return approach(centre(polygon), wanted, is_accurate_,
-                  [&](const Bary& p) { return *std::min_element(p.begin(), p.end()) >= least; });
-}
-
-Bary BranchPlacement::place_in_polygon(const FacePolygon& polygon, const std::optional<Bary>& wanted) const {
-  return approach(centre(polygon), is_accurate_ ? moved_to_polygon(polygon, wanted) : wanted, is_accurate_,
-                  [&](const Bary& p) { return is_inside(polygon, p, inversion()); });
-}
-
-Bary BranchPlacement::place_at_interval(const FacePolygon& polygon, std::size_t i,
-                                        const std::optional<Bary>& wanted) const {
-  const std::size_t n = polygon.size();
-  std::vector<Bary> rest{Bary{}};  // the branch point, then the remaining corners
-  for (std::size_t k = 2; k < n; ++k) rest.push_back(polygon[(i + k) % n].bary);
-  const auto is_valid = [&](const Bary& p) {
-    rest[0] = p;
-    return is_convex(rest, inversion()) && is_inside(polygon, p, inversion());
-  };
-  // Every point of the quadrilateral of the interval's two corners and their neighbours is valid, so its centre is.
-  const FacePolygon around{polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]};
-  return approach(centre(around), wanted, is_accurate_, is_valid);
 }
 
 }  // namespace gvd

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <set>
-#include <tuple>
+#include <cstddef>
 #include <vector>
 
 #include "base/barycentric.hpp"
@@ -50,16 +47,16 @@ bool is_inside(const FacePolygon& polygon, const Bary& p, double inversion);
 double bary_distance(const Bary& p, const Bary& q);
 
 /// The label intervals of a face's boundary, and which of them are known to belong to one piece of a cell. Interval i
-/// lies between crossing i and the next one. The boundary and the distances must outlive this.
+/// lies between crossing i and the next one. The boundary must outlive this.
 class LabelIntervals {
  public:
   /// `boundary`: at least two crossings.
-  LabelIntervals(const std::vector<BoundaryCrossing>& boundary, const FaceDistances& distances)
-      : boundary_(boundary), distances_(distances), pieces_(boundary.size()) {}
+  explicit LabelIntervals(const std::vector<BoundaryCrossing>& boundary)
+      : boundary_(boundary), pieces_(boundary.size()) {}
 
   /// Unites two intervals of one generator where the shortest path to the middle of the one enters the face through the
-  /// other. Does nothing where the distances don't know the paths.
-  void unite_by_paths();
+  /// other. Does nothing from the first path that is unknown.
+  void unite_by_paths(const FacePaths& paths);
   void unite(int interval, int other) { pieces_.unite(interval, other); }
 
   /// A number that all intervals known to belong to one piece share.
@@ -68,16 +65,14 @@ class LabelIntervals {
 
   /// Whether the shortest path to p of the interval's generator enters the face through an interval of its piece. A
   /// path within rounding of a crossing counts as one through the intervals on both sides of it.
-  bool path_enters_through(int interval, const Bary& p);
+  bool path_enters_through(int interval, const Bary& p, const FacePaths& paths);
 
  private:
   double position(int crossing) const { return boundary_[crossing].corner + boundary_[crossing].t; }
   int interval_at(double position) const;
   Bary middle_of_interval(int i) const;
-  bool is_near_crossing(double position, int i) const;
 
   const std::vector<BoundaryCrossing>& boundary_;
-  const FaceDistances& distances_;
   UnionFind pieces_;
 };
 
@@ -86,63 +81,5 @@ class LabelIntervals {
 /// Returns: the smaller polygons, which keep the order of the corners; none where there is nothing to split.
 /// Cost: O(k log k) for k corners.
 std::vector<FacePolygon> split_at_united_intervals(const FacePolygon& polygon, LabelIntervals& intervals);
-
-/// Searches the branch points of a face: an interval of a polygon and its two neighbours may have one in common. First
-/// those that the distances confirm, then guesses.
-/// The distances and the intervals must outlive it.
-class BranchSearch {
- public:
-  BranchSearch(const FaceDistances& distances, LabelIntervals& intervals)
-      : distances_(distances), intervals_(intervals) {}
-
-  /// A confirmed branch point of corner `corner`'s interval and its two neighbours.
-  struct Confirmed {
-    std::size_t corner;
-    Bary point;
-  };
-  /// The first confirmed branch point of the polygon, if it has one. Searches that failed are not repeated.
-  std::optional<Confirmed> find_confirmed(const FacePolygon& polygon);
-  /// Allows failed searches again. After uniting intervals: a path may then enter through more of them.
-  void clear_failed_searches() { failed_.clear(); }
-
-  /// A point equally far from the generators of corner i's interval and its neighbours, searched from `start`; it may
-  /// lie outside of the face.
-  std::optional<Bary> guess(const FacePolygon& polygon, std::size_t i, const Bary& start) const;
-
-  /// How much farther every other generator of the polygon is than corner i's interval and its neighbours, at the point
-  /// equally far from these three. The lowest double where that point is outside of the face or does not exist.
-  double clearance(const FacePolygon& polygon, std::size_t i) const;
-
- private:
-  enum class Search : std::uint8_t { from_nearby, everywhere };
-  bool is_first_search(const FacePolygon& polygon, std::size_t i, Search search);
-  std::optional<Bary> confirmed_point(const FacePolygon& polygon, std::size_t i, const Bary& start);
-
-  const FaceDistances& distances_;
-  LabelIntervals& intervals_;
-  std::set<std::tuple<Search, int, int, int>> failed_;  // by the three intervals
-};
-
-/// Moves guessed branch points to where the arcs that end there can't cross: to the nearest valid point on the way from
-/// a point that is valid for certain.
-class BranchPlacement {
- public:
-  /// `is_accurate`: whether the guesses come from distances that can confirm branch points. Then they are kept as near
-  /// to a side, and as much beyond another arc, as ties demand.
-  explicit BranchPlacement(bool is_accurate) : is_accurate_(is_accurate) {}
-
-  /// For a polygon of all three crossings of the face: strictly inside the face.
-  Bary place_in_face(const FacePolygon& polygon, const std::optional<Bary>& wanted) const;
-  /// For a polygon of three corners: inside of it.
-  Bary place_in_polygon(const FacePolygon& polygon, const std::optional<Bary>& wanted) const;
-  /// For the end of interval i, whose two corners the branch point replaces: inside of the polygon, and such that what
-  /// remains of it is convex.
-  Bary place_at_interval(const FacePolygon& polygon, std::size_t i, const std::optional<Bary>& wanted) const;
-
- private:
-  double inversion() const { return is_accurate_ ? kTieInversion : 0; }
-
-  bool is_accurate_;
-};
 
 }  // namespace gvd

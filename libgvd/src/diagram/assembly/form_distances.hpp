@@ -32,11 +32,15 @@ inline double form_value(Front front, double distance) {
   return front == Front::circle ? distance * std::abs(distance) : distance;
 }
 
-/// The distances of distance forms: they give good guesses and confirm nothing.
+/// The distances of distance forms: they give good guesses, and know no paths.
 class FormDistances final : public FaceDistances {
  public:
   /// `forms`: ascending by generator, each once. They must outlive this.
   explicit FormDistances(const std::vector<DistanceForm>& forms) : forms_(forms) {}
+
+  const DistanceForm& form(GeneratorId g) const {
+    return *std::ranges::lower_bound(forms_, g, {}, &DistanceForm::generator);
+  }
 
   double at(GeneratorId g, const Bary& p) const override { return form(g).at(p); }
 
@@ -57,10 +61,6 @@ class FormDistances final : public FaceDistances {
   }
 
  private:
-  const DistanceForm& form(GeneratorId g) const {
-    return *std::ranges::lower_bound(forms_, g, {}, &DistanceForm::generator);
-  }
-
   const std::vector<DistanceForm>& forms_;
 };
 

@@ -55,8 +55,8 @@ inline Nearer compare_sources(const EdgeSource& first, const EdgeSource& second,
 }
 
 /// The positions on the edge's line where the straight paths of two sources may be equally long, ascending; -1 in place
-/// of one that does not exist. They include all such positions, to half of the digits where the two distances touch.
-/// Some are none.
+/// of one that does not exist. All such positions are among them, to half of the digits where the two distances touch;
+/// there may be others.
 /// `unit`: a power of two that brings the edge's length near 1, so that sixth powers of it stay in range.
 std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeSource& second, double unit);
 
@@ -105,7 +105,7 @@ class EdgeEnvelope {
   }
   bool append_nearer(const Segment& old, std::int32_t source, double begin, double end);
 
-  /// In place of a source where none reaches an interval.
+  /// The source of an interval that no source reaches.
   static constexpr std::int32_t kNoSource = -1;
 
   std::vector<EdgeSource> sources_;

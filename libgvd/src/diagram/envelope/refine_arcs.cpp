@@ -22,13 +22,13 @@ constexpr int kNewtonSteps = 4;
 /// show three quarters of the height of a curve, and half of that of a corner at least.
 constexpr double kShown = 0.5;
 
-/// Distance from the bisector up to which corners between two samples are not looked for, as a fraction of the
-/// tolerance. It is that of the curve plus the heights of the corners. The curve's is an estimate: so many times that
-/// of the samples, as at the quarters of a parabola.
+/// Corners between two samples are looked for only if the height of the curve plus those of the corners may exceed this
+/// fraction of the tolerance. The height of the curve is estimated as this many times the samples' distance, which is
+/// exact at the quarters of a parabola.
 constexpr double kWithCorners = 0.95, kCurveHeight = 4.0 / 3;
 
-/// The same where the samples leave nothing: the ends of an arc may lie beside the bisector, if its distances do not
-/// agree in two faces.
+/// The height allowed for corners even if the samples use up that fraction, as at the ends of an arc: these lie beside
+/// the bisector if the distances of two faces disagree.
 constexpr double kLowCorner = 0.05;
 
 /// Where a segment is compared with the bisector, as fractions of it. The quarters show three quarters of the height of
@@ -51,9 +51,9 @@ constexpr double kNearEnd = 0.01;
 /// Error accepted where the coordinates of two points can't be told apart any more, as a fraction of the distance.
 constexpr double kIndistinguishable = 1e-13;
 
-/// Half width of the first search band, as a fraction of the arc's length. Samples in it only look at sources visible
-/// from it. A band twice as wide has 2 or 3 % more sources. Less than half as wide (0.02), three to five times as many
-/// bisectors leave it and are traced again with all sources.
+/// Half width of the first search band, as a fraction of the arc's length. Samples in it only look at the sources that
+/// are visible from it. A wider band has more sources; from a narrower one, more bisectors escape and are traced again
+/// with all sources.
 constexpr double kBandWidth = 0.05;
 
 /// Most steps of the search for the corner at which a path changes.

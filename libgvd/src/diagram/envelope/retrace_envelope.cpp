@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "gvd/diagram_steps.hpp"
+#include "base/sort_unique.hpp"
 
 namespace gvd {
 namespace {
@@ -66,8 +66,8 @@ class FaceCopier {
 /// Whether the crossings of the edge of h are those before the change.
 bool RetracingTracer::is_known(HalfedgeId h) const {
   const HalfedgeId twin = mesh_.twin(h);
-  if (known_->is_changed[Mesh::face(h)] != 0) return false;
-  return !twin.valid() || known_->is_changed[Mesh::face(twin)] == 0;
+  if (known_.is_changed[Mesh::face(h)] != 0) return false;
+  return !twin.valid() || known_.is_changed[Mesh::face(twin)] == 0;
 }
 
 /// Whether a window on halfedge h has another label than the edge's ends, or these have different ones.
@@ -80,21 +80,19 @@ bool RetracingTracer::is_contested(HalfedgeId h, const NearestLabels& labels) co
 
 /// The crossings of the edges at changed faces, and the known ones of all others.
 Crossings RetracingTracer::cross_edges(const NearestLabels& labels) const {
-  if (known_ == nullptr) return crossings_ = tracer_.cross_edges(labels);
   std::vector<EdgeId> edges;
   for (const FaceId f : mesh_.faces()) {
-    if (known_->is_changed[f] == 0) continue;
+    if (known_.is_changed[f] == 0) continue;
     for (const HalfedgeId h : Mesh::halfedges(f)) {
       const HalfedgeId twin = mesh_.twin(h);
       if (is_contested(h, labels) || (twin.valid() && is_contested(twin, labels))) edges.push_back(mesh_.edge(h));
     }
   }
-  std::ranges::sort(edges);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   std::vector<Crossing> crossings = tracer_.cross(edges, labels);
-  for (Crossing crossing : known_->windows.crossings.items()) {
-    const HalfedgeId old = known_->mesh.halfedge(crossing.edge);
-    const FaceId f = known_->common.after[Mesh::face(old)];
+  for (Crossing crossing : known_.traced.first_crossings().items()) {
+    const HalfedgeId old = known_.mesh.halfedge(crossing.edge);
+    const FaceId f = known_.common.after[Mesh::face(old)];
     if (!f.valid()) continue;
     const HalfedgeId h = Mesh::halfedge(f, Mesh::corner(old));
     if (!is_known(h)) continue;
@@ -102,24 +100,23 @@ Crossings RetracingTracer::cross_edges(const NearestLabels& labels) const {
     crossings.push_back(crossing);
   }
   std::ranges::sort(crossings, {}, [](const Crossing& c) { return std::pair(c.edge, c.t); });
-  return crossings_ = {mesh_.edge_count(), std::move(crossings)};
+  return {mesh_.edge_count(), std::move(crossings)};
 }
 
 /// Whether face f has the sources and the crossings that it had before the change.
 bool RetracingTracer::has_known_crossings(FaceId f, const Crossings& crossings, std::vector<BoundaryCrossing>& now,
                                           std::vector<BoundaryCrossing>& before) const {
-  if (known_->is_changed[f] != 0) return false;
+  if (known_.is_changed[f] != 0) return false;
   boundary_crossings(mesh_, crossings, f, now);
-  boundary_crossings(known_->mesh, known_->windows.traced.crossings, known_->common.before[f], before);
+  boundary_crossings(known_.mesh, known_.traced.crossings, known_.common.before[f], before);
   return std::ranges::equal(now, before, [](const BoundaryCrossing& a, const BoundaryCrossing& b) {
     return a.corner == b.corner && a.t == b.t && a.previous == b.previous && a.next == b.next;
   });
 }
 
 /// Assembles the faces with other sources or crossings, and copies the known arcs of all others.
-void RetracingTracer::close_faces(TracedDiagram& traced) const {
-  if (known_ == nullptr) return tracer_.close_faces(traced);
-  const TracedDiagram& before = known_->windows.traced;
+void RetracingTracer::close_faces(TracedDiagram& traced) {
+  const TracedDiagram& before = known_.traced;
   const auto counts = count_by_face(mesh_, traced.crossings);
   const std::vector<FaceId> faces = crossed_faces(counts);
   std::vector<BoundaryCrossing> now, past;  // of the current face
@@ -129,21 +126,17 @@ void RetracingTracer::close_faces(TracedDiagram& traced) const {
     kept_[f] = has_known_crossings(f, traced.crossings, now, past) ? 1 : 0;
     if (kept_[f] == 0) changed.push_back(f);
   }
-  const std::vector<AssembledFaces> assembled = tracer_.assemble(changed, counts, traced.crossings);
-  FaceDiagram fresh;
-  for (const AssembledFaces& part : assembled) {
-    fresh.append(part.diagram);
-    traced.straightened.insert(traced.straightened.end(), part.straightened.begin(), part.straightened.end());
-  }
-  FaceCopier from_fresh(fresh), from_before(before.faces);
+  AssembledFaces assembled = tracer_.assemble(changed, counts, traced.crossings);
+  traced.straightened = std::move(assembled.straightened);
+  FaceCopier from_assembled(assembled.diagram), from_before(before.faces);
   for (const FaceId f : faces) {
     if (kept_[f] == 0) {
-      from_fresh.append(
-          f, f, [](CrossingId id) { return id; }, traced.faces);
+      const auto same = [](CrossingId id) { return id; };
+      from_assembled.append(f, f, same, traced.faces);
       continue;
     }
-    const FaceId old = known_->common.before[f];
-    boundary_crossings(known_->mesh, before.crossings, old, past);
+    const FaceId old = known_.common.before[f];
+    boundary_crossings(known_.mesh, before.crossings, old, past);
     boundary_crossings(mesh_, traced.crossings, f, now);
     const auto crossing = [&](CrossingId id) {
       return now[static_cast<std::size_t>(std::ranges::find(past, id, &BoundaryCrossing::id) - past.begin())].id;
@@ -151,7 +144,7 @@ void RetracingTracer::close_faces(TracedDiagram& traced) const {
     from_before.append(old, f, crossing, traced.faces);
   }
   for (const StraightenedFace& s : before.straightened) {
-    const FaceId f = known_->common.after[s.face];
+    const FaceId f = known_.common.after[s.face];
     if (f.valid() && kept_[f] != 0) traced.straightened.push_back({f, s.error});
   }
   std::ranges::sort(traced.straightened, {}, &StraightenedFace::face);

@@ -10,17 +10,10 @@
 
 namespace gvd {
 
-/// A diagram traced from windows, with what its tracing can be repeated from in part.
-struct TracedWindows {
-  Crossings crossings;                ///< of the envelopes, before any were replaced to connect cells
-  std::vector<VertexId> unsupported;  ///< before any vertices got other labels
-  TracedDiagram traced;
-};
-
-/// What is known from the diagram before some generators changed.
+/// The diagram before some generators changed, and where it differs from the present one.
 struct KnownTrace {
   const Mesh& mesh;  ///< the working mesh before
-  const TracedWindows& windows;
+  const TracedDiagram& traced;
   const CommonElements& common;
   const IdVector<FaceId, std::uint8_t>& is_changed;  ///< 1 for a face that is new, or has other sources
   const std::vector<FaceId>& changed;                ///< faces that are new, or whose corners have other distances
@@ -30,12 +23,12 @@ struct KnownTrace {
 /// crossings and arcs. The result has the bits of the envelope tracer's.
 class RetracingTracer final : public DiagramTracer {
  public:
-  /// `known`: none to trace all. `crossings`: of TracedWindows, to be filled in. All must outlive the tracer.
+  /// All must outlive the tracer.
   RetracingTracer(const EnvelopeTracer& tracer, const WorkingMesh& working, const WindowField& field,
-                  const KnownTrace* known, Crossings& crossings)
-      : tracer_(tracer), mesh_(working.mesh()), field_(field), known_(known), crossings_(crossings) {}
+                  const KnownTrace& known)
+      : tracer_(tracer), mesh_(working.mesh()), field_(field), known_(known) {}
 
-  /// 1 for the faces that kept their arcs when `close_faces` was called last; empty if none did.
+  /// 1 for the faces that kept their arcs when `close_faces` was called last.
   IdVector<FaceId, std::uint8_t> take_kept() { return std::move(kept_); }
 
   Crossings cross_edges(const NearestLabels& labels) const override;
@@ -43,7 +36,7 @@ class RetracingTracer final : public DiagramTracer {
                           Crossings& crossings) const override {
     tracer_.cross_at_most_once(edges, labels, crossings);
   }
-  void close_faces(TracedDiagram& traced) const override;
+  void close_faces(TracedDiagram& traced) override;
 
  private:
   bool is_known(HalfedgeId h) const;
@@ -54,9 +47,8 @@ class RetracingTracer final : public DiagramTracer {
   const EnvelopeTracer& tracer_;
   const Mesh& mesh_;
   const WindowField& field_;
-  const KnownTrace* known_;
-  Crossings& crossings_;
-  mutable IdVector<FaceId, std::uint8_t> kept_;
+  const KnownTrace& known_;
+  IdVector<FaceId, std::uint8_t> kept_;
 };
 
 }  // namespace gvd

@@ -6,6 +6,8 @@
 // so this ends, and a face's arcs are disjoint whatever the distances are.
 #include "diagram/envelope/separate_arcs.hpp"
 
+#include "base/sort_unique.hpp"
+
 namespace gvd {
 namespace {
 
@@ -89,8 +91,7 @@ const std::vector<ArcIntersections::Pair>& ArcIntersections::find(const std::vec
     const ArcSegment &s = segments[i], &o = segments[j];
     if (may_intersect(s.line, o.line)) found_.emplace_back(std::min(s.arc, o.arc), std::max(s.arc, o.arc));
   });
-  std::sort(found_.begin(), found_.end());
-  found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+  sort_unique(found_);
   return found_;
 }
 

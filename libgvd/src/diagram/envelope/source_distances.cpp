@@ -23,14 +23,14 @@
 namespace gvd {
 namespace {
 
-/// With at most so many triples of sources, solving all of them costs less than halving the cell.
+/// Up to this many triples of sources, solving all of them costs less than halving the cell.
 constexpr std::size_t kFewTriples = 64;
 
-/// A cell is halved at most so often: its sides are then a millionth of the face's.
+/// Most halvings of a cell, after which its sides are a millionth of the face's.
 constexpr int kMostHalvings = 40;
 
-/// Cells of one search. Along a curve of ties their number would double with each second halving. Beyond this number,
-/// the middle of a cell stands for the candidates in it.
+/// Most cells of one search. Along a curve of ties their number would double with every second halving. Beyond this
+/// number, the middle of a cell stands for the candidates in it.
 constexpr int kMostCells = 2000;
 
 /// A ray that passes beside its opening still counts, by this fraction of its length: rays unfolded over hundreds of
@@ -62,7 +62,7 @@ using OnCone = Vec3;
 struct Plane {
   Vec3 normal;
   double level;
-  /// Of source s, relative to the image of `first`. The distances of parallel paths are linear as they are.
+  /// The plane of source s, relative to the image of `first`. Distances along parallel paths are linear already.
   Plane(const FaceSource& s, const FaceSource& first) {
     if (s.is_parallel()) {
       normal = {s.direction().x(), s.direction().y(), -1};

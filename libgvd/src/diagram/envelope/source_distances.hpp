@@ -19,8 +19,9 @@ namespace gvd {
 /// allocations.
 class EquidistantSearch {
  public:
-  /// All candidates in the face, to rounding, or to half of the digits where two rays touch: the branch points of the
-  /// three generators are among them. Most are none: the rays don't pass the openings, or another source is nearer.
+  /// All candidates in the face, to rounding, or to half of the digits where two rays touch. The branch points of the
+  /// three generators are among them. Most candidates are no branch points, because their rays don't pass the openings
+  /// or another source is nearer.
   /// Cost: O(k) memory, and mostly O(k log k) time, for k sources; a bounded number of cells, however many paths tie.
   const std::vector<Vec2>& find(const FaceLayout& face, std::span<const FaceSource> a, std::span<const FaceSource> b,
                                 std::span<const FaceSource> c);
@@ -58,9 +59,9 @@ inline Vec2 direction(const Vec2& p, const Vec2& from) {
   return length > 0 ? Vec2(way / length) : Vec2(0, 0);
 }
 
-/// The distances inside one face from a solver's sources: as accurate as the solver. One object serves one face after
-/// the other, to save allocations; not for several threads at once.
-class SourceDistances final : public FaceDistances {
+/// The distances inside one face from a solver's sources: as accurate as the solver. Entering one face after the other
+/// with the same object saves allocations. Not for several threads at once.
+class SourceDistances final : public FaceDistances, public FacePaths {
  public:
   /// `field` must outlive this.
   explicit SourceDistances(const DistanceField& field) : field_(field) {}
@@ -80,7 +81,6 @@ class SourceDistances final : public FaceDistances {
   /// The distance from p to the nearest of all generators.
   double nearest_of_all(const Bary& p) const { return gvd::nearest(sources_.all(), layout_->at(p)).path.distance; }
 
-  bool can_confirm() const override { return true; }
   std::optional<double> entry(GeneratorId g, const Bary& p) const override;
 
   /// The distance itself, mesh units.

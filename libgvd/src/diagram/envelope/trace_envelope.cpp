@@ -25,7 +25,7 @@
 namespace gvd {
 namespace {
 
-/// Chunks of so many edges, or of faces with so much work: the sum of the squares of their crossings. Half a
+/// Edges in a chunk, and the work of its faces: the sum of the squares of their crossings. Half a
 /// millisecond, long enough to occupy a thread and short enough to cancel after.
 constexpr std::size_t kChunkEdges = 128, kChunkWork = 512;
 
@@ -49,12 +49,12 @@ class FaceAssembler {
     const bool may_branch = boundary_.size() > 2;
     if (may_branch) with_offsets_.enter_with_offsets(plain_, input_.offset);
     const SourceDistances& deciding = may_branch ? with_offsets_ : plain_;
-    assemble_face(f, boundary_, deciding, result_.diagram);
+    assemble_face(f, boundary_, deciding, result_.diagram, &deciding);
     for (FaceArc& arc : face.arcs()) refine(deciding, face, arc);
     bool straightened = separator_.separate(face);
     if (may_branch && separator_.is_inverted(face)) {
       face.clear();
-      assemble_face(f, boundary_, GuessingDistances(deciding), result_.diagram);
+      assemble_face(f, boundary_, deciding, result_.diagram);
       straightened = true;
     }
     if (straightened) result_.straightened.push_back({f, largest_error(face)});
@@ -116,48 +116,6 @@ class FaceAssembler {
   AssembledFaces result_;
 };
 
-/// Finds the crossings of one edge after the other, from the lower envelope of its sources.
-struct EdgeCrosser {
-  const Mesh& mesh;
-  const DistanceField& field;
-  const SymbolicOffset& offset;
-  const NearestLabels& labels;
-  EdgeEnvelope envelope{};  // of the current edge
-  EdgeCrossings crossings{};
-  std::vector<EdgeSource> sources{};
-  std::vector<Crossing> result{};
-
-  /// Appends all crossings of e.
-  void cross(EdgeId e) {
-    build_envelope(e);
-    crossings.append_all(envelope, e, first(e), last(e), result);
-  }
-  /// Appends one crossing of e, where the labels of its ends differ.
-  void cross_once(EdgeId e) {
-    if (first(e) == last(e)) return;
-    build_envelope(e);
-    crossings.append_single(envelope, e, first(e), last(e), result);
-  }
-
-  GeneratorId first(EdgeId e) const { return labels.label[mesh.from(mesh.halfedge(e))]; }
-  GeneratorId last(EdgeId e) const { return labels.label[mesh.to(mesh.halfedge(e))]; }
-  void build_envelope(EdgeId e) {
-    field.collect(e, sources);
-    envelope.build(sources, mesh.length(e), offset);
-  }
-};
-
-/// Crosses edges by several threads; each chunk begins with a copy of the crosser.
-std::vector<Crossing> cross_all(const EdgeCrosser& crosser, void (EdgeCrosser::*cross_edge)(EdgeId),
-                                const std::vector<EdgeId>& edges, const ParallelChunks& parallel,
-                                const StepPart& step) {
-  return parallel.collect(cut_into_chunks(edges.size(), kChunkEdges), step, [&](const Chunk& chunk) {
-    EdgeCrosser own = crosser;
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) (own.*cross_edge)(edges[i]);
-    return std::move(own.result);
-  });
-}
-
 }  // namespace
 
 EnvelopeTracer::EnvelopeTracer(const WorkingMesh& working, const DistanceField& field, double tolerance,
@@ -172,35 +130,59 @@ Crossings EnvelopeTracer::cross_edges(const NearestLabels& labels) const {
   return {mesh_.edge_count(), cross(field_.contested_edges(parallel_), labels)};
 }
 
-std::vector<Crossing> EnvelopeTracer::cross(const std::vector<EdgeId>& edges, const NearestLabels& labels) const {
-  const EdgeCrosser crosser{mesh_, field_, offset_, labels};
-  return cross_all(crosser, &EdgeCrosser::cross, edges, parallel_, steps::kCrossings);
+std::vector<Crossing> EnvelopeTracer::cross(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                                            bool at_most_once) const {
+  const StepPart& step = at_most_once ? steps::kCrossingsAgain : steps::kCrossings;
+  return parallel_.collect(cut_into_chunks(edges.size(), kChunkEdges), step, [&](const Chunk& chunk) {
+    std::vector<EdgeSource> sources;  // of the current edge
+    EdgeEnvelope envelope;            // of the current edge
+    EdgeCrossings crossings;
+    std::vector<Crossing> result;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const EdgeId e = edges[i];
+      const HalfedgeId h = mesh_.halfedge(e);
+      const GeneratorId first = labels.label[mesh_.from(h)], last = labels.label[mesh_.to(h)];
+      if (at_most_once && first == last) continue;
+      field_.collect(e, sources);
+      envelope.build(sources, mesh_.length(e), offset_);
+      if (at_most_once) {
+        crossings.append_single(envelope, e, first, last, result);
+      } else {
+        crossings.append_all(envelope, e, first, last, result);
+      }
+    }
+    return result;
+  });
 }
 
 void EnvelopeTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                                         Crossings& crossings) const {
-  const EdgeCrosser crosser{mesh_, field_, offset_, labels};
-  crossings.replace(edges, cross_all(crosser, &EdgeCrosser::cross_once, edges, parallel_, steps::kCrossingsAgain));
+  crossings.replace(edges, cross(edges, labels, true));
 }
 
-void EnvelopeTracer::close_faces(TracedDiagram& traced) const {
+void EnvelopeTracer::close_faces(TracedDiagram& traced) {
   report_progress(parallel_.progress(), steps::kFaces, 0);
   const auto counts = count_by_face(mesh_, traced.crossings);
-  for (AssembledFaces& assembled : assemble(crossed_faces(counts), counts, traced.crossings)) {
-    traced.faces.append(assembled.diagram);
-    std::ranges::move(assembled.straightened, std::back_inserter(traced.straightened));
-  }
+  AssembledFaces assembled = assemble(crossed_faces(counts), counts, traced.crossings);
+  traced.faces = std::move(assembled.diagram);
+  traced.straightened = std::move(assembled.straightened);
   report_progress(parallel_.progress(), steps::kBisectors, 0.5);
 }
 
-std::vector<AssembledFaces> EnvelopeTracer::assemble(const std::vector<FaceId>& faces,
-                                                     const IdVector<FaceId, std::int32_t>& counts,
-                                                     const Crossings& crossings) const {
+AssembledFaces EnvelopeTracer::assemble(const std::vector<FaceId>& faces, const IdVector<FaceId, std::int32_t>& counts,
+                                        const Crossings& crossings) const {
   const auto work = [&](std::size_t i) { return std::size_t(counts[faces[i]]) * std::size_t(counts[faces[i]]); };
   const EnvelopeFaces input{mesh_, crossings, field_, offset_, tolerance_};
-  return parallel_.map(cut_by_work(faces.size(), kChunkWork, work), StepPart{steps::kFaces}, [&](const Chunk& chunk) {
+  const auto assemble_chunk = [&](const Chunk& chunk) {
     return assemble_envelope(input, std::span(faces).subspan(chunk.begin, chunk.end - chunk.begin));
-  });
+  };
+  AssembledFaces all;
+  const auto chunks = cut_by_work(faces.size(), kChunkWork, work);
+  for (const AssembledFaces& part : parallel_.map(chunks, StepPart{steps::kFaces}, assemble_chunk)) {
+    all.diagram.append(part.diagram);
+    all.straightened.insert(all.straightened.end(), part.straightened.begin(), part.straightened.end());
+  }
+  return all;
 }
 
 AssembledFaces assemble_envelope(const EnvelopeFaces& input, std::span<const FaceId> faces) {

@@ -33,13 +33,14 @@ class EnvelopeTracer final : public DiagramTracer {
   Crossings cross_edges(const NearestLabels& labels) const override;
   void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                           Crossings& crossings) const override;
-  void close_faces(TracedDiagram& traced) const override;
+  void close_faces(TracedDiagram& traced) override;
 
-  /// The crossings of some edges, which ascend, as `cross_edges` finds them.
-  std::vector<Crossing> cross(const std::vector<EdgeId>& edges, const NearestLabels& labels) const;
-  /// Assembles some faces, which ascend, in chunks; `counts`: of the crossings on each face.
-  std::vector<AssembledFaces> assemble(const std::vector<FaceId>& faces, const IdVector<FaceId, std::int32_t>& counts,
-                                       const Crossings& crossings) const;
+  /// The crossings of some edges, which ascend, as `cross_edges` finds them; or at most one of each.
+  std::vector<Crossing> cross(const std::vector<EdgeId>& edges, const NearestLabels& labels,
+                              bool at_most_once = false) const;
+  /// Assembles some faces, which ascend, by several threads. `counts`: of the crossings on each face.
+  AssembledFaces assemble(const std::vector<FaceId>& faces, const IdVector<FaceId, std::int32_t>& counts,
+                          const Crossings& crossings) const;
 
  private:
   const Mesh& mesh_;

@@ -21,7 +21,7 @@ class DiagramTracer {
                                   Crossings& crossings) const = 0;
   /// Fills in the arcs and branch points of all faces, ascending by face; may change the diagram's crossings and
   /// labels.
-  virtual void close_faces(TracedDiagram& traced) const = 0;
+  virtual void close_faces(TracedDiagram& traced) = 0;
   /// From now on, closes the faces at these edges by their crossings alone. Nothing to do for a tracer without growth.
   virtual void disable_growth(const std::vector<EdgeId>&) {}
 };
@@ -38,16 +38,5 @@ TracedDiagram trace_connected(const WorkingMesh& working, NearestLabels labels, 
 /// crossings.
 std::vector<EdgeId> find_disconnected_intervals(const Mesh& mesh, const NearestLabels& labels,
                                                 const Crossings& crossings);
-
-/// The connected components of every cell. An island is a component without the vertex of its generator; a sound
-/// diagram has none.
-struct CellComponents {
-  IdVector<GeneratorId, std::int32_t> count;  ///< 1 if the cell is connected
-  std::vector<EdgeId> island_edges;           ///< all edges of the faces in islands, ascending
-  std::vector<VertexId> island_vertices;      ///< ascending
-};
-
-/// Cost: O(k) for k crossings, and 4 bytes a face.
-CellComponents find_cell_components(const WorkingMesh& working, const TracedDiagram& traced);
 
 }  // namespace gvd

@@ -21,80 +21,42 @@
 namespace gvd {
 namespace {
 
-class Labeller {
- public:
-  Labeller(const WorkingMesh& working, NearestLabels& labels)
-      : working_(working), mesh_(working.mesh()), result_(labels) {}
+/// Whether u supports its neighbour v.
+bool supports(const NearestLabels& labels, VertexId u, VertexId v) {
+  return labels.label[u] == labels.label[v] && labels.distance[u] < labels.distance[v];
+}
 
-  bool supports(VertexId u, VertexId v) const {
-    return result_.label[u] == result_.label[v] && result_.distance[u] < result_.distance[v];
+/// Whether a labelled vertex has no support: see NearestLabels.
+bool is_unsupported(const WorkingMesh& working, const NearestLabels& labels, VertexId v) {
+  if (!labels.label[v].valid() || working.generator(v) == labels.label[v]) return false;
+  return !any_neighbour(working.mesh(), v, [&](VertexId u) { return supports(labels, u, v); });
+}
+
+void clear_label(VertexId v, NearestLabels& labels) {
+  labels.label[v] = GeneratorId();
+  labels.distance[v] = kInfinity;
+}
+
+/// Labels these vertices from their labelled neighbours, by Dijkstra's algorithm along the edges.
+void label_from_neighbours(const Mesh& mesh, const std::vector<VertexId>& cleared, NearestLabels& labels) {
+  using Offer = std::tuple<double, GeneratorId, VertexId>;
+  std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
+  const auto offer = [&](VertexId to, VertexId from, double length) {
+    const GeneratorId g = labels.label[from];
+    if (g.valid() && !labels.label[to].valid()) offers.emplace(labels.distance[from] + length, g, to);
+  };
+  for (const VertexId v : cleared) {
+    for_each_neighbour(mesh, v, [&](VertexId u, HalfedgeId h) { offer(v, u, mesh.length(h)); });
   }
-
-  bool is_supported(VertexId v) const {
-    if (working_.generator(v) == result_.label[v]) return true;
-    return any_neighbour(mesh_, v, [&](VertexId u) { return supports(u, v); });
+  while (!offers.empty()) {
+    const auto [distance, g, v] = offers.top();
+    offers.pop();
+    if (labels.label[v].valid()) continue;
+    labels.label[v] = g;
+    labels.distance[v] = distance;
+    for_each_neighbour(mesh, v, [&, from = v](VertexId u, HalfedgeId h) { offer(u, from, mesh.length(h)); });
   }
-
-  /// The unsupported vertices of a chunk. `is_surely_supported(v)` is a quick test: true only if v is supported.
-  template <class Sure>
-  std::vector<VertexId> find_unsupported(const Chunk& chunk, Sure is_surely_supported) const {
-    std::vector<VertexId> unsupported;
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const VertexId v(i);
-      if (result_.label[v].valid() && !is_surely_supported(v) && !is_supported(v)) unsupported.push_back(v);
-    }
-    return unsupported;
-  }
-
-  void clear(VertexId v) {
-    result_.label[v] = GeneratorId();
-    result_.distance[v] = kInfinity;
-  }
-
-  /// Clears the label of every vertex that no chain of supported vertices connects to its generator; returns them.
-  std::vector<VertexId> clear_unsupported() {
-    std::vector<VertexId> cleared, suspects;
-    const auto examine = [&](VertexId v) {
-      if (!result_.label[v].valid() || is_supported(v)) return;
-      clear(v);
-      cleared.push_back(v);
-      for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId) { suspects.push_back(u); });
-    };
-    for (const VertexId v : mesh_.vertices()) examine(v);
-    while (!suspects.empty()) {
-      const VertexId v = suspects.back();
-      suspects.pop_back();
-      examine(v);
-    }
-    return cleared;
-  }
-
-  /// Labels these vertices from their labelled neighbours, by Dijkstra's algorithm along the edges.
-  void label_from_neighbours(const std::vector<VertexId>& cleared) {
-    using Offer = std::tuple<double, GeneratorId, VertexId>;
-    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
-    const auto offer = [&](VertexId to, VertexId from, double length) {
-      const GeneratorId g = result_.label[from];
-      if (g.valid() && !result_.label[to].valid()) offers.emplace(result_.distance[from] + length, g, to);
-    };
-    for (const VertexId v : cleared) {
-      for_each_neighbour(mesh_, v, [&](VertexId u, HalfedgeId h) { offer(v, u, mesh_.length(h)); });
-    }
-    while (!offers.empty()) {
-      const auto [distance, g, v] = offers.top();
-      offers.pop();
-      if (result_.label[v].valid()) continue;
-      result_.label[v] = g;
-      result_.distance[v] = distance;
-      for_each_neighbour(mesh_, v, [&, from = v](VertexId u, HalfedgeId h) { offer(u, from, mesh_.length(h)); });
-    }
-  }
-
- private:
-  const WorkingMesh& working_;
-  const Mesh& mesh_;
-  NearestLabels& result_;
-};
+}
 
 void take_nearest(const WorkingMesh& working, const GeneratorTable& table, NearestLabels& result) {
   const Mesh& mesh = working.mesh();
@@ -131,22 +93,27 @@ NearestLabels compute_nearest_labels(const WorkingMesh& working, const Generator
   const Mesh& mesh = working.mesh();
   NearestLabels labels;
   take_nearest(working, table, labels);
-  const Labeller labeller(working, labels);
-  labels.unsupported = labeller.find_unsupported({0, labels.label.size()}, [&](VertexId v) {
+  for (const VertexId v : mesh.vertices()) {
+    if (!labels.label[v].valid()) continue;
     // In most cases one of the two corners that the distance was computed from has the same label.
     const HalfedgeId via = table.distance(v.value()).via;
-    return via.valid() && (labeller.supports(mesh.from(via), v) || labeller.supports(mesh.to(via), v));
-  });
+    const bool is_supported = via.valid() && (supports(labels, mesh.from(via), v) || supports(labels, mesh.to(via), v));
+    if (!is_supported && is_unsupported(working, labels, v)) labels.unsupported.push_back(v);
+  }
   return labels;
 }
 
 NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, double>& distance,
                           const IdVector<VertexId, GeneratorId>& label, const ParallelChunks& parallel) {
   NearestLabels labels{label, distance, {}};
-  const Labeller labeller(working, labels);
-  labels.unsupported = parallel.collect(
-      cut_into_chunks(label.size(), kScanChunk), steps::kLabels,
-      [&](const Chunk& chunk) { return labeller.find_unsupported(chunk, [](VertexId) { return false; }); });
+  const auto chunks = cut_into_chunks(label.size(), kScanChunk);
+  labels.unsupported = parallel.collect(chunks, steps::kLabels, [&](const Chunk& chunk) {
+    std::vector<VertexId> unsupported;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      if (is_unsupported(working, labels, VertexId(i))) unsupported.emplace_back(i);
+    }
+    return unsupported;
+  });
   return labels;
 }
 
@@ -154,22 +121,20 @@ NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, d
                           const IdVector<VertexId, GeneratorId>& label, const std::vector<VertexId>& known,
                           const std::vector<VertexId>& changed) {
   NearestLabels labels{label, distance, {}};
-  const Labeller labeller(working, labels);
   std::vector<VertexId> found, kept;
   std::ranges::copy_if(changed, std::back_inserter(found),
-                       [&](VertexId v) { return label[v].valid() && !labeller.is_supported(v); });
+                       [&](VertexId v) { return is_unsupported(working, labels, v); });
   std::ranges::set_difference(known, changed, std::back_inserter(kept));
   std::ranges::merge(kept, found, std::back_inserter(labels.unsupported));
   return labels;
 }
 
 void relabel_from_neighbours(const WorkingMesh& working, const std::vector<VertexId>& vertices, NearestLabels& labels) {
-  Labeller labeller(working, labels);
-  for (const VertexId v : vertices) labeller.clear(v);
-  labeller.label_from_neighbours(vertices);
+  for (const VertexId v : vertices) clear_label(v, labels);
+  label_from_neighbours(working.mesh(), vertices, labels);
   // They may have been what supported their neighbours.
   const auto examine = [&](VertexId v) {
-    if (labels.label[v].valid() && !labeller.is_supported(v)) labels.unsupported.push_back(v);
+    if (is_unsupported(working, labels, v)) labels.unsupported.push_back(v);
   };
   for (const VertexId v : vertices) {
     examine(v);
@@ -178,9 +143,21 @@ void relabel_from_neighbours(const WorkingMesh& working, const std::vector<Verte
 }
 
 std::int64_t relabel_unsupported(const WorkingMesh& working, NearestLabels& labels) {
-  Labeller labeller(working, labels);
-  const std::vector<VertexId> cleared = labeller.clear_unsupported();
-  labeller.label_from_neighbours(cleared);
+  const Mesh& mesh = working.mesh();
+  std::vector<VertexId> cleared, suspects;
+  const auto examine = [&](VertexId v) {
+    if (!is_unsupported(working, labels, v)) return;
+    clear_label(v, labels);
+    cleared.push_back(v);
+    for_each_neighbour(mesh, v, [&](VertexId u, HalfedgeId) { suspects.push_back(u); });
+  };
+  for (const VertexId v : mesh.vertices()) examine(v);
+  while (!suspects.empty()) {
+    const VertexId v = suspects.back();
+    suspects.pop_back();
+    examine(v);
+  }
+  label_from_neighbours(mesh, cleared, labels);
   labels.unsupported.clear();
   return std::ssize(cleared);
 }

@@ -10,7 +10,7 @@
 
 namespace gvd {
 
-/// What a tracer counts; DiagramReport says what the fields mean.
+/// The counts of a tracer; DiagramReport explains the fields.
 struct TracerCounts {
   std::int64_t relabelled_vertices = 0;
   std::int64_t gaps = 0;
@@ -23,7 +23,7 @@ struct StraightenedFace {
   double error;  ///< largest difference of the two distances along an arc of the face, mesh units
 };
 
-/// What a tracer hands over: how the bisectors cross the edges and run through the faces of the working mesh.
+/// The result of a tracer: how the bisectors cross the edges and run through the faces of the working mesh.
 struct TracedDiagram {
   NearestLabels labels;
   Crossings crossings;
@@ -32,8 +32,14 @@ struct TracedDiagram {
   IdVector<GeneratorId, std::int32_t> cell_components{};  ///< 1 where a cell is connected
   TracerCounts counts{};
   std::vector<StraightenedFace> straightened{};  ///< ascending
-  /// The nearest generators of all vertices before some got other labels to connect cells; none if none did.
-  std::optional<NearestLabels> before_relabelling{};
+  /// The labels and the crossings before some of them were replaced to connect cells; none if none were.
+  std::optional<NearestLabels> labels_before{};
+  std::optional<Crossings> crossings_before{};
+
+  /// The nearest generators of all vertices, before any got other labels to connect cells.
+  const NearestLabels& nearest() const { return labels_before ? *labels_before : labels; }
+  /// The crossings that the tracer found first, before any were replaced to connect cells.
+  const Crossings& first_crossings() const { return crossings_before ? *crossings_before : crossings; }
 };
 
 }  // namespace gvd

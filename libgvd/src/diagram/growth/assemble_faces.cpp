@@ -4,55 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "diagram/assembly/face_assembly.hpp"
+#include "diagram/assembly/form_distances.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
 namespace {
 
-/// Progress is reported once in so many faces.
+/// Progress is reported after this many faces.
 constexpr std::size_t kFaceStride = 1 << 10;
 
-/// A face and the distance forms of the generators whose cells lie along its boundary.
-struct FaceForms {
-  const Mesh& mesh;
-  FaceId face;
-  Front front;
-  std::vector<DistanceForm> forms;
-
-  /// Distance of generator g at a point of the face, mesh units.
-  double distance(GeneratorId g, const std::array<double, 3>& bary) const {
-    const auto form = std::ranges::find(forms, g, &DistanceForm::generator);
-    if (front == Front::planar) return form->at(bary);
-    double squared = form->at(bary);
-    for (int i = 0; i < 3; ++i) {
-      const double length = mesh.length(Mesh::halfedge(face, i));
-      squared -= bary[i] * bary[(i + 1) % 3] * length * length;
-    }
-    return std::sqrt(std::max(0.0, squared));
-  }
-};
-
-/// Sets the distance of the branch points from `first_branch` on: the mean over the cells at each.
-void measure_branches(const FaceForms& forms, std::size_t first_arc, std::size_t first_branch, FaceDiagram& diagram) {
-  for (std::size_t b = first_branch; b < diagram.branches.size(); ++b) {
-    const BranchPointId id(b);
-    FaceBranch& branch = diagram.branches[id];
-    double sum = 0;
-    int arcs = 0;
-    for (std::size_t a = first_arc; a < diagram.arcs.size(); ++a) {
-      const FaceArc& arc = diagram.arcs[a];
-      if (!arc.ends_at(at(id))) continue;
-      sum += forms.distance(arc.left_from(at(id)), branch.bary);
-      ++arcs;
-    }
-    branch.distance = sum / arcs;
-  }
-}
-
-}  // namespace
-
+/// The distance forms of the generators whose cells lie along a face's boundary, ascending by generator.
 std::vector<DistanceForm> face_forms(const GrowthInput& input, FaceId f,
                                      const std::vector<BoundaryCrossing>& boundary) {
   std::set<GeneratorId> met;
@@ -65,6 +29,19 @@ std::vector<DistanceForm> face_forms(const GrowthInput& input, FaceId f,
   }
   return forms;
 }
+
+/// The distance at a point of a face that a generator's form stands for, mesh units.
+double distance_of(const GrowthInput& input, FaceId f, const DistanceForm& form, const Bary& bary) {
+  double value = form.at(bary);
+  if (input.front == Front::planar) return value;
+  for (int i = 0; i < 3; ++i) {
+    const double length = input.mesh().length(Mesh::halfedge(f, i));
+    value -= bary[i] * bary[(i + 1) % 3] * length * length;
+  }
+  return std::sqrt(std::max(0.0, value));
+}
+
+}  // namespace
 
 void assemble_faces(const GrowthInput& input, const Crossings& crossings, const std::vector<FaceId>& skipped,
                     FaceDiagram& diagram, const Progress& progress) {
@@ -79,10 +56,21 @@ void assemble_faces(const GrowthInput& input, const Crossings& crossings, const 
       diagram.arcs.push_back({f, at(boundary[0].id), at(boundary[1].id), boundary[0].previous, boundary[0].next});
       continue;
     }
-    const FaceForms forms{input.mesh(), f, input.front, face_forms(input, f, boundary)};
+    const std::vector<DistanceForm> forms = face_forms(input, f, boundary);
+    const FormDistances distances(forms);
     const std::size_t first_arc = diagram.arcs.size(), first_branch = diagram.branches.size();
-    assemble_face(f, boundary, FormDistances(forms.forms), diagram);
-    measure_branches(forms, first_arc, first_branch, diagram);
+    assemble_face(f, boundary, distances, diagram);
+    for (BranchPointId b(first_branch); b < BranchPointId(diagram.branches.size()); b = BranchPointId(b.value() + 1)) {
+      FaceBranch& branch = diagram.branches[b];
+      double sum = 0;
+      int arcs = 0;
+      for (const FaceArc& arc : std::span(diagram.arcs).subspan(first_arc)) {
+        if (!arc.ends_at(at(b))) continue;
+        sum += distance_of(input, f, distances.form(arc.left_from(at(b))), branch.bary);
+        ++arcs;
+      }
+      branch.distance = sum / arcs;
+    }
   }
 }
 

@@ -2,15 +2,11 @@
 
 #include <vector>
 
-#include "diagram/assembly/form_distances.hpp"
 #include "diagram/graph/face_diagram.hpp"
 #include "diagram/growth/growth_input.hpp"
 #include "gvd/progress.hpp"
 
 namespace gvd {
-
-/// The distance forms of the generators whose cells lie along a face's boundary, ascending by generator.
-std::vector<DistanceForm> face_forms(const GrowthInput& input, FaceId f, const std::vector<BoundaryCrossing>& boundary);
 
 /// Joins the crossings in every crossed face but those in `skipped`, ascending; appends the arcs and branch points to
 /// `diagram`. Reports the last quarter of the step "bisectors".

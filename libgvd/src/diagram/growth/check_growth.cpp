@@ -54,133 +54,86 @@ bool rim_is_complete(const GapEdges& edges, const GrownGap& grown) {
   return rim.size() == edges.rim_crossing_count() && std::adjacent_find(rim.begin(), rim.end()) == rim.end();
 }
 
-/// Labels of a gap's vertices that follow from the labels on its rim, those of its generators, and its crossings.
-class GapLabels {
- public:
-  GapLabels(const WorkingMesh& working, const NearestLabels& labels, const std::vector<GapEdge>& edges)
-      : mesh_(working.mesh()), edges_(edges) {
-    for (const GapEdge& e : edges) {
-      const HalfedgeId h = mesh_.halfedge(e.edge);
-      edges_at_[mesh_.from(h)].push_back(&e);
-      edges_at_[mesh_.to(h)].push_back(&e);
-    }
-    for (const auto& [v, around] : edges_at_) {
-      const bool on_rim = std::any_of(around.begin(), around.end(), [](const GapEdge* e) { return e->rim; });
-      if (on_rim || working.generator(v).valid()) set_label(v, labels.label[v]);
-    }
-    for (std::size_t k = 0; k < labelled_.size(); ++k) spread_from(labelled_[k]);
+/// The labels that spread from a gap's rim and its generators along its edges, and change where these are crossed.
+std::map<VertexId, GeneratorId> spread_labels(const WorkingMesh& working, const NearestLabels& labels,
+                                              const std::vector<GapEdge>& edges) {
+  const Mesh& mesh = working.mesh();
+  std::map<VertexId, std::vector<const GapEdge*>> edges_at;
+  for (const GapEdge& e : edges) {
+    const HalfedgeId h = mesh.halfedge(e.edge);
+    edges_at[mesh.from(h)].push_back(&e);
+    edges_at[mesh.to(h)].push_back(&e);
   }
-
-  bool are_complete_and_agree() const {
-    return label_.size() == edges_at_.size() && std::all_of(edges_.begin(), edges_.end(), [&](const GapEdge& e) {
-             const HalfedgeId h = mesh_.halfedge(e.edge);
-             const GeneratorId from = label_.at(mesh_.from(h)), to = label_.at(mesh_.to(h));
-             if (e.crossings.empty()) return from == to;
-             return e.crossings.front().before == from && e.crossings.back().after == to;
-           });
+  std::map<VertexId, GeneratorId> implied;
+  std::vector<VertexId> labelled;  // in the order of labelling
+  const auto set_label = [&](VertexId v, GeneratorId g) {
+    if (g.valid() && implied.emplace(v, g).second) labelled.push_back(v);
+  };
+  for (const auto& [v, around] : edges_at) {
+    const bool on_rim = std::ranges::any_of(around, [](const GapEdge* e) { return e->rim; });
+    if (on_rim || working.generator(v).valid()) set_label(v, labels.label[v]);
   }
-
-  /// Ascending by vertex.
-  const std::map<VertexId, GeneratorId>& all() const { return label_; }
-
- private:
-  void set_label(VertexId v, GeneratorId g) {
-    if (g.valid() && label_.emplace(v, g).second) labelled_.push_back(v);
-  }
-
-  void spread_from(VertexId v) {
-    for (const GapEdge* e : edges_at_[v]) {
-      const HalfedgeId h = mesh_.halfedge(e->edge);
-      const bool forwards = mesh_.from(h) == v;
-      const VertexId other = forwards ? mesh_.to(h) : mesh_.from(h);
+  for (std::size_t k = 0; k < labelled.size(); ++k) {
+    const VertexId v = labelled[k];
+    for (const GapEdge* e : edges_at[v]) {
+      const HalfedgeId h = mesh.halfedge(e->edge);
+      const bool forwards = mesh.from(h) == v;
+      const VertexId other = forwards ? mesh.to(h) : mesh.from(h);
       if (e->crossings.empty()) {
-        set_label(other, label_[v]);
+        set_label(other, implied[v]);
       } else {
         set_label(other, forwards ? e->crossings.back().after : e->crossings.front().before);
       }
     }
   }
+  return implied;
+}
 
-  const Mesh& mesh_;
-  const std::vector<GapEdge>& edges_;
-  std::map<VertexId, std::vector<const GapEdge*>> edges_at_;
-  std::map<VertexId, GeneratorId> label_;
-  std::vector<VertexId> labelled_;  // in the order of labelling
-};
-
-class GapArcCheck {
- public:
-  GapArcCheck(const Mesh& mesh, const Crossings& crossings, const GrownGap& grown)
-      : mesh_(mesh), crossings_(crossings), grown_(grown) {}
-
-  bool run() const {
-    for (int n = 0; n < std::ssize(grown_.nodes); ++n) {
-      if (grown_.nodes[n].kind == GapNode::Kind::branch && !turns_left(n)) return false;
-    }
-    for (std::size_t i = 0; i < grown_.arcs.size(); ++i) {
-      for (std::size_t j = i + 1; j < grown_.arcs.size(); ++j) {
-        if (cross_each_other(grown_.arcs[i], grown_.arcs[j])) return false;
-      }
-    }
-    return true;
-  }
-
- private:
-  /// An arc as it leaves a branch point.
-  struct Spoke {
-    Vec2 direction;
-    GeneratorId left, right;
-  };
-
-  /// Position of a node of the arc, in the plane of the arc's face.
-  Vec2 position_of(const GapArc& arc, int node_index) const {
-    const GapNode& node = grown_.nodes[node_index];
-    const FaceLayout layout(mesh_, arc.face);
+/// The positions of an arc's two nodes, in the plane of its face.
+PlaneSegment segment_of(const Mesh& mesh, const Crossings& crossings, const GrownGap& grown, const GapArc& arc) {
+  const FaceLayout layout(mesh, arc.face);
+  const auto position = [&](const GapNode& node) {
     if (node.kind == GapNode::Kind::branch) return layout.at(node.bary);
-    const Crossing& c = crossing_of(node, crossings_);
-    const HalfedgeId h = mesh_.halfedge(c.edge);
+    const Crossing& c = crossing_of(node, crossings);
+    const HalfedgeId h = mesh.halfedge(c.edge);
     const bool own = Mesh::face(h) == arc.face;
-    return layout.at((own ? edge_point(h, c.t) : edge_point(mesh_.twin(h), 1 - c.t)).bary);
-  }
+    return layout.at((own ? edge_point(h, c.t) : edge_point(mesh.twin(h), 1 - c.t)).bary);
+  };
+  return {position(grown.nodes[arc.begin]), position(grown.nodes[arc.end])};
+}
 
-  std::vector<Spoke> spokes_at(int node) const {
-    std::vector<Spoke> spokes;
-    for (const GapArc& arc : grown_.arcs) {
-      const bool begins = arc.begin == node, ends = arc.end == node;
-      if (!begins && !ends) continue;
-      const Vec2 direction = position_of(arc, begins ? arc.end : arc.begin) - position_of(arc, node);
-      spokes.push_back({direction, begins ? arc.left : arc.right, begins ? arc.right : arc.left});
-    }
-    return spokes;
-  }
-
-  /// Whether the three arcs at a branch point go round it counter-clockwise in the order of their cells. One of the
-  /// three angles may be larger than a half turn.
-  bool turns_left(int node) const {
-    std::vector<Spoke> spokes = spokes_at(node);
-    if (spokes.size() != 3) return false;
-    if (spokes[1].right != spokes[0].left) std::swap(spokes[1], spokes[2]);
-    int left_turns = 0;
-    for (int i = 0; i < 3; ++i) {
-      const Spoke& next = spokes[(i + 1) % 3];
-      if (next.right != spokes[i].left) return false;
-      left_turns += cross(spokes[i].direction, next.direction) > 0;
-    }
-    return left_turns >= 2;
-  }
-
-  /// Arcs that end at a common node do not count as crossing.
-  bool cross_each_other(const GapArc& a, const GapArc& b) const {
-    if (a.face != b.face || a.begin == b.begin || a.begin == b.end || a.end == b.begin || a.end == b.end) return false;
-    const PlaneSegment p{position_of(a, a.begin), position_of(a, a.end)};
-    const PlaneSegment q{position_of(b, b.begin), position_of(b, b.end)};
-    return !lie_on_one_side(p, q.from, q.to) && !lie_on_one_side(q, p.from, p.to);
-  }
-
-  const Mesh& mesh_;
-  const Crossings& crossings_;
-  const GrownGap& grown_;
+/// An arc as it leaves a branch point.
+struct BranchSpoke {
+  Vec2 direction;
+  GeneratorId left, right;
 };
+
+/// Whether the three arcs at a branch point go round it counter-clockwise in the order of their cells. One of the three
+/// angles may be larger than a half turn. `segments`: of all arcs.
+bool turns_left_at(int node, const std::vector<GapArc>& arcs, const std::vector<PlaneSegment>& segments) {
+  std::vector<BranchSpoke> spokes;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const Vec2 way = segments[i].to - segments[i].from;
+    if (arcs[i].begin == node) {
+      spokes.push_back({way, arcs[i].left, arcs[i].right});
+    } else if (arcs[i].end == node) {
+      spokes.push_back({-way, arcs[i].right, arcs[i].left});
+    }
+  }
+  if (spokes.size() != 3) return false;
+  if (spokes[1].right != spokes[0].left) std::swap(spokes[1], spokes[2]);
+  int left_turns = 0;
+  for (int i = 0; i < 3; ++i) {
+    const BranchSpoke& next = spokes[(i + 1) % 3];
+    if (next.right != spokes[i].left) return false;
+    left_turns += cross(spokes[i].direction, next.direction) > 0;
+  }
+  return left_turns >= 2;
+}
+
+bool have_common_node(const GapArc& a, const GapArc& b) {
+  return a.begin == b.begin || a.begin == b.end || a.end == b.begin || a.end == b.end;
+}
 
 }  // namespace
 
@@ -257,17 +210,39 @@ bool check_gap_nodes(const Mesh& mesh, const Crossings& crossings, const Gap& ga
 std::optional<std::vector<std::pair<VertexId, GeneratorId>>> find_moved_labels(const WorkingMesh& working,
                                                                                const NearestLabels& labels,
                                                                                const GapEdges& gap_edges) {
-  const GapLabels implied(working, labels, gap_edges.edges());
-  if (!implied.are_complete_and_agree()) return std::nullopt;
+  const Mesh& mesh = working.mesh();
+  const std::map<VertexId, GeneratorId> implied = spread_labels(working, labels, gap_edges.edges());
+  for (const GapEdge& e : gap_edges.edges()) {
+    const HalfedgeId h = mesh.halfedge(e.edge);
+    const auto from = implied.find(mesh.from(h)), to = implied.find(mesh.to(h));
+    if (from == implied.end() || to == implied.end()) return std::nullopt;
+    const bool agrees = e.crossings.empty()
+                            ? from->second == to->second
+                            : e.crossings.front().before == from->second && e.crossings.back().after == to->second;
+    if (!agrees) return std::nullopt;
+  }
   std::vector<std::pair<VertexId, GeneratorId>> moved;
-  for (const auto& [v, g] : implied.all()) {
+  for (const auto& [v, g] : implied) {
     if (labels.label[v] != g) moved.emplace_back(v, g);
   }
   return moved;
 }
 
 bool check_gap_arcs(const Mesh& mesh, const Crossings& crossings, const GrownGap& grown) {
-  return GapArcCheck(mesh, crossings, grown).run();
+  const std::vector<GapArc>& arcs = grown.arcs;
+  std::vector<PlaneSegment> segments;
+  for (const GapArc& arc : arcs) segments.push_back(segment_of(mesh, crossings, grown, arc));
+  for (int n = 0; n < std::ssize(grown.nodes); ++n) {
+    if (grown.nodes[n].kind == GapNode::Kind::branch && !turns_left_at(n, arcs, segments)) return false;
+  }
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    for (std::size_t j = i + 1; j < arcs.size(); ++j) {
+      if (arcs[i].face != arcs[j].face || have_common_node(arcs[i], arcs[j])) continue;
+      const PlaneSegment &p = segments[i], &q = segments[j];
+      if (!lie_on_one_side(p, q.from, q.to) && !lie_on_one_side(q, p.from, p.to)) return false;
+    }
+  }
+  return true;
 }
 
 bool check_growth(const WorkingMesh& working, const NearestLabels& labels, const Crossings& crossings, const Gap& gap,

@@ -1,7 +1,7 @@
 // Gaps: found, closed by growth, and put into the diagram (section 4.3).
 //
 // A gap is a connected set of faces in which three or more generators compete; two bisectors may meet nowhere else.
-// Growth through a gap fails where an end wants to leave it, so such a gap takes more faces and grows anew. The paper
+// Growth through a gap fails where an end wants to leave it, so such a gap takes more faces and starts over. The paper
 // stretches ends without a limit; here a gap that stays open is left to the assembly of faces.
 // Invariant: a face belongs to at most one gap at a time. So a closed gap replaces all crossings inside its faces, and
 // no other gap has them.
@@ -13,6 +13,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sort_unique.hpp"
 #include "gvd/diagram_steps.hpp"
 
 namespace gvd {
@@ -22,213 +23,115 @@ namespace {
 /// triangle, but counts only the labels of its corners (section 3).
 constexpr int kGapGenerators = 3;
 
-/// Progress is reported once in so many gaps.
+/// Progress is reported after this many gaps.
 constexpr int kGapStride = 1 << 5;
 
-/// One enlargement in kWholeRing takes all faces around the gap. Ends that miss each other go on for ever if the gap
-/// only takes the face before the first of them. Measured on four meshes with 780 gaps: without it 20 stay open, with
-/// every third or fourth 5.
+/// One enlargement in kWholeRing takes all faces around the gap. Ends that miss each other would go on for ever if the
+/// gap only took the face before the first of them (docs/notes/performance.md).
 constexpr int kWholeRing = 4;
 
-class GapCloser {
+/// A gap, or several that were merged; empty if another one took it.
+struct MergedGap {
+  Gap gap;
+  std::vector<int> gaps;  // the given gaps that it contains
+  std::optional<GrownGap> grown;
+};
+
+/// The gaps, of which some are merged as they grow, and the gap of each face.
+class MergedGaps {
  public:
-  GapCloser(const GrowthInput& input, const Crossings& crossings, const std::vector<Gap>& gaps, const ClosingPlan& plan)
-      : input_(input), mesh_(input.mesh()), crossings_(crossings), plan_(plan) {
-    merged_of_.resize(mesh_.face_count(), kNone);
+  MergedGaps(const Mesh& mesh, const std::vector<Gap>& gaps) : of_face_(mesh.face_count(), kNone) {
     for (int i = 0; i < std::ssize(gaps); ++i) {
-      merged_.push_back({gaps[i], {i}, std::nullopt});
-      for (const FaceId f : gaps[i].faces) merged_of_[f] = i;
+      all.push_back({gaps[i], {i}, std::nullopt});
+      for (const FaceId f : gaps[i].faces) of_face_[f] = i;
     }
   }
 
-  std::vector<ClosedGap> run(const Progress& progress) {
-    report_progress(progress, steps::kGrowth, 0);
-    for (int i = 0; i < std::ssize(merged_); ++i) {
-      if (i % kGapStride == 0) report_progress(progress, steps::kGrowth, double(i) / double(merged_.size()));
-      if (!merged_[i].gap.faces.empty() && !merged_[i].grown) close(i);
+  /// Adds faces to a gap, and the whole gaps that they belong to; appends these to `taken`. False if one of them is too
+  /// large to grow.
+  bool take(const std::vector<FaceId>& faces, Gap& gap, std::vector<int>& taken) const {
+    std::vector<FaceId> added = faces;
+    for (const FaceId f : faces) {
+      const int other = of_face_[f];
+      if (other == kNone || std::find(taken.begin(), taken.end(), other) != taken.end()) continue;
+      if (all[other].gap.faces.size() > kMaxGapFaces) return false;
+      taken.push_back(other);
+      added.insert(added.end(), all[other].gap.faces.begin(), all[other].gap.faces.end());
     }
-    std::vector<ClosedGap> closed;
-    for (MergedGap& r : merged_) {
-      if (r.grown) closed.push_back({std::move(r.gap), std::move(*r.grown), std::move(r.gaps)});
-    }
-    return closed;
+    gap.faces.insert(gap.faces.end(), added.begin(), added.end());
+    sort_unique(gap.faces);
+    return true;
   }
+
+  /// Puts a grown gap in the place of those that it took, as gap `index`.
+  void replace(int index, const std::vector<int>& taken, Gap gap, GrownGap grown) {
+    std::vector<int> contained;
+    for (const int t : taken) {
+      contained.insert(contained.end(), all[t].gaps.begin(), all[t].gaps.end());
+      all[t] = {};
+    }
+    std::sort(contained.begin(), contained.end());
+    for (const FaceId f : gap.faces) of_face_[f] = index;
+    all[index] = {std::move(gap), std::move(contained), std::move(grown)};
+  }
+
+  std::vector<MergedGap> all;
 
  private:
   static constexpr int kNone = -1;
 
-  /// A gap, or several that were merged; empty if another one took it.
-  struct MergedGap {
-    Gap gap;
-    std::vector<int> gaps;  // the given gaps that it contains
-    std::optional<GrownGap> grown;
-  };
-
-  /// Grows gap `index`, enlarged where needed. The gaps that it takes on the way are kept if that fails.
-  void close(int index) {
-    if (merged_[index].gap.faces.size() > kMaxGapFaces) return;
-    MergedGap merged{merged_[index].gap, {}, std::nullopt};
-    std::vector<int> taken{index};
-    for (int enlargement = 0; merged.gap.faces.size() <= kMaxGapFaces && may_grow(merged.gap); ++enlargement) {
-      const FaceId entered = grow(merged);
-      if (merged.grown) {
-        replace(index, taken, std::move(merged));
-        return;
-      }
-      if (enlargement == plan_.enlargements) return;
-      const bool whole_ring = !entered.valid() || enlargement % kWholeRing == kWholeRing - 1;
-      const std::vector<FaceId> added = whole_ring ? faces_around(merged.gap) : std::vector{entered};
-      if (!take(added, merged.gap, taken)) return;
-    }
-  }
-
-  /// Tries the rules one after the other. If none of them closes the gap, returns the face that an end wants to enter,
-  /// by the first rule for which there is one.
-  FaceId grow(MergedGap& merged) const {
-    FaceId entered;
-    for (const GrowthRules& rules : plan_.rules) {
-      GrowthOutcome outcome = grow_bisectors(input_, crossings_, merged.gap, rules);
-      if (!entered.valid()) entered = outcome.entered;
-      merged.grown = std::move(outcome.grown);
-      if (merged.grown) break;
-    }
-    return entered;
-  }
-
-  /// Adds faces to a gap, and the whole gaps that they belong to; appends these to `taken`. False if one of them is
-  /// too large to grow.
-  bool take(const std::vector<FaceId>& faces, Gap& gap, std::vector<int>& taken) const {
-    std::vector<FaceId> added = faces;
-    for (const FaceId f : faces) {
-      const int other = merged_of_[f];
-      if (other == kNone || std::find(taken.begin(), taken.end(), other) != taken.end()) continue;
-      if (merged_[other].gap.faces.size() > kMaxGapFaces) return false;
-      taken.push_back(other);
-      added.insert(added.end(), merged_[other].gap.faces.begin(), merged_[other].gap.faces.end());
-    }
-    gap.faces.insert(gap.faces.end(), added.begin(), added.end());
-    std::sort(gap.faces.begin(), gap.faces.end());
-    gap.faces.erase(std::unique(gap.faces.begin(), gap.faces.end()), gap.faces.end());
-    return true;
-  }
-
-  /// The faces outside the gap that have an edge in common with it.
-  std::vector<FaceId> faces_around(const Gap& gap) const {
-    std::vector<FaceId> around;
-    for (const FaceId f : gap.faces) {
-      for (const HalfedgeId h : Mesh::halfedges(f)) {
-        if (is_rim(mesh_, gap, h)) around.push_back(Mesh::face(mesh_.twin(h)));
-      }
-    }
-    return around;
-  }
-
-  bool may_grow(const Gap& gap) const {
-    const auto is_forbidden = [&](HalfedgeId h) { return std::ranges::binary_search(plan_.forbidden, mesh_.edge(h)); };
-    return std::ranges::none_of(gap.faces,
-                                [&](FaceId f) { return std::ranges::any_of(Mesh::halfedges(f), is_forbidden); });
-  }
-
-  /// Puts a grown gap in the place of those that it consists of.
-  void replace(int index, const std::vector<int>& taken, MergedGap merged) {
-    for (const int t : taken) {
-      std::copy(merged_[t].gaps.begin(), merged_[t].gaps.end(), std::back_inserter(merged.gaps));
-      merged_[t] = {};
-    }
-    std::sort(merged.gaps.begin(), merged.gaps.end());
-    for (const FaceId f : merged.gap.faces) merged_of_[f] = index;
-    merged_[index] = std::move(merged);
-  }
-
-  const GrowthInput& input_;
-  const Mesh& mesh_;
-  const Crossings& crossings_;
-  const ClosingPlan& plan_;
-  std::vector<MergedGap> merged_;
-  IdVector<FaceId, int> merged_of_;  // the gap that has the face, or kNone
+  IdVector<FaceId, int> of_face_;  // or kNone
 };
 
-/// Gives the crossings of a diagram and of its grown gaps common numbers, and appends what grew.
-class GapInstaller {
- public:
-  GapInstaller(const Mesh& mesh, const std::vector<ClosedGap>& closed, TracedDiagram& traced)
-      : mesh_(mesh), closed_(closed), traced_(traced), renamed_(traced.crossings.size()) {
-    for (const ClosedGap& c : closed) grown_id_.emplace_back(c.grown.nodes.size());
-  }
-
-  void install() {
-    std::vector<Crossing> items;
-    for (const NumberedCrossing& c : merge_crossings()) {
-      *c.id = CrossingId(items.size());
-      items.push_back(c.crossing);
+/// The faces outside the gap that have an edge in common with it.
+std::vector<FaceId> faces_around(const Mesh& mesh, const Gap& gap) {
+  std::vector<FaceId> around;
+  for (const FaceId f : gap.faces) {
+    for (const HalfedgeId h : Mesh::halfedges(f)) {
+      if (is_rim(mesh, gap, h)) around.push_back(Mesh::face(mesh.twin(h)));
     }
-    traced_.crossings = Crossings(mesh_.edge_count(), std::move(items));
-    for (std::size_t c = 0; c < closed_.size(); ++c) append(closed_[c].grown, grown_id_[c]);
   }
+  return around;
+}
 
- private:
-  /// A crossing of the new diagram, and the place for its new id.
-  struct NumberedCrossing {
-    Crossing crossing;
-    CrossingId* id;
-  };
+/// Whether the gap is small enough, and has no edge where growth is not allowed.
+bool may_grow(const Mesh& mesh, const Gap& gap, const std::vector<EdgeId>& forbidden) {
+  if (gap.faces.size() > kMaxGapFaces) return false;
+  const auto is_forbidden = [&](HalfedgeId h) { return std::ranges::binary_search(forbidden, mesh.edge(h)); };
+  return std::ranges::none_of(gap.faces,
+                              [&](FaceId f) { return std::ranges::any_of(Mesh::halfedges(f), is_forbidden); });
+}
 
-  /// The crossings that stay and those that grew, ascending by (edge, t).
-  std::vector<NumberedCrossing> merge_crossings() {
-    std::vector<NumberedCrossing> all;
-    const IdVector<EdgeId, char> inside = edges_inside();
-    for (const CrossingId id : renamed_.ids()) {
-      const Crossing& c = traced_.crossings[id];
-      if (!inside[c.edge]) all.push_back({c, &renamed_[id]});
-    }
-    for (std::size_t c = 0; c < closed_.size(); ++c) {
-      const auto& nodes = closed_[c].grown.nodes;
-      for (std::size_t n = 0; n < nodes.size(); ++n) {
-        if (nodes[n].kind == GapNode::Kind::crossing) all.push_back({nodes[n].crossing, &grown_id_[c][n]});
+/// Tries the rules one after the other. If none of them closes the gap, names the face that an end wants to enter, by
+/// the first rule for which there is one.
+GrowthOutcome grow_by_rules(const GrowthInput& input, const Crossings& crossings, const Gap& gap,
+                            const std::vector<GrowthRules>& rules) {
+  FaceId entered;
+  for (const GrowthRules& rule : rules) {
+    GrowthOutcome outcome = grow_bisectors(input, crossings, gap, rule);
+    if (outcome.grown) return outcome;
+    if (!entered.valid()) entered = outcome.entered;
+  }
+  return {std::nullopt, entered};
+}
+
+/// Tells for each edge whether all its faces lie in one closed gap. Two gaps never have an edge in common.
+IdVector<EdgeId, char> edges_inside(const Mesh& mesh, const std::vector<ClosedGap>& closed) {
+  IdVector<EdgeId, char> inside(mesh.edge_count(), 0);
+  for (const ClosedGap& c : closed) {
+    for (const FaceId f : c.gap.faces) {
+      for (const HalfedgeId h : Mesh::halfedges(f)) {
+        if (!is_rim(mesh, c.gap, h)) inside[mesh.edge(h)] = 1;
       }
     }
-    std::ranges::sort(all, {}, [](const NumberedCrossing& c) { return std::tuple(c.crossing.edge, c.crossing.t); });
-    return all;
   }
+  return inside;
+}
 
-  /// Tells for each edge whether all its faces lie in one grown gap. Two gaps never have an edge in common.
-  IdVector<EdgeId, char> edges_inside() const {
-    IdVector<EdgeId, char> inside(mesh_.edge_count(), 0);
-    for (const ClosedGap& c : closed_) {
-      for (const FaceId f : c.gap.faces) {
-        for (const HalfedgeId h : Mesh::halfedges(f)) {
-          if (!is_rim(mesh_, c.gap, h)) inside[mesh_.edge(h)] = 1;
-        }
-      }
-    }
-    return inside;
-  }
-
-  /// Appends the branch points, arcs and moved vertices of one gap. `grown_id` has the ids of its new crossings.
-  void append(const GrownGap& grown, const std::vector<CrossingId>& grown_id) {
-    std::vector<ArcEnd> ends;
-    for (std::size_t n = 0; n < grown.nodes.size(); ++n) {
-      const GapNode& node = grown.nodes[n];
-      if (node.kind == GapNode::Kind::branch) {
-        ends.push_back(at(traced_.faces.branches.push_back({node.face, node.bary, node.distance})));
-      } else {
-        ends.push_back(at(node.kind == GapNode::Kind::rim ? renamed_[node.rim] : grown_id[n]));
-      }
-    }
-    for (const GapArc& arc : grown.arcs) {
-      traced_.faces.arcs.push_back({arc.face, ends[arc.begin], ends[arc.end], arc.left, arc.right});
-    }
-    for (const auto& [v, g] : grown.labels) {
-      traced_.labels.label[v] = g;
-      traced_.moved.push_back(v);
-    }
-  }
-
-  const Mesh& mesh_;
-  const std::vector<ClosedGap>& closed_;
-  TracedDiagram& traced_;
-  IdVector<CrossingId, CrossingId> renamed_;       // new ids of the crossings that stay
-  std::vector<std::vector<CrossingId>> grown_id_;  // per gap and node: ids of the crossings that grew
+/// A crossing of the new diagram, and the place for its new id.
+struct NumberedCrossing {
+  Crossing crossing;
+  CrossingId* id;
 };
 
 }  // namespace
@@ -267,11 +170,76 @@ void ClosingPlan::forbid(const std::vector<EdgeId>& edges) {
 
 std::vector<ClosedGap> close_gaps(const GrowthInput& input, const Crossings& crossings, const std::vector<Gap>& gaps,
                                   const ClosingPlan& plan, const Progress& progress) {
-  return GapCloser(input, crossings, gaps, plan).run(progress);
+  const Mesh& mesh = input.mesh();
+  MergedGaps merged(mesh, gaps);
+  // Grows gap `index`, enlarged where needed. The gaps that it takes on the way are kept if that fails.
+  const auto close = [&](int index) {
+    Gap gap = merged.all[index].gap;
+    std::vector<int> taken{index};
+    for (int enlargement = 0; may_grow(mesh, gap, plan.forbidden); ++enlargement) {
+      GrowthOutcome outcome = grow_by_rules(input, crossings, gap, plan.rules);
+      if (outcome.grown) return merged.replace(index, taken, std::move(gap), std::move(*outcome.grown));
+      if (enlargement == plan.enlargements) return;
+      const bool whole_ring = !outcome.entered.valid() || enlargement % kWholeRing == kWholeRing - 1;
+      if (!merged.take(whole_ring ? faces_around(mesh, gap) : std::vector{outcome.entered}, gap, taken)) return;
+    }
+  };
+  report_progress(progress, steps::kGrowth, 0);
+  for (int i = 0; i < std::ssize(gaps); ++i) {
+    if (i % kGapStride == 0) report_progress(progress, steps::kGrowth, double(i) / double(gaps.size()));
+    if (!merged.all[i].gap.faces.empty() && !merged.all[i].grown) close(i);
+  }
+  std::vector<ClosedGap> closed;
+  for (MergedGap& m : merged.all) {
+    if (m.grown) closed.push_back({std::move(m.gap), std::move(*m.grown), std::move(m.gaps)});
+  }
+  return closed;
 }
 
 void install_gaps(const Mesh& mesh, const std::vector<ClosedGap>& closed, TracedDiagram& traced) {
-  GapInstaller(mesh, closed, traced).install();
+  // Crossings that stay and crossings that grew get their numbers in common, ascending by (edge, t).
+  IdVector<CrossingId, CrossingId> renamed(traced.crossings.size());  // new ids of those that stay
+  std::vector<std::vector<CrossingId>> grown_ids(closed.size());      // for each gap and node: of those that grew
+  std::vector<NumberedCrossing> all;
+  const IdVector<EdgeId, char> inside = edges_inside(mesh, closed);
+  for (const CrossingId id : renamed.ids()) {
+    const Crossing& c = traced.crossings[id];
+    if (!inside[c.edge]) all.push_back({c, &renamed[id]});
+  }
+  for (std::size_t c = 0; c < closed.size(); ++c) {
+    const std::vector<GapNode>& nodes = closed[c].grown.nodes;
+    grown_ids[c].resize(nodes.size());
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      if (nodes[n].kind == GapNode::Kind::crossing) all.push_back({nodes[n].crossing, &grown_ids[c][n]});
+    }
+  }
+  std::ranges::sort(all, {}, [](const NumberedCrossing& c) { return std::tuple(c.crossing.edge, c.crossing.t); });
+  std::vector<Crossing> items;
+  for (const NumberedCrossing& c : all) {
+    *c.id = CrossingId(items.size());
+    items.push_back(c.crossing);
+  }
+  traced.crossings = Crossings(mesh.edge_count(), std::move(items));
+
+  for (std::size_t c = 0; c < closed.size(); ++c) {
+    const GrownGap& grown = closed[c].grown;
+    std::vector<ArcEnd> ends;  // the nodes
+    for (std::size_t n = 0; n < grown.nodes.size(); ++n) {
+      const GapNode& node = grown.nodes[n];
+      if (node.kind == GapNode::Kind::branch) {
+        ends.push_back(at(traced.faces.branches.push_back({node.face, node.bary, node.distance})));
+      } else {
+        ends.push_back(at(node.kind == GapNode::Kind::rim ? renamed[node.rim] : grown_ids[c][n]));
+      }
+    }
+    for (const GapArc& arc : grown.arcs) {
+      traced.faces.arcs.push_back({arc.face, ends[arc.begin], ends[arc.end], arc.left, arc.right});
+    }
+    for (const auto& [v, g] : grown.labels) {
+      traced.labels.label[v] = g;
+      traced.moved.push_back(v);
+    }
+  }
 }
 
 }  // namespace gvd

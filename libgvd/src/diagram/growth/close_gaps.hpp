@@ -32,7 +32,7 @@ struct ClosingPlan {
 ///
 /// Nearly every gap that does not close has an end that wants to leave it. Then the gap takes the face that the end
 /// wants to enter, and the whole gap that the face belongs to. Every fourth time, and where no end leaves, it takes all
-/// faces around it. Growth starts anew each time. A gap that closes at last replaces those that it took.
+/// faces around it. Growth starts over each time. A gap that closes in the end replaces those that it took.
 ///
 /// Source: section 4.3, which stretches ends without a limit. Returns the closed gaps, which have no face in common.
 /// Reports the step "growth". Cost: O(n) for n faces, and at most `enlargements` + 1 growths a gap and rule.

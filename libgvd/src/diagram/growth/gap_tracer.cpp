@@ -50,7 +50,7 @@ void GrowthTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const Ne
   gvd::cross_at_most_once(input(labels), edges, crossings);
 }
 
-void GrowthTracer::close_faces(TracedDiagram& traced) const {
+void GrowthTracer::close_faces(TracedDiagram& traced) {
   // With planar fronts the rough crossings interpolate distances, and unfolding improves them. With circles they come
   // from sources that were unfolded over the edge itself, the same for both of its faces. Refinement would replace
   // these by images that were unfolded over other edges, which is less accurate (docs/developer/performance.md).

@@ -37,9 +37,8 @@ class GapTracer : public DiagramTracer {
   void close(const std::vector<Gap>& gaps, TracedDiagram& traced) const;
 
  private:
-  /// The number of times that a gap is enlarged if it does not close. Measured on four meshes with 780 gaps: of 95 that
-  /// do not close at first, 9 stay open with 6, 5 with 10 and 2 with 20, at up to four times the time. The paper names
-  /// no limit.
+  /// The number of times that a gap is enlarged if it does not close: nearly all of them do
+  /// (docs/notes/performance.md). The paper names no limit.
   static constexpr int kEnlargements = 10;
 
   const WorkingMesh& working_;
@@ -65,7 +64,7 @@ class GrowthTracer : public GapTracer {
                           Crossings& crossings) const override;
   /// Refines the crossings, then fills in the arcs and branch points of all faces, ascending by face: by growth inside
   /// the gaps, by assembly elsewhere. Growth may replace crossings and labels inside its gaps.
-  void close_faces(TracedDiagram& traced) const override;
+  void close_faces(TracedDiagram& traced) override;
 
  private:
   std::vector<Gap> gaps_;

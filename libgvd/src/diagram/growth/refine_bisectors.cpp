@@ -15,7 +15,7 @@
 namespace gvd {
 namespace {
 
-/// Progress is reported once in so many faces.
+/// Progress is reported after this many faces.
 constexpr std::size_t kRefineStride = 1 << 12;
 
 }  // namespace

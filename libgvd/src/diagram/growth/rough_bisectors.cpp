@@ -19,7 +19,7 @@
 namespace gvd {
 namespace {
 
-/// Progress is reported once in so many edges.
+/// Progress is reported after this many edges.
 constexpr std::size_t kRoughStride = 1 << 10;
 
 /// Shortest interval of a cell inside an edge, relative to the edge. The march's distances are off by about a hundredth

@@ -83,7 +83,7 @@ void PaperTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const Nea
   crossings.replace(edges, midpoints);
 }
 
-void PaperTracer::close_faces(TracedDiagram& traced) const {
+void PaperTracer::close_faces(TracedDiagram& traced) {
   weld_crossings(refine_segments(mesh(), table(), traced.crossings), traced.crossings);
   IdVector<FaceId, char> is_branching(mesh().face_count());
   for (const FaceId f : mesh().faces()) {

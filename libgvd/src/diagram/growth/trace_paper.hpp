@@ -47,7 +47,7 @@ class PaperTracer : public GapTracer {
   /// Puts these edges back to one crossing at the midpoint, or none if their ends have one label.
   void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                           Crossings& crossings) const override;
-  void close_faces(TracedDiagram& traced) const override;
+  void close_faces(TracedDiagram& traced) override;
 };
 
 }  // namespace gvd
