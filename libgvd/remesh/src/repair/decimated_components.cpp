@@ -31,13 +31,16 @@ constexpr int kMostRefinements = 12;
 /// to lies near the face of the surface that it was.
 class FaceGuard {
  public:
-  explicit FaceGuard(const Mesh& surface, std::vector<FaceId> faces) : surface_(surface), origin_(std::move(faces)) {
+  FaceGuard(const Mesh& surface, const std::vector<DecimatedFace>& faces) : surface_(surface) {
+    for (const DecimatedFace& face : faces) {
+      origin_.push_back(face.origin);
+      faces_.push_back(placed(face.corners));
+    }
     std::vector<std::int32_t> order(origin_.size());
     std::iota(order.begin(), order.end(), 0);
     order_by_halves(order.begin(), order.end());
     slot_.resize(order.size());
     for (std::size_t slot = 0; slot < order.size(); ++slot) slot_[order[slot]] = slot;
-    for (const FaceId f : origin_) faces_.push_back(PlacedFaces(surface_).at(f));
     tree_.build(order.size(), [&](std::size_t slot) { return box(faces_[order[slot]].corners); });
     face_at_ = std::move(order);
   }
@@ -186,7 +189,7 @@ void DecimatedComponents::add(const std::map<std::int32_t, std::int64_t>& vertic
 
 void DecimatedComponents::refine(const Mesh& remesh, FaceId face, const std::array<VertexId, 3>& corners) {
   Part& part = parts_.at(component_[Mesh::face(surface_.halfedge(corners[0]))]);
-  if (!std::exchange(part.is_refined, true)) ++part.refinements;
+  if (!std::exchange(part.is_stale, true)) ++part.refinements;
   std::vector<std::pair<double, VertexId>> members;
   for (const VertexId corner : corners) {
     for (const VertexId v : members_[corner]) {
@@ -199,27 +202,39 @@ void DecimatedComponents::refine(const Mesh& remesh, FaceId face, const std::arr
 }
 
 void DecimatedComponents::decimate(const Progress& progress) {
-  std::vector<FaceId> all;
-  for (const auto& [component, part] : parts_) all.insert(all.end(), part.surface.begin(), part.surface.end());
+  std::vector<DecimatedFace> all;
+  std::size_t stale = 0;
+  for (auto& [component, part] : parts_) {
+    if (part.is_stale) {
+      part.faces.clear();
+      for (const FaceId f : part.surface) part.faces.push_back({surface_.vertices(f), f});
+      stale += part.surface.size();
+    }
+    all.insert(all.end(), part.faces.begin(), part.faces.end());
+  }
   FaceGuard guard(surface_, all);
   std::int32_t first = 0;
+  std::size_t done = 0;
   for (auto& [component, part] : parts_) {
-    const Submesh own = make_submesh(surface_, part.surface);
-    std::vector<FaceId> faces(own.mesh.faces().begin(), own.mesh.faces().end());
-    IdVector<FaceId, PartPlace> places;
-    for (const FaceId f : faces) places.push_back({0, f.value()});
-    PartGuard of_part(guard, own, first);
-    PartDecimator decimator(own.mesh, faces, places);
-    decimator.keep([&](VertexId v) {
-      return part.refinements >= kMostRefinements || is_kept_[own.whole_vertex[v]] != 0;
-    });
-    const auto report = [&](double done) {
-      report_progress(progress, "decimation", (first + done * double(faces.size())) / double(all.size()));
-    };
-    decimator.guard(of_part);
-    decimator.decimate(share_of_faces(own.mesh, part.vertices), report);
-    take(own, decimator, part);
-    first += std::int32_t(faces.size());
+    const auto count = std::int32_t(part.faces.size());
+    if (std::exchange(part.is_stale, false)) {
+      const Submesh own = make_submesh(surface_, part.surface);
+      std::vector<FaceId> faces(own.mesh.faces().begin(), own.mesh.faces().end());
+      IdVector<FaceId, PartPlace> places;
+      for (const FaceId f : faces) places.push_back({0, f.value()});
+      PartGuard of_part(guard, own, first);
+      PartDecimator decimator(own.mesh, faces, places);
+      decimator.guard(of_part);
+      decimator.keep([&](VertexId v) {
+        return part.refinements >= kMostRefinements || is_kept_[own.whole_vertex[v]] != 0;
+      });
+      decimator.decimate(share_of_faces(own.mesh, part.vertices), [&](double share) {
+        report_progress(progress, "decimation", (double(done) + share * count) / double(stale));
+      });
+      take(own, decimator, part);
+      done += std::size_t(count);
+    }
+    first += count;
   }
 }
 
@@ -232,7 +247,6 @@ void DecimatedComponents::take(const Submesh& own, const PartDecimator& decimato
     while (target[last].valid()) last = target[last];
     if (last != v) members_[own.whole_vertex[last]].push_back(own.whole_vertex[v]);
   }
-  part.is_refined = false;
   part.faces.clear();
   const auto corners = decimator.faces();
   const auto origins = decimator.face_places();

@@ -51,8 +51,8 @@ class DecimatedComponents {
   /// one of `remesh`; `corners` are its corners on the surface. Cost: O(k) for k such vertices.
   void refine(const Mesh& remesh, FaceId face, const std::array<VertexId, 3>& corners);
 
-  /// Decimates all these components anew. Throws Error{interrupted} if `progress` cancels. Cost: O(n log n) for their n
-  /// faces, where these overlap the boxes of a bounded number of others.
+  /// Decimates the components that are new or have been refined. Throws Error{interrupted} if `progress` cancels.
+  /// Cost: O(n log n) for the n faces of all, where these overlap the boxes of a bounded number of others.
   void decimate(const Progress& progress);
 
   /// The faces of all these components, by component.
@@ -66,7 +66,7 @@ class DecimatedComponents {
     std::vector<FaceId> surface;  // its faces there
     std::vector<DecimatedFace> faces;
     int refinements = 0;
-    bool is_refined = false;  // since the last decimation
+    bool is_stale = true;  // new, or refined
   };
 
   void take(const Submesh& own, const PartDecimator& decimator, Part& part);
