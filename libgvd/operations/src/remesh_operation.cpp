@@ -231,12 +231,13 @@ void describe_decimated(const RemeshResult& result, std::vector<std::string>& li
   const DecimatedParts& decimated = result.decimated;
   if (decimated.components == 0) return;
   const std::int64_t all = result.certificate.input.components;
-  lines.push_back(fmt::format("{} the input's own triangles, decimated to {}, since the dual of generators there is no "
-                              "valid mesh: {}",
-                              all == 1 ? "the surface is"
-                                       : fmt::format("{} of {} connected parts {}", decimated.components, all,
-                                                     decimated.components == 1 ? "is" : "are"),
-                              counted(decimated.vertices, "vertex", "vertices"), decimated.reason));
+  lines.push_back(
+      fmt::format("{} the input's own triangles, decimated to {}, since the dual of generators there is no "
+                  "valid mesh: {}",
+                  all == 1 ? "the surface is"
+                           : fmt::format("{} of {} connected parts {}", decimated.components, all,
+                                         decimated.components == 1 ? "is" : "are"),
+                  counted(decimated.vertices, "vertex", "vertices"), decimated.reason));
 }
 
 /// Generators that were added, and why.
@@ -251,8 +252,7 @@ void describe_added(const RemeshResult& result, std::vector<std::string>& lines)
   const std::string added = counted(repairs, "generator was", "generators were");
   lines.push_back(result.given_defects.empty()
                       ? fmt::format("{} added to repair the mesh", added)
-                      : fmt::format("{} added: with the given {}, {}", added,
-                                    count_given(result),
+                      : fmt::format("{} added: with the given {}, {}", added, count_given(result),
                                     describe_defects(result.given_defects)));
 }
 

@@ -3,30 +3,26 @@
 // A round is a value: the triangles of the dual, the mesh that they make, and the defects in the way. Creases come
 // first, then the topology, flipped triangles, and at last, on the placed mesh, triangles that intersect. Each defect
 // asks for generators near it. The rounds end because each adds a generator, of which there may be only so many: where
-// these are too many or take too long, the component is its own triangles instead, decimated (DecimatedComponents). After
-// them, searches leave out generators that were added in vain, or others for an exact number, and slivers are repaired.
-// The certificate is measured on the result alone.
-// docs/developer/remesh.md tells why the result is right.
+// these are too many or take too long, the component is its own triangles instead, decimated (DecimatedComponents).
+// After them, searches leave out generators that were added in vain, or others for an exact number, and slivers are
+// repaired. The certificate is measured on the result alone. docs/developer/remesh.md tells why the result is right.
 
 #include "gvd/remesh.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <numbers>
 #include <utility>
 
 #include "crease_defects.hpp"
-#include "dual/dual_defects.hpp"
-#include "dual/self_intersections.hpp"
 #include "gvd/diagram_editor.hpp"
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #include "mesh/component_topology.hpp"
-#include "move_guard.hpp"
+#include "remesh_round.hpp"
 #include "repair/added_generators.hpp"
 #include "repair/decimated_components.hpp"
 #include "repair/fewer_generators.hpp"
@@ -57,18 +53,13 @@ constexpr double kGapTolerance = 1e-9;
 constexpr std::int32_t kMaxPlacements = 12;
 
 /// Windows that a repair may propagate before components with defects are decimated: those of so many diagrams like the
-/// first one, some for each face, since the diagram of few generators says little of others, and what takes a fraction of
-/// a second, whatever the mesh.
+/// first one, some for each face, since the diagram of few generators says little of others, and what takes a fraction
+/// of a second, whatever the mesh.
 constexpr std::int64_t kRepairDiagrams = 30, kRepairEventsPerFace = 200, kRepairEvents = 200'000;
 
 /// Where defects are as many for each of so many generators, the surface is finer than their spacing nearly everywhere.
 constexpr std::size_t kManyGenerators = 50;
 constexpr double kManyDefects = 1.5;
-
-/// Up to this round, flipped triangles are looked for only where the dual has no other defect. The repair of the others
-/// often removes them. A remesh that takes more rounds would repair the two kinds in turns. Nine of ten
-/// remeshes end before.
-constexpr std::int32_t kRoundsWithoutFlips = 12;
 
 void check_options(const RemeshOptions& options, std::size_t generators) {
   if (options.max_added && *options.max_added < 0) {
@@ -109,156 +100,6 @@ std::vector<SurfacePoint> list_points(const std::vector<SurfacePoint>& generator
   for (const GeneratorId g : ids) points.push_back(generators[g.index()]);
   return points;
 }
-
-/// The mesh that the generators of a diagram give, and the defects in the way.
-struct RemeshRound {
-  DualMesh dual;  ///< without decimated components
-  Mesh mesh;      ///< none where the dual has defects; the faces of decimated components follow those of the dual
-  std::vector<SurfacePoint> face_points;
-  std::vector<DualDefect> defects;      ///< of the dual
-  std::vector<FaceId> decimated_wrong;  ///< faces of decimated components that intersect others
-};
-
-class RoundMaker {
- public:
-  /// `fixed`: the points of generators whose vertices stay, in their order. All must outlive this.
-  RoundMaker(const Mesh& mesh, const RemeshOptions& options, const std::vector<SurfacePoint>& fixed,
-             const std::optional<DecimatedComponents>& decimated)
-      : mesh_(mesh), options_(options), fixed_(fixed), decimated_(decimated) {}
-
-  /// The round of a diagram, with the vertices at the generators, and the defects of the dual and flipped triangles.
-  /// `number`: of the round, from 1 on. Throws Error{no_valid_result} if the triangles are no manifold mesh.
-  RemeshRound build(const Diagram& diagram, std::int32_t number) const {
-    RemeshRound round;
-    const Progress& progress = options_.diagram.progress;
-    round.dual = build_dual(mesh_, diagram);
-    report_progress(progress, "dual", 0.5);
-    round.defects = check_dual(mesh_, diagram, round.dual);
-    if (decimated_) leave_out_decimated(diagram, round);
-    const bool is_sound = round.defects.empty();
-    if (is_sound) round.defects = find_coincident_corners(diagram, round.dual);
-    report_progress(progress, "dual", 1);
-    if (round.defects.empty()) build_mesh(diagram, round);
-    if (is_sound ? !round.defects.empty() : number <= kRoundsWithoutFlips) return round;
-    for (const std::size_t i : find_flipped_triangles(mesh_, diagram, round.dual)) {
-      round.defects.push_back(triangle_defect(diagram, round.dual, i, "is flipped"));
-    }
-    return round;
-  }
-
-  /// Moves the vertices of a round without defects as the options say; its defects are then triangles that intersect.
-  void place(const Diagram& diagram, RemeshRound& round) {
-    PlacementOptions options = options_.placement;
-    options.threads = options_.diagram.threads;
-    options.progress = options_.diagram.progress;
-    options.fixed = find_in_order(fixed_, diagram.generators);
-    if (decimated_) add_decimated(diagram, options.fixed);
-    if (options.method != Placement::generator && options.fixed.size() < diagram.generators.size()) {
-      round.mesh = with_positions(round.mesh, place_vertices(mesh_, diagram, round.mesh, round.face_points, options));
-    }
-    for (const FacePair& pair : find_intersections(diagram, round)) {
-      for (const auto& [f, g] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
-        if (f.index() >= round.dual.faces.size()) {
-          round.decimated_wrong.push_back(f);
-          continue;
-        }
-        const auto& [a, b, c] = round.mesh.vertices(g);
-        const std::string what = fmt::format("intersects that of {}, {} and {}", a.value(), b.value(), c.value());
-        round.defects.push_back(
-            triangle_defect(diagram, round.dual, f.index(), what, DualProperty::no_self_intersection));
-      }
-    }
-  }
-
- private:
-  /// Triangles with an edge of length 0: generators on the two sides of a slit can have the same position while they
-  /// are far apart on the surface.
-  std::vector<DualDefect> find_coincident_corners(const Diagram& diagram, const DualMesh& dual) const {
-    const auto at = [&](GeneratorId g) { return position(mesh_, diagram.generators[g.index()]); };
-    std::vector<DualDefect> defects;
-    for (std::size_t i = 0; i < dual.faces.size(); ++i) {
-      const auto& [a, b, c] = dual.faces[i];
-      if (at(a) != at(b) && at(b) != at(c) && at(c) != at(a)) continue;
-      defects.push_back(triangle_defect(diagram, dual, i, "has an edge of length 0"));
-    }
-    return defects;
-  }
-
-  /// Leaves decimated components out of the dual.
-  void leave_out_decimated(const Diagram& diagram, RemeshRound& round) const {
-    const auto is_decimated = [&](GeneratorId g) { return decimated_->has(diagram.generators[g.index()]); };
-    std::erase_if(round.defects, [&](const DualDefect& d) { return !d.cells.empty() && is_decimated(d.cells.front()); });
-    DualMesh left;
-    for (std::size_t i = 0; i < round.dual.faces.size(); ++i) {
-      if (is_decimated(round.dual.faces[i].front())) continue;
-      left.faces.push_back(round.dual.faces[i]);
-      left.branch_points.push_back(round.dual.branch_points[i]);
-    }
-    round.dual = std::move(left);
-  }
-
-  /// Vertices of decimated components stay where the input has them: their faces may be folded as the input's are.
-  void add_decimated(const Diagram& diagram, std::vector<GeneratorId>& fixed) const {
-    for (std::size_t g = 0; g < diagram.generators.size(); ++g) {
-      if (decimated_->has(diagram.generators[g])) fixed.emplace_back(g);
-    }
-  }
-
-  void append_decimated(const Diagram& diagram, std::vector<std::array<VertexId, 3>>& faces,
-                        std::vector<SurfacePoint>& face_points) const {
-    IdVector<VertexId, VertexId> of_surface(mesh_.vertex_count());
-    for (std::size_t g = 0; g < diagram.generators.size(); ++g) {
-      const SurfacePoint& point = diagram.generators[g];
-      if (decimated_->has(point)) of_surface[vertex(mesh_, point)] = VertexId(g);
-    }
-    for (const DecimatedFace& face : decimated_->faces()) {
-      const auto& [a, b, c] = face.corners;
-      faces.push_back({of_surface[a], of_surface[b], of_surface[c]});
-      face_points.push_back(face.point());
-    }
-  }
-
-  void build_mesh(const Diagram& diagram, RemeshRound& round) const {
-    std::vector<Vec3> positions;
-    for (const SurfacePoint& p : diagram.generators) positions.push_back(position(mesh_, p));
-    std::vector<std::array<VertexId, 3>> faces;
-    for (const auto& [a, b, c] : round.dual.faces) {
-      faces.push_back({VertexId(a.value()), VertexId(b.value()), VertexId(c.value())});
-    }
-    for (const BranchPointId b : round.dual.branch_points) round.face_points.push_back(diagram.branch_points[b].point);
-    if (decimated_) append_decimated(diagram, faces, round.face_points);
-    try {
-      round.mesh = Mesh(std::move(positions), std::move(faces));
-    } catch (const Error& error) {
-      throw Error(ErrorCode::no_valid_result,
-                  std::string("the dual of the generators is not a manifold mesh: ") + error.what() +
-                      "; move or remove generators",
-                  error.element());
-    }
-  }
-
-  /// The pairs of faces of the placed mesh that intersect, without the inherited ones: the vertices may have left the
-  /// intersections that there were at the generators.
-  std::vector<FacePair> find_intersections(const Diagram& diagram, const RemeshRound& round) {
-    if (options_.allow_intersections) return {};
-    const std::vector<FacePair> pairs = drop_pairs_of_surface(
-        mesh_, round.mesh, find_self_intersections(round.mesh, options_.diagram.threads, options_.diagram.progress),
-        diagram.generators, round.face_points);
-    if (pairs.empty()) return {};
-    if (!of_input_) of_input_ = find_self_intersections(mesh_, options_.diagram.threads, options_.diagram.progress);
-    const auto cells = find_intersecting_cells(mesh_, diagram, *of_input_, options_.diagram.progress);
-    const auto inherited = find_inherited(round.mesh, pairs, cells);
-    std::vector<FacePair> own;
-    std::set_difference(pairs.begin(), pairs.end(), inherited.begin(), inherited.end(), std::back_inserter(own));
-    return own;
-  }
-
-  const Mesh& mesh_;
-  const RemeshOptions& options_;
-  const std::vector<SurfacePoint>& fixed_;
-  const std::optional<DecimatedComponents>& decimated_;
-  std::optional<std::vector<FacePair>> of_input_;  // intersections of the input with itself, once they are needed
-};
 
 /// The rounds of a remesh; then the searches, the repair of slivers, and the certificate. Long because each of these
 /// steps replaces the one result, under the same conditions (`take_if`).
@@ -585,16 +426,16 @@ class Remesher {
 
   const Mesh& mesh_;
   const RemeshOptions& options_;
-  std::vector<SurfacePoint> fixed_;        // also where an exchange has changed ids
-  std::vector<SurfacePoint> stays_;        // in a search: the fixed ones, and those added on creases
+  std::vector<SurfacePoint> fixed_;  // also where an exchange has changed ids
+  std::vector<SurfacePoint> stays_;  // in a search: the fixed ones, and those added on creases
   std::int64_t max_added_;
   CreaseFollower creases_;
   RemeshResult result_;
   RepairHistory history_;
-  std::int32_t placements_ = 0;  // of all vertices, in rounds
+  std::int32_t placements_ = 0;                         // of all vertices, in rounds
   std::int64_t first_events_ = 0, earlier_events_ = 0;  // of the first diagram, and of all until then
-  std::int64_t events_ = 0;  // windows propagated in all diagrams but those of searches
-  std::optional<DecimatedComponents> decimated_;  // once a component has no right dual
+  std::int64_t events_ = 0;                             // windows propagated in all diagrams but those of searches
+  std::optional<DecimatedComponents> decimated_;        // once a component has no right dual
   RoundMaker maker_{mesh_, options_, fixed_, decimated_};
   std::optional<DiagramEditor> editor_;  // of the rounds, from the second on
 };

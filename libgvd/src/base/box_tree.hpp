@@ -85,8 +85,8 @@ class BoxTreeOf {
     }
   }
 
-  std::size_t leaves_ = 0;   ///< a power of two, at least the number of items; 0 before build()
-  std::vector<Box> boxes_;   ///< the root is 1, the children of node i are 2 i and 2 i + 1, item i is leaves_ + i
+  std::size_t leaves_ = 0;  ///< a power of two, at least the number of items; 0 before build()
+  std::vector<Box> boxes_;  ///< the root is 1, the children of node i are 2 i and 2 i + 1, item i is leaves_ + i
 };
 
 /// The tree of boxes in the plane.

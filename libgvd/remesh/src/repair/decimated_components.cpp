@@ -1,9 +1,10 @@
 // Components that keep their own triangles, decimated, where the dual of generators is no proper mesh.
 //
 // A collapse is made only if the faces that it moves are not flipped and meet no other face that they have not met
-// before, by exact tests: so whatever is left after any number of collapses is as right as the surface was. Faces of components that have a dual are found
-// on the whole remesh. Each face that meets one of those gets back some of the vertices that collapsed to its corners,
-// twice as many each time, and all is decimated again. This ends at the latest with the component as it is.
+// before, by exact tests: so whatever is left after any number of collapses is as right as the surface was. Faces of
+// components that have a dual are found on the whole remesh. Each face that meets one of those gets back some of the
+// vertices that collapsed to its corners, twice as many each time, and all is decimated again. This ends at the latest
+// with the component as it is.
 #include "repair/decimated_components.hpp"
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 #include <utility>
 
 #include "base/box_tree.hpp"
-#include "dual/flipped_triangles.hpp"
 #include "dual/faces_intersect.hpp"
+#include "dual/flipped_triangles.hpp"
 #include "dual/placed_faces.hpp"
 #include "gvd/closest_point.hpp"
 #include "mesh/decimate_part.hpp"
@@ -27,8 +28,8 @@ namespace {
 constexpr std::size_t kFirstKept = 2;
 constexpr int kMostRefinements = 12;
 
-/// The faces of all decimated components in a tree of their boxes. A face keeps its place in the tree: what it has grown
-/// to lies near the face of the surface that it was.
+/// The faces of all decimated components in a tree of their boxes. A face keeps its place in the tree: what it has
+/// grown to lies near the face of the surface that it was.
 class FaceGuard {
  public:
   FaceGuard(const Mesh& surface, const std::vector<DecimatedFace>& faces) : surface_(surface) {
@@ -86,7 +87,9 @@ class FaceGuard {
  private:
   using Tree = BoxTreeOf<Box3>;
 
-  static Box3 box(const Triangle& t) { return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])}; }
+  static Box3 box(const Triangle& t) {
+    return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
+  }
 
   PlacedFace placed(const std::array<VertexId, 3>& ids) const {
     return {ids, {surface_.position(ids[0]), surface_.position(ids[1]), surface_.position(ids[2])}};
@@ -130,10 +133,10 @@ class FaceGuard {
   }
 
   const Mesh& surface_;
-  std::vector<FaceId> origin_;          // of each place
-  std::vector<PlacedFace> faces_;       // as they are now, by place
-  std::vector<std::int32_t> face_at_;   // the place of each slot of the tree
-  std::vector<std::size_t> slot_;       // of each place
+  std::vector<FaceId> origin_;         // of each place
+  std::vector<PlacedFace> faces_;      // as they are now, by place
+  std::vector<std::int32_t> face_at_;  // the place of each slot of the tree
+  std::vector<std::size_t> slot_;      // of each place
   Tree tree_;
 };
 
@@ -225,9 +228,8 @@ void DecimatedComponents::decimate(const Progress& progress) {
       PartGuard of_part(guard, own, first);
       PartDecimator decimator(own.mesh, faces, places);
       decimator.guard(of_part);
-      decimator.keep([&](VertexId v) {
-        return part.refinements >= kMostRefinements || is_kept_[own.whole_vertex[v]] != 0;
-      });
+      decimator.keep(
+          [&](VertexId v) { return part.refinements >= kMostRefinements || is_kept_[own.whole_vertex[v]] != 0; });
       decimator.decimate(share_of_faces(own.mesh, part.vertices), [&](double share) {
         report_progress(progress, "decimation", (double(done) + share * count) / double(stale));
       });

@@ -17,7 +17,8 @@ namespace gvd {
 /// A triangle of a decimated component, by vertices of the surface.
 struct DecimatedFace {
   std::array<VertexId, 3> corners;
-  FaceId origin;  ///< the face of the surface that it was; each corner of it has collapsed to one of `corners`, or is it
+  FaceId
+      origin;  ///< the face of the surface that it was; each corner of it has collapsed to one of `corners`, or is it
 
   /// The middle of its origin. It stands for the face on the surface, as a branch point does for a triangle of a dual.
   SurfacePoint point() const { return {origin, {1.0 / 3, 1.0 / 3, 1.0 / 3}}; }
@@ -26,8 +27,8 @@ struct DecimatedFace {
 /// Components of a surface whose remesh is not the dual of a diagram, but their own triangles, decimated.
 ///
 /// Where no generators are found whose dual is a proper mesh, the surface itself is one: halfedges collapse as long as
-/// topology and orientation stay and no face meets one that it has not met before. Where its faces meet those of other components, fewer
-/// collapse, in the end none.
+/// topology and orientation stay and no face meets one that it has not met before. Where its faces meet those of other
+/// components, fewer collapse, in the end none.
 ///
 /// Properties: (1) each vertex is one of the surface; (2) the faces of each component have its topology; (3) a face is
 /// a triangle of the surface, or is not flipped (find_flipped_faces); (4) no more pairs of faces intersect than on the
