@@ -18,11 +18,11 @@
 #include <utility>
 
 #include "base/parallel_chunks.hpp"
-#include "decimate_part.hpp"
 #include "geodesic/windows/propagation/mesh_partitions.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
+#include "mesh/decimate_part.hpp"
 #include "mesh/submesh.hpp"
 
 namespace gvd {

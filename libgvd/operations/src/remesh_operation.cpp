@@ -221,6 +221,25 @@ const char* following_advice(const RemeshResult& result, const RemeshOptions& op
   return "give more generators";
 }
 
+std::int64_t count_given(const RemeshResult& result) {
+  const DecimatedParts& decimated = result.decimated;
+  return std::ssize(result.generators) - result.added + result.left_out - decimated.vertices + decimated.generators;
+}
+
+/// Parts of the surface that are not the dual of generators.
+void describe_decimated(const RemeshResult& result, std::vector<std::string>& lines) {
+  const DecimatedParts& decimated = result.decimated;
+  if (decimated.components == 0) return;
+  const std::int64_t all = result.certificate.input.components;
+  lines.push_back(
+      fmt::format("{} the input's own triangles, decimated to {}, since the dual of generators there is no "
+                  "valid mesh: {}",
+                  all == 1 ? "the surface is"
+                           : fmt::format("{} of {} connected parts {}", decimated.components, all,
+                                         decimated.components == 1 ? "is" : "are"),
+                  counted(decimated.vertices, "vertex", "vertices"), decimated.reason));
+}
+
 /// Generators that were added, and why.
 void describe_added(const RemeshResult& result, std::vector<std::string>& lines) {
   if (result.added_on_creases > 0) {
@@ -233,8 +252,7 @@ void describe_added(const RemeshResult& result, std::vector<std::string>& lines)
   const std::string added = counted(repairs, "generator was", "generators were");
   lines.push_back(result.given_defects.empty()
                       ? fmt::format("{} added to repair the mesh", added)
-                      : fmt::format("{} added: with the given {}, {}", added,
-                                    std::ssize(result.generators) - result.added + result.left_out,
+                      : fmt::format("{} added: with the given {}, {}", added, count_given(result),
                                     describe_defects(result.given_defects)));
 }
 
@@ -391,6 +409,8 @@ void RemeshOutcome::visit(ObjectVisitor& visitor) const {
   figure("left_out_generators", "", "of the given ones", result.left_out);
   figure("rounds", "", "diagrams, before a search for fewer generators", result.rounds);
   figure("search_cut_short", "", "whether fewer generators may do", result.search_cut_short);
+  figure("decimated_components", "", "whose own triangles, decimated, stand for a dual", result.decimated.components);
+  figure("decimated_vertices", "", "in these, each at a vertex of the input", result.decimated.vertices);
   figure("slivers", "", "triangles that are nearly flat lines", std::ssize(result.slivers));
   creases("length", "mesh units", "of creases and boundary to follow", result.crease_length);
   creases("followed", "mesh units", "that edges follow", result.crease_length - result.crease_gap_length);
@@ -465,6 +485,7 @@ std::vector<std::string> describe_remesh(const RemeshResult& result, const Remes
                                              counted(result.mesh.vertex_count(), "vertex", "vertices"),
                                              counted(result.mesh.face_count(), "face", "faces"))};
   describe_added(result, lines);
+  describe_decimated(result, lines);
   if (result.crease_gap_length > 0) {
     lines.push_back(fmt::format("creases and boundaries: edges do not follow {:.3g} % of their length; {}",
                                 100 * result.crease_gap_length / result.crease_length,

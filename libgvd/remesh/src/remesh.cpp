@@ -2,30 +2,29 @@
 //
 // A round is a value: the triangles of the dual, the mesh that they make, and the defects in the way. Creases come
 // first, then the topology, flipped triangles, and at last, on the placed mesh, triangles that intersect. Each defect
-// asks for generators near it. The rounds end because each adds a generator, of which there may be only so many. After
-// them, searches leave out generators that were added in vain, or others for an exact number, and slivers are repaired.
-// The certificate is measured on the result alone.
-// docs/developer/remesh.md tells why the result is right.
+// asks for generators near it. The rounds end because each adds a generator, of which there may be only so many: where
+// these are too many or take too long, the component is its own triangles instead, decimated (DecimatedComponents).
+// After them, searches leave out generators that were added in vain, or others for an exact number, and slivers are
+// repaired. The certificate is measured on the result alone. docs/developer/remesh.md tells why the result is right.
 
 #include "gvd/remesh.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <map>
 #include <numbers>
 #include <utility>
 
 #include "crease_defects.hpp"
-#include "dual/dual_defects.hpp"
-#include "dual/self_intersections.hpp"
 #include "gvd/diagram_editor.hpp"
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #include "mesh/component_topology.hpp"
-#include "move_guard.hpp"
+#include "remesh_round.hpp"
 #include "repair/added_generators.hpp"
+#include "repair/decimated_components.hpp"
 #include "repair/fewer_generators.hpp"
 #include "repair/propose_generators.hpp"
 #include "repair/repair_slivers.hpp"
@@ -49,10 +48,18 @@ constexpr double kSearchShare = 1.0 / 3, kExchangeShare = 2;
 /// Rounding of a length of creases that edges do not follow, by the length of all.
 constexpr double kGapTolerance = 1e-9;
 
-/// Up to this round, flipped triangles are looked for only where the dual has no other defect. The repair of the others
-/// often removes them. A remesh that takes more rounds would repair the two kinds in turns. Nine of ten
-/// remeshes end before.
-constexpr std::int32_t kRoundsWithoutFlips = 12;
+/// A placement of all vertices costs several times as much as the other steps of a round. After so many, triangles that
+/// still intersect are not repaired by more generators, where their component can be decimated.
+constexpr std::int32_t kMaxPlacements = 12;
+
+/// Windows that a repair may propagate before components with defects are decimated: those of so many diagrams like the
+/// first one, some for each face, since the diagram of few generators says little of others, and what takes a fraction
+/// of a second, whatever the mesh.
+constexpr std::int64_t kRepairDiagrams = 30, kRepairEventsPerFace = 200, kRepairEvents = 200'000;
+
+/// Where defects are as many for each of so many generators, the surface is finer than their spacing nearly everywhere.
+constexpr std::size_t kManyGenerators = 50;
+constexpr double kManyDefects = 1.5;
 
 void check_options(const RemeshOptions& options, std::size_t generators) {
   if (options.max_added && *options.max_added < 0) {
@@ -94,111 +101,6 @@ std::vector<SurfacePoint> list_points(const std::vector<SurfacePoint>& generator
   return points;
 }
 
-/// The mesh that the generators of a diagram give, and the defects in the way.
-struct RemeshRound {
-  DualMesh dual;
-  Mesh mesh;  ///< none where the dual has defects
-  std::vector<SurfacePoint> face_points;
-  std::vector<DualDefect> defects;
-};
-
-class RoundMaker {
- public:
-  /// `fixed`: the points of generators whose vertices stay, in their order. All must outlive this.
-  RoundMaker(const Mesh& mesh, const RemeshOptions& options, const std::vector<SurfacePoint>& fixed)
-      : mesh_(mesh), options_(options), fixed_(fixed) {}
-
-  /// The round of a diagram, with the vertices at the generators, and the defects of the dual and flipped triangles.
-  /// `number`: of the round, from 1 on. Throws Error{no_valid_result} if the triangles are no manifold mesh.
-  RemeshRound build(const Diagram& diagram, std::int32_t number) const {
-    RemeshRound round;
-    const Progress& progress = options_.diagram.progress;
-    round.dual = build_dual(mesh_, diagram);
-    report_progress(progress, "dual", 0.5);
-    round.defects = check_dual(mesh_, diagram, round.dual);
-    const bool is_sound = round.defects.empty();
-    if (is_sound) round.defects = find_coincident_corners(diagram, round.dual);
-    report_progress(progress, "dual", 1);
-    if (round.defects.empty()) build_mesh(diagram, round);
-    if (is_sound ? !round.defects.empty() : number <= kRoundsWithoutFlips) return round;
-    for (const std::size_t i : find_flipped_triangles(mesh_, diagram, round.dual)) {
-      round.defects.push_back(triangle_defect(diagram, round.dual, i, "is flipped"));
-    }
-    return round;
-  }
-
-  /// Moves the vertices of a round without defects as the options say; its defects are then triangles that intersect.
-  void place(const Diagram& diagram, RemeshRound& round) {
-    PlacementOptions options = options_.placement;
-    options.threads = options_.diagram.threads;
-    options.progress = options_.diagram.progress;
-    options.fixed = find_in_order(fixed_, diagram.generators);
-    if (options.method != Placement::generator) {
-      round.mesh = with_positions(round.mesh, place_vertices(mesh_, diagram, round.mesh, round.face_points, options));
-    }
-    for (const FacePair& pair : find_intersections(diagram, round.mesh)) {
-      for (const auto& [f, g] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
-        const auto& [a, b, c] = round.dual.faces[g.index()];
-        const std::string what = fmt::format("intersects that of {}, {} and {}", a.value(), b.value(), c.value());
-        round.defects.push_back(
-            triangle_defect(diagram, round.dual, f.index(), what, DualProperty::no_self_intersection));
-      }
-    }
-  }
-
- private:
-  /// Triangles with an edge of length 0: generators on the two sides of a slit can have the same position while they
-  /// are far apart on the surface.
-  std::vector<DualDefect> find_coincident_corners(const Diagram& diagram, const DualMesh& dual) const {
-    const auto at = [&](GeneratorId g) { return position(mesh_, diagram.generators[g.index()]); };
-    std::vector<DualDefect> defects;
-    for (std::size_t i = 0; i < dual.faces.size(); ++i) {
-      const auto& [a, b, c] = dual.faces[i];
-      if (at(a) != at(b) && at(b) != at(c) && at(c) != at(a)) continue;
-      defects.push_back(triangle_defect(diagram, dual, i, "has an edge of length 0"));
-    }
-    return defects;
-  }
-
-  void build_mesh(const Diagram& diagram, RemeshRound& round) const {
-    std::vector<Vec3> positions;
-    for (const SurfacePoint& p : diagram.generators) positions.push_back(position(mesh_, p));
-    std::vector<std::array<VertexId, 3>> faces;
-    for (const auto& [a, b, c] : round.dual.faces) {
-      faces.push_back({VertexId(a.value()), VertexId(b.value()), VertexId(c.value())});
-    }
-    for (const BranchPointId b : round.dual.branch_points) round.face_points.push_back(diagram.branch_points[b].point);
-    try {
-      round.mesh = Mesh(std::move(positions), std::move(faces));
-    } catch (const Error& error) {
-      throw Error(ErrorCode::no_valid_result,
-                  std::string("the dual of the generators is not a manifold mesh: ") + error.what() +
-                      "; move or remove generators",
-                  error.element());
-    }
-  }
-
-  /// The pairs of faces of the placed mesh that intersect, without the inherited ones: the vertices may have left the
-  /// intersections that there were at the generators.
-  std::vector<FacePair> find_intersections(const Diagram& diagram, const Mesh& placed) {
-    if (options_.allow_intersections) return {};
-    const std::vector<FacePair> pairs =
-        find_self_intersections(placed, options_.diagram.threads, options_.diagram.progress);
-    if (pairs.empty()) return {};
-    if (!of_input_) of_input_ = find_self_intersections(mesh_, options_.diagram.threads, options_.diagram.progress);
-    const auto cells = find_intersecting_cells(mesh_, diagram, *of_input_, options_.diagram.progress);
-    const auto inherited = find_inherited(placed, pairs, cells);
-    std::vector<FacePair> own;
-    std::set_difference(pairs.begin(), pairs.end(), inherited.begin(), inherited.end(), std::back_inserter(own));
-    return own;
-  }
-
-  const Mesh& mesh_;
-  const RemeshOptions& options_;
-  const std::vector<SurfacePoint>& fixed_;
-  std::optional<std::vector<FacePair>> of_input_;  // intersections of the input with itself, once they are needed
-};
-
 /// The rounds of a remesh; then the searches, the repair of slivers, and the certificate. Long because each of these
 /// steps replaces the one result, under the same conditions (`take_if`).
 class Remesher {
@@ -218,16 +120,16 @@ class Remesher {
   /// `first`: the diagram of the given generators.
   RemeshResult run(Diagram&& first) {
     result_.diagram = std::move(first);
-    events_ = result_.diagram.report.propagation_events * std::max(std::int64_t{1}, options_.earlier_diagrams);
+    first_events_ = result_.diagram.report.propagation_events;
+    earlier_events_ = events_ = first_events_ * std::max(std::int64_t{1}, options_.earlier_diagrams);
     while (!ends_with_round()) {
       enter(RemeshStage::diagram);
       update_diagram();
       events_ += result_.diagram.report.propagation_events;
     }
     editor_.reset();
-    if (is_worth_searching()) search_fewer();
-    if (missing() < 0) exchange();
-    repair_thin_triangles();
+    if (!decimated_) improve();
+    result_.slivers = find_slivers(result_.mesh);
     measure();
     return std::move(result_);
   }
@@ -251,12 +153,16 @@ class Remesher {
     if (!follows_creases && round.defects.empty()) {
       enter(RemeshStage::placement);
       maker_.place(result_.diagram, round);
+      ++placements_;
     }
     if (result_.rounds == 1) result_.given_defects = round.defects;
     if (!round.defects.empty()) history_.emplace_back(result_.added, round.defects.size());
     if (follows_creases) return false;
+    if (!round.decimated_wrong.empty()) refine_decimated(round);
     if (!round.defects.empty()) {
       refine(round.defects);
+    } else if (!round.decimated_wrong.empty()) {
+      replace_decimated();
     } else if (missing() > 0) {
       fill();
     } else {
@@ -283,7 +189,8 @@ class Remesher {
 
   /// Adds generators on creases. They come before repairs, which they often make needless. False where none is added.
   bool follow_creases() {
-    const std::vector<SurfacePoint> points = creases_.propose(result_.diagram, max_added_ - result_.added);
+    const std::int64_t room = decimated_ ? 0 : max_added_ - result_.added;
+    const std::vector<SurfacePoint> points = creases_.propose(result_.diagram, room);
     result_.crease_gap_length = creases_.gap_length();
     result_.creases_lack_added = creases_.is_held_back();
     stays_.insert(stays_.end(), points.begin(), points.end());
@@ -312,7 +219,9 @@ class Remesher {
     if (!options_.refine) refuse(defects, "give more generators there, or leave \1?refine=false|exact_count\2 out");
     if (result_.added >= max_added_) raise_limit();
     const std::int64_t may_add = max_added_ - result_.added;
-    if (may_add <= 0 || result_.rounds >= kMaxRemeshRounds) {
+    const bool is_over = may_add <= 0 || result_.rounds >= kMaxRemeshRounds;
+    if (may_decimate() && (is_over || is_hopeless(defects.size()))) return decimate(defects);
+    if (is_over) {
       const MeshSummary summary = compute_mesh_summary(mesh_);
       refuse(defects, fmt::format("{} added in {}{}", counted(result_.added, "generator was", "generators were"),
                                   counted(result_.rounds, "round", "rounds"),
@@ -321,6 +230,7 @@ class Remesher {
     }
     const auto [points, narrow] =
         propose_generators(mesh_, result_.diagram, defects, may_add, options_.diagram.progress);
+    if ((narrow || points.empty()) && may_decimate()) return decimate(defects);
     if (narrow) refuse(defects, describe(mesh_, *narrow));
     if (points.empty()) {
       refuse(defects, "every point for a new generator is too close to another one; move or remove generators there");
@@ -329,6 +239,65 @@ class Remesher {
     append(points);
     append(nearby.points);
     events_ += nearby.events;
+  }
+
+  /// Whether more generators are no way to a right dual, or take too long.
+  bool is_hopeless(std::size_t defects) const {
+    const std::size_t generators = result_.generators.size();
+    const std::int64_t most_events =
+        kRepairDiagrams * first_events_ + kRepairEventsPerFace * mesh_.face_count() + kRepairEvents;
+    return placements_ >= kMaxPlacements || events_ - earlier_events_ > most_events ||
+           (generators >= kManyGenerators && double(defects) > kManyDefects * double(generators));
+  }
+
+  /// Who asks for an exact number of vertices, for the given generators alone or for a limit may be refused.
+  bool may_decimate() const { return options_.refine && !options_.vertex_count && !options_.max_added; }
+
+  /// Gives up the dual of the components with these defects: their own triangles, decimated, take its place.
+  void decimate(const std::vector<DualDefect>& defects) {
+    if (!decimated_) {
+      decimated_.emplace(mesh_);
+      result_.decimated.reason = defects.front().message;
+    }
+    std::map<std::int32_t, std::int64_t> vertices_of;
+    for (const DualDefect& d : defects) {
+      const bool has_cells = !d.cells.empty();
+      vertices_of[has_cells ? component_of(result_.generators[d.cells.front().index()]) : d.component] = 0;
+    }
+    for (std::int64_t i = 0; i < given_count(); ++i) {
+      const auto found = vertices_of.find(component_of(result_.generators[i]));
+      if (found == vertices_of.end()) continue;
+      ++found->second;
+      ++result_.decimated.generators;
+    }
+    decimated_->add(vertices_of);
+    replace_decimated();
+  }
+
+  std::int32_t component_of(const SurfacePoint& point) const { return decimated_->component()[point.face]; }
+
+  void refine_decimated(const RemeshRound& round) {
+    const auto on_surface = [&](VertexId v) { return vertex(mesh_, result_.generators[v.index()]); };
+    for (const FaceId f : round.decimated_wrong) {
+      const auto& [a, b, c] = round.mesh.vertices(f);
+      decimated_->refine(round.mesh, f, {on_surface(a), on_surface(b), on_surface(c)});
+    }
+  }
+
+  /// Puts the vertices of decimated components in the place of all generators there. They come before those added.
+  void replace_decimated() {
+    decimated_->decimate(options_.diagram.progress);
+    const auto is_decimated = [&](const SurfacePoint& point) { return decimated_->has(point); };
+    std::vector<SurfacePoint> added(result_.generators.end() - result_.added, result_.generators.end());
+    result_.generators.resize(given_count());
+    for (auto* const points : {&result_.generators, &added, &fixed_, &stays_}) std::erase_if(*points, is_decimated);
+    const std::vector<VertexId> vertices = decimated_->vertices();
+    for (const VertexId v : vertices) result_.generators.push_back(vertex_point(mesh_, v));
+    result_.generators.insert(result_.generators.end(), added.begin(), added.end());
+    result_.added = std::ssize(added);
+    result_.decimated.components = decimated_->count();
+    result_.decimated.vertices = std::ssize(vertices);
+    editor_.reset();
   }
 
   /// Raises the default limit, once, if the raised one is likely to do.
@@ -371,6 +340,13 @@ class Remesher {
             [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); }};
   }
 
+  /// What may follow a right dual of the whole surface.
+  void improve() {
+    if (is_worth_searching()) search_fewer();
+    if (missing() < 0) exchange();
+    repair_thin_triangles();
+  }
+
   void search_fewer() {
     const std::int64_t given = given_count();
     result_.search_cut_short = !search_fewer_generators(mesh_, result_.diagram, search(given, kSearchShare));
@@ -390,14 +366,12 @@ class Remesher {
   }
 
   void repair_thin_triangles() {
-    if (options_.refine && !options_.vertex_count) {
-      const std::int64_t given = given_count();
-      const auto has_fewer = [&](const Mesh& m) { return find_slivers(m).size() < find_slivers(result_.mesh).size(); };
-      repair_slivers(mesh_, result_.diagram, result_.mesh, max_added_ - result_.added,
-                     [&](const std::vector<SurfacePoint>& generators) { return take_if(generators, has_fewer); });
-      result_.added = std::ssize(result_.generators) - given;
-    }
-    result_.slivers = find_slivers(result_.mesh);
+    if (!options_.refine || options_.vertex_count) return;
+    const std::int64_t given = given_count();
+    const auto has_fewer = [&](const Mesh& m) { return find_slivers(m).size() < find_slivers(result_.mesh).size(); };
+    repair_slivers(mesh_, result_.diagram, result_.mesh, max_added_ - result_.added,
+                   [&](const std::vector<SurfacePoint>& generators) { return take_if(generators, has_fewer); });
+    result_.added = std::ssize(result_.generators) - given;
   }
 
   bool take_if_right(const std::vector<SurfacePoint>& generators) {
@@ -452,14 +426,17 @@ class Remesher {
 
   const Mesh& mesh_;
   const RemeshOptions& options_;
-  const std::vector<SurfacePoint> fixed_;  // also where an exchange has changed ids
-  std::vector<SurfacePoint> stays_;        // in a search: the fixed ones, and those added on creases
+  std::vector<SurfacePoint> fixed_;  // also where an exchange has changed ids
+  std::vector<SurfacePoint> stays_;  // in a search: the fixed ones, and those added on creases
   std::int64_t max_added_;
   CreaseFollower creases_;
   RemeshResult result_;
   RepairHistory history_;
-  std::int64_t events_ = 0;  // windows propagated in all diagrams but those of searches
-  RoundMaker maker_{mesh_, options_, fixed_};
+  std::int32_t placements_ = 0;                         // of all vertices, in rounds
+  std::int64_t first_events_ = 0, earlier_events_ = 0;  // of the first diagram, and of all until then
+  std::int64_t events_ = 0;                             // windows propagated in all diagrams but those of searches
+  std::optional<DecimatedComponents> decimated_;        // once a component has no right dual
+  RoundMaker maker_{mesh_, options_, fixed_, decimated_};
   std::optional<DiagramEditor> editor_;  // of the rounds, from the second on
 };
 

@@ -10,7 +10,8 @@ namespace gvd {
 
 /// A balanced binary tree over a list of boxes. Each node holds the box of its two children, so a search skips whole
 /// ranges of the list. It pays off where neighbours in the list lie near each other, as the corners of a polygon do.
-class BoxTree {
+template <class Box>
+class BoxTreeOf {
  public:
   static constexpr std::size_t kNone = -1;
 
@@ -18,15 +19,18 @@ class BoxTree {
   template <class BoxOf>
   void build(std::size_t n, const BoxOf& box_of) {
     leaves_ = std::bit_ceil(n);
-    boxes_.assign(2 * leaves_, Box2());
+    boxes_.assign(2 * leaves_, Box());
     for (std::size_t i = 0; i < n; ++i) boxes_[leaves_ + i] = box_of(i);
     for (std::size_t node = leaves_; node-- > 1;) unite_children(node);
   }
 
   /// Takes an item out of every later search. Cost: O(log n).
-  void remove(std::size_t item) {
+  void remove(std::size_t item) { move(item, Box()); }
+
+  /// Gives an item another box. Cost: O(log n).
+  void move(std::size_t item, const Box& box) {
     std::size_t node = leaves_ + item;
-    boxes_[node] = Box2();
+    boxes_[node] = box;
     while ((node /= 2) > 0) unite_children(node);
   }
 
@@ -81,8 +85,11 @@ class BoxTree {
     }
   }
 
-  std::size_t leaves_ = 0;   ///< a power of two, at least the number of items; 0 before build()
-  std::vector<Box2> boxes_;  ///< the root is 1, the children of node i are 2 i and 2 i + 1, item i is leaves_ + i
+  std::size_t leaves_ = 0;  ///< a power of two, at least the number of items; 0 before build()
+  std::vector<Box> boxes_;  ///< the root is 1, the children of node i are 2 i and 2 i + 1, item i is leaves_ + i
 };
+
+/// The tree of boxes in the plane.
+using BoxTree = BoxTreeOf<Box2>;
 
 }  // namespace gvd

@@ -78,7 +78,8 @@ inline constexpr double kFlipTolerance = 1e-9;
 /// of no use in single precision. The least Q of nine models with 100 to 2000 vertices is 0.17.
 inline constexpr double kSliverQ = 1e-3;
 
-/// Faces of a remesh that are flipped against the surface or degenerate, ascending.
+/// Faces of a remesh that are flipped against the surface or degenerate, ascending. A triangle of the surface itself is
+/// neither: a part of the input that no remesh can improve is kept as it is (RemeshResult::decimated).
 ///
 /// The surface's normal is the mean of its unit normals at the face's three generators and at its branch point
 /// (gvd/surface_point.hpp); see kFlipTolerance. `generators`: of every vertex of `remesh`. `face_points`: the branch

@@ -65,10 +65,19 @@ std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators);
 /// that succeeded took at most 50 rounds, and nine of ten of them at most 12.
 inline constexpr std::int32_t kMaxRemeshRounds = 60;
 
+/// Components of the surface without a proper dual: they are the input's own triangles, decimated.
+struct DecimatedParts {
+  std::int64_t components = 0;
+  std::int64_t generators = 0;  ///< given ones, in these components: they are no vertices of the remesh
+  std::int64_t vertices = 0;    ///< of the remesh, in these components; each stands for a vertex of the input
+  std::string reason;           ///< the defect that no generators removed; empty where there are no such components
+};
+
 struct RemeshResult {
   Mesh mesh;                              ///< vertex i stands for generator i
   std::vector<SurfacePoint> generators;   ///< the given ones in their order, then the added ones
   std::int64_t added = 0;                 ///< number of generators added
+  DecimatedParts decimated;               ///< `generators` has their vertices between the given and the added ones
   std::int64_t left_out = 0;              ///< number of given generators left out (`vertex_count`)
   std::int64_t max_added = 0;             ///< the largest number that might be added
   bool search_cut_short = false;          ///< the search for fewer generators ended at its limit

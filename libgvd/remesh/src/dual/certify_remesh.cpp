@@ -122,7 +122,10 @@ RemeshCertificate certify_remesh(const Mesh& surface, const Diagram& diagram, co
   certificate.self_intersections = find_self_intersections(remesh, threads);
   if (!certificate.self_intersections.empty()) {
     const auto cells = find_intersecting_cells(surface, diagram, find_self_intersections(surface, threads));
-    certificate.inherited_intersections = std::ssize(find_inherited(remesh, certificate.self_intersections, cells));
+    const std::vector<FacePair>& pairs = certificate.self_intersections;
+    const auto others = drop_pairs_of_surface(surface, remesh, pairs, generators, face_points);
+    certificate.inherited_intersections =
+        std::ssize(pairs) - std::ssize(others) + std::ssize(find_inherited(remesh, others, cells));
   }
   return certificate;
 }

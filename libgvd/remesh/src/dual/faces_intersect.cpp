@@ -82,11 +82,10 @@ bool flat_segment_meets(const Vec3& p, const Vec3& q, const Triangle& triangle) 
 /// The corners of a face that are no corners of another one.
 class OwnCorners {
  public:
-  OwnCorners(const PlacedFaces& faces, FaceId f, FaceId g) {
-    const auto& others = faces.mesh.vertices(g);
-    for (const VertexId v : faces.mesh.vertices(f)) {
-      const Vec3& at = faces.positions[v.index()];
-      if (std::find(others.begin(), others.end(), v) == others.end()) {
+  OwnCorners(const PlacedFace& f, const PlacedFace& g) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& at = f.corners[i];
+      if (std::find(g.ids.begin(), g.ids.end(), f.ids[i]) == g.ids.end()) {
         own_[own_count_++] = at;
       } else {
         shared_[shared_count_++] = at;
@@ -185,9 +184,9 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Triangle& triang
 }
 
 // Flat surfaces have many faces in one plane near each other. Planes that part them spare exact determinants.
-bool faces_intersect(const PlacedFaces& faces, FaceId f, FaceId g) {
-  const Triangle first = faces.corners(f), second = faces.corners(g);
-  const OwnCorners of_first(faces, f, g), of_second(faces, g, f);
+bool faces_intersect(const PlacedFace& f, const PlacedFace& g) {
+  const Triangle &first = f.corners, &second = g.corners;
+  const OwnCorners of_first(f, g), of_second(g, f);
   const std::span<const Vec3> own = of_first.own(), others = of_second.own();
   if (own.empty()) return true;
   if (own.size() == 1) return !lie_apart_at_edge(of_first, of_second) && are_folded(first, own[0], others[0]);

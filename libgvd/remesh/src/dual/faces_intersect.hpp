@@ -13,6 +13,10 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Triangle& triang
 /// Two faces of one edge intersect only where they are folded flat onto each other. Two faces of one vertex intersect
 /// where the opposite edge of one meets the other. Why: the common points of two faces are convex and hold the vertex,
 /// so they end on one of these edges. Two faces of the same three vertices intersect.
-bool faces_intersect(const PlacedFaces& faces, FaceId f, FaceId g);
+bool faces_intersect(const PlacedFace& f, const PlacedFace& g);
+
+inline bool faces_intersect(const PlacedFaces& faces, FaceId f, FaceId g) {
+  return faces_intersect(faces.at(f), faces.at(g));
+}
 
 }  // namespace gvd

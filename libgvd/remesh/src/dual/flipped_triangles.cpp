@@ -2,6 +2,7 @@
 #include "dual/flipped_triangles.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "gvd/dual.hpp"
 #include "gvd/surface_point.hpp"
@@ -14,6 +15,22 @@ bool is_flipped(const Triangle& triangle, const Vec3& normal) {
   const Vec3 area = (b - a).cross(c - a);
   const bool has_area = area.norm() > kFlipTolerance * longest;
   return !has_area || !(area.dot(normal) > kFlipTolerance * area.norm() * normal.norm());
+}
+
+bool is_surface_triangle(const Mesh& surface, const Mesh& remesh, FaceId face,
+                         const std::vector<SurfacePoint>& generators, const std::vector<SurfacePoint>& face_points) {
+  std::array<VertexId, 3> corners, own = surface.vertices(face_points[face.index()].face);
+  for (int i = 0; i < 3; ++i) {
+    const VertexId corner = remesh.vertices(face)[i];
+    const SurfacePoint& point = generators[corner.index()];
+    if (point.kind() != SurfacePoint::Kind::vertex) return false;
+    corners[i] = vertex(surface, point);
+    if (remesh.position(corner) != surface.position(corners[i])) return false;
+  }
+  for (auto* const triangle : {&corners, &own}) {
+    std::rotate(triangle->begin(), std::min_element(triangle->begin(), triangle->end()), triangle->end());
+  }
+  return corners == own;
 }
 
 std::vector<Vec3> normals_at_faces(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
@@ -34,7 +51,8 @@ std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
   const std::vector<Vec3> normals = normals_at_faces(surface, remesh, generators, face_points);
   std::vector<FaceId> flipped;
   for (const FaceId f : remesh.faces()) {
-    if (is_flipped(PlacedFaces(remesh).corners(f), normals[f.index()])) flipped.push_back(f);
+    if (!is_flipped(PlacedFaces(remesh).corners(f), normals[f.index()])) continue;
+    if (!is_surface_triangle(surface, remesh, f, generators, face_points)) flipped.push_back(f);
   }
   return flipped;
 }

@@ -11,6 +11,12 @@ namespace gvd {
 
 using Triangle = std::array<Vec3, 3>;
 
+/// A face with the positions of its corners. Two faces share the corners of which they have the same ids.
+struct PlacedFace {
+  std::array<VertexId, 3> ids;
+  Triangle corners;
+};
+
 /// The faces of a mesh with its vertices at these positions, which may be others than its own. Refers to both.
 struct PlacedFaces {
   PlacedFaces(const Mesh& faces) : PlacedFaces(faces, faces.positions()) {}  // NOLINT: a mesh is one
@@ -20,6 +26,8 @@ struct PlacedFaces {
     const auto& [a, b, c] = mesh.vertices(f);
     return {positions[a.index()], positions[b.index()], positions[c.index()]};
   }
+
+  PlacedFace at(FaceId f) const { return {mesh.vertices(f), corners(f)}; }
 
   const Mesh& mesh;
   const std::vector<Vec3>& positions;

@@ -53,4 +53,10 @@ std::vector<CellPair> find_intersecting_cells(const Mesh& surface, const Diagram
 std::vector<FacePair> find_inherited(const Mesh& remesh, const std::vector<FacePair>& pairs,
                                      const std::vector<CellPair>& cells);
 
+/// The pairs but for those of two triangles of the surface itself (is_surface_triangle): these intersect because the
+/// surface does, whatever their cells are. `generators` and `face_points`: of the remesh. Cost: O(p).
+std::vector<FacePair> drop_pairs_of_surface(const Mesh& surface, const Mesh& remesh, std::vector<FacePair> pairs,
+                                            const std::vector<SurfacePoint>& generators,
+                                            const std::vector<SurfacePoint>& face_points);
+
 }  // namespace gvd

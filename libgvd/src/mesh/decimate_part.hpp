@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,6 +20,22 @@ struct PartPlace {
   std::int32_t part, place;
 };
 
+/// A face that a collapse changes.
+struct MovedFace {
+  std::int32_t place;  ///< in the part
+  std::array<VertexId, 3> corners;
+};
+
+/// Decides on collapses that topology and normals allow.
+class CollapseGuard {
+ public:
+  virtual ~CollapseGuard() = default;
+  /// Whether the faces may change so, where those at the places of `removed` are gone.
+  virtual bool allows(std::span<const MovedFace> moved, std::span<const std::int32_t> removed) = 0;
+  /// The last one that it has allowed was made.
+  virtual void collapsed() = 0;
+};
+
 /// Some faces of a mesh, which are decimated without a look at the others.
 ///
 /// Vertices that have a face elsewhere stay, and no vertex collapses to one of them. So the parts of a mesh can be
@@ -28,6 +45,12 @@ class PartDecimator {
   /// `faces`: all those of a part, in the order of their places. Cost: O(faces), and 4 bytes a vertex of the mesh.
   PartDecimator(const Mesh& mesh, std::span<const FaceId> faces, const IdVector<FaceId, PartPlace>& places);
 
+  /// Lets these vertices, of the mesh, stay. Others may collapse to them. Before `decimate`.
+  void keep(const std::function<bool(VertexId)>& is_kept);
+
+  /// Asks this before each collapse; it must outlive the part. Before `decimate`.
+  void guard(CollapseGuard& guard) { guard_ = &guard; }
+
   /// Collapses halfedges until this share of the faces is left, or none can be collapsed. Faces with a vertex that has
   /// to stay count as if all were left. `report` is called now and then with the share of the work that is done, and
   /// may throw; it may be empty.
@@ -35,6 +58,9 @@ class PartDecimator {
 
   /// Faces that are left, by vertices of the mesh.
   std::vector<std::array<VertexId, 3>> faces() const;
+  /// The place in the part of each of them, where it has been a face from the beginning: each of its corners then
+  /// collapsed to one of its corners now, or is the same.
+  std::vector<std::int32_t> face_places() const;
   /// Enters the vertex that each collapsed vertex went to, which may have collapsed later.
   void enter_targets(IdVector<VertexId, VertexId>& target) const;
 
@@ -77,6 +103,11 @@ class PartDecimator {
   bool is_legal(std::int32_t v, std::int32_t halfedge);
   bool keeps_topology(std::int32_t v, std::int32_t w, std::int32_t halfedge);
   bool keeps_normals(std::int32_t v, std::int32_t w) const;
+  /// The vertex that v collapses to along a halfedge.
+  std::int32_t other_end(std::int32_t v, std::int32_t halfedge) const {
+    return from(halfedge) == v ? to(halfedge) : from(halfedge);
+  }
+  bool is_refused_by_guard(std::int32_t v, std::int32_t halfedge);
   void collapse(std::int32_t v, std::int32_t halfedge);
   void remove_face(std::int32_t halfedge, std::int32_t kept);
   std::int32_t first_of_fan(std::int32_t halfedge) const;
@@ -87,6 +118,7 @@ class PartDecimator {
   std::vector<Vec3> position_;         // relative to the first vertex
   std::vector<Quadric> quadric_;       // of what collapsed to each vertex
   std::vector<char> is_locked_;        // stays, and is no target
+  std::vector<char> is_kept_;          // stays, and may be a target
   std::vector<std::int32_t> leaving_;  // a halfedge of an unlocked vertex; on the boundary the first one of the fan
   std::vector<std::int32_t> target_;   // of collapsed vertices, -1 of others
   std::vector<std::int32_t> best_;     // the halfedge to collapse
@@ -94,6 +126,10 @@ class PartDecimator {
   std::vector<std::int32_t> twin_;     // -1 on the boundary and between parts
   std::vector<std::int32_t> mark_;     // per vertex: the last question that it is a neighbour in
   std::vector<std::pair<double, std::int32_t>> choices_;
+  CollapseGuard* guard_ = nullptr;
+  std::set<std::pair<std::int32_t, std::int32_t>> refused_;  // collapses by the guard, from the first to the second
+  std::vector<MovedFace> moved_;
+  std::vector<std::int32_t> removed_;
   std::int32_t question_ = 0;
   std::int64_t left_;
 };

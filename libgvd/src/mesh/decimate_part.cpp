@@ -6,7 +6,7 @@
 // each other. A heap holds the vertices; costs rise as vertices gather quadrics, and are looked up again at the top.
 // Invariant: the topology stays, by the link condition (T. Dey et al., Topology preserving edge contraction, 1999):
 // the neighbours of both vertices are those across from the edge. On the boundary, vertices collapse along it only.
-#include "decimate_part.hpp"
+#include "mesh/decimate_part.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +63,7 @@ PartDecimator::PartDecimator(const Mesh& mesh, std::span<const FaceId> faces, co
   add_quadrics();
   target_.assign(vertex_.size(), -1);
   best_.assign(vertex_.size(), -1);
+  is_kept_.assign(vertex_.size(), 0);
   mark_.assign(vertex_.size(), 0);
 }
 
@@ -112,12 +113,13 @@ void PartDecimator::for_each_edge(std::int32_t v, Visit visit) const {
 }
 
 double PartDecimator::find_best(std::int32_t v) {
-  if (is_locked_[v] || target_[v] >= 0) return kNever;
+  if (is_locked_[v] || is_kept_[v] || target_[v] >= 0) return kNever;
   choices_.clear();
   const bool on_boundary = is_boundary(v);
   for_each_edge(v, [&](std::int32_t h) {
-    const std::int32_t w = from(h) == v ? to(h) : from(h);
+    const std::int32_t w = other_end(v, h);
     if (is_locked_[w] || (on_boundary && twin_[h] >= 0)) return;
+    if (!refused_.empty() && refused_.contains({v, w})) return;
     const double way = (position_[w] - position_[v]).squaredNorm();
     const double cost = std::max(0.0, quadric_[v].at(position_[w])) + kWayCost * quadric_[v].area * way;
     choices_.emplace_back(cost, h);
@@ -133,8 +135,33 @@ double PartDecimator::find_best(std::int32_t v) {
 }
 
 bool PartDecimator::is_legal(std::int32_t v, std::int32_t halfedge) {
-  const std::int32_t w = from(halfedge) == v ? to(halfedge) : from(halfedge);
+  const std::int32_t w = other_end(v, halfedge);
   return keeps_topology(v, w, halfedge) && keeps_normals(v, w);
+}
+
+bool PartDecimator::is_refused_by_guard(std::int32_t v, std::int32_t halfedge) {
+  const std::int32_t w = other_end(v, halfedge);
+  moved_.clear();
+  removed_.clear();
+  for_each_edge(v, [&](std::int32_t h) {
+    if (from(h) != v) return;
+    const std::int32_t face = h / 3;
+    std::array<VertexId, 3> corners;
+    bool has_w = false;
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t x = corner_[3 * face + i];
+      has_w = has_w || x == w;
+      corners[i] = vertex_[x == v ? w : x];
+    }
+    if (has_w) {
+      removed_.push_back(face);
+    } else {
+      moved_.push_back({face, corners});
+    }
+  });
+  if (guard_->allows(moved_, removed_)) return false;
+  refused_.insert({v, w});
+  return true;
 }
 
 bool PartDecimator::keeps_topology(std::int32_t v, std::int32_t w, std::int32_t halfedge) {
@@ -142,14 +169,13 @@ bool PartDecimator::keeps_topology(std::int32_t v, std::int32_t w, std::int32_t 
   if (is_single && twin_[next(halfedge)] < 0 && twin_[previous(halfedge)] < 0) return false;
   ++question_;
   int of_v = 0, of_w = 0, common = 0;
-  const auto other_end = [&](std::int32_t h, std::int32_t x) { return from(h) == x ? to(h) : from(h); };
   for_each_edge(w, [&](std::int32_t h) {
     ++of_w;
-    mark_[other_end(h, w)] = question_;
+    mark_[other_end(w, h)] = question_;
   });
   for_each_edge(v, [&](std::int32_t h) {
     ++of_v;
-    common += mark_[other_end(h, v)] == question_;
+    common += mark_[other_end(v, h)] == question_;
   });
   const bool is_tetrahedron = of_v == 3 && of_w == 3 && !is_single;
   return common == (is_single ? 1 : 2) && !is_tetrahedron;
@@ -173,7 +199,7 @@ bool PartDecimator::keeps_normals(std::int32_t v, std::int32_t w) const {
 }
 
 void PartDecimator::collapse(std::int32_t v, std::int32_t halfedge) {
-  const std::int32_t w = from(halfedge) == v ? to(halfedge) : from(halfedge), twin = twin_[halfedge];
+  const std::int32_t w = other_end(v, halfedge), twin = twin_[halfedge];
   const bool stays_inner = is_inner(w);
   // Counter-clockwise round w, the faces of v come after its own, or before them where the boundary runs from w to v.
   const std::int32_t first = leaving_[twin < 0 && from(halfedge) == w ? v : w];
@@ -227,8 +253,11 @@ void PartDecimator::decimate(double share, const std::function<void(double)>& re
     const auto& top = heap.top(key);
     if (!(top.key > kNever)) break;
     const std::int32_t v = top.id, halfedge = best_[v];
+    // The next best one of the vertex then costs more: its key is looked up again.
+    if (guard_ && is_refused_by_guard(v, halfedge)) continue;
     heap.pop();
     collapse(v, halfedge);
+    if (guard_) guard_->collapsed();
   }
 }
 
@@ -238,6 +267,18 @@ std::vector<std::array<VertexId, 3>> PartDecimator::faces() const {
     if (corner_[h] >= 0) faces.push_back({vertex_[corner_[h]], vertex_[corner_[h + 1]], vertex_[corner_[h + 2]]});
   }
   return faces;
+}
+
+std::vector<std::int32_t> PartDecimator::face_places() const {
+  std::vector<std::int32_t> places;
+  for (std::size_t h = 0; h < corner_.size(); h += 3) {
+    if (corner_[h] >= 0) places.push_back(static_cast<std::int32_t>(h / 3));
+  }
+  return places;
+}
+
+void PartDecimator::keep(const std::function<bool(VertexId)>& is_kept) {
+  for (std::size_t v = 0; v < vertex_.size(); ++v) is_kept_[v] = is_kept(vertex_[v]) ? 1 : 0;
 }
 
 void PartDecimator::enter_targets(IdVector<VertexId, VertexId>& target) const {

@@ -1,0 +1,148 @@
+// A round of a remesh: the triangles of a diagram's dual, the mesh that they make, and the defects in the way.
+//
+// The triangles of decimated components take the place of the dual there. Vertices are placed where nothing else is
+// wrong, and triangles that intersect are defects then, but where the surface intersects itself.
+#include "remesh_round.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "dual/dual_defects.hpp"
+#include "dual/self_intersections.hpp"
+#include "gvd/error.hpp"
+#include "gvd/placement.hpp"
+#include "move_guard.hpp"
+#include "repair/fewer_generators.hpp"
+
+namespace gvd {
+namespace {
+
+/// Up to this round, flipped triangles are looked for only where the dual has no other defect. The repair of the others
+/// often removes them. A remesh that takes more rounds would repair the two kinds in turns. Nine of ten
+/// remeshes end before.
+constexpr std::int32_t kRoundsWithoutFlips = 12;
+
+}  // namespace
+
+RemeshRound RoundMaker::build(const Diagram& diagram, std::int32_t number) const {
+  RemeshRound round;
+  const Progress& progress = options_.diagram.progress;
+  round.dual = build_dual(mesh_, diagram);
+  report_progress(progress, "dual", 0.5);
+  round.defects = check_dual(mesh_, diagram, round.dual);
+  if (decimated_) leave_out_decimated(diagram, round);
+  const bool is_sound = round.defects.empty();
+  if (is_sound) round.defects = find_coincident_corners(diagram, round.dual);
+  report_progress(progress, "dual", 1);
+  if (round.defects.empty()) build_mesh(diagram, round);
+  if (is_sound ? !round.defects.empty() : number <= kRoundsWithoutFlips) return round;
+  for (const std::size_t i : find_flipped_triangles(mesh_, diagram, round.dual)) {
+    round.defects.push_back(triangle_defect(diagram, round.dual, i, "is flipped"));
+  }
+  return round;
+}
+
+void RoundMaker::place(const Diagram& diagram, RemeshRound& round) {
+  PlacementOptions options = options_.placement;
+  options.threads = options_.diagram.threads;
+  options.progress = options_.diagram.progress;
+  options.fixed = find_in_order(fixed_, diagram.generators);
+  if (decimated_) add_decimated(diagram, options.fixed);
+  if (options.method != Placement::generator && options.fixed.size() < diagram.generators.size()) {
+    round.mesh = with_positions(round.mesh, place_vertices(mesh_, diagram, round.mesh, round.face_points, options));
+  }
+  for (const FacePair& pair : find_intersections(diagram, round)) {
+    for (const auto& [f, g] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
+      if (f.index() >= round.dual.faces.size()) {
+        round.decimated_wrong.push_back(f);
+        continue;
+      }
+      const auto& [a, b, c] = round.mesh.vertices(g);
+      const std::string what = fmt::format("intersects that of {}, {} and {}", a.value(), b.value(), c.value());
+      round.defects.push_back(
+          triangle_defect(diagram, round.dual, f.index(), what, DualProperty::no_self_intersection));
+    }
+  }
+}
+
+std::vector<DualDefect> RoundMaker::find_coincident_corners(const Diagram& diagram, const DualMesh& dual) const {
+  const auto at = [&](GeneratorId g) { return position(mesh_, diagram.generators[g.index()]); };
+  std::vector<DualDefect> defects;
+  for (std::size_t i = 0; i < dual.faces.size(); ++i) {
+    const auto& [a, b, c] = dual.faces[i];
+    if (at(a) != at(b) && at(b) != at(c) && at(c) != at(a)) continue;
+    defects.push_back(triangle_defect(diagram, dual, i, "has an edge of length 0"));
+  }
+  return defects;
+}
+
+void RoundMaker::leave_out_decimated(const Diagram& diagram, RemeshRound& round) const {
+  const auto is_decimated = [&](GeneratorId g) { return decimated_->has(diagram.generators[g.index()]); };
+  std::erase_if(round.defects, [&](const DualDefect& d) { return !d.cells.empty() && is_decimated(d.cells.front()); });
+  DualMesh left;
+  for (std::size_t i = 0; i < round.dual.faces.size(); ++i) {
+    if (is_decimated(round.dual.faces[i].front())) continue;
+    left.faces.push_back(round.dual.faces[i]);
+    left.branch_points.push_back(round.dual.branch_points[i]);
+  }
+  round.dual = std::move(left);
+}
+
+void RoundMaker::add_decimated(const Diagram& diagram, std::vector<GeneratorId>& fixed) const {
+  for (std::size_t g = 0; g < diagram.generators.size(); ++g) {
+    if (decimated_->has(diagram.generators[g])) fixed.emplace_back(g);
+  }
+}
+
+void RoundMaker::append_decimated(const Diagram& diagram, std::vector<std::array<VertexId, 3>>& faces,
+                                  std::vector<SurfacePoint>& face_points) const {
+  IdVector<VertexId, VertexId> of_surface(mesh_.vertex_count());
+  for (std::size_t g = 0; g < diagram.generators.size(); ++g) {
+    const SurfacePoint& point = diagram.generators[g];
+    if (decimated_->has(point)) of_surface[vertex(mesh_, point)] = VertexId(g);
+  }
+  for (const DecimatedFace& face : decimated_->faces()) {
+    const auto& [a, b, c] = face.corners;
+    faces.push_back({of_surface[a], of_surface[b], of_surface[c]});
+    face_points.push_back(face.point());
+  }
+}
+
+void RoundMaker::build_mesh(const Diagram& diagram, RemeshRound& round) const {
+  std::vector<Vec3> positions;
+  for (const SurfacePoint& p : diagram.generators) positions.push_back(position(mesh_, p));
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const auto& [a, b, c] : round.dual.faces) {
+    faces.push_back({VertexId(a.value()), VertexId(b.value()), VertexId(c.value())});
+  }
+  for (const BranchPointId b : round.dual.branch_points) round.face_points.push_back(diagram.branch_points[b].point);
+  if (decimated_) append_decimated(diagram, faces, round.face_points);
+  try {
+    round.mesh = Mesh(std::move(positions), std::move(faces));
+  } catch (const Error& error) {
+    throw Error(ErrorCode::no_valid_result,
+                std::string("the dual of the generators is not a manifold mesh: ") + error.what() +
+                    "; move or remove generators",
+                error.element());
+  }
+}
+
+std::vector<FacePair> RoundMaker::find_intersections(const Diagram& diagram, const RemeshRound& round) {
+  if (options_.allow_intersections) return {};
+  const std::vector<FacePair> pairs = drop_pairs_of_surface(
+      mesh_, round.mesh, find_self_intersections(round.mesh, options_.diagram.threads, options_.diagram.progress),
+      diagram.generators, round.face_points);
+  if (pairs.empty()) return {};
+  if (!of_input_) of_input_ = find_self_intersections(mesh_, options_.diagram.threads, options_.diagram.progress);
+  const auto cells = find_intersecting_cells(mesh_, diagram, *of_input_, options_.diagram.progress);
+  const auto inherited = find_inherited(round.mesh, pairs, cells);
+  std::vector<FacePair> own;
+  std::set_difference(pairs.begin(), pairs.end(), inherited.begin(), inherited.end(), std::back_inserter(own));
+  return own;
+}
+
+}  // namespace gvd

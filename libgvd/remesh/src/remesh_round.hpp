@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "gvd/diagram.hpp"
+#include "gvd/dual.hpp"
+#include "gvd/mesh.hpp"
+#include "gvd/remesh.hpp"
+#include "gvd/surface_point.hpp"
+#include "repair/decimated_components.hpp"
+
+namespace gvd {
+
+/// The mesh that the generators of a diagram give, and the defects in the way.
+struct RemeshRound {
+  DualMesh dual;  ///< without decimated components
+  Mesh mesh;      ///< none where the dual has defects; the faces of decimated components follow those of the dual
+  std::vector<SurfacePoint> face_points;
+  std::vector<DualDefect> defects;      ///< of the dual
+  std::vector<FaceId> decimated_wrong;  ///< faces of decimated components that intersect others
+};
+
+/// Makes the rounds of a remesh from diagrams.
+class RoundMaker {
+ public:
+  /// `fixed`: the points of generators whose vertices stay, in their order. `decimated`: once there are such
+  /// components. All must outlive this.
+  RoundMaker(const Mesh& mesh, const RemeshOptions& options, const std::vector<SurfacePoint>& fixed,
+             const std::optional<DecimatedComponents>& decimated)
+      : mesh_(mesh), options_(options), fixed_(fixed), decimated_(decimated) {}
+
+  /// The round of a diagram, with the vertices at the generators, and the defects of the dual and flipped triangles.
+  /// `number`: of the round, from 1 on. Throws Error{no_valid_result} if the triangles are no manifold mesh.
+  RemeshRound build(const Diagram& diagram, std::int32_t number) const;
+
+  /// Moves the vertices of a round without defects as the options say; its defects are then triangles that intersect.
+  void place(const Diagram& diagram, RemeshRound& round);
+
+ private:
+  /// Triangles with an edge of length 0: generators on the two sides of a slit can have the same position while they
+  /// are far apart on the surface.
+  std::vector<DualDefect> find_coincident_corners(const Diagram& diagram, const DualMesh& dual) const;
+  /// Leaves decimated components out of the dual.
+  void leave_out_decimated(const Diagram& diagram, RemeshRound& round) const;
+  /// Vertices of decimated components stay where the input has them: their faces may be folded as the input's are.
+  void add_decimated(const Diagram& diagram, std::vector<GeneratorId>& fixed) const;
+  void append_decimated(const Diagram& diagram, std::vector<std::array<VertexId, 3>>& faces,
+                        std::vector<SurfacePoint>& face_points) const;
+  void build_mesh(const Diagram& diagram, RemeshRound& round) const;
+  /// The pairs of faces of the placed mesh that intersect, without the inherited ones: the vertices may have left the
+  /// intersections that there were at the generators.
+  std::vector<FacePair> find_intersections(const Diagram& diagram, const RemeshRound& round);
+
+  const Mesh& mesh_;
+  const RemeshOptions& options_;
+  const std::vector<SurfacePoint>& fixed_;
+  const std::optional<DecimatedComponents>& decimated_;
+  std::optional<std::vector<FacePair>> of_input_;  // intersections of the input with itself, once they are needed
+};
+
+}  // namespace gvd

@@ -1,0 +1,278 @@
+// Components that keep their own triangles, decimated, where the dual of generators is no proper mesh.
+//
+// A collapse is made only if the faces that it moves are not flipped and meet no other face that they have not met
+// before, by exact tests: so whatever is left after any number of collapses is as right as the surface was. Faces of
+// components that have a dual are found on the whole remesh. Each face that meets one of those gets back some of the
+// vertices that collapsed to its corners, twice as many each time, and all is decimated again. This ends at the latest
+// with the component as it is.
+#include "repair/decimated_components.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "base/box_tree.hpp"
+#include "dual/faces_intersect.hpp"
+#include "dual/flipped_triangles.hpp"
+#include "dual/placed_faces.hpp"
+#include "gvd/closest_point.hpp"
+#include "mesh/decimate_part.hpp"
+#include "mesh/submesh.hpp"
+
+namespace gvd {
+namespace {
+
+/// Vertices that a wrong face gets back at first; then twice as many each time. Whatever the mesh, all are back after
+/// kMostRefinements.
+constexpr std::size_t kFirstKept = 2;
+constexpr int kMostRefinements = 12;
+
+/// The faces of all decimated components in a tree of their boxes. A face keeps its place in the tree: what it has
+/// grown to lies near the face of the surface that it was.
+class FaceGuard {
+ public:
+  FaceGuard(const Mesh& surface, const std::vector<DecimatedFace>& faces) : surface_(surface) {
+    for (const DecimatedFace& face : faces) {
+      origin_.push_back(face.origin);
+      faces_.push_back(placed(face.corners));
+    }
+    std::vector<std::int32_t> order(origin_.size());
+    std::iota(order.begin(), order.end(), 0);
+    order_by_halves(order.begin(), order.end());
+    slot_.resize(order.size());
+    for (std::size_t slot = 0; slot < order.size(); ++slot) slot_[order[slot]] = slot;
+    tree_.build(order.size(), [&](std::size_t slot) { return box(faces_[order[slot]].corners); });
+    face_at_ = std::move(order);
+  }
+
+  /// Whether faces may have other corners, given by place, where others are gone: none is then flipped, and none
+  /// intersects another one, but those that the changed faces have intersected before, no more often than they did.
+  bool allows(const std::vector<MovedFace>& moved, const std::vector<std::int32_t>& removed) {
+    const auto is_changed = [&](std::int32_t place) {
+      return std::any_of(moved.begin(), moved.end(), [&](const MovedFace& m) { return m.place == place; }) ||
+             std::find(removed.begin(), removed.end(), place) != removed.end();
+    };
+    std::vector<PlacedFace> after;
+    for (const MovedFace& face : moved) {
+      after.push_back(placed(face.corners));
+      if (is_flipped(after.back().corners, normal_at(face))) return false;
+    }
+    std::vector<std::int32_t> met;  // by the faces as they would be
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (faces_intersect(after[i], after[j])) return false;
+      }
+      list_met(after[i], is_changed, met);
+    }
+    if (met.empty()) return true;
+    std::vector<std::int32_t> met_before;
+    for (const MovedFace& face : moved) list_met(faces_[face.place], is_changed, met_before);
+    for (const std::int32_t place : removed) list_met(faces_[place], is_changed, met_before);
+    if (met.size() > met_before.size()) return false;
+    std::sort(met_before.begin(), met_before.end());
+    return std::all_of(met.begin(), met.end(), [&](std::int32_t place) {
+      return std::binary_search(met_before.begin(), met_before.end(), place);
+    });
+  }
+
+  void change(const std::vector<MovedFace>& moved, const std::vector<std::int32_t>& removed) {
+    for (const MovedFace& face : moved) {
+      faces_[face.place] = placed(face.corners);
+      tree_.move(slot_[face.place], box(faces_[face.place].corners));
+    }
+    for (const std::int32_t place : removed) tree_.remove(slot_[place]);
+  }
+
+ private:
+  using Tree = BoxTreeOf<Box3>;
+
+  static Box3 box(const Triangle& t) {
+    return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
+  }
+
+  PlacedFace placed(const std::array<VertexId, 3>& ids) const {
+    return {ids, {surface_.position(ids[0]), surface_.position(ids[1]), surface_.position(ids[2])}};
+  }
+
+  /// Appends the places of the faces that a face meets, without the changed ones.
+  template <class IsChanged>
+  void list_met(const PlacedFace& face, const IsChanged& is_changed, std::vector<std::int32_t>& met) const {
+    const Box3 reach = box(face.corners);
+    const auto overlaps = [&](const Box3& other) { return other.intersects(reach); };
+    for (std::size_t slot = tree_.find(0, overlaps); slot != Tree::kNone; slot = tree_.find(slot + 1, overlaps)) {
+      const std::int32_t place = face_at_[slot];
+      if (!is_changed(place) && faces_intersect(face, faces_[place])) met.push_back(place);
+    }
+  }
+
+  /// The normal by which find_flipped_faces judges the face.
+  Vec3 normal_at(const MovedFace& face) const {
+    const auto& [a, b, c] = face.corners;
+    const auto at = [&](VertexId v) { return surface_normal(surface_, vertex_point(surface_, v)); };
+    return at(a) + at(b) + at(c) + face_normal(surface_, origin_[face.place]);
+  }
+
+  /// Sorts places so that those of each half of a range, of its halves and so on lie near each other.
+  void order_by_halves(std::vector<std::int32_t>::iterator begin, std::vector<std::int32_t>::iterator end) const {
+    if (end - begin < 3) return;
+    const auto middle_of = [&](std::int32_t place) -> Vec3 {
+      const auto& [a, b, c] = surface_.vertices(origin_[place]);
+      return surface_.position(a) + surface_.position(b) + surface_.position(c);
+    };
+    Box3 all;
+    for (auto it = begin; it != end; ++it) all.extend(middle_of(*it));
+    Eigen::Index axis = 0;
+    all.sizes().maxCoeff(&axis);
+    const auto middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end, [&](std::int32_t p, std::int32_t q) {
+      return std::pair(middle_of(p)[axis], p) < std::pair(middle_of(q)[axis], q);
+    });
+    order_by_halves(begin, middle);
+    order_by_halves(middle, end);
+  }
+
+  const Mesh& surface_;
+  std::vector<FaceId> origin_;         // of each place
+  std::vector<PlacedFace> faces_;      // as they are now, by place
+  std::vector<std::int32_t> face_at_;  // the place of each slot of the tree
+  std::vector<std::size_t> slot_;      // of each place
+  Tree tree_;
+};
+
+/// The guard as one component sees it, with numbers of its own for faces and vertices.
+class PartGuard : public CollapseGuard {
+ public:
+  /// `first`: the place of its first face among those of all components.
+  PartGuard(FaceGuard& guard, const Submesh& part, std::int32_t first) : guard_(guard), part_(part), first_(first) {}
+
+  bool allows(std::span<const MovedFace> moved, std::span<const std::int32_t> removed) override {
+    moved_.clear();
+    removed_.clear();
+    for (const MovedFace& face : moved) {
+      const auto& [a, b, c] = face.corners;
+      moved_.push_back({first_ + face.place, {part_.whole_vertex[a], part_.whole_vertex[b], part_.whole_vertex[c]}});
+    }
+    for (const std::int32_t place : removed) removed_.push_back(first_ + place);
+    return guard_.allows(moved_, removed_);
+  }
+
+  void collapsed() override { guard_.change(moved_, removed_); }
+
+ private:
+  FaceGuard& guard_;
+  const Submesh& part_;
+  std::int32_t first_;
+  std::vector<MovedFace> moved_;
+  std::vector<std::int32_t> removed_;
+};
+
+/// The share of the faces that so many vertices have. Each collapse takes a vertex and two faces of a closed surface.
+double share_of_faces(const Mesh& mesh, std::int64_t vertices) {
+  const MeshSummary summary = compute_mesh_summary(mesh);
+  if (vertices >= summary.vertices) return 1;
+  if (summary.boundary_loops > 0) return double(vertices) / summary.vertices;
+  return std::max(0.0, (summary.faces - 2.0 * double(summary.vertices - vertices) + 0.5) / summary.faces);
+}
+
+}  // namespace
+
+DecimatedComponents::DecimatedComponents(const Mesh& surface)
+    : surface_(surface),
+      component_(compute_face_components(surface)),
+      is_kept_(surface.vertex_count(), 0),
+      members_(surface.vertex_count()) {}
+
+void DecimatedComponents::add(const std::map<std::int32_t, std::int64_t>& vertices_of_component) {
+  for (const auto& [component, vertices] : vertices_of_component) parts_[component].vertices = vertices;
+  for (const FaceId f : surface_.faces()) {
+    if (vertices_of_component.contains(component_[f])) parts_[component_[f]].surface.push_back(f);
+  }
+}
+
+void DecimatedComponents::refine(const Mesh& remesh, FaceId face, const std::array<VertexId, 3>& corners) {
+  Part& part = parts_.at(component_[Mesh::face(surface_.halfedge(corners[0]))]);
+  if (!std::exchange(part.is_stale, true)) ++part.refinements;
+  std::vector<std::pair<double, VertexId>> members;
+  for (const VertexId corner : corners) {
+    for (const VertexId v : members_[corner]) {
+      members.emplace_back(-closest_point_on_face(remesh, face, surface_.position(v)).distance, v);
+    }
+  }
+  std::sort(members.begin(), members.end());
+  const std::size_t count = std::min(kFirstKept << part.refinements, members.size());
+  for (std::size_t i = 0; i < count; ++i) is_kept_[members[i].second] = 1;
+}
+
+void DecimatedComponents::decimate(const Progress& progress) {
+  std::vector<DecimatedFace> all;
+  std::size_t stale = 0;
+  for (auto& [component, part] : parts_) {
+    if (part.is_stale) {
+      part.faces.clear();
+      for (const FaceId f : part.surface) part.faces.push_back({surface_.vertices(f), f});
+      stale += part.surface.size();
+    }
+    all.insert(all.end(), part.faces.begin(), part.faces.end());
+  }
+  FaceGuard guard(surface_, all);
+  std::int32_t first = 0;
+  std::size_t done = 0;
+  for (auto& [component, part] : parts_) {
+    const auto count = std::int32_t(part.faces.size());
+    if (std::exchange(part.is_stale, false)) {
+      const Submesh own = make_submesh(surface_, part.surface);
+      std::vector<FaceId> faces(own.mesh.faces().begin(), own.mesh.faces().end());
+      IdVector<FaceId, PartPlace> places;
+      for (const FaceId f : faces) places.push_back({0, f.value()});
+      PartGuard of_part(guard, own, first);
+      PartDecimator decimator(own.mesh, faces, places);
+      decimator.guard(of_part);
+      decimator.keep(
+          [&](VertexId v) { return part.refinements >= kMostRefinements || is_kept_[own.whole_vertex[v]] != 0; });
+      decimator.decimate(share_of_faces(own.mesh, part.vertices), [&](double share) {
+        report_progress(progress, "decimation", (double(done) + share * count) / double(stale));
+      });
+      take(own, decimator, part);
+      done += std::size_t(count);
+    }
+    first += count;
+  }
+}
+
+void DecimatedComponents::take(const Submesh& own, const PartDecimator& decimator, Part& part) {
+  IdVector<VertexId, VertexId> target(own.mesh.vertex_count());
+  decimator.enter_targets(target);
+  for (const VertexId v : own.mesh.vertices()) members_[own.whole_vertex[v]].clear();
+  for (const VertexId v : own.mesh.vertices()) {
+    VertexId last = v;
+    while (target[last].valid()) last = target[last];
+    if (last != v) members_[own.whole_vertex[last]].push_back(own.whole_vertex[v]);
+  }
+  part.faces.clear();
+  const auto corners = decimator.faces();
+  const auto origins = decimator.face_places();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto& [a, b, c] = corners[i];
+    part.faces.push_back(
+        {{own.whole_vertex[a], own.whole_vertex[b], own.whole_vertex[c]}, own.whole_face[FaceId(origins[i])]});
+  }
+}
+
+std::vector<DecimatedFace> DecimatedComponents::faces() const {
+  std::vector<DecimatedFace> all;
+  for (const auto& [component, part] : parts_) all.insert(all.end(), part.faces.begin(), part.faces.end());
+  return all;
+}
+
+std::vector<VertexId> DecimatedComponents::vertices() const {
+  std::vector<VertexId> all;
+  for (const auto& [component, part] : parts_) {
+    for (const DecimatedFace& face : part.faces) all.insert(all.end(), face.corners.begin(), face.corners.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace gvd

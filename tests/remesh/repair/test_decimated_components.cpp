@@ -1,0 +1,97 @@
+// Components that are their own triangles, decimated, where the dual of generators is no proper mesh.
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "dual/flipped_triangles.hpp"
+#include "dual/self_intersections.hpp"
+#include "gvd/dual.hpp"
+#include "gvd/remesh.hpp"
+#include "gvd/surface_point.hpp"
+#include "mesh/component_topology.hpp"
+#include "repair/decimated_components.hpp"
+#include "support/catch.hpp"
+#include "support/generators.hpp"
+#include "support/meshes.hpp"
+#include "support/tiny_meshes.hpp"
+
+namespace gvd::test_decimated_components {
+
+/// The faces as a mesh, with what stands for its vertices and faces on the surface.
+struct Decimated {
+  Mesh mesh;
+  std::vector<SurfacePoint> generators, face_points;
+};
+
+Decimated decimate_all(const Mesh& surface, std::int64_t vertices) {
+  DecimatedComponents components(surface);
+  std::map<std::int32_t, std::int64_t> all;
+  for (const std::int32_t c : components.component()) all[c] = vertices;
+  components.add(all);
+  components.decimate({});
+  Decimated made;
+  std::vector<Vec3> positions;
+  std::vector<std::array<VertexId, 3>> faces;
+  const std::vector<VertexId> kept = components.vertices();
+  for (const VertexId v : kept) {
+    positions.push_back(surface.position(v));
+    made.generators.push_back(vertex_point(surface, v));
+  }
+  for (const DecimatedFace& face : components.faces()) {
+    auto& corners = faces.emplace_back();
+    for (int i = 0; i < 3; ++i) {
+      corners[i] = VertexId(std::lower_bound(kept.begin(), kept.end(), face.corners[i]) - kept.begin());
+    }
+    made.face_points.push_back(face.point());
+  }
+  made.mesh = Mesh(std::move(positions), std::move(faces));
+  return made;
+}
+
+TEST_CASE("decimated components: as many vertices as asked for, with the topology of the surface") {
+  const Decimated sphere = decimate_all(test::make_sphere(3), 20);
+  CHECK(sphere.mesh.vertex_count() == 20);
+  for (const auto& [name, mesh] : test::small_family()) {
+    INFO(name);
+    const Decimated made = decimate_all(mesh, 10);
+    CHECK(made.mesh.vertex_count() < mesh.vertex_count());
+    CHECK(compute_topologies(made.mesh, compute_face_components(made.mesh)) ==
+          compute_topologies(mesh, compute_face_components(mesh)));
+  }
+}
+
+TEST_CASE("decimated components: no face is flipped, and none intersects another") {
+  for (const auto& [name, mesh] : test::small_family()) {
+    for (const std::int64_t vertices : {0, 30}) {
+      INFO(name << ", " << vertices);
+      const Decimated made = decimate_all(mesh, vertices);
+      CHECK(find_flipped_faces(mesh, made.mesh, made.generators, made.face_points).empty());
+      for (const FacePair& pair : find_self_intersections(made.mesh)) {
+        CHECK(is_surface_triangle(mesh, made.mesh, pair.first, made.generators, made.face_points));
+        CHECK(is_surface_triangle(mesh, made.mesh, pair.second, made.generators, made.face_points));
+      }
+    }
+  }
+}
+
+TEST_CASE("decimated components: two spheres, one close inside the other, keep apart") {
+  const Mesh nested = test::make_nested_spheres(0.98);
+  const Decimated made = decimate_all(nested, 8);
+  CHECK(find_self_intersections(made.mesh).empty());
+  CHECK(made.mesh.vertex_count() < nested.vertex_count());
+  CHECK(made.mesh.vertex_count() > 16);
+}
+
+TEST_CASE("remesh: a spike too narrow for generators keeps its own triangles, decimated") {
+  const Mesh spike = test::make_pyramid(1e-3, 5);
+  const SurfacePoint near_tip = make_surface_point(FaceId(0), {0.9, 0.03, 0.07});
+  const RemeshResult result =
+      remesh(spike, {vertex_point(spike, VertexId(0)), near_tip, vertex_point(spike, VertexId(6))});
+  CHECK(result.certificate.ok());
+  CHECK(result.decimated.components == 1);
+  CHECK(result.decimated.generators == 3);
+  CHECK(result.decimated.vertices == result.mesh.vertex_count());
+  CHECK_THAT(result.decimated.reason, Catch::Matchers::Contains("near ("));
+}
+
+}  // namespace gvd::test_decimated_components
