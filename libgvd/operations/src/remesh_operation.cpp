@@ -367,6 +367,7 @@ std::shared_ptr<const RemeshOutcome> run(const MeshPtr& input, RemeshCall& call,
     outcome->map =
         as_step(observer, "map", [&] { return map_to_remesh(mesh, result, observer.threads, progress_of(observer)); });
   }
+  outcome->carries = call.carry;
   if (call.carry) {
     const Step step(observer, "carry");
     outcome->properties = carry_properties(*input, call.properties, result, *outcome->map);
@@ -434,6 +435,13 @@ std::optional<LabelledMesh> RemeshOutcome::labelled() const {
   coarse.properties = &properties;
   coarse.appearance = &appearance;
   return coarse;
+}
+
+void RemeshOutcome::check_file(const WrittenFile& file) const {
+  if (!carries || has_any(file.format->carries, kCarried)) return;
+  throw Error(
+      ErrorCode::invalid_option,
+      fmt::format("\1carry\2: {} what is carried over; write one or leave \1carry\2 out", only_formats(kCarried)));
 }
 
 OwnWriters RemeshOutcome::own_writers() const {

@@ -432,6 +432,12 @@ std::vector<std::vector<Vec3>> SegmentOutcome::borders() const {
   return borders;
 }
 
+void SegmentOutcome::check_file(const WrittenFile& file) const {
+  if (!charts || has_any(file.format->carries, Content::texture)) return;
+  throw Error(ErrorCode::invalid_option, fmt::format("\1uv\2: {} texture coordinates; write one or leave \1uv\2 out",
+                                                     only_formats(Content::texture)));
+}
+
 OwnWriters SegmentOutcome::own_writers() const {
   return {{"json", [this](std::ostream& out) {
              if (cut) return write_cut_json(out, input->mesh, *on_input, *cut, cut_vertices);

@@ -43,6 +43,7 @@ class SegmentOutcome : public Object {
   static constexpr Content kContent = Content::surface | Content::vertex_labels | Content::distances | Content::diagram;
   std::string_view kind() const override { return "segment"; }
   Content content() const override { return kContent; }
+  void check_file(const WrittenFile& file) const override;
   void visit(ObjectVisitor& visitor) const override;
 
   /// The mesh of `diagram`, which has the input's faces, with the vertices on borders of regions doubled.
