@@ -167,7 +167,7 @@ gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* 
 gvd_status gvd_write_as(const gvd_object* object, const char* path, const char* options, const gvd_run* run) {
   return guarded_for(run, [&] {
     const Object& written = *given(object, "object").object;
-    const std::string name = &given(path, "path");
+    const std::string name = given_path(path);
     CallObserver observer(run);
     FileOptions how;
     read_file_options(how, options, run);
