@@ -323,6 +323,8 @@ def name_bytes(path: Any) -> bytes:
     if not isinstance(path, (str, bytes, os.PathLike)):
         refuse(f"a path is needed, not {type(path).__name__}")
     name = os.fsencode(path)
+    if not name:
+        refuse("the path is empty; name a file")
     if b"\0" in name:
         refuse(f"{os.fsdecode(name)!r}: a name of a file has no NUL in it")
     return name

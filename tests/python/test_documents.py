@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 
 import gvd
 import meshes
@@ -56,8 +57,10 @@ class Documents(unittest.TestCase):
                 os.symlink(meshes.ROOT / "data", pathlib.Path(folder) / "data")
                 os.chdir(folder)
                 try:
-                    for block in blocks:
-                        exec(compile(block, page, "exec"), names)
+                    with warnings.catch_warnings():
+                        warnings.simplefilter("error", UserWarning)
+                        for block in blocks:
+                            exec(compile(block, page, "exec"), names)
                 finally:
                     os.chdir(meshes.ROOT)
 
