@@ -238,7 +238,7 @@ class Words(unittest.TestCase):
         at = numpy.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], float)
         mesh = gvd.Mesh(at, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)])
         numpy.testing.assert_array_equal(mesh.segment(2, within=[0, 0, 1, 1]).regions, [0, 0, 1, 1])
-        numpy.testing.assert_array_equal(mesh.segment(1, mask=[1, 1, 0, 1]).labels, [0, 0, -1, 0])
+        numpy.testing.assert_array_equal(mesh.segment(1, mask=[1, 1, 0, 1]).labels, [-1, -1, 0, -1])
         total = mesh.balance([0, 3], density=[1, 1, 1, 2]).masses.sum()
         areas = [0.5, 0.5, numpy.sqrt(0.75), 0.5]
         means = [1, 4 / 3, 4 / 3, 4 / 3]  # of the vertices of each face
