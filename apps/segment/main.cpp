@@ -146,7 +146,7 @@ void write_files(Run& run, const SegmentOutcome& made) {
     for (ViewScene& scene : scenes) scene.borders = made.borders();
     return scenes;
   });
-  write_diagram_file(run, made.input->mesh, *made.on_input);
+  write_diagram_file(run, made.input().mesh, made.diagram->diagram());
 }
 
 /// Notes, once for all inputs, that the page and a mesh of whole faces show different borders.
@@ -168,7 +168,7 @@ void segment(Run& run, OwnOptions& own) {
   check_material_files(run, input->appearance, own.call.uv.has_value());
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   const auto made = run_operation(run, input, own.call);
-  const Diagram& diagram = *made->diagram;
+  const Diagram& diagram = made->of_surface();
   report_figures(run, *made);
   report_generators(run, input->mesh, diagram.generators, made->snap_distance);
   run.report().set_diagram(diagram);
