@@ -10,8 +10,9 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from . import _vtk
+from ._calls import name_bytes
 from ._error import refuse
-from ._library import Handle, name_bytes
+from ._handles import Handle
 from ._object import Floats, Ids, Object, PathLike, Writable, figure, run, threads_of, view, warn
 from ._options import described, file_name, flag, real
 from ._points import Curves, Points, as_array, join, make_entries, one_point, plain

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any, Callable, Optional, Union
 import numpy
 from numpy.typing import NDArray
 
-from . import _described, _library
+from . import _calls, _described
 from ._error import Error, naming, refuse, renamed
-from ._library import Handle
+from ._handles import Handle
 from ._options import RUN, described, real, text, to_json, whole
 from ._points import Points
 from ._progress import reporting
@@ -121,7 +121,7 @@ _NOT_PICKLED = ("_handle", "_recipe", "_saved", "_kept")
 
 def _make_again(operation: str, on: Any, options: Mapping[str, Any], arrays: Sequence[NDArray[Any]]) -> Handle:
     native: Optional[Handle] = None if on is None else on._native
-    return native.part(options["part"]) if native and operation == "part" else _library.call(operation, native, options, arrays)
+    return native.part(options["part"]) if native and operation == "part" else _calls.call(operation, native, options, arrays)
 
 
 def _unpickle(kind: type[Object], recipe: tuple[Any, ...], saved: dict[str, Any]) -> Object:
@@ -141,7 +141,7 @@ def run(operation: str, on: Optional[Object], options: Mapping[str, Any], more: 
     arrays = list(first)
     with naming(names), reporting(options.get("progress")) as callback:
         given = {**to_json(operation, {name: value for name, value in options.items() if name not in RUN}, arrays), **more}
-        made = _library.call(operation, None if on is None else on._native, given, arrays, threads=threads_of(options), progress=callback,
+        made = _calls.call(operation, None if on is None else on._native, given, arrays, threads=threads_of(options), progress=callback,
                              time_limit=_seconds(options.get("time_limit")), began=options.get("began"))
     if any(array.ndim == 2 and array.shape[1] == 3 for array in arrays):  # positions may be far away
         for line in made.figures()["warnings"]:
@@ -186,7 +186,7 @@ class Writable(Object):
         for name in ("title", "part"):
             if name in options:
                 text(name, options[name])
-        _library.write(self._native, path, to_json("file_options", options, []))
+        _calls.write(self._native, path, to_json("file_options", options, []))
 
     def to_html(self, *, title: str = "gvd") -> str:
         """The page as text: one file that any browser opens, without network."""

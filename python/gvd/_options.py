@@ -15,8 +15,8 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _described
+from ._calls import name_bytes
 from ._error import refuse
-from ._library import name_bytes
 from ._points import Curves, as_array, make_entries, plain
 
 F = TypeVar("F", bound=Callable[..., Any])
