@@ -246,11 +246,6 @@ def check_mistakes():
     assert bad({"generators": [[1, 0, 0], [0, 1]]}) == "\"generators\": '[0,1]' is no row of 3 numbers, as the first point is"
     assert bad({"generators": [[1, 0, 0], 2]}).startswith("\"generators\": '2' is no row of 3 numbers")
     assert bad({"generators": [[0.5, 1, 0, 0]]}) == '"generators": element 0 is 0.5; give whole numbers from 0 on'
-    # Texts stand in their own quotes only, and no line is told of a list that has none.
-    assert bad({"generators": "V 0"}).startswith("\"generators\": 'V 0' is no list of points")
-    assert bad({"vertices": ["V 0"]}) == "\"vertices\": 'V 0' is no number"
-    assert bad({"generators": [{"vertex": "V 0"}]}) == '"generators": "vertex" must be a whole number from 0'
-    assert bad({"count": 3, "gradation": 0.5}) == '"gradation": it is that of "density": "curvature"; add that, or leave "gradation" out'
     # Numbers that no double has are told as they were given.
     large = 2 ** 53 + 1
     for value, *arrays in ((("vertices", [large]),), (("vertices", {"array": 0}), array([large], ctypes.c_int64))):

@@ -47,6 +47,17 @@ def check_meshes(folder):
     release(mesh, again, values, properties)
 
 
+def check_words():
+    """Texts stand in their own quotes only, no line is told of a list that has none, and options that do nothing are told."""
+    ball = make_ball()
+    bad = lambda options: refused("lloyd", ball, options)
+    assert bad({"generators": "V 0"}).startswith("\"generators\": 'V 0' is no list of points")
+    assert bad({"vertices": ["V 0"]}) == "\"vertices\": 'V 0' is no number"
+    assert bad({"generators": [{"vertex": "V 0"}]}) == '"generators": "vertex" must be a whole number from 0'
+    assert bad({"count": 3, "gradation": 0.5}) == '"gradation": it is that of "density": "curvature"; add that, or leave "gradation" out'
+    release(ball)
+
+
 def check_vertices_of_meshes():
     """Two triangles that meet in one vertex, which becomes two: the second has no number of the input's."""
     at = array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0), (9, 9, 9)])
@@ -247,6 +258,7 @@ def check_typed():
 
 with tempfile.TemporaryDirectory() as scratch:
     check_meshes(pathlib.Path(scratch))
+    check_words()
     check_vertices_of_meshes()
     check_doors()
     check_files_of_parts(pathlib.Path(scratch))
