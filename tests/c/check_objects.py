@@ -54,7 +54,7 @@ def check_words():
     assert bad({"generators": "V 0"}).startswith("\"generators\": 'V 0' is no list of points")
     assert bad({"vertices": ["V 0"]}) == "\"vertices\": 'V 0' is no number"
     assert bad({"generators": [{"vertex": "V 0"}]}) == '"generators": "vertex" must be a whole number from 0'
-    assert bad({"count": 3, "gradation": 0.5}) == '"gradation": it is that of "density": "curvature"; add that, or leave "gradation" out'
+    assert bad({"count": 3, "gradation": 0.5}) == '"gradation" needs "density": "curvature": add it, or leave "gradation" out'
     release(ball)
 
 

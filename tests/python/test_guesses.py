@@ -182,7 +182,7 @@ class Words(unittest.TestCase):
         for call, words in ((lambda: mesh.sample(), "^sample: how many points\\? Give a count or a radius$"),
                             (lambda: mesh.voronoi([99]), "^points: there is no vertex 99"),
                             (lambda: mesh.path(0, []), "^end: empty$"),
-                            (lambda: mesh.lloyd(3, gradation=0.2), "^gradation: it is that of density='curvature'; add that, or leave gradation out$"),
+                            (lambda: mesh.lloyd(3, gradation=0.2), "^gradation needs density='curvature': add it, or leave gradation out$"),
                             (lambda: mesh.curves("creases", angle=0), "^angle: a number above 0 and below 180, in degrees, is needed, not 0$"),
                             (lambda: mesh.curves("creases"), "no two faces meet at more than 40 degrees; ask for a smaller angle, or use the boundary or points$"),
                             (lambda: mesh.curves("creases:30", angle=30), '^angle: it is for "creases"$'),

@@ -181,13 +181,6 @@ void DiagramObject::visit(ObjectVisitor& visitor) const {
                [this] { return make_pieces(mesh_->mesh, *diagram_); });
 }
 
-OwnWriters list_writers(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
-  const auto list = [&](GeneratorFormat format) {
-    return [&mesh, &points, format](std::ostream& out) { out << format_generators(mesh, points, format); };
-  };
-  return {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}};
-}
-
 std::optional<LabelledMesh> MeshObject::labelled() const {
   LabelledMesh mesh{mesh_->mesh};
   mesh.appearance = &mesh_->appearance;
@@ -205,9 +198,12 @@ std::optional<LabelledMesh> DiagramObject::labelled() const {
 }
 
 OwnWriters DiagramObject::own_writers() const {
-  OwnWriters own = list_writers(mesh_->mesh, diagram_->generators);
-  own["json"] = [this](std::ostream& out) { write_diagram_json(out, mesh_->mesh, *diagram_); };
-  return own;
+  const auto list = [this](GeneratorFormat format) {
+    return [this, format](std::ostream& out) { out << format_generators(mesh_->mesh, diagram_->generators, format); };
+  };
+  return {{"txt", list(GeneratorFormat::text)},
+          {"csv", list(GeneratorFormat::csv)},
+          {"json", [this](std::ostream& out) { write_diagram_json(out, mesh_->mesh, *diagram_); }}};
 }
 
 }  // namespace gvd

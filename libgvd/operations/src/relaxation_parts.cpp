@@ -64,7 +64,7 @@ void describe(OptionList& list, GivenConstraints& given) {
                          "or a number for each vertex or each face"});
   list.rule({"gradation", {"density"}, [&given](const Given&) -> std::string {
                if (given.density.name == "curvature") return "";
-               return "\1gradation\2: it is that of \1density=curvature\2; add that, or leave \1gradation\2 out";
+               return "\1gradation\2 needs \1density=curvature\2: add it, or leave \1gradation\2 out";
              }});
 }
 

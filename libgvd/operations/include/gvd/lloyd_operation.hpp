@@ -47,7 +47,7 @@ class LloydOutcome : public Object {
   Content content() const override { return kContent; }
   void visit(ObjectVisitor& visitor) const override;
   std::optional<LabelledMesh> labelled() const override { return diagram->labelled(); }
-  OwnWriters own_writers() const override { return list_writers(diagram->mesh()->mesh, relaxed->generators); }
+  OwnWriters own_writers() const override { return diagram->own_writers(); }
   OwnWriters part_writers(std::string_view part) const override;
 
   std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();      ///< with balanced cells at the end

@@ -21,9 +21,6 @@ namespace gvd {
 /// The mesh that an operation works on, with what is known of its file. Results keep it alive.
 using MeshPtr = std::shared_ptr<const CheckedMesh>;
 
-/// Writers of a list of points.
-OwnWriters list_writers(const Mesh& mesh, const std::vector<SurfacePoint>& points);
-
 /// The figures of meshes, in reports, too; the name of each begins with that of the group.
 void visit_summary(ObjectVisitor& visitor, const MeshSummary& mesh, const std::string& group = "");
 /// The figures of diagrams.
