@@ -8,6 +8,7 @@ These are examples:
 - a line that is indented by four spaces and runs a command of build/bin/; with the comment "# fails" it must fail;
 - a ```sh block, with BIN_FOLDER on the PATH; one that calls a program that is not installed is named and left out;
 - all ```python blocks of a page as one script, with the package gvd of BIN_FOLDER/../python; without it they are left out.
+  A warning is an error.
 """
 import os
 import pathlib
@@ -61,7 +62,7 @@ class Page:
         if script and not (self.package / "gvd").is_dir():
             print(f"{self.name}: the Python lines are left out, because there is no package in {self.package}")
         elif script:
-            results.append(self.run(script, [os.environ.get("GVD_PYTHON", "/usr/bin/python3"), "-c"]))
+            results.append(self.run(script, [os.environ.get("GVD_PYTHON", "/usr/bin/python3"), "-W", "error::UserWarning", "-c"]))
         return results
 
 

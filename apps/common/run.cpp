@@ -70,20 +70,15 @@ Json& RunReport::at(const char* member) const { return document_->at(member); }
 void RunReport::set_input(const MeshSummary& mesh, const DefectReport& defects) {
   Json counts = Json::object();
   for (const Defect& defect : defects.defects) counts[std::string(name_of(defect.kind))] = defect.count;
-  at("input") = {{"vertices", mesh.vertices},
-                 {"faces", mesh.faces},
-                 {"components", mesh.components},
-                 {"boundary_loops", mesh.boundary_loops},
-                 {"euler_characteristic", mesh.euler_characteristic},
-                 {"area", mesh.area},
-                 {"bbox_diagonal", mesh.bbox_diagonal},
-                 {"defects", std::move(counts)}};
+  Json& input = at("input") = Json::parse(figures_json([&](ObjectVisitor& visitor) { visit_summary(visitor, mesh); }));
+  input["bbox_diagonal"] = mesh.bbox_diagonal;
+  input["defects"] = std::move(counts);
 }
 
 void RunReport::set_diagram(const Diagram& diagram) {
-  const std::shared_ptr<const Diagram> shared(std::shared_ptr<void>(), &diagram);  // of which the figures are
-  Json& figures = at("diagram") = Json::parse(figures_json(DiagramObject(nullptr, shared, {})));
-  figures["verify"] = nullptr;
+  const auto visit = [&](ObjectVisitor& visitor) { visit_figures(visitor, diagram); };
+  at("diagram") = Json::parse(figures_json(visit));
+  at("diagram")["verify"] = nullptr;
 }
 
 void RunReport::set_error_measure(const ErrorMeasure& error) {

@@ -192,13 +192,13 @@ void lloyd(Run& run, OwnOptions& own) {
     return gvd::run(input, own.call, observer);
   }();
   const LloydResult& relaxed = *outcome->relaxed;
-  const Mesh& surface = outcome->surface();
+  const Mesh& surface = outcome->diagram->surface();
   report_figures(run, *outcome);
   run.report().at("results")["final_energy"] = relaxed.final_energy;  // also for the table of several inputs
   report_generators(run, mesh, relaxed.generators, outcome->snap_distance);
   run.report().set_diagram(relaxed.diagram);
   write_output_files(run, *outcome);
-  write_diagram_file(run, mesh, *outcome->on_input);
+  write_diagram_file(run, mesh, outcome->diagram->diagram());
   write_part_file(run, "points", *outcome);
   write_own_file(run, "trace", [&](std::ostream& out) { trace.write(out, relaxed, own.call.diagram.method); });
   write_view_file(run, "gvd-lloyd", [&] {

@@ -38,9 +38,6 @@ constexpr GeneratorCost kGeneratorCost{460, 14.7};
 
 const std::vector<std::string> kFormats = output_extensions(RemeshOutcome::kContent);
 
-/// What --carry takes from the input.
-constexpr Content kCarried = Content::properties | Content::texture | Content::materials;
-
 struct OwnOptions : Options {
   RemeshCall call;
   std::string map;  ///< a file; empty: none
@@ -57,10 +54,10 @@ void describe_own(OptionList& list, OwnOptions& own) {
                .more = fmt::format(", texture coordinates to {}, and materials to {}",
                                    list_extensions(output_extensions(Content::texture), "and"),
                                    list_extensions(output_extensions(Content::materials), "and"))});
-  list.rule(format_rule(own.output, "carry", output_extensions(kCarried),
+  list.rule(format_rule(own.output, "carry", output_extensions(RemeshOutcome::kCarried),
                         fmt::format("\1carry\2: {} what is carried over; write one, such as "
                                     "\1output=FILE.ply\2",
-                                    only_formats(kCarried))));
+                                    only_formats(RemeshOutcome::kCarried))));
   describe_resources(list, own.compute);
   describe_verify(list, own.compute);
   describe_output(list, own.output, kFormats, "ply");

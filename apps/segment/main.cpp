@@ -87,6 +87,15 @@ void describe_own(OptionList& list, OwnOptions& own) {
               {.help = "Give each region a material of its own in .obj also where \1input\2 has materials",
                .more = ", in place of these"});
   list.excludes("curves", {"verify"});
+  ValueRule charts = format_rule(own.output, "uv", output_extensions(Content::texture),
+                                 fmt::format("\1uv\2: {} texture coordinates; write one, such as "
+                                             "\1output=FILE.obj\2, or leave it out",
+                                             only_formats(Content::texture)));
+  charts.why_idle = [&own, why_lost = std::move(charts.why_idle)](const Given& given) {
+    const bool has_figures = !own.stats.empty() || !own.output.report.empty();  // of the charts
+    return has_figures || written_formats(own.output).empty() ? "" : why_lost(given);
+  };
+  list.rule(std::move(charts));
   list.rule(format_rule(own.output, "region_materials", output_extensions(Content::materials),
                         fmt::format("\1region_materials\2: {} materials; write one, as in "
                                     "\1output=FILE.obj\2, or leave it out",
@@ -137,7 +146,7 @@ void write_files(Run& run, const SegmentOutcome& made) {
     for (ViewScene& scene : scenes) scene.borders = made.borders();
     return scenes;
   });
-  write_diagram_file(run, made.input->mesh, *made.on_input);
+  write_diagram_file(run, made.input().mesh, made.diagram->diagram());
 }
 
 /// Notes, once for all inputs, that the page and a mesh of whole faces show different borders.
@@ -159,7 +168,7 @@ void segment(Run& run, OwnOptions& own) {
   check_material_files(run, input->appearance, own.call.uv.has_value());
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   const auto made = run_operation(run, input, own.call);
-  const Diagram& diagram = *made->diagram;
+  const Diagram& diagram = made->of_surface();
   report_figures(run, *made);
   report_generators(run, input->mesh, diagram.generators, made->snap_distance);
   run.report().set_diagram(diagram);

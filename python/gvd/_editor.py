@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy
 
-from ._error import Error, naming, refuse
+from ._error import Error, refuse
 from ._mesh import Mesh
 from ._object import run
 from ._options import described, whole
@@ -44,7 +44,8 @@ class DiagramEditor:
         self._options: dict[str, Any] = {name: options[name] for name in ("chord_tolerance",) if options.get(name) is not None}
         self._run: dict[str, Any] = {"threads": options.get("threads")}
         self._change_lock: Any = threading.Lock()
-        self._diagram: Diagram = Diagram(*run("diagram", mesh, {**options, "generators": make_entries("points", points), "editable": True}))
+        given = {**options, "generators": make_entries("points", points), "editable": True}
+        self._diagram: Diagram = Diagram(*run("diagram", mesh, given, names={"generators": "points"}))
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items() if name != "_change_lock"}
@@ -92,8 +93,7 @@ class DiagramEditor:
         if not self._change_lock.acquire(blocking=False):
             raise Error("the editor is in the middle of a change", "precondition")
         try:
-            with naming(to="point", add="point"):
-                made, _ = run("edit", self._diagram, {**self._run, **options, **change})
+            made, _ = run("edit", self._diagram, {**self._run, **options, **change}, names={"to": "point", "add": "point"})
             points = numpy.column_stack([made.array("generators_faces"), made.array("generators_bary")])
             recipe = ("diagram", self.mesh, {"generators": {"array": 0}, **self._options}, [points])  # the edits before are not kept
             self._diagram = Diagram(made, recipe)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NoReturn
 
 
@@ -34,13 +34,19 @@ def refuse(message: str, element: int = -1) -> NoReturn:
     raise Error(message, "invalid_option", element)
 
 
+def renamed(line: str, names: Mapping[str, str]) -> str:
+    """Calls the option that a line begins with by the name of a function's own parameter."""
+    option, colon, rest = line.partition(": ")
+    return names.get(option, option) + colon + rest
+
+
 @contextlib.contextmanager
-def naming(**names: str) -> Iterator[None]:
-    """Calls options by the names of a function's own parameters, where an error begins with one."""
+def naming(names: Mapping[str, str]) -> Iterator[None]:
+    """The same for errors."""
     try:
         yield
     except Error as error:
-        option, colon, rest = str(error).partition(": ")
-        if option not in names:
+        line = renamed(str(error), names)
+        if line == str(error):
             raise
-        raise Error(names[option] + colon + rest, error.code, error.element) from None
+        raise Error(line, error.code, error.element) from None

@@ -3,15 +3,16 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal, Optional, Union, overload
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from . import _vtk
-from ._error import naming, refuse
-from ._library import Handle, name_bytes
+from ._calls import name_bytes
+from ._error import refuse
+from ._handles import Handle
 from ._object import Floats, Ids, Object, PathLike, Writable, figure, run, threads_of, view, warn
 from ._options import described, file_name, flag, real
 from ._points import Curves, Points, as_array, join, make_entries, one_point, plain
@@ -125,8 +126,8 @@ class Mesh(Writable):
         """Points as faces and barycentric coordinates. `max_snap`: the farthest that a position may be, mesh units."""
         return self._sample({"points": make_entries("points", points), "max_snap": max_snap})
 
-    def _sample(self, options: dict[str, Any]) -> Points:
-        made, _ = run("sample", self, options)
+    def _sample(self, options: dict[str, Any], names: Mapping[str, str] = {}) -> Points:
+        made, _ = run("sample", self, options, names=names)
         return Points(made.array("points_faces"), made.array("points_bary"), self)
 
     def positions(self, points: Any) -> Floats:
@@ -137,8 +138,8 @@ class Mesh(Writable):
                max_snap: Optional[float] = None) -> Curves:
         """Curves as generators, which `voronoi`, `distances`, `nearest`, `path`, `isolines` and `segment` take.
 
-        "boundary" or "creases", whose faces differ by more than `angle` degrees (default 40); the path of a file, as
-        --curves reads it; or a list of polylines, each of points in their order. Shortest paths join those that have no
+        "boundary" or "creases", whose faces differ by more than `angle` degrees (default 40), or "creases:30" in one; the path
+        of a file, as --curves reads it; or a list of polylines, each of points in their order. Shortest paths join those that have no
         face in common. `closed` joins the last point of each polyline to its first.
 
         >>> import gvd
@@ -158,6 +159,8 @@ class Mesh(Writable):
     @described("sample", without="points generators vertices max_snap merge_coincident")
     def sample(self, count: Optional[int] = None, **options: Any) -> Points:
         """Points that are spread over the surface: `count` of them, or as many as leave no point farther than `radius`."""
+        if count is None and options.get("radius") is None:
+            refuse("sample: how many points? Give a count or a radius")
         return self._sample({"count": count, **options})
 
     def farthest(self, count: int, *, seed: int = 0) -> Points:
@@ -171,10 +174,12 @@ class Mesh(Writable):
 
     # ---- distances
 
-    def _measure(self, points: Any, options: dict[str, Any]) -> tuple[Handle, tuple[Any, ...]]:
+    def _measure(self, points: Any, options: dict[str, Any], names: Mapping[str, str] = {}) -> tuple[Handle, tuple[Any, ...]]:
         """The operation `distances` from points or curves."""
-        source = _sources("from", points) if isinstance(points, Curves) else {**_sources("from", points), "keep_coincident": True}
-        return run("distances", self, {**source, **options})
+        source = _sources("from", points, names.get("points", "points"))
+        if not isinstance(points, Curves):
+            source["keep_coincident"] = True
+        return run("distances", self, {**source, **options}, names=names)
 
     @described("distances", without="from curves merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm")
     def distances(self, points: Any, *, each: bool = False, out: Any = None, **options: Any) -> Floats:
@@ -199,8 +204,8 @@ class Mesh(Writable):
     def _targets(self, options: dict[str, Any]) -> dict[str, Any]:
         """Moves the targets to the surface once."""
         if options.get("to") is not None and not isinstance(options["to"], Points):
-            with naming(points="to"):
-                options["to"] = self.points(options["to"], max_snap=options.get("max_snap"))
+            given = {"points": make_entries("to", options["to"]), "max_snap": options.get("max_snap")}
+            options["to"] = self._sample(given, {"points": "to"})
         return options
 
     @described("distances", without="from curves each merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm")
@@ -258,8 +263,7 @@ class Mesh(Writable):
                [0. , 1. , 0. ]])
         """
         starts = make_entries("start", start)
-        with naming(to="start", points="end"):
-            of = Distances(*self._measure(end, {**options, "to": starts, "paths": True}))
+        of = Distances(*self._measure(end, {**options, "to": starts, "paths": True}, {"to": "start", "points": "end"}))
         points, offsets = of._points("path"), of._array("path_offsets").tolist()
         rows = of.figures["paths"]
         paths = [Path(of, i, points[offsets[i]:offsets[i + 1]], numpy.inf if row["length"] is None else row["length"], row["complete"],
@@ -279,8 +283,7 @@ class Mesh(Writable):
         if isolines is None:
             refuse("isolines: a distance, or a list of ascending ones, is needed, not None")
         option = "levels" if isinstance(isolines, (list, tuple)) or getattr(isolines, "ndim", 0) > 0 else "isolines"
-        with naming(levels="isolines"):
-            of = Distances(*self._measure(points, {**options, option: isolines}))
+        of = Distances(*self._measure(points, {**options, option: isolines}, {"levels": "isolines"}))
         at, offsets = of._points("isoline"), of._array("isoline_offsets").tolist()
         return [Isoline(level, bool(closed), at[begin:end]) for level, closed, begin, end in
                 zip(of._array("isoline_levels").tolist(), of._array("isoline_closed").tolist(), offsets, offsets[1:])]
@@ -292,8 +295,8 @@ class Mesh(Writable):
         Its length is the distance, in mesh units. The x axis is the direction of the first edge at the point: see
         gvd/geodesic_tracing.hpp. NaN where no path leads.
         """
-        with naming(points="point"):
-            return self._measure(one_point("point", point), {**options, "logarithm": True})[0].array("logarithms")
+        given = one_point("point", point)
+        return self._measure(given, {**options, "logarithm": True}, {"points": "point"})[0].array("logarithms")
 
     # ---- diagrams and what is made of them
 
@@ -306,7 +309,7 @@ class Mesh(Writable):
         >>> len(diagram.cells), diagram.check()
         (3, [])
         """
-        return Diagram(*run("diagram", self, {**options, **_sources("generators", points)}))
+        return Diagram(*run("diagram", self, {**options, **_sources("generators", points)}, names={"generators": "points"}))
 
     @described("diagram", without="count sampling seed radius generators vertices curves method front balance editable")
     def balance(self, points: Any, *, density: Optional[ArrayLike] = None, **options: Any) -> Balanced:
@@ -321,12 +324,13 @@ class Mesh(Writable):
         True
         """
         balance = "area" if density is None else density
-        diagram = Diagram(*run("diagram", self, {**options, "generators": make_entries("points", points), "balance": balance}))
+        given = {**options, "generators": make_entries("points", points), "balance": balance}
+        diagram = Diagram(*run("diagram", self, given, names={"generators": "points", "balance": "density"}))
         found = diagram.figures["balance"]
         return Balanced(diagram, diagram._array("balance.masses"), diagram._array("balance.targets"),
                         [tuple(cells) for cells in found["tied"] or []], found["converged"])
 
-    @described("segment", without="cut uv")
+    @described("segment", without="cut uv", cut="call diagram.cut() of the result", uv="call diagram.cut(uv=...) of the result")
     def segment(self, count: Optional[int] = None, **options: Any) -> Segmentation:
         """A label for every face: the regions of `count` sampled points, of given `generators`, or of a covering `radius`.
 
@@ -353,7 +357,7 @@ class Mesh(Writable):
         """
         return Relaxation(*run("lloyd", self, {"count": count, **options}))
 
-    @described("remesh", without="map")
+    @described("remesh", without="map", map="call map() of the result")
     def remesh(self, count: Optional[int] = None, **options: Any) -> Remesh:
         """A coarse mesh with the topology of this one: `count` vertices or a few more. As gvd-remesh does it.
 
@@ -368,9 +372,9 @@ class Mesh(Writable):
         return Remesh(*run("remesh", self, {"count": count, **options}))
 
 
-def _sources(option: str, points: Any) -> dict[str, Any]:
-    """Points or curves as an option."""
-    return {"curves": points} if isinstance(points, Curves) else {option: make_entries("points", points)}
+def _sources(option: str, points: Any, name: str = "points") -> dict[str, Any]:
+    """Points or curves as an option; `name` is that of the function's parameter."""
+    return {"curves": points} if isinstance(points, Curves) else {option: make_entries(name, points)}
 
 
 def _arrays_of(thing: Any) -> tuple[Any, Any]:
@@ -402,9 +406,11 @@ def _make_curves(curves: Any, closed: bool, angle: Optional[float]) -> Curves:
             refuse("closed: it is for polylines")
         if angle is not None and curves != "creases":
             refuse('angle: it is for "creases"')
-        if curves not in ("boundary", "creases"):
+        if curves not in ("boundary", "creases") and not (isinstance(curves, str) and curves.startswith("creases:")):
             return Curves({"file": file_name(curves, arrays)}, arrays, [])
-        return Curves(curves if angle is None else f"creases:{real('angle', angle)}", [], [])
+        if angle is not None and not 0 < float(real("angle", angle)) < 180:
+            refuse(f"angle: a number above 0 and below 180, in degrees, is needed, not {angle}")
+        return Curves(curves if angle is None else f"creases:{float(angle)}", [], [])
     if isinstance(curves, numpy.ndarray) or not isinstance(curves, Iterable):
         refuse(f"curves: a word, a path or a list of polylines is needed, not {type(curves).__name__}")
     lines = [make_entries(f"curves[{i}]", line) for i, line in enumerate(curves)]

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any, Callable, Optional, Union
 import numpy
 from numpy.typing import NDArray
 
-from . import _described, _library
-from ._error import Error, refuse
-from ._library import Handle
+from . import _calls, _described
+from ._error import Error, naming, refuse, renamed
+from ._handles import Handle
 from ._options import RUN, described, real, text, to_json, whole
 from ._points import Points
 from ._progress import reporting
@@ -121,7 +121,7 @@ _NOT_PICKLED = ("_handle", "_recipe", "_saved", "_kept")
 
 def _make_again(operation: str, on: Any, options: Mapping[str, Any], arrays: Sequence[NDArray[Any]]) -> Handle:
     native: Optional[Handle] = None if on is None else on._native
-    return native.part(options["part"]) if native and operation == "part" else _library.call(operation, native, options, arrays)
+    return native.part(options["part"]) if native and operation == "part" else _calls.call(operation, native, options, arrays)
 
 
 def _unpickle(kind: type[Object], recipe: tuple[Any, ...], saved: dict[str, Any]) -> Object:
@@ -134,17 +134,18 @@ def _unpickle(kind: type[Object], recipe: tuple[Any, ...], saved: dict[str, Any]
 
 
 def run(operation: str, on: Optional[Object], options: Mapping[str, Any], more: Mapping[str, Any] = {},
-        first: Sequence[NDArray[Any]] = ()) -> tuple[Handle, tuple[Any, ...]]:
+        first: Sequence[NDArray[Any]] = (), names: Mapping[str, str] = {}) -> tuple[Handle, tuple[Any, ...]]:
     """Runs an operation with options of the user's; `more` are JSON already, and `first` the first arrays. What the commands
-    warn of is a warning of the line that called. Returns what makes a result of it."""
+    warn of is a warning of the line that called. `names`: what the function calls options, for errors and warnings. Returns
+    what makes a result of it."""
     arrays = list(first)
-    given = {**to_json(operation, {name: value for name, value in options.items() if name not in RUN}, arrays), **more}
-    with reporting(options.get("progress")) as callback:
-        made = _library.call(operation, None if on is None else on._native, given, arrays, threads=threads_of(options), progress=callback,
+    with naming(names), reporting(options.get("progress")) as callback:
+        given = {**to_json(operation, {name: value for name, value in options.items() if name not in RUN}, arrays), **more}
+        made = _calls.call(operation, None if on is None else on._native, given, arrays, threads=threads_of(options), progress=callback,
                              time_limit=_seconds(options.get("time_limit")), began=options.get("began"))
     if any(array.ndim == 2 and array.shape[1] == 3 for array in arrays):  # positions may be far away
         for line in made.figures()["warnings"]:
-            warn(line)
+            warn(renamed(line, names))
     # The recipe has arrays of its own: the caller may write into theirs. Meshes are pickled without one.
     return made, (operation, on, given, [] if on is None else [numpy.array(array) for array in arrays])
 
@@ -185,7 +186,7 @@ class Writable(Object):
         for name in ("title", "part"):
             if name in options:
                 text(name, options[name])
-        _library.write(self._native, path, to_json("file_options", options, []))
+        _calls.write(self._native, path, to_json("file_options", options, []))
 
     def to_html(self, *, title: str = "gvd") -> str:
         """The page as text: one file that any browser opens, without network."""

@@ -15,8 +15,8 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _described
+from ._calls import name_bytes
 from ._error import refuse
-from ._library import name_bytes
 from ._points import Curves, as_array, make_entries, plain
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -30,7 +30,13 @@ def _refuse_kind(name: str, needed: str, value: Any) -> NoReturn:
     refuse(f"{name}: {needed} needed, not {' '.join(reprlib.repr(value).split())}")
 
 
+def _item(value: Any) -> Any:
+    """The number of an array without dimensions."""
+    return value[()] if isinstance(value, numpy.ndarray) and value.ndim == 0 else value
+
+
 def whole(name: str, value: Any) -> int:
+    value = _item(value)
     if isinstance(value, (bool, numpy.bool_)) or not isinstance(value, numbers.Integral):
         _refuse_kind(name, "a whole number is", value)
     return int(value)
@@ -38,6 +44,7 @@ def whole(name: str, value: Any) -> int:
 
 def real(name: str, value: Any) -> Any:
     """A number; JSON has none that is infinite, so that is a text."""
+    value = _item(value)
     if isinstance(value, (bool, numpy.bool_)) or not isinstance(value, numbers.Real) or math.isnan(value):
         _refuse_kind(name, "a number is", value)
     return float(value) if math.isfinite(value) else str(float(value))
@@ -50,6 +57,7 @@ def text(name: str, value: Any) -> str:
 
 
 def flag(name: str, value: Any) -> bool:
+    value = _item(value)
     if not isinstance(value, (bool, numpy.bool_)):
         _refuse_kind(name, "True or False is", value)
     return bool(value)
@@ -127,9 +135,9 @@ def _curves(curves: Any, arrays: Arrays) -> Any:
     return shifted(curves._option)
 
 
-def described(operation: str, without: str = "") -> Callable[[F], F]:
+def described(operation: str, without: str = "", **instead: str) -> Callable[[F], F]:
     """A function whose **options are those of an operation, `without` some: `help` and editors show them. A wrong keyword
-    gets the function's name, and the one that was probably meant."""
+    gets the function's name, and the one that was probably meant, or what to do `instead`."""
     def decorate(function: F) -> F:
         signature = inspect.signature(function)
         own = [p for p in signature.parameters.values() if p.kind != p.VAR_KEYWORD]
@@ -144,7 +152,7 @@ def described(operation: str, without: str = "") -> Callable[[F], F]:
             for name in kwargs:
                 if name not in names:
                     meant = [now for now in names if name in _described.ALSO.get(now, ())] or difflib.get_close_matches(name, names, 1)
-                    hint = f"; did you mean {meant[0]!r}?" if meant else ""
+                    hint = f"; {instead[name]}" if name in instead else f"; did you mean {meant[0]!r}?" if meant else ""
                     raise TypeError(f"{function.__qualname__} has no option {name!r}{hint}")
             return function(*args, **kwargs)
 

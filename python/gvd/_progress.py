@@ -6,8 +6,8 @@ import sys
 from collections.abc import Iterator
 from typing import Any, Optional, Union
 
+from ._calls import Callback
 from ._error import refuse
-from ._library import Callback
 
 Progress = Union[None, bool, Callback]
 """None or False: silent. True: a bar. A function of (step, fraction) is called some ten times a second, and ends the call

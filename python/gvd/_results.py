@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 from numpy.typing import NDArray
 
-from . import _library, _vtk
+from . import _calls, _vtk
 from ._object import Floats, Ids, Object, PathLike, Writable, figure, run, view
 from ._options import described
 from ._points import Points
@@ -389,7 +389,7 @@ class RemeshMap(Object):
 
     def to_file(self, path: PathLike) -> None:
         """Writes what gvd-remesh --map writes (JSON)."""
-        _library.write(self._native, path, {"part": "map"})
+        _calls.write(self._native, path, {"part": "map"})
 
 
 class Distances(Writable):

@@ -47,6 +47,17 @@ def check_meshes(folder):
     release(mesh, again, values, properties)
 
 
+def check_words():
+    """Texts stand in their own quotes only, no line is told of a list that has none, and options that do nothing are told."""
+    ball = make_ball()
+    bad = lambda options: refused("lloyd", ball, options)
+    assert bad({"generators": "V 0"}).startswith("\"generators\": 'V 0' is no list of points")
+    assert bad({"vertices": ["V 0"]}) == "\"vertices\": 'V 0' is no number"
+    assert bad({"generators": [{"vertex": "V 0"}]}) == '"generators": "vertex" must be a whole number from 0'
+    assert bad({"count": 3, "gradation": 0.5}) == '"gradation" needs "density": "curvature": add it, or leave "gradation" out'
+    release(ball)
+
+
 def check_vertices_of_meshes():
     """Two triangles that meet in one vertex, which becomes two: the second has no number of the input's."""
     at = array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0), (9, 9, 9)])
@@ -95,6 +106,25 @@ def check_files_of_parts(folder):
     assert write(mapped, "m.json", {"part": "map"}).startswith(b"{")
     assert write(paths, "one.csv", {"part": "path 1"}).count(b"\n") < write(paths, "all.csv", {}).count(b"\n")
     assert b"ascii" in write(segments, "a.ply", {"ascii_ply": True})[:40]
+    # What does nothing in a format is refused, as the commands refuse it.
+    def lost(made, name, options=None):
+        path = str(folder / name).encode()
+        assert gvd.gvd_write_as(made, path, json.dumps(options or {}).encode(), None) == INVALID and not (folder / name).exists(), name
+        return gvd.gvd_last_error().decode()
+    assert lost(segments, "c.off", {"no_curves": True}) == (
+        '"no_curves": only .obj, .vtp, .vtu and .glb hold curves; write one or leave "no_curves" out')
+    assert lost(segments, "c.ply", {"region_materials": True}) == (
+        '"region_materials": only .obj holds materials; write one or leave "region_materials" out')
+    for name in ("c.obj", "c.json", "c.html"):
+        assert lost(segments, name, {"ascii_ply": True}) == '"ascii_ply": no .ply is written; write one or leave "ascii_ply" out', name
+    charts, carried = result("segment", mesh, {"count": 9, "uv": "logmap"}), result("remesh", mesh, {"count": 90, "carry": True})
+    for name in ("c.off", "c.json", "c.vtp"):
+        assert lost(charts, name) == '"uv": only .ply, .obj and .glb hold texture coordinates; write one or leave "uv" out', name
+    for name in ("c.off", "c.json"):
+        assert lost(carried, name) == '"carry": only .ply, .obj and .glb hold what is carried over; write one or leave "carry" out', name
+    for name in ("c.ply", "c.obj", "c.glb"):
+        assert all(isinstance(write(made, name, {}), bytes) for made in (charts, carried)), name
+    release(charts, carried)
     assert write(segments, "b.obj", {"no_curves": True}).count(b"\nl ") == 0 < write(segments, "c.obj", {}).count(b"\nl ")
     assert write(relaxed, "p.doc", {"part": "points"}).endswith("the extension must be one of .npy, .ply or .xyz")
     assert write(coarse, "m.json", {"part": "map"}) == "\"part\": a remesh has no part 'map'"
@@ -228,6 +258,7 @@ def check_typed():
 
 with tempfile.TemporaryDirectory() as scratch:
     check_meshes(pathlib.Path(scratch))
+    check_words()
     check_vertices_of_meshes()
     check_doors()
     check_files_of_parts(pathlib.Path(scratch))

@@ -161,6 +161,12 @@ static void test_refusals(void) {
   CHECK(strstr(gvd_last_error(), "99") != NULL);
   point.face = 0, point.bary[0] = 2;
   CHECK(gvd_distances(mesh, &point, 1, NULL, distances, NULL) == GVD_PRECONDITION);
+  /* The element is the place of the point in its list, whatever its face is. */
+  for (int32_t face = 1; face < 8; face += 6) {
+    gvd_point second[2] = {{0, {1, 0, 0}}, {face, {2, 0, 0}}};
+    CHECK(gvd_distances(mesh, second, 2, NULL, distances, NULL) == GVD_PRECONDITION);
+    CHECK(gvd_last_error_element() == 1);
+  }
   CHECK(gvd_distances(mesh, NULL, 1, NULL, distances, NULL) == GVD_INVALID_OPTION);
   CHECK(gvd_distances(mesh, twice, 0, NULL, distances, NULL) == GVD_INVALID_OPTION);
   CHECK(gvd_diagram_compute(mesh, twice, 2, GVD_EXACT, NULL, &diagram) == GVD_PRECONDITION);
@@ -181,6 +187,10 @@ static void test_refusals(void) {
   CHECK(gvd_mesh_generators(mesh, &point) == GVD_INVALID_OPTION);
   CHECK(gvd_mesh_write(mesh, "mesh.unknown") == GVD_INVALID_OPTION);
   CHECK(gvd_mesh_write(mesh, "/no/such/folder/mesh.ply") == GVD_UNWRITABLE_OUTPUT);
+  CHECK(gvd_mesh_write(mesh, "") == GVD_INVALID_OPTION);
+  CHECK(strcmp(gvd_last_error(), "path is empty; name a file") == 0);
+  CHECK(gvd_mesh_read("", 1, &mesh) == GVD_INVALID_OPTION);
+  CHECK(strcmp(gvd_last_error(), "path is empty; name a file") == 0);
   CHECK(gvd_mesh_read("/no/such/file.obj", 1, &mesh) == GVD_UNREADABLE_INPUT);
   const double bad[] = {0, 0, 0, 1, 0, 0, 0, NAN, 0};
   const int32_t outside[] = {0, 1, 3}, face[] = {0, 1, 2};
@@ -188,6 +198,7 @@ static void test_refusals(void) {
   CHECK(gvd_mesh_create(bad, 3, face, 1, 1, &none) == GVD_PRECONDITION);
   CHECK(gvd_mesh_create(kSquare, 3, outside, 1, 1, &none) == GVD_PRECONDITION);
   CHECK(gvd_mesh_create(kSquare, 3, face, 0, 1, &none) == GVD_PRECONDITION);
+  CHECK(strcmp(gvd_last_error(), "the mesh has no face; give it at least one") == 0);
   CHECK(none == NULL);
   gvd_mesh_free(mesh);
 }

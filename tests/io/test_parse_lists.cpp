@@ -90,7 +90,7 @@ TEST_CASE("a refusal writes entries with the separator of the list") {
 
 TEST_CASE("a refused entry says what was expected") {
   using Catch::Matchers::Contains;
-  CHECK_THAT(refused_entry({"1", "2"}), Contains("list:7: 2 fields; write a vertex 'V'"));
+  CHECK_THAT(refused_entry({"1", "2"}), Contains("list:7: 2 fields; write the number of a vertex, a face with"));
   CHECK_THAT(refused_entry({"-1"}), Contains("'-1' is no index of a vertex; indices are whole numbers from 0"));
   CHECK_THAT(refused_entry({"x", "1", "0", "0"}), Contains("'x' is no index of a face"));
   CHECK_THAT(refused_entry({"p", "1", "nan", "0"}), Contains("'nan' is no finite number"));

@@ -97,6 +97,8 @@ TEST_CASE("an edit that is refused or interrupted changes nothing") {
                     Contains("one point is needed in to, and there are 2"));
   CHECK_THROWS_WITH(edit(first, R"({"move": 1, "to": [999999]})"), Contains("there is no vertex 999999"));
   CHECK_THROWS_WITH(edit(first, R"({"add": [{"position": [0, 0, 9]}], "max_snap": 1})"), Contains("from the surface"));
+  CHECK_THROWS_WITH(edit(of_ball("diagram", R"({"vertices": [5]})"), R"({"remove": 0})"),
+                    "generator 0 is the only one, and a diagram needs one; move it, or add another first");
   CHECK_THROWS_WITH(edit(first, R"({"add": [4, 4]})"), Contains("twice"));
   CHECK_THROWS_WITH(edit(first, "{}"), Contains("no change: give one of"));
   CHECK_THROWS_WITH(edit(first, R"({"move": 1})"), Contains("to"));

@@ -88,7 +88,8 @@ TEST_CASE("a mesh without the curves that a word stands for is refused") {
   options.curves.name = "boundary";
   CHECK_THROWS_WITH(choose_curves(kTorus, options, told), Contains("curves=boundary: the mesh is closed"));
   options.curves.name = "creases:170";
-  CHECK_THROWS_WITH(choose_curves(kTorus, options, told), Contains("no two faces meet at more than 170 degrees"));
+  CHECK_THROWS_WITH(choose_curves(kTorus, options, told),
+                    Contains("no two faces meet at more than 170 degrees; ask for a smaller angle"));
 }
 
 }  // namespace gvd::test_generator_options

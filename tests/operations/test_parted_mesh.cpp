@@ -65,8 +65,8 @@ TEST_CASE("lloyd: generators stay in their regions, and the energy falls") {
       const ObjectPtr made = call("lloyd", kOn, with_numbers(options, name));
       const auto& outcome = dynamic_cast<const LloydOutcome&>(*made);
       CHECK(outcome.relaxed->final_energy < outcome.relaxed->initial_energy);
-      check_inside(*outcome.on_input, name == std::string("mask"));
-      CHECK(outcome.on_input->vertex_label.size() == std::size_t(kBall->mesh.vertex_count()));
+      check_inside(outcome.diagram->diagram(), name == std::string("mask"));
+      CHECK(outcome.diagram->diagram().vertex_label.size() == std::size_t(kBall->mesh.vertex_count()));
       if (outcome.balanced) CHECK(outcome.balanced->balanced.converged);
     }
   }

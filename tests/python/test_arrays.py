@@ -255,6 +255,14 @@ class PointsOfAMesh(unittest.TestCase):
             self.assertEqual(caught.exception.code, "invalid_option")
         self.assertEqual(len(self.mesh.voronoi([0, 1], threads=numpy.int8(1), chord_tolerance=numpy.float32(1e-3)).cells), 2)
 
+    def test_an_array_without_dimensions_is_a_number(self):
+        four, half, yes = numpy.array(4), numpy.array(0.5), numpy.array(True)
+        self.assertEqual(len(self.mesh.sample(four)), 4)
+        self.assertEqual(len(self.mesh.lloyd(four, keep_boundary=yes, features=half, iterations=four).generators), 4)
+        self.assertEqual({line.level for line in self.mesh.isolines(0, half)}, {0.5, 1.0})
+        with self.assertRaisesRegex(gvd.Error, "count: a whole number is needed, not array"):
+            self.mesh.sample(numpy.array([4]))
+
 
 class WhateverIsGiven(unittest.TestCase):
     def test_a_call_works_or_tells_in_one_line_what_is_needed(self):

@@ -49,7 +49,7 @@ class Balance(unittest.TestCase):
             self.mesh.voronoi(self.points, weights=[[1.0] * 12])
         with self.assertRaisesRegex(gvd.Error, "weights: numbers are needed"):
             self.mesh.voronoi(self.points, weights="1 2 3")
-        with self.assertRaisesRegex(gvd.Error, "balance: 3 numbers; give one for each vertex"):
+        with self.assertRaisesRegex(gvd.Error, "density: 3 numbers; give one for each vertex"):
             self.mesh.balance(self.points, density=[1, 2, 3])
         with self.assertRaisesRegex(gvd.Error, "weights needs method='exact'"):
             self.mesh.voronoi(self.points, weights=[0] * 12, method="gbgvd")

@@ -200,7 +200,7 @@ class Calls(unittest.TestCase):
             signal.setitimer(signal.ITIMER_REAL, 1e-3, 1e-3)
             while caught < 200:
                 try:
-                    held = [gvd._library.Handle(None) for _ in range(10)]
+                    held = [gvd._handles.Handle(None) for _ in range(10)]
                     made = mesh.points([0, 5]), held
                     del held, made
                 except TimeoutError:
@@ -215,15 +215,15 @@ class Calls(unittest.TestCase):
 
     def test_objects_are_released_as_they_go(self):
         released = []
-        release, gvd._library._library.gvd_release = gvd._library._library.gvd_release, lambda one: released.append(one._as_parameter_)
+        release, gvd._library.library.gvd_release = gvd._library.library.gvd_release, lambda one: released.append(one._as_parameter_)
         try:
-            handles = [gvd._library.Handle(address) for address in range(1, 1001)]
+            handles = [gvd._handles.Handle(address) for address in range(1, 1001)]
             cycle = [handles.pop()]
             cycle.append(cycle)
             del handles, cycle
             gc.collect()
         finally:
-            gvd._library._library.gvd_release = release
+            gvd._library.library.gvd_release = release
         self.assertEqual(sorted(released), list(range(1, 1001)))
 
     def test_what_a_handler_of_any_signal_raises_ends_a_call(self):

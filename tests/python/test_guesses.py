@@ -1,7 +1,6 @@
-"""What a person guesses works: points as a sequence, meshes of other packages, results that can be pickled, colours."""
+"""What a person guesses works: points as a sequence, meshes of other packages, colours, files."""
 import os
 import pathlib
-import pickle
 import tempfile
 import types
 import unittest
@@ -41,8 +40,12 @@ class PointsAsASequence(unittest.TestCase):
 
     def test_a_far_position_warns_in_the_line_that_gave_it(self):
         mesh = gvd.read(meshes.TORUS)
-        for call in (lambda: mesh.distances([3., 17., 99.]), lambda: mesh.voronoi([(9.0, 9.0, 9.0)]), lambda: mesh.positions((9.0, 9.0, 9.0))):
-            with self.assertWarnsRegex(UserWarning, "^point 0 of (points|generators) is .* from the surface, and the model's diagonal is") as caught:
+        far = (9.0, 9.0, 9.0)
+        for name, call in (("points", lambda: mesh.distances([3., 17., 99.])), ("points", lambda: mesh.voronoi([far])), ("points", lambda: mesh.positions(far)),
+                           ("generators", lambda: mesh.segment(generators=far)), ("start", lambda: mesh.path(far, 0)), ("end", lambda: mesh.path(0, far)),
+                           ("to", lambda: mesh.distances(0, to=far)), ("to", lambda: mesh.distances(0, to=far, each=True)), ("fixed", lambda: mesh.lloyd(3, fixed=far)),
+                           ("point", lambda: mesh.log_map(far)), ("point", lambda: gvd.DiagramEditor(mesh, [0]).add(far)), ("points", lambda: mesh.balance([far, (0.0, 0.0, 0.0)]))):
+            with self.assertWarnsRegex(UserWarning, f"^{name}: point 0 is .* from the surface, and the model's diagonal is") as caught:
                 call()
             self.assertEqual(pathlib.Path(caught.filename).name, "test_guesses.py")
         with warnings.catch_warnings():
@@ -101,43 +104,6 @@ class Results(unittest.TestCase):
         for one in made:
             self.assertRegex(repr(one), r"^gvd\.[^\n]{1,90}$")
 
-    def test_results_survive_pickling_and_compute_again_what_they_must(self):
-        mesh = gvd.read(meshes.TORUS)
-        for made, arrays, file in (
-                (mesh.segment(8, within=(mesh.vertices[:, 0] > 0).astype(int)), ("labels", "areas", "regions"), "json"),
-                (mesh.segment(levels=[2, 5]), ("labels",), "ply"), (mesh.voronoi([0, 5, 99]), ("labels", "distances", "areas"), "json"),
-                (mesh.segment(4).diagram, ("labels", "face_labels"), "json"), (mesh.segment(4).diagram.cut(uv="logmap"), ("labels", "parents"), "obj"),
-                (mesh.lloyd(5), ("energies", "areas"), "csv"), (mesh.remesh(90), (), "ply"), (mesh.remesh(90).map(), (), "json"),
-                (gvd.DiagramEditor(mesh, [0, 9]).add(77), ("labels",), "json")):
-            again = pickle.loads(pickle.dumps(made))
-            with self.subTest(made):
-                for name in arrays:
-                    numpy.testing.assert_array_equal(getattr(again, name), getattr(made, name))
-                self.assertIsNone(again._handle, "what was pickled is not computed again")
-                with tempfile.TemporaryDirectory() as folder:
-                    ours, theirs = pathlib.Path(folder, f"a.{file}"), pathlib.Path(folder, f"b.{file}")
-                    made.to_file(ours)
-                    again.to_file(theirs)
-                    self.assertEqual(ours.read_bytes().replace(b"a.mtl", b""), theirs.read_bytes().replace(b"b.mtl", b""))
-
-    def test_a_pickle_knows_the_arrays_as_they_were(self):
-        mesh = gvd.read(meshes.TORUS)
-        parcels, ids = numpy.zeros(len(mesh.faces), numpy.int32), numpy.array([0, 5, 99])
-        parcels[:100] = 1
-        for made in (mesh.segment(6, within=parcels), mesh.voronoi(ids)):
-            parcels[:], ids[:] = 0, (1, 2, 3)
-            again = pickle.loads(pickle.dumps(made))
-            diagram = getattr(again, "diagram", again)
-            self.assertEqual(diagram.length, getattr(made, "diagram", made).length)
-            self.assertGreater(diagram.length, 0)
-
-    def test_an_editor_survives_pickling(self):
-        mesh = gvd.read(meshes.TORUS)
-        editor = gvd.DiagramEditor(mesh, [0, 9])
-        editor.add(77)
-        again = pickle.loads(pickle.dumps(editor))
-        self.assertEqual(again.move(0, 5).length, editor.move(0, 5).length)
-
     def test_colours_are_those_of_the_files(self):
         regions = gvd.read(meshes.TORUS).segment(12)
         with tempfile.TemporaryDirectory() as folder:
@@ -167,6 +133,29 @@ class Results(unittest.TestCase):
             page.unlink()
 
 
+class Files(unittest.TestCase):
+    def test_what_a_format_does_not_hold_is_refused_as_the_command_refuses_it(self):
+        mesh = gvd.read(meshes.TORUS)
+        regions = mesh.segment(3)
+        with tempfile.TemporaryDirectory() as folder:
+            for made, name, options, words in (
+                    (regions, "a.off", {"no_curves": True}, "no_curves: only .obj, .vtp, .vtu and .glb hold curves; write one or leave no_curves out"),
+                    (regions, "a.ply", {"region_materials": True}, "region_materials: only .obj holds materials; write one or leave region_materials out"),
+                    (regions, "a.json", {"ascii_ply": True}, "ascii_ply: no .ply is written; write one or leave ascii_ply out"),
+                    (regions.diagram.cut(uv="logmap"), "a.off", {}, "uv: only .ply, .obj and .glb hold texture coordinates; write one or leave uv out"),
+                    (mesh.remesh(90, carry=True), "a.off", {}, "carry: only .ply, .obj and .glb hold what is carried over; write one or leave carry out")):
+                with self.assertRaises(gvd.Error) as caught:
+                    made.to_file(pathlib.Path(folder, name), **options)
+                self.assertEqual((str(caught.exception), caught.exception.code), (words, "invalid_option"))
+            regions.to_file(pathlib.Path(folder, "a.off"), no_curves=False, ascii_ply=False)
+            self.assertEqual(os.listdir(folder), ["a.off"])
+
+    def test_an_empty_name_is_told(self):
+        for call in (gvd.read, gvd.read_values, gvd.Mesh(*meshes.make_grid(2)).to_file):
+            with self.assertRaisesRegex(gvd.Error, "^the path is empty; name a file$"):
+                call("")
+
+
 class Help(unittest.TestCase):
     def test_options_are_told_as_arrays(self):
         for function in (gvd.Mesh.segment, gvd.Mesh.lloyd, gvd.Mesh.remesh, gvd.Mesh.distances, gvd.Mesh.voronoi):
@@ -177,10 +166,45 @@ class Help(unittest.TestCase):
         mesh = gvd.Mesh(*meshes.make_grid(3))
         for call, hint in ((lambda: mesh.segment(n=3), "Mesh.segment has no option 'n'; did you mean 'count'?"),
                            (lambda: mesh.distances(0, at=3), "Mesh.distances has no option 'at'; did you mean 'to'?"),
+                           (lambda: mesh.segment(3, cut=True), "Mesh.segment has no option 'cut'; call diagram.cut() of the result"),
+                           (lambda: mesh.segment(3, uv="flat"), "Mesh.segment has no option 'uv'; call diagram.cut(uv=...) of the result"),
+                           (lambda: mesh.remesh(3, map=True), "Mesh.remesh has no option 'map'; call map() of the result"),
                            (lambda: mesh.remesh(3, no_refine=True), "Mesh.remesh has no option 'no_refine'; did you mean 'refine'?")):
             with self.assertRaises(TypeError) as caught:
                 call()
             self.assertEqual(str(caught.exception), hint)
+
+
+class Words(unittest.TestCase):
+    def test_errors_use_the_words_of_the_call(self):
+        mesh = gvd.Mesh(*meshes.make_grid(3))
+        editor = gvd.DiagramEditor(mesh, [5])
+        for call, words in ((lambda: mesh.sample(), "^sample: how many points\\? Give a count or a radius$"),
+                            (lambda: mesh.voronoi([99]), "^points: there is no vertex 99"),
+                            (lambda: mesh.path(0, []), "^end: empty$"),
+                            (lambda: mesh.lloyd(3, gradation=0.2), "^gradation needs density='curvature': add it, or leave gradation out$"),
+                            (lambda: mesh.curves("creases", angle=0), "^angle: a number above 0 and below 180, in degrees, is needed, not 0$"),
+                            (lambda: mesh.curves("creases"), "no two faces meet at more than 40 degrees; ask for a smaller angle, or use the boundary or points$"),
+                            (lambda: mesh.curves("creases:30", angle=30), '^angle: it is for "creases"$'),
+                            (lambda: editor.remove(0), "^generator 0 is the only one, and a diagram needs one; move it, or add another first$"),
+                            (lambda: gvd.Mesh(mesh.vertices, numpy.zeros((0, 3), int)), "^faces: empty$")):
+            with self.assertRaisesRegex(gvd.Error, words):
+                call()
+
+    def test_creases_with_an_angle_are_curves_everywhere(self):
+        mesh = gvd.Mesh(*meshes.make_box(1, 2, 3))
+        self.assertEqual(len(mesh.curves("creases:30")), len(mesh.curves("creases", angle=30)))
+        numpy.testing.assert_array_equal(mesh.distances(mesh.curves("creases:30")), numpy.zeros(8))
+
+    def test_numbers_of_a_tetrahedron_are_those_of_faces_for_regions_and_of_vertices_for_a_density(self):
+        at = numpy.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], float)
+        mesh = gvd.Mesh(at, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)])
+        numpy.testing.assert_array_equal(mesh.segment(2, within=[0, 0, 1, 1]).regions, [0, 0, 1, 1])
+        numpy.testing.assert_array_equal(mesh.segment(1, mask=[1, 1, 0, 1]).labels, [-1, -1, 0, -1])
+        total = mesh.balance([0, 3], density=[1, 1, 1, 2]).masses.sum()
+        areas = [0.5, 0.5, numpy.sqrt(0.75), 0.5]
+        means = [1, 4 / 3, 4 / 3, 4 / 3]  # of the vertices of each face
+        self.assertAlmostEqual(total, numpy.dot(areas, means))
 
 
 class OtherDoors(unittest.TestCase):

@@ -1,12 +1,12 @@
 // Writes the options of each call into the package's types, from what the library says of itself: node describe.mjs PACKAGE
 //
-// In index.d.ts, a line "//= NAME: OPERATION without OPTIONS" stands for an interface of the operation's options.
+// In index.d.ts, a line "//= NAME" stands for the interface of the options that calls.mjs has under this name.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 /** The values that an option takes. */
-export function typeOf({ kind, choices, name }) {
+function typeOf({ kind, choices, name }) {
   const words = (choices ?? []).map((word) => `'${word}'`);
   const kinds = {
     'choice': words,
@@ -35,17 +35,17 @@ function describeOption(option) {
 }
 
 /** The types, with an interface in place of each line that stands for one. */
-export function fill(types, { operations, file_options }) {
+function fill(types, { operations, file_options }, calls) {
   const all = new Map([...operations.map(({ name, options }) => [name, options]), ['file', file_options]]);
-  return types.replace(/^\/\/= (\w+)(?: extends (\w+))?: (\w+)(?: without ([\w ]+))?$/gm, (_, name, base = 'Run', operation, without = '') => {
-    const left_out = without.split(' '), options = all.get(operation);
-    for (const one of left_out.filter(Boolean)) if (!options.some((option) => option.name === one)) throw new Error(`${operation} has no option ${one}`);
-    const shown = options.filter((option) => !left_out.includes(option.name)).map(describeOption).join('');
+  return types.replace(/^\/\/= (\w+)(?: extends (\w+))?$/gm, (_, name, base = 'Run') => {
+    const { operation, without } = calls[name], options = all.get(operation);
+    for (const one of without) if (!options.some((option) => option.name === one)) throw new Error(`${operation} has no option ${one}`);
+    const shown = options.filter((option) => !without.includes(option.name)).map(describeOption).join('');
     return `export interface ${name} extends ${base} {\n${shown}}`;
   });
 }
 
-if (process.argv[2]) {
-  const file = join(resolve(process.argv[2]), 'index.d.ts'), { describe } = await import(pathToFileURL(resolve(process.argv[2], 'library.mjs')).href);
-  writeFileSync(file, fill(readFileSync(file, 'utf8'), describe()));
-}
+const [, , folder] = process.argv, file = join(folder, 'index.d.ts');
+const load = (module) => import(pathToFileURL(resolve(folder, module)).href);
+const [{ describe }, { kCalls }] = await Promise.all([load('library.mjs'), load('calls.mjs')]);
+writeFileSync(file, fill(readFileSync(file, 'utf8'), describe(), kCalls));

@@ -39,27 +39,31 @@ interface Weld extends Run {
   weld?: boolean | number | null;
 }
 
-//= SampleOptions: sample without points generators vertices max_snap merge_coincident
-//= PointOptions: sample without count sampling seed radius generators vertices merge_coincident points
-//= DistanceOptions: distances without from curves each merge_coincident keep_coincident mesh_vertices paths isolines levels logarithm
-//= MeasureOptions: distances without from curves merge_coincident keep_coincident mesh_vertices
-//= CurveOptions: curves without curves
-//= DiagramOptions: diagram without count sampling seed radius generators vertices curves balance shares
-//= BalanceOptions: diagram without count sampling seed radius generators vertices curves method front balance editable
-//= EditorOptions: diagram without count sampling seed radius generators vertices curves method front balance shares weights editable
-//= EditOptions: edit without move to add remove
-//= LabelOptions: label without cut uv
-//= CutOptions: label without cut labels
-//= SegmentOptions: segment without cut uv
-//= LloydOptions: lloyd
-//= RemeshOptions: remesh without map
-//= MapOptions: map
-//= SceneOptions: scene
-//= ReadOptions extends Weld: mesh without file content weld
-//= FileOptions extends NoRun: file without part
+//= SampleOptions
+//= PointOptions
+//= DistanceOptions
+//= PathOptions
+//= MeasureOptions
+//= CurveOptions
+//= DiagramOptions
+//= BalanceOptions
+//= EditorOptions
+//= EditOptions
+//= LabelOptions
+//= CutOptions
+//= SegmentOptions
+//= LloydOptions
+//= RemeshOptions
+//= MapOptions
+//= SceneOptions
+//= ReadOptions extends Weld
+//= FileOptions extends NoRun
 
 declare class Thing {
-  /** Frees the memory now; what was not asked of the object before can't be asked any more. */
+  /**
+   * Frees the memory now; what was not asked of the object before can't be asked any more. Positions of results come from
+   * their mesh, so free it last.
+   */
   free(): void;
   /**
    * What was measured, by its names in the reports of the commands; `options` and `notes` are those of the call. A seed that a
@@ -132,22 +136,23 @@ export class Mesh extends Thing {
   nearest(points: PointsLike | Curves, options?: DistanceOptions): { distances: Float64Array; labels: Int32Array };
   /** What gvd-distance computes, with its files. */
   measure(points: PointsLike | Curves, options?: MeasureOptions): Distances;
-  /** A shortest path to the nearest end; several starts: a path for each. */
-  path(start: number, end: PointsLike | Curves, options?: DistanceOptions): Path;
-  path(start: PointsLike, end: PointsLike | Curves, options?: DistanceOptions): Path | Path[];
+  /** A shortest path to the nearest end; several starts, or a list of one: a path for each. A Float64Array of three is one position. */
+  path(start: number, end: PointsLike | Curves, options?: PathOptions): Path;
+  path(start: PointsLike, end: PointsLike | Curves, options?: PathOptions): Path | Path[];
   /**
    * The logarithm of every vertex at a point, two numbers each: the vector in whose direction the shortest path departs,
    * as long as that, mesh units. The x axis is the direction of the first edge at the point. NaN where no path leads.
    */
-  log_map(point: PointsLike, options?: DistanceOptions): Float64Array;
+  log_map(point: PointsLike, options?: PathOptions): Float64Array;
   /**
-   * Curves as generators: the boundary; the creases, whose faces differ by more than `angle` degrees (default 40);
+   * Curves as generators: the boundary; the creases, whose faces differ by more than `angle` degrees (default 40), or
+   * 'creases:30' in one;
    * polylines through points, which `closed` closes; or those of the bytes of a file with this `name`.
    */
-  curves(curves: 'boundary' | 'creases' | PointsLike[] | Uint8Array | ArrayBuffer,
+  curves(curves: 'boundary' | 'creases' | `creases:${number}` | PointsLike[] | Uint8Array | ArrayBuffer,
          options?: CurveOptions & { closed?: boolean | null; angle?: number | null; name?: string | null }): Curves;
   /** Curves of equal distance at these levels, ascending, or at each multiple of a number. */
-  isolines(points: PointsLike | Curves, levels: number | Numbers, options?: DistanceOptions): Isoline[];
+  isolines(points: PointsLike | Curves, levels: number | Numbers, options?: PathOptions): Isoline[];
   voronoi(points: PointsLike | Curves, options?: DiagramOptions): Diagram;
   /** The diagram whose weights give all cells the same area, or the same integral of `density`, or their `shares`. */
   balance(points: PointsLike, options?: BalanceOptions & { density?: Numbers | null }): Balanced;

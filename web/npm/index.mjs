@@ -9,7 +9,7 @@
 // Calls block, so pages make them in a worker. Objects free their memory when they are collected, or by free().
 import { Error, refuse } from './error.mjs';
 import { call, Handle, version } from './library.mjs';
-import { Curves, fileOf, run } from './options.mjs';
+import { Curves, fileOf, optionsOf, run } from './options.mjs';
 import { checkIndices, checkNumbers, flat, isGiven, isList, isSingle, pointRows } from './points.mjs';
 
 export { Curves, Error, version };
@@ -35,7 +35,8 @@ class Thing {
 
   /** A copy that the package computes with, which nobody else has. */
   _own(name) {
-    return this._keep(`own ${name}`, () => this._native.array(name));
+    const take = () => (this._native.known === null ? refuse('the mesh was freed, from which positions come; free it after its results') : this._native.array(name));
+    return this._keep(`own ${name}`, take);
   }
 
   _points(name) {
@@ -71,8 +72,8 @@ class Thing {
   }
 
   scene(options = {}) {
-    const given = { ...options, colors: options?.colors?.length ? options.colors : null };
-    return using(new Thing(run('scene', 'scene', this, given)), (made) => ({
+    const { colors, ...others } = optionsOf('scene', options), own = { colors: colors?.length ? colors : null };
+    return using(new Thing(run('scene', 'SceneOptions', this, others, { own })), (made) => ({
       manifest: made.figures.manifest,
       blobs: this._lists(made._array('offsets'), made._array('bytes')).map((bytes) => bytes.slice()),
       colors: made._array('colors'),
@@ -112,10 +113,10 @@ function positionsOf(mesh, { face, bary }) {
 const needed = (name, given, what) => (isGiven(given) ? given : refuse(`${name}: ${what} needed`));
 const sourcesOf = (option, points) => ({ [points instanceof Curves ? 'curves' : option]: needed('points', points, 'points are') });
 
-/** A first argument, or the option of its name. */
-function withCount(call, count, options) {
+/** A first argument, which is also an option. */
+function countOf(call, count, options) {
   if (isGiven(count) && isGiven(options?.count)) refuse(`${call}: count is given twice`);
-  return isGiven(count) ? { ...options, count } : options;
+  return isGiven(count) ? { count } : {};
 }
 
 export class Mesh extends Thing {
@@ -123,7 +124,7 @@ export class Mesh extends Thing {
     if (vertices instanceof Handle) {
       super(vertices);
     } else {
-      const { on_defect, corners, weld, ...others } = options ?? {}, size = faces?.[0]?.length ?? corners ?? 3;
+      const { on_defect, corners, weld, ...others } = optionsOf('Mesh', options), size = faces?.[0]?.length ?? corners ?? 3;
       if ('file' in others || 'content' in others) refuse('Mesh: there is no option "file"; read makes a mesh of the bytes of a file');
       if (!Number.isInteger(size) || size < 3) refuse(`corners: a whole number from 3 on is needed, not ${size}`);
       const at = flat('vertices', vertices, 3), of = flat('faces', faces, size);
@@ -132,14 +133,14 @@ export class Mesh extends Thing {
       checkIndices('faces', of);
       if (at.length % 3) refuse(`vertices: three coordinates each are needed, not ${at.length} in all`);
       if (of.length % size) refuse(`faces: ${size} corners each are needed, not ${of.length} in all`);
-      const given = [{ numbers: new Float64Array(at), columns: 3 }, { numbers: new Float64Array(of), columns: size }];
-      super(run('Mesh', 'mesh', null, { ...others, on_defect: on_defect ?? 'error', weld: weldOption(weld) }, {}, given));
+      const arrays = [{ numbers: new Float64Array(at), columns: 3 }, { numbers: new Float64Array(of), columns: size }];
+      super(run('Mesh', 'ReadOptions', null, others, { own: { on_defect: on_defect ?? 'error', weld: weldOption(weld) }, arrays }));
     }
     this._kept.set('mesh', this);
   }
 
   points(points, options = {}) {
-    return pointsOf(run('points', 'sample', this, { ...options, points: needed('points', points, 'points are') }));
+    return pointsOf(run('points', 'PointOptions', this, options, { own: { points: needed('points', points, 'points are') } }));
   }
 
   positions(points) {
@@ -147,68 +148,73 @@ export class Mesh extends Thing {
   }
 
   sample(count, options = {}) {
-    return pointsOf(run('sample', 'sample', this, withCount('sample', count, options)));
+    return this._sample('sample', count, options);
   }
 
   farthest(count, options = {}) {
-    return this.sample(count, options);
+    return this._sample('farthest', count, options);
+  }
+
+  _sample(name, count, options) {
+    if (![count, options?.count, options?.radius].some(isGiven)) refuse(`${name}: how many points? Give a count or a radius`);
+    return pointsOf(run(name, 'SampleOptions', this, options, { own: countOf(name, count, options) }));
   }
 
   measure(points, options = {}) {
-    return this._measured('measure', points, options);
+    return this._measured('measure', 'MeasureOptions', points, options);
   }
 
-  _measured(name, points, options, names) {
+  _measured(name, type, points, options, own = {}, names = {}) {
     const more = points instanceof Curves ? {} : { keep_coincident: true };
-    return new Distances(run(name, 'distances', this, { ...options, ...sourcesOf('from', points) }, more, [], names), this);
+    return new Distances(run(name, type, this, options, { own: { ...own, ...sourcesOf('from', points) }, more, names }), this);
   }
 
-  _measure(name, points, options, take, names) {
-    return using(this._measured(name, points, options, names), take);
+  _measure(name, type, points, options, own, take, names) {
+    return using(this._measured(name, type, points, options, own, names), take);
   }
 
   distances(points, options = {}) {
-    const each = options?.each === true, has_targets = isGiven(options?.to);
-    const given = { ...options, mesh_vertices: each && !has_targets };
-    return this._measure('distances', points, given, (made) => (each || has_targets ? made._array('rows') : made.distances));
+    const { each: given, ...others } = optionsOf('distances', options), each = given === true, has_targets = isGiven(others.to);
+    return this._measure('distances', 'DistanceOptions', points, others, { each: given, mesh_vertices: each && !has_targets },
+                         (made) => (each || has_targets ? made._array('rows') : made.distances));
   }
 
   *distance_rows(points, options = {}) {
-    const { face, bary } = this.points(points);
+    const { face, bary } = this.points(points), has_targets = isGiven(optionsOf('distance_rows', options).to);
     for (let i = 0; i < face.length; ++i) {
-      yield this.distances({ face: face.subarray(i, i + 1), bary: bary.subarray(3 * i, 3 * i + 3) }, options);
+      yield this._measure('distance_rows', 'DistanceOptions', { face: face.subarray(i, i + 1), bary: bary.subarray(3 * i, 3 * i + 3) }, options, {},
+                          (made) => (has_targets ? made._array('rows') : made.distances));
     }
   }
 
   nearest(points, options = {}) {
-    if (isGiven(options?.each)) refuse('nearest: there is no option "each"; distances has it');
-    return this._measure('nearest', points, options, (made) => (
+    return this._measure('nearest', 'DistanceOptions', points, options, {}, (made) => (
       isGiven(options?.to) ? { distances: made._array('rows'), labels: made._array('nearest') } : { distances: made.distances, labels: made.labels }));
   }
 
   log_map(point, options = {}) {
     const given = onePoint('point', point);
-    return this._measure('log_map', given, { ...options, logarithm: true }, (made) => made._array('logarithms'), { points: 'point' });
+    return this._measure('log_map', 'PathOptions', given, options, { logarithm: true }, (made) => made._array('logarithms'), { points: 'point' });
   }
 
   path(start, end, options = {}) {
     const [from, to] = [needed('end', end, 'points are'), needed('start', start, 'points are')];
-    const paths = this._measure('path', from, { ...options, to, paths: true }, (made) => made.paths, { to: 'start', points: 'end' });
+    const paths = this._measure('path', 'PathOptions', from, options, { to, paths: true }, (made) => made.paths, { to: 'start', points: 'end' });
     return isSingle(start) ? paths[0] : paths;
   }
 
   isolines(points, levels, options = {}) {
-    const option = typeof levels === 'number' ? 'isolines' : 'levels';
-    const given = { ...options, [option]: needed('levels', levels, 'a distance, or an array of them, is') };
-    return this._measure('isolines', points, given, (made) => made.isolines);
+    const own = { [typeof levels === 'number' ? 'isolines' : 'levels']: needed('levels', levels, 'a distance, or an array of them, is') };
+    return this._measure('isolines', 'PathOptions', points, options, own, (made) => made.isolines, { isolines: 'levels' });
   }
 
   curves(curves, options = {}) {
-    const { closed, angle, name, ...others } = options ?? {};
+    const { closed, angle, name, ...others } = optionsOf('curves', options);
     const isWord = typeof curves === 'string', isFile = curves instanceof Uint8Array || curves instanceof ArrayBuffer;
     if (closed && (isWord || isFile)) refuse('closed: it is for polylines');
     if (isGiven(angle) && curves !== 'creases') refuse("angle: it is for 'creases'");
-    if (isWord && curves !== 'boundary' && curves !== 'creases') refuse(`curves: 'boundary' or 'creases' is needed, not '${curves}'`);
+    if (isWord && !/^(boundary|creases(:.*)?)$/.test(curves)) refuse(`curves: 'boundary' or 'creases' is needed, not '${curves}'`);
+    if (isGiven(angle) && !(angle > 0 && angle < 180)) refuse(`angle: a number above 0 and below 180, in degrees, is needed, not ${angle}`);
     const given = [];
     let option = isWord && isGiven(angle) ? `creases:${angle}` : curves;
     if (isFile) {
@@ -217,7 +223,7 @@ export class Mesh extends Thing {
     } else if (!isWord) {
       option = polylines(this, curves, closed ?? false, given);
     }
-    return using(new Thing(run('curves', 'curves', this, others, { curves: option }, given)), (made) => {
+    return using(new Thing(run('curves', 'CurveOptions', this, others, { more: { curves: option }, arrays: given })), (made) => {
       const lines = this._lists(made._array('offsets'), made._array('positions'), 3), found = Array.from({ length: made.figures.count }, () => []);
       made._array('curve').forEach((curve, i) => found[curve].push(lines[i]));
       return new Curves(option, given, found);
@@ -225,28 +231,31 @@ export class Mesh extends Thing {
   }
 
   voronoi(points, options = {}) {
-    return new Diagram(run('voronoi', 'diagram', this, { ...options, ...sourcesOf('generators', points) }), this);
+    const own = sourcesOf('generators', points), names = { generators: 'points' };
+    return new Diagram(run('voronoi', 'DiagramOptions', this, options, { own, names }), this);
   }
 
   balance(points, options = {}) {
-    const { density, ...others } = options ?? {}, generators = needed('points', points, 'points are');
-    const diagram = new Diagram(run('balance', 'diagram', this, { ...others, balance: density ?? 'area', generators }), this);
+    const { density, ...others } = optionsOf('balance', options), generators = needed('points', points, 'points are');
+    const own = { balance: density ?? 'area', generators }, names = { generators: 'points', balance: 'density' };
+    const diagram = new Diagram(run('balance', 'BalanceOptions', this, others, { own, names }), this);
     const { tied, converged } = diagram.figures.balance;
     const sets = (tied ?? []).map((cells) => Int32Array.from(cells));
     return { diagram, masses: diagram._array('balance.masses'), targets: diagram._array('balance.targets'), tied: sets, converged };
   }
 
   segment(count, options = {}) {
-    const made = run('segment', 'segment', this, withCount('segment', count, options));
-    return new (options?.cut || isGiven(options?.uv) ? Cut : Segmentation)(made, this);
+    const { cut, uv, ...others } = optionsOf('segment', options);
+    const made = run('segment', 'SegmentOptions', this, others, { own: { cut, uv, ...countOf('segment', count, others) } });
+    return new (cut || isGiven(uv) ? Cut : Segmentation)(made, this);
   }
 
   lloyd(count, options = {}) {
-    return new Relaxation(run('lloyd', 'lloyd', this, withCount('lloyd', count, options)), this);
+    return new Relaxation(run('lloyd', 'LloydOptions', this, options, { own: countOf('lloyd', count, options) }), this);
   }
 
   remesh(count, options = {}) {
-    return new Remesh(run('remesh', 'remesh', this, withCount('remesh', count, options)), this);
+    return new Remesh(run('remesh', 'RemeshOptions', this, options, { own: countOf('remesh', count, options) }), this);
   }
 }
 getters(Mesh, {
@@ -293,15 +302,15 @@ getters(Distances, {
 
 export class Diagram extends Thing {
   check() {
-    return using(run('check', 'check', this, {}), (made) => made.figures().violations);
+    return using(run('check', 'CheckOptions', this, {}), (made) => made.figures().violations);
   }
 
   segment(options = {}) {
-    return new Segmentation(run('segment', 'label', this, options), this.mesh);
+    return new Segmentation(run('segment', 'LabelOptions', this, options), this.mesh);
   }
 
   cut(options = {}) {
-    return new Cut(run('cut', 'label', this, options, { cut: true }), this.mesh);
+    return new Cut(run('cut', 'CutOptions', this, options, { own: { cut: true } }), this.mesh);
   }
 }
 getters(Diagram, {
@@ -347,8 +356,8 @@ getters(Diagram, {
 export class DiagramEditor {
   constructor(mesh, points, options = {}) {
     if (!(mesh instanceof Mesh)) refuse('mesh: a Mesh is needed');
-    const generators = needed('points', points, 'points are');
-    const diagram = new Diagram(run('DiagramEditor', 'diagram', mesh, { ...options, editable: true, generators }), mesh);
+    const own = { editable: true, generators: needed('points', points, 'points are') };
+    const diagram = new Diagram(run('DiagramEditor', 'EditorOptions', mesh, options, { own, names: { generators: 'points' } }), mesh);
     Object.assign(this, { mesh, _state: { diagram, given: false } });  // whether somebody has the diagram
   }
 
@@ -362,15 +371,15 @@ export class DiagramEditor {
   }
 
   move(generator, to, options = {}) {
-    return this._change('move', { ...options, move: this._find(generator), to: onePoint('to', to) });
+    return this._change('move', options, { move: this._find(generator), to: onePoint('to', to) });
   }
 
   add(point, options = {}) {
-    return this._change('add', { ...options, add: onePoint('point', point) });
+    return this._change('add', options, { add: onePoint('point', point) });
   }
 
   remove(generator, options = {}) {
-    return this._change('remove', { ...options, remove: this._find(generator) });
+    return this._change('remove', options, { remove: this._find(generator) });
   }
 
   _find(generator) {
@@ -380,11 +389,11 @@ export class DiagramEditor {
   }
 
   /** What throws leaves the diagram as it was. */
-  _change(name, options) {
+  _change(name, options, own) {
     if (this._state.changing) refuse(`${name}: the editor is in the middle of a change`);
     this._state.changing = true;
     try {
-      const made = new Diagram(run(name, 'edit', this._state.diagram, options, {}, [], { add: 'point' }), this.mesh);
+      const made = new Diagram(run(name, 'EditOptions', this._state.diagram, options, { own, names: { add: 'point' } }), this.mesh);
       this.free();
       Object.assign(this._state, { diagram: made, given: false });
     } finally {
@@ -465,7 +474,7 @@ getters(RemeshMap, {
 
 export class Remesh extends Result {
   map(options = {}) {
-    return new RemeshMap(run('map', 'map', this, options), this.surface);
+    return new RemeshMap(run('map', 'MapOptions', this, options), this.surface);
   }
 }
 getters(Remesh, {
@@ -486,8 +495,9 @@ function weldOption(weld) {
 }
 
 export function read(bytes, name, options = {}) {
-  const given = { ...options, weld: weldOption(options?.weld) };
-  return new Mesh(run('read', 'mesh', null, given, { file: name, content: true }, contentOf(bytes, name)));
+  const { weld, ...others } = optionsOf('read', options);
+  const given = { own: { weld: weldOption(weld) }, more: { file: name, content: true }, arrays: contentOf(bytes, name) };
+  return new Mesh(run('read', 'ReadOptions', null, others, given));
 }
 
 function readNumbers(operation, bytes, name) {
@@ -512,5 +522,9 @@ export async function unpack(bytes) {
   const [first, second] = new Uint8Array(bytes.buffer ?? bytes, bytes.byteOffset ?? 0, Math.min(2, bytes.byteLength));
   if (first !== 0x1f || second !== 0x8b) return bytes;
   const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Uint8Array(await new Response(unpacked).arrayBuffer());
+  try {
+    return new Uint8Array(await new Response(unpacked).arrayBuffer());
+  } catch {
+    throw new Error('the bytes that gzip packed are damaged or end too early', 'unreadable_input');
+  }
 }

@@ -1,5 +1,6 @@
 // Options by their names and kinds, as the library describes them.
 import { Error as GvdError, refuse } from './error.mjs';
+import { kCalls } from './calls.mjs';
 import { call, describe } from './library.mjs';
 import { checkNumbers, isGiven, isList, pointRows } from './points.mjs';
 
@@ -66,31 +67,54 @@ export function optionJson({ name, kind, choices }, value, arrays) {
 
 function toJson(operation, options, arrays) {
   const known = kKnown.get(operation), made = {};
-  for (const [name, value] of Object.entries(options ?? {})) {
+  for (const [name, value] of Object.entries(options)) {
     if (isGiven(value)) made[name] = known.has(name) ? optionJson(known.get(name), value, arrays) : null;
     else if (!known.has(name)) made[name] = null;  // which the library tells the user
   }
   return made;
 }
 
+/** The options of a call, which are an object. */
+export function optionsOf(name, options) {
+  if (isGiven(options) && (typeof options !== 'object' || isList(options))) {
+    refuse(`${name}: the options are an object, such as { name: value }, not ${options}`);
+  }
+  return options ?? {};
+}
+
+/** The operation of a call, for which options that the call sets itself are none. */
+function operationOf(name, type, options) {
+  const { operation, without } = kCalls[type], wrong = Object.keys(options).find((one) => without.includes(one));
+  return wrong === undefined ? operation : refuse(`${name}: there is no option "${wrong}"`);
+}
+
+const renamed = (line, names) => line.replace(/^\w+(?=: )/, (option) => names[option] ?? option);
+
 /**
- * Runs an operation with the options of the call of this name. `more` are JSON already; `names` are the call's own of
- * options. What the commands warn of goes to the console: a position that is far from the surface, say.
+ * Runs the operation of a call with the user's options, of a type of calls.mjs, and with those that the call sets: `own`, and
+ * `more`, which are JSON already. `names` are the call's own of options. What the commands warn of goes to the console: a
+ * position that is far from the surface, say.
  */
-export function run(name, operation, on, options, more = {}, arrays = [], names = {}) {
-  const { progress, on_iteration, time_limit, ...others } = options ?? {}, told = { progress, on_iteration, time_limit };
+export function run(name, type, on, options, { own = {}, more = {}, arrays = [], names = {} } = {}) {
+  const { progress, on_iteration, time_limit, ...others } = optionsOf(name, options), told = { progress, on_iteration, time_limit };
+  const operation = operationOf(name, type, others);
   for (const one of ['progress', 'on_iteration']) if (isGiven(told[one]) && typeof told[one] !== 'function') refuse(`${one}: a function is needed`);
+  if (isGiven(on_iteration) && operation !== 'lloyd') refuse(`${name}: there is no option "on_iteration"; lloyd has it`);
   const is_limit = typeof time_limit === 'number' && time_limit > 0;
   if (isGiven(time_limit) && !is_limit) refuse(`time_limit: a number of seconds above 0 is needed, not ${time_limit}`);
-  const made = named(name, () => call(operation, on?._native, { ...toJson(operation, others, arrays), ...more }, arrays, told), names);
-  if (arrays.some(({ columns }) => columns === 3) && operation !== 'mesh') for (const line of made.figures().warnings) console.warn(`gvd: ${line}`);
+  const made = named(name, () => call(operation, on?._native, { ...toJson(operation, { ...others, ...own }, arrays), ...more }, arrays, told), names);
+  if (arrays.some(({ columns }) => columns === 3) && operation !== 'mesh') {
+    for (const line of made.figures().warnings) console.warn(`gvd: ${renamed(line, names)}`);
+  }
   return made;
 }
 
 /** The bytes of a file of an object. */
 export function fileOf(name, native, format, options, more = {}) {
   if (typeof format !== 'string') refuse(`format: text is needed, not ${format}`);
-  return named(name, () => native.file(format.toLowerCase(), { ...toJson('file', options, []), ...more }));
+  if (/^\.?html?$/i.test(format)) refuse(`${name}: this package makes no pages; write .html with the commands or Python`);
+  const operation = operationOf(name, 'FileOptions', optionsOf(name, options));
+  return named(name, () => native.file(format.toLowerCase(), { ...toJson(operation, options ?? {}, []), ...more }));
 }
 
 /** Says which call has no such option, and calls an option as the call does. */
@@ -99,7 +123,7 @@ function named(name, work, names = {}) {
     return work();
   } catch (error) {
     if (error.code === 'invalid_option' && error.message.startsWith('there is no option')) error.message = `${name}: ${error.message}`;
-    if (error instanceof GvdError) error.message = error.message.replace(/^\w+(?=: )/, (option) => names[option] ?? option);
+    if (error instanceof GvdError) error.message = renamed(error.message, names);
     throw error;
   }
 }

@@ -45,17 +45,18 @@ function ofVertices(name, ids) {
   return { numbers: Float64Array.from(ids) };
 }
 
+const isFloats = (given) => given instanceof Float64Array || given instanceof Float32Array;
+
 /** Whether one point was given, and not a list. */
-export const isSingle = (given) => typeof given === 'number' || given?.face?.length === 1;
+export const isSingle = (given) => typeof given === 'number' || given?.face?.length === 1 || (isFloats(given) && given.length === 3);
 
 /**
  * Points as an array of the library's. A number is a vertex, as is each item of an array of numbers; {face, bary} are
  * points in faces; a Float64Array or Float32Array, or an array of arrays, has positions.
  */
 export function pointRows(name, given) {
-  const is_float = given instanceof Float64Array || given instanceof Float32Array;
   const rows = given?.face !== undefined ? ofFaces(name, given.face, given.bary)
-    : is_float || (isList(given) && isList(given[0])) ? ofPositions(name, flat(name, given, 3))
+    : isFloats(given) || (isList(given) && isList(given[0])) ? ofPositions(name, flat(name, given, 3))
     : ofVertices(name, typeof given === 'number' ? [given] : given);
   return rows.numbers.length > 0 ? rows : refuse(`${name}: empty`);
 }

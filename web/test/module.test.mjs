@@ -403,6 +403,63 @@ test('copies of vertices are joined where that is asked for', () => {
   assert.throws(() => read({ weld: 'all' }), { code: 'invalid_option', message: 'weld: true, false or a number is needed, not all' });
 });
 
+test('options that a call sets itself are none of its options', () => {
+  const square = new Mesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]), diagram = square.voronoi([0, 2]), editor = new gvd.DiagramEditor(square, [0, 2]);
+  const refused = (call, words) => assert.throws(call, (error) => error instanceof gvd.Error && error.code === 'invalid_option' && words.test(error.message), words);
+  const calls = {
+    sample: [(o) => square.sample(2, o), 'points generators vertices'], points: [(o) => square.points(0, o), 'points count'],
+    distances: [(o) => square.distances(0, o), 'from curves paths logarithm mesh_vertices keep_coincident'],
+    distance_rows: [(o) => [...square.distance_rows(0, o)], 'from each'], nearest: [(o) => square.nearest(0, o), 'from each'],
+    path: [(o) => square.path(0, 2, o), 'from to paths each'], isolines: [(o) => square.isolines(0, 0.5, o), 'from to levels isolines'],
+    log_map: [(o) => square.log_map(0, o), 'to logarithm'], measure: [(o) => square.measure(0, o), 'from curves'],
+    voronoi: [(o) => square.voronoi([0, 2], o), 'generators vertices curves count'], balance: [(o) => square.balance([0, 2], o), 'generators balance'],
+    segment: [(o) => diagram.segment(o), 'cut uv'], cut: [(o) => diagram.cut(o), 'cut labels'], remesh: [(o) => square.remesh(2, o), 'map'],
+    curves: [(o) => square.curves('boundary', o), 'curves'], DiagramEditor: [(o) => new gvd.DiagramEditor(square, [0, 2], o), 'editable generators within'],
+    move: [(o) => editor.move(0, 1, o), 'move to add'], add: [(o) => editor.add(1, o), 'add remove'], remove: [(o) => editor.remove(0, o), 'remove to'],
+    to_bytes: [(o) => square.to_bytes('ply', o), 'part'], read: [(o) => gvd.read(square.to_bytes('ply'), 'x.ply', o), 'file content'],
+  };
+  for (const [name, [call, options]] of Object.entries(calls)) {
+    for (const option of options.split(' ')) refused(() => call({ [option]: 1 }), new RegExp(`^${name}: there is no option "${option}"`));
+    for (const wrong of [40, true, 'x', [1]]) refused(() => call(wrong), new RegExp(`^${name}: the options are an object`));
+  }
+  for (const call of [() => square.segment(1, 2), () => square.lloyd(1, 2), () => square.remesh(3, 2), () => new Mesh(square.vertices, square.faces, 3), () => diagram.scene(7)]) {
+    refused(call, /: the options are an object, such as \{ name: value \}, not \d$/);
+  }
+  refused(() => square.segment(2, { on_iteration: () => {} }), /^segment: there is no option "on_iteration"; lloyd has it$/);
+});
+
+test('errors and warnings use the words of the call', async (context) => {
+  const square = new Mesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]), told = context.mock.method(console, 'warn', () => {});
+  const far = [[9, 9, 9]], calls = { end: () => square.path(0, far), start: () => square.path(far, 0), to: () => square.distances(0, { to: far }),
+                                     points: () => square.voronoi(far), point: () => square.log_map(far) };
+  for (const [name, call] of Object.entries(calls)) {
+    call();
+    assert.match(told.mock.calls.at(-1).arguments[0], new RegExp(`^gvd: ${name}: point 0 is .* from the surface`));
+  }
+  const refused = (call, code, words) => assert.throws(call, (error) => error instanceof gvd.Error && error.code === code && words.test(error.message), words);
+  refused(() => square.sample(), 'invalid_option', /^sample: how many points\? Give a count or a radius$/);
+  refused(() => square.to_bytes('html'), 'invalid_option', /^to_bytes: this package makes no pages; write \.html with the commands or Python$/);
+  refused(() => new gvd.DiagramEditor(square, [0]).remove(0), 'precondition', /^generator 0 is the only one, and a diagram needs one; move it, or add another first$/);
+  refused(() => square.voronoi([0, 2]).to_bytes('off', { no_curves: true }), 'invalid_option', /^no_curves: only \.obj, .* hold curves; write one or leave no_curves out$/);
+  refused(() => square.voronoi([0, 2]).cut({ uv: 'logmap' }).to_bytes('off'), 'invalid_option', /^uv: only .* hold texture coordinates/);
+  const bytes = gzipSync('v 0 0 0');
+  await assert.rejects(gvd.unpack(bytes.subarray(0, bytes.length - 9)), (error) => error instanceof gvd.Error && error.code === 'unreadable_input' && /end too early$/.test(error.message));
+});
+
+test('one position is one start, in whatever array it is', () => {
+  const square = new Mesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]);
+  const is_list = (start) => Array.isArray(square.path(start, 1));
+  assert.deepEqual([Float64Array.of(0, 0, 0), Float32Array.of(0, 0, 0), 0].map(is_list), [false, false, false]);
+  assert.deepEqual([Float64Array.of(0, 0, 0, 1, 1, 0), [[0, 0, 0]], [0]].map(is_list), [true, true, true]);
+});
+
+test('what needs a mesh that was freed says so', () => {
+  const square = new Mesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]), diagram = square.voronoi([0, 2]);
+  square.free();
+  assert.equal(diagram.segment().labels.length, 2);
+  assert.throws(() => diagram.bisectors, { code: 'invalid_option', message: 'the mesh was freed, from which positions come; free it after its results' });
+});
+
 test('what can not be done is an error of one line', () => {
   const stl = new Uint8Array(134);  // of one triangle; with this count the length has 33 bits, and 88 in the lower 32
   new DataView(stl.buffer).setUint32(80, 85899346, true);
@@ -416,7 +473,7 @@ test('what can not be done is an error of one line', () => {
     [() => new Mesh([0, 0, 0], [0, 1, 2]), 'precondition', /./],
     [() => square.voronoi([0, 0]), 'precondition', /coincide/],
     [() => square.voronoi([4]), 'precondition', /4/],
-    [() => square.voronoi([-1]), 'invalid_option', /^generators: element 0 is -1; give whole numbers from 0 on$/],
+    [() => square.voronoi([-1]), 'invalid_option', /^points: element 0 is -1; give whole numbers from 0 on$/],
     [() => new gvd.Mesh(square.vertices, square.faces, { file: 'x' }), 'invalid_option', /^Mesh: there is no option "file"/],
     [() => square.voronoi([0, 1], { methd: 'exact' }), 'invalid_option', /^voronoi: there is no option "methd"; did you mean "method"\?/],
     [() => square.voronoi([0, 1], { method: 'quick' }), 'invalid_option', /^method: 'quick' is not one of exact\|gbgvd\|paper/],
@@ -429,6 +486,8 @@ test('what can not be done is an error of one line', () => {
     [() => square.segment(2, { levels: [1, 2] }), 'invalid_option', /exclude each other/],
     [() => square.curves('creases'), 'precondition', /no two faces/],
     [() => square.curves('creases', { angle: 200 }), 'invalid_option', /below 180/],
+    [() => square.curves('creases', { angle: 0 }), 'invalid_option', /^angle: a number above 0 and below 180/],
+    [() => square.curves('creases:30'), 'precondition', /no two faces meet at more than 30 degrees/],
     [() => square.curves('rim'), 'invalid_option', /'boundary' or 'creases'/],
     [() => square.curves([[0, 9]]), 'precondition', /9/],
     [() => square.log_map([0, 1]), 'invalid_option', /one point/],

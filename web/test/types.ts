@@ -26,7 +26,7 @@ async function use(bytes: Uint8Array): Promise<void> {
   const sizes: number[] = [square.area, ends[0], distances[0], ...regions.areas, ...shares, length, relaxed.residual, file.length, picture.length];
   const { ok, flipped_faces } = coarse.certificate;
   const more: Float64Array[] = [read_values(bytes, 'x.txt'), read_properties(bytes, 'x.ply').vertex.quality, balanced(mesh, spread)];
-  console.log(sizes, ok, flipped_faces, more, version, editor.diagram.to_bytes('ply', { no_curves: true }), new GvdError('').code);
+  console.log(sizes, ok, flipped_faces, more, version, editor.diagram.to_bytes('obj', { no_curves: true }), new GvdError('').code);
   // @ts-expect-error: an option of another name
   mesh.segment(30, { labls: 'nearest' });
   // @ts-expect-error: a value that is none of the choices

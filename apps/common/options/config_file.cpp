@@ -6,15 +6,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
+#include <variant>
 
 #include "common/options/options.hpp"
 #include "common/options/spelling.hpp"
 #include "gvd/error.hpp"
-#include "gvd/operation_json.hpp"
 #include "gvd/option_text.hpp"
 #include "gvd/text.hpp"
 #include "gvd/text_encoding.hpp"
@@ -117,27 +115,39 @@ struct TakenTypes {
 };
 
 TakenTypes taken_types(const Field& field) {
-  constexpr TakenTypes kVertices{"is", "an array of whole numbers, such as [3, 17], or a string, such as \"3,17\""};
-  static const std::map<std::string, TakenTypes> kByKind{
-      {"flag", {"b", "true or false"}},
-      {"switch", {"bs", "true or false, or \"on\" or \"off\""}},
-      {"number", {"if", "a number"}},
-      {"whole number", {"i", "a whole number"}},
-      {"choices", {"s", "a string, or an array of strings"}},
-      {"points", kVertices},
-      {"vertices", kVertices},
-      {"counts", {"is", "an array of whole numbers, such as [10, 100], or a string, such as \"10,100\""}},
-      {"bytes", {"ifs", "a string such as \"2G\", or a number of bytes"}},
-      {"bound", {"ifs", "a number, or a string such as \"0.5%\""}},
-      {"crease angle", {"ifs", "a number of degrees, or a word in quotes"}}};
-  const auto* const number = std::get_if<Number>(&field);
-  if (number != nullptr && number->implied) return {"ifb", "a number, or true or false"};
-  if (number != nullptr && !number->words.empty()) return {"is", "a whole number, or a word in quotes"};
-  const auto* const file = std::get_if<File>(&field);
-  const bool is_list = file != nullptr && !std::holds_alternative<std::string*>(file->value);
-  const auto kind = nlohmann::json::parse(kind_json(field)).at("kind").get<std::string>();
-  const auto found = kByKind.find(is_list ? "choices" : kind);
-  return found == kByKind.end() ? TakenTypes{"s", "a string in quotes"} : found->second;
+  constexpr TakenTypes kText{"s", "a string in quotes"}, kTexts{"s", "a string, or an array of strings"};
+  return std::visit(
+      Overload{[](const Flag&) -> TakenTypes {
+                 return {"b", "true or false"};
+               },
+               [](const Switch&) -> TakenTypes {
+                 return {"bs", "true or false, or \"on\" or \"off\""};
+               },
+               [](const Number& number) -> TakenTypes {
+                 if (number.implied) return {"ifb", "a number, or true or false"};
+                 if (!number.words.empty()) return {"is", "a whole number, or a word in quotes"};
+                 return is_real(number) ? TakenTypes{"if", "a number"} : TakenTypes{"i", "a whole number"};
+               },
+               [&](const ChoiceList&) { return kTexts; },
+               [&](const File& file) { return std::holds_alternative<std::string*>(file.value) ? kText : kTexts; },
+               [&](const PointList& list) {
+                 if (list.named == PointList::Named::file) return kText;
+                 return TakenTypes{"is", "an array of whole numbers, such as [3, 17], or a string, such as \"3,17\""};
+               },
+               [](const Counts&) -> TakenTypes {
+                 return {"is", "an array of whole numbers, such as [10, 100], or a string, such as \"10,100\""};
+               },
+               [](const ByteSize&) -> TakenTypes {
+                 return {"ifs", "a string such as \"2G\", or a number of bytes"};
+               },
+               [](const SizeOrPercent&) -> TakenTypes {
+                 return {"ifs", "a number, or a string such as \"0.5%\""};
+               },
+               [](const CreaseAngle&) -> TakenTypes {
+                 return {"ifs", "a number of degrees, or a word in quotes"};
+               },
+               [&](const auto&) { return kText; }},
+      field);
 }
 
 std::vector<std::string> read_texts(const Entry& entry, const Option& option, const std::string& file) {

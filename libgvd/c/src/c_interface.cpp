@@ -45,18 +45,23 @@ struct gvd_path {
 
 namespace {
 
-SurfacePoint to_point(const Mesh& mesh, const gvd_point& point) {
-  if (point.face < 0 || point.face >= mesh.face_count()) {
-    throw Error(ErrorCode::precondition, "a point has face " + std::to_string(point.face) + ", and the mesh has " +
-                                             std::to_string(mesh.face_count()) + " faces");
+/// `element`: the place of the point in its list, for errors.
+SurfacePoint to_point(const Mesh& mesh, const gvd_point& point, std::int64_t element = 0) {
+  try {
+    if (point.face < 0 || point.face >= mesh.face_count()) {
+      throw Error(ErrorCode::precondition, "a point has face " + std::to_string(point.face) + ", and the mesh has " +
+                                               std::to_string(mesh.face_count()) + " faces");
+    }
+    return restore_surface_point(FaceId(point.face), {point.bary[0], point.bary[1], point.bary[2]});
+  } catch (const Error& error) {
+    throw Error(error.code(), error.text(), element);
   }
-  return restore_surface_point(FaceId(point.face), {point.bary[0], point.bary[1], point.bary[2]});
 }
 
 std::vector<SurfacePoint> to_points(const Mesh& mesh, const gvd_point* points, std::int32_t count) {
   if (count < 1) refuse("count is " + std::to_string(count) + "; give at least 1");
   std::vector<SurfacePoint> made;
-  for (std::int32_t i = 0; i < count; ++i) made.push_back(to_point(mesh, (&given(points, "points"))[i]));
+  for (std::int32_t i = 0; i < count; ++i) made.push_back(to_point(mesh, (&given(points, "points"))[i], i));
   return made;
 }
 
@@ -134,7 +139,7 @@ DefectPolicy policy(int repair) { return repair != 0 ? DefectPolicy::repair : De
 gvd_status read_mesh(const char* path, int repair, std::optional<double> tolerance, gvd_mesh** mesh) {
   return guarded([&] {
     given(mesh, "mesh");
-    const std::string name = &given(path, "path");
+    const std::string name = given_path(path);
     PolygonSoup soup = read_soup(name);
     if (tolerance) weld_soup(soup, *tolerance);
     *mesh = make_handle(build_mesh(soup, policy(repair), name)).release();

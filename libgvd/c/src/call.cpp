@@ -8,8 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "gvd/mesh_objects.hpp"
 #include "gvd/operation.hpp"
 #include "gvd/option_text.hpp"
 #include "gvd/text.hpp"
@@ -58,19 +60,6 @@ void read_file_options(FileOptions& how, const char* options, const gvd_run* run
   describe(list, how);
   read_json_options(list, {}, options == nullptr ? "{}" : options, {});
 }
-
-/// A file in memory.
-class FileObject : public Object {
- public:
-  explicit FileObject(std::string bytes) : bytes_(std::move(bytes)) {}
-  std::string_view kind() const override { return "file"; }
-  void visit(ObjectVisitor& visitor) const override {
-    visitor.array({"bytes", "", "of the file"}, {bytes_.data(), ArrayType::uint8, 1, {std::ssize(bytes_), 1}, {1, 0}});
-  }
-
- private:
-  std::string bytes_;
-};
 
 }  // namespace
 
@@ -167,7 +156,7 @@ gvd_status gvd_write(const gvd_object* object, const char* path, const gvd_run* 
 gvd_status gvd_write_as(const gvd_object* object, const char* path, const char* options, const gvd_run* run) {
   return guarded_for(run, [&] {
     const Object& written = *given(object, "object").object;
-    const std::string name = &given(path, "path");
+    const std::string name = given_path(path);
     CallObserver observer(run);
     FileOptions how;
     read_file_options(how, options, run);
@@ -182,7 +171,10 @@ gvd_status gvd_file_of(const gvd_object* object, const char* format, const char*
     given(file, "file");
     FileOptions how;
     read_file_options(how, options, run);
-    *file = new gvd_object(std::make_shared<FileObject>(file_bytes(&given(format, "format"), written, how)));
+    auto visit = [bytes = file_bytes(&given(format, "format"), written, how)](ObjectVisitor& visitor) {
+      visitor.array({"bytes", "", "of the file"}, {bytes.data(), ArrayType::uint8, 1, {std::ssize(bytes), 1}, {1, 0}});
+    };
+    *file = new gvd_object(std::make_shared<PlainObject>("file", std::move(visit)));
   });
 }
 

@@ -138,6 +138,13 @@ T& given(T* argument, const char* name) {
   return *argument;
 }
 
+/// The name of a file, which must not be empty.
+inline std::string given_path(const char* path) {
+  std::string name = &given(path, "path");
+  if (name.empty()) refuse("path is empty; name a file");
+  return name;
+}
+
 /// The result of an operation, with options as JSON. Throws what the operation throws.
 std::unique_ptr<gvd_object> call(const char* operation, const gvd_object* on, const std::string& options,
                                  std::span<const ArrayView> arrays, const gvd_run* run);

@@ -1,6 +1,7 @@
 // The figures of an object as JSON. Dots in names part levels; a level of which nothing is there is null.
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -72,10 +73,14 @@ class FigureReader : public ObjectVisitor {
 
 }  // namespace
 
-std::string figures_json(const Object& object, Door door) {
+std::string figures_json(const std::function<void(ObjectVisitor&)>& visit, Door door) {
   FigureReader figures(door);
-  object.visit(figures);
+  visit(figures);
   return figures.take().dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string figures_json(const Object& object, Door door) {
+  return figures_json([&](ObjectVisitor& visitor) { object.visit(visitor); }, door);
 }
 
 }  // namespace gvd

@@ -63,8 +63,8 @@ std::vector<GeneratorCurve> find_curves(const Mesh& mesh, const std::string& nam
   auto curves = crease_curves(mesh, angle * std::numbers::pi / 180);
   if (!curves.empty()) return curves;
   throw Error(ErrorCode::precondition,
-              fmt::format("\1curves={}\2: no two faces meet at more than {} degrees; write creases:ANGLE for "
-                          "less",
+              fmt::format("\1curves={}\2: no two faces meet at more than {} degrees; ask for a smaller angle, or use "
+                          "the boundary or points",
                           name, angle));
 }
 

@@ -30,6 +30,11 @@ using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse_array(const std::string& text) { throw Error(ErrorCode::invalid_option, text); }
 
+/// A value in quotes, for messages.
+std::string shown(const Json& value) {
+  return gvd::quoted(value.is_string() ? value.get_ref<const std::string&>() : value.dump());
+}
+
 /// A number as it was given: no double has large whole ones.
 struct GivenNumber {
   double value;
@@ -91,7 +96,7 @@ GivenNumber to_number(const Json& value) {
   if (value.is_number_integer()) return {value.get<double>(), value.get<std::int64_t>()};
   if (value.is_number()) return {value.get<double>()};
   const auto parsed = value.is_string() ? parse_number<double>(value.get_ref<const std::string&>()) : std::nullopt;
-  if (!parsed) refuse_array(fmt::format("{} is no number", gvd::quoted(value.dump())));
+  if (!parsed) refuse_array(fmt::format("{} is no number", shown(value)));
   return {*parsed};
 }
 
@@ -121,14 +126,13 @@ Rows read_rows(const Json& value, const Arrays& arrays) {
     return rows;
   }
   if (!value.is_array()) {
-    refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
+    refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", shown(value)));
   }
   const bool has_rows = !value.empty() && value.front().is_array();
   Rows rows{{}, has_rows ? std::ssize(value.front()) : 1};
   for (const Json& row : value) {
     if (has_rows && (!row.is_array() || std::ssize(row) != rows.columns)) {
-      refuse_array(
-          fmt::format("{} is no row of {} numbers, as the first point is", gvd::quoted(row.dump()), rows.columns));
+      refuse_array(fmt::format("{} is no row of {} numbers, as the first point is", shown(row), rows.columns));
     }
     if (!has_rows) rows.numbers.push_back(to_number(row));
     for (std::int64_t i = 0; has_rows && i < rows.columns; ++i) rows.numbers.push_back(to_number(row[std::size_t(i)]));
@@ -194,16 +198,18 @@ GeneratorList to_list_of_mesh(const std::vector<GivenNumber>& vertices, const Ch
 GeneratorList parse_objects(const Json& value, const std::string& name) {
   const auto odd = std::ranges::find_if(value, [](const Json& one) { return !one.is_object(); });
   if (odd != value.end()) {
-    refuse_array(
-        fmt::format("{} is no object, as the first point is; write {{\"vertex\": 3}} or {{\"position\": [x, y, z]}}",
-                    gvd::quoted(odd->dump())));
+    refuse_array(fmt::format(
+        "{} is no object, as the first point is; write {{\"vertex\": 3}} or {{\"position\": [x, y, z]}}", shown(*odd)));
   }
   try {
     GeneratorList list = parse_generators(Json{{"generators", value}}.dump(), GeneratorFormat::json, name);
     for (GeneratorEntry& entry : list.entries) entry.line = 0;  // there is no file
     return list;
   } catch (const Error& error) {
-    throw Error(ErrorCode::invalid_option, error.text(), error.element());
+    std::string text = error.text();
+    const std::string line = name + ":1: ";  // of the text that was parsed, which nobody has written
+    if (text.starts_with(line)) text.replace(0, line.size(), name + ": ");
+    throw Error(ErrorCode::invalid_option, text, error.element());
   }
 }
 
@@ -247,7 +253,7 @@ GeneratorList read_points(const Json& value, const Arrays& arrays, const std::st
   if (is_array_reference(value)) return to_list(read_rows(value, arrays), name);
   if (is_mesh_reference(value)) return to_list_of_mesh(read_column(value, arrays), arrays.input, name);
   if (!value.is_array() || value.empty()) {
-    refuse_array(fmt::format("{} is no list of points; give one, or {{\"array\": 0}}", gvd::quoted(value.dump())));
+    refuse_array(fmt::format("{} is no list of points; give one, or {{\"array\": 0}}", shown(value)));
   }
   const bool has_numbers = std::ranges::all_of(value, [](const Json& one) { return one.is_number(); });
   if (has_numbers || value.front().is_array()) return to_list(read_rows(value, arrays), name);
@@ -265,7 +271,7 @@ GeneratorList read_points(const Json& value, const Arrays& arrays, const std::st
 CurveList read_curves(const Json& value, const Arrays& arrays, const std::string& name) {
   if (!value.is_object() || !value.contains("points")) {
     refuse_array(fmt::format("{} is neither boundary, creases, creases:ANGLE nor {{\"points\": ..., \"offsets\": ...}}",
-                             gvd::quoted(value.dump())));
+                             shown(value)));
   }
   for (const auto& [key, part] : value.items()) {
     if (key != "points" && key != "offsets" && key != "closed")
@@ -277,8 +283,7 @@ CurveList read_curves(const Json& value, const Arrays& arrays, const std::string
   std::vector<std::int64_t> offsets{0, count};
   if (value.contains("offsets")) offsets = read_indices(value.at("offsets"), arrays);
   const Json closing = value.value("closed", Json(false));
-  if (!closing.is_boolean())
-    refuse_array(fmt::format("\"closed\": {} is neither true nor false", gvd::quoted(closing.dump())));
+  if (!closing.is_boolean()) refuse_array(fmt::format("\"closed\": {} is neither true nor false", shown(closing)));
   const bool closed = closing.get<bool>();
   if (offsets.size() < 2 || offsets.front() != 0 || offsets.back() != count) {
     refuse_array(fmt::format("the offsets of curves begin with 0 and end with the number of points, {}", count));

@@ -174,7 +174,7 @@ void LloydOutcome::visit(ObjectVisitor& visitor) const {
   figure("area_variation", "", "standard deviation of the cells' areas by their mean",
          area_variation(result.diagram.cells));
   figure("final_energy", "mesh units to the fourth", "of the diagram", result.final_energy);
-  visit_parted(visitor, parted);
+  visit_parted(visitor, diagram->parted());
   visit_balance(visitor, balanced ? std::optional(balanced->balanced) : std::nullopt);
   figure("balance.rounds", "", "moves of all generators", balanced ? Figure(plain(balanced->rounds)) : Figure());
   figure("weights", "mesh units", "of the generators, by which the cells are equal",
@@ -182,10 +182,7 @@ void LloydOutcome::visit(ObjectVisitor& visitor) const {
   visitor.points({"generators", "", "relaxed ones"}, result.generators);
   visitor.array({"areas", "square mesh units", "of the cells"}, view(moments, &CellMoments::area));
   visitor.array({"cell_energies", "mesh units to the fourth", "of the cells"}, view(moments, &CellMoments::energy));
-  visitor.part({"diagram", "", "of the generators"}, "diagram", [this] {
-    const std::shared_ptr<const Diagram> whole(relaxed, &relaxed->diagram);
-    return std::make_shared<DiagramObject>(input, whole, options, std::make_shared<PartedMesh>(parted));
-  });
+  visitor.part({"diagram", "", "of the generators"}, "diagram", [this] { return diagram; });
 }
 
 OwnWriters LloydOutcome::part_writers(std::string_view part) const {
@@ -199,7 +196,7 @@ OwnWriters LloydOutcome::part_writers(std::string_view part) const {
         const CellMoments& moments = relaxed->moments[g];
         samples.push_back({relaxed->generators[g.index()], moments.area, moments.energy});
       }
-      write_points(out, input->mesh, samples, format);
+      write_points(out, diagram->mesh()->mesh, samples, format);
     };
   }
   return writers;
@@ -208,22 +205,20 @@ OwnWriters LloydOutcome::part_writers(std::string_view part) const {
 std::shared_ptr<const LloydOutcome> run(const MeshPtr& input, LloydCall& call, Observer& observer) {
   call.diagram.threads = observer.threads;
   auto outcome = std::make_shared<LloydOutcome>();
-  outcome->input = input;
-  outcome->parted = find_parted(*input, call.regions, observer);
-  separate(input->mesh, outcome->parted, observer);
+  const auto parted = std::make_shared<PartedMesh>(find_parted(*input, call.regions, observer));
+  separate(input->mesh, *parted, observer);
+  const Mesh& surface = parted->surface(input->mesh);
   ResolvedGenerators listed;
-  const RelaxationStart made = start(*input, call, listed, outcome->parted, observer);
-  LloydResult relaxed = relax(outcome->surface(), made, call, observer);
-  if (call.balance.is_given()) {
-    outcome->balanced = balance(*input, outcome->surface(), made, call, relaxed, observer);
-  }
+  const RelaxationStart made = start(*input, call, listed, *parted, observer);
+  LloydResult relaxed = relax(surface, made, call, observer);
+  if (call.balance.is_given()) outcome->balanced = balance(*input, surface, made, call, relaxed, observer);
   tell_diagram(observer, relaxed.diagram);
   outcome->snap_distance = snaps_of_unmoved(listed, relaxed.generators);
   outcome->relaxed = std::make_shared<const LloydResult>(std::move(relaxed));
-  outcome->on_input = outcome->parted.on_input({outcome->relaxed, &outcome->relaxed->diagram});
   resolve(call.diagram);
-  outcome->options = call.diagram;
   resolve(call.relaxation);
+  const std::shared_ptr<const Diagram> whole(outcome->relaxed, &outcome->relaxed->diagram);
+  outcome->diagram = std::make_shared<DiagramObject>(input, whole, call.diagram, parted);
   return outcome;
 }
 

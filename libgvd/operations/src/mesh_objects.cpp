@@ -18,7 +18,44 @@ namespace {
 
 std::int64_t count_disc_cells(const Diagram& diagram) { return std::ranges::count_if(diagram.cells, &Cell::is_disc); }
 
-void add_report(const Figures& figure, const Diagram& diagram) {
+/// The faces that bisectors cut, in triangles.
+std::shared_ptr<const Object> make_pieces(const Mesh& mesh, const Diagram& diagram) {
+  std::vector<Vec3> positions;
+  std::vector<FaceId> faces;
+  std::vector<GeneratorId> labels;
+  for (const FacePiece& piece : diagram.pieces) {
+    std::vector<Vec2> polygon;
+    for (const auto& b : piece.corners) polygon.emplace_back(b[1], b[2]);
+    for (const auto& triangle : io::triangulate_polygon(polygon)) {
+      for (const std::uint32_t corner : triangle) {
+        positions.push_back(position(mesh, {piece.face, piece.corners[corner]}));
+      }
+      faces.push_back(piece.face);
+      labels.push_back(piece.generator);
+    }
+  }
+  return std::make_shared<PlainObject>("pieces", [positions = std::move(positions), faces = std::move(faces),
+                                                  labels = std::move(labels)](ObjectVisitor& visitor) {
+    visitor.array({"positions", "mesh units", "of three corners each"}, view(positions));
+    visitor.array({"faces", "", "that the triangles are parts of"}, view(faces));
+    visitor.array({"labels", "", "the generator of each triangle"}, view(labels));
+  });
+}
+
+}  // namespace
+
+void visit_summary(ObjectVisitor& visitor, const MeshSummary& mesh, const std::string& group) {
+  const Figures figure(visitor, group);
+  figure("vertices", "", "number of vertices", mesh.vertices);
+  figure("faces", "", "number of triangles", mesh.faces);
+  figure("components", "", "connected parts", mesh.components);
+  figure("boundary_loops", "", "loops of boundary edges", mesh.boundary_loops);
+  figure("euler_characteristic", "", "vertices - edges + faces", mesh.euler_characteristic);
+  figure("area", "square mesh units", "of all faces", mesh.area);
+}
+
+void visit_figures(ObjectVisitor& visitor, const Diagram& diagram) {
+  const Figures figure(visitor);
   const DiagramReport& report = diagram.report;
   figure("branch_points", "", "points of three or more cells", diagram.branch_points.count());
   figure("bisectors", "", "curves between two cells", diagram.bisectors.count());
@@ -38,36 +75,6 @@ void add_report(const Figures& figure, const Diagram& diagram) {
   figure("straightened_error", "mesh units", "largest difference of the two distances there",
          report.straightened_error);
 }
-
-/// The faces that bisectors cut, in triangles.
-class PiecesObject : public Object {
- public:
-  PiecesObject(const Mesh& mesh, const Diagram& diagram) {
-    for (const FacePiece& piece : diagram.pieces) {
-      std::vector<Vec2> polygon;
-      for (const auto& b : piece.corners) polygon.emplace_back(b[1], b[2]);
-      for (const auto& triangle : io::triangulate_polygon(polygon)) {
-        for (const std::uint32_t corner : triangle)
-          positions_.push_back(position(mesh, {piece.face, piece.corners[corner]}));
-        faces_.push_back(piece.face);
-        labels_.push_back(piece.generator);
-      }
-    }
-  }
-  std::string_view kind() const override { return "pieces"; }
-  void visit(ObjectVisitor& visitor) const override {
-    visitor.array({"positions", "mesh units", "of three corners each"}, view(positions_));
-    visitor.array({"faces", "", "that the triangles are parts of"}, view(faces_));
-    visitor.array({"labels", "", "the generator of each triangle"}, view(labels_));
-  }
-
- private:
-  std::vector<Vec3> positions_;
-  std::vector<FaceId> faces_;
-  std::vector<GeneratorId> labels_;
-};
-
-}  // namespace
 
 struct DiagramObject::KeptEditor {
   std::mutex mutex;
@@ -112,13 +119,8 @@ void MeshObject::visit(ObjectVisitor& visitor) const {
   const Mesh& mesh = mesh_->mesh;
   const MeshSummary summary = compute_mesh_summary(mesh);
   const Figures figure(visitor);
-  figure("vertices", "", "number of vertices", summary.vertices);
+  visit_summary(visitor, summary);
   figure("edges", "", "number of edges", summary.edges);
-  figure("faces", "", "number of triangles", summary.faces);
-  figure("components", "", "connected parts", summary.components);
-  figure("boundary_loops", "", "loops of boundary edges", summary.boundary_loops);
-  figure("euler_characteristic", "", "vertices - edges + faces", summary.euler_characteristic);
-  figure("area", "square mesh units", "of all faces", summary.area);
   figure("bbox_diagonal", "mesh units", "diagonal of the bounding box", summary.bbox_diagonal);
   figure("repairs", "", "what was repaired, a line each", mesh_->defects.messages);
   const Appearance& look = mesh_->appearance;
@@ -145,7 +147,7 @@ void DiagramObject::visit(ObjectVisitor& visitor) const {
   const auto& cells = diagram.cells.raw();
   const auto& branch_points = diagram.branch_points.raw();
   const auto& bisectors = diagram.bisectors.raw();
-  add_report(Figures(visitor), diagram);
+  visit_figures(visitor, diagram);
   visitor.points({"generators", "", "the generators; of a curve its first point"}, diagram.generators);
   visitor.array({"weights", "mesh units", "of the generators; empty: 0 for all"}, view(diagram.weights));
   visitor.array({"vertex_labels", "", "the nearest generator of each vertex; -1: none"}, view(diagram.vertex_label));
@@ -176,14 +178,7 @@ void DiagramObject::visit(ObjectVisitor& visitor) const {
   visitor.curves({"bisector", "", "the points of each bisector, both ends included"},
                  lists_of(bisectors, &Bisector::points));
   visitor.part({"pieces", "", "the faces that bisectors cut, in triangles"}, "pieces",
-               [this] { return std::make_shared<PiecesObject>(mesh_->mesh, *diagram_); });
-}
-
-OwnWriters list_writers(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
-  const auto list = [&](GeneratorFormat format) {
-    return [&mesh, &points, format](std::ostream& out) { out << format_generators(mesh, points, format); };
-  };
-  return {{"txt", list(GeneratorFormat::text)}, {"csv", list(GeneratorFormat::csv)}};
+               [this] { return make_pieces(mesh_->mesh, *diagram_); });
 }
 
 std::optional<LabelledMesh> MeshObject::labelled() const {
@@ -203,9 +198,12 @@ std::optional<LabelledMesh> DiagramObject::labelled() const {
 }
 
 OwnWriters DiagramObject::own_writers() const {
-  OwnWriters own = list_writers(mesh_->mesh, diagram_->generators);
-  own["json"] = [this](std::ostream& out) { write_diagram_json(out, mesh_->mesh, *diagram_); };
-  return own;
+  const auto list = [this](GeneratorFormat format) {
+    return [this, format](std::ostream& out) { out << format_generators(mesh_->mesh, diagram_->generators, format); };
+  };
+  return {{"txt", list(GeneratorFormat::text)},
+          {"csv", list(GeneratorFormat::csv)},
+          {"json", [this](std::ostream& out) { write_diagram_json(out, mesh_->mesh, *diagram_); }}};
 }
 
 }  // namespace gvd

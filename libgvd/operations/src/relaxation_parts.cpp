@@ -62,6 +62,10 @@ void describe(OptionList& list, GivenConstraints& given) {
                        "FreeSurfer's), or the name of a property of a PLY, VTP or VTU input",
                .arrays = "Weight of the surface, above 0, which makes cells smaller where it is larger: 'curvature', "
                          "or a number for each vertex or each face"});
+  list.rule({"gradation", {"density"}, [&given](const Given&) -> std::string {
+               if (given.density.name == "curvature") return "";
+               return "\1gradation\2 needs \1density=curvature\2: add it, or leave \1gradation\2 out";
+             }});
 }
 
 Density find_density(const CheckedMesh& input, const GivenNumbers& given) {

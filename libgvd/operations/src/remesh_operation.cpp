@@ -173,21 +173,8 @@ void add_figures(const Figures& figure, const SurfaceDistance& d) {
   figure("rms", "mesh units", "root mean square distance", d.rms);
 }
 
-void add_figures(const Figures& figure, const MeshSummary& mesh) {
-  figure("vertices", "", "number of vertices", mesh.vertices);
-  figure("faces", "", "number of triangles", mesh.faces);
-  figure("components", "", "connected parts", mesh.components);
-  figure("boundary_loops", "", "loops of boundary edges", mesh.boundary_loops);
-  figure("euler_characteristic", "", "vertices - edges + faces", mesh.euler_characteristic);
-  figure("area", "square mesh units", "of all faces", mesh.area);
-}
-
 /// Words for one defect of a property and for several, in the order of the properties.
-struct DefectWords {
-  const char* one;
-  const char* several;
-};
-constexpr std::array<DefectWords, 11> kDefectWords{{
+constexpr std::array<std::pair<const char*, const char*>, 11> kDefectWords{{
     {"component of the mesh has no generator", "components of the mesh have no generator"},
     {"cell is not a disc", "cells are not discs"},
     {"cell touches the mesh's boundary in several arcs", "cells touch the mesh's boundary in several arcs"},
@@ -207,8 +194,8 @@ std::string describe_defects(const std::vector<DualDefect>& defects) {
   for (std::size_t i = 0; i < kDefectWords.size(); ++i) {
     const auto has_property = [i](const DualDefect& d) { return static_cast<std::size_t>(d.property) == i + 1; };
     const auto count = std::count_if(defects.begin(), defects.end(), has_property);
-    const DefectWords& words = kDefectWords[i];
-    if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? words.one : words.several));
+    const auto& [one, several] = kDefectWords[i];
+    if (count > 0) parts.push_back(counted(count, one, several));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -385,6 +372,7 @@ std::shared_ptr<const RemeshOutcome> run(const MeshPtr& input, RemeshCall& call,
     outcome->map =
         as_step(observer, "map", [&] { return map_to_remesh(mesh, result, observer.threads, progress_of(observer)); });
   }
+  outcome->carries = call.carry;
   if (call.carry) {
     const Step step(observer, "carry");
     outcome->properties = carry_properties(*input, call.properties, result, *outcome->map);
@@ -415,7 +403,7 @@ void RemeshOutcome::visit(ObjectVisitor& visitor) const {
   creases("length", "mesh units", "of creases and boundary to follow", result.crease_length);
   creases("followed", "mesh units", "that edges follow", result.crease_length - result.crease_gap_length);
   creases("added_generators", "", "on them", result.added_on_creases);
-  add_figures(group("output"), result.certificate.output);
+  visit_summary(visitor, result.certificate.output, "output");
   add_figures(group("certificate"), result.certificate);
   add_figures(group("quality.input"), result.input_quality);
   add_figures(group("quality.output"), result.output_quality);
@@ -454,6 +442,13 @@ std::optional<LabelledMesh> RemeshOutcome::labelled() const {
   coarse.properties = &properties;
   coarse.appearance = &appearance;
   return coarse;
+}
+
+void RemeshOutcome::check_file(const WrittenFile& file) const {
+  if (!carries || has_any(file.format->carries, kCarried)) return;
+  throw Error(
+      ErrorCode::invalid_option,
+      fmt::format("\1carry\2: {} what is carried over; write one or leave \1carry\2 out", only_formats(kCarried)));
 }
 
 OwnWriters RemeshOutcome::own_writers() const {

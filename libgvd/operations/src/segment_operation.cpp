@@ -70,11 +70,12 @@ PartedMesh part(const CheckedMesh& input, const SegmentCall& call, Observer& obs
 
 // ---- the generators and their diagram
 
-Diagram make_cells_discs(const SegmentCall& call, Observer& observer, const Diagram& diagram, SegmentOutcome& outcome) {
+Diagram make_cells_discs(const SegmentCall& call, Observer& observer, const Mesh& surface, const Diagram& diagram,
+                         SegmentOutcome& outcome) {
   DiscOptions options;
   options.diagram = call.diagram;
   options.diagram.progress = progress_of(observer);
-  DiscCells made = as_step(observer, "discs", [&] { return make_discs(outcome.surface(), diagram, options); });
+  DiscCells made = as_step(observer, "discs", [&] { return make_discs(surface, diagram, options); });
   outcome.discs = {made.added, made.rounds, made.search_cut_short};
   if (made.added > 0) {
     outcome.snap_distance.resize(made.diagram.generators.size());
@@ -103,10 +104,10 @@ std::int64_t note_unreached(Observer& observer, const SegmentOutcome& outcome) {
   std::vector<FaceId> reached, unreached;  // faces of the input
   for (const FaceId f : label.ids()) {
     const FaceId whole = outcome.cut ? outcome.cut->parent[f] : f;
-    if (!outcome.parted.is_left_out(whole)) (label[f].valid() ? reached : unreached).push_back(whole);
+    if (!outcome.parted().is_left_out(whole)) (label[f].valid() ? reached : unreached).push_back(whole);
   }
   if (unreached.empty()) return 0;
-  const Barriers barriers(*outcome.input);
+  const Barriers barriers(outcome.input());
   const Barriers::Origin origin = barriers.from(reached);
   BarrierCounts counts;
   for (const FaceId f : unreached) counts.add(barriers.between(origin, f));
@@ -125,7 +126,7 @@ double tell_segmentation(Observer& observer, const SegmentOutcome& outcome) {
                                       "generators own no face, their cells lie"),
                               name_some(without)));
   }
-  const double bisectors = outcome.diagram->length;
+  const double bisectors = outcome.of_surface().length;
   if (!(bisectors > 0)) return 0;
   const double ratio = outcome.border_length / bisectors;
   observer.detail(
@@ -151,16 +152,16 @@ void add_labels(const PartedMesh& parted, const IdVector<FaceId, GeneratorId>& l
 void label_whole_faces(const SegmentCall& call, Observer& observer, SegmentOutcome& outcome) {
   const SegmentOptions options{call.segmentation.labels, progress_of(observer)};
   const Mesh& surface = outcome.surface();
-  outcome.whole = as_step(observer, "segment", [&] { return segment_faces(surface, *outcome.diagram, options); });
+  outcome.whole = as_step(observer, "segment", [&] { return segment_faces(surface, outcome.of_surface(), options); });
   const IdVector<FaceId, GeneratorId>& labels = outcome.whole->face_label;
   outcome.border_length = compute_border_length(surface, labels);
-  outcome.whole_numbers = outcome.parted.numbers;
-  add_labels(outcome.parted, labels, outcome.whole_numbers);
+  outcome.whole_numbers = outcome.parted().numbers;
+  add_labels(outcome.parted(), labels, outcome.whole_numbers);
   const double ratio = tell_segmentation(observer, outcome);
   outcome.unreached_faces = note_unreached(observer, outcome);
   if (options.labels == FaceLabels::smooth) note_long_borders(observer, ratio);
   if (!call.disc) return;
-  note_non_discs(observer, outcome.input->mesh, labels, "whole faces join or touch there; \1cut\2 follows the cells");
+  note_non_discs(observer, outcome.input().mesh, labels, "whole faces join or touch there; \1cut\2 follows the cells");
 }
 
 void tell_charts(Observer& observer, const Charts& charts, ChartMap map) {
@@ -189,20 +190,20 @@ void tell_charts(Observer& observer, const Charts& charts, ChartMap map) {
 Charts chart(const SegmentCall& call, Observer& observer, const SegmentOutcome& outcome, const CutMesh& cut) {
   const ChartOptions options{*call.uv, observer.threads, progress_of(observer)};
   Charts charts =
-      as_step(observer, "charts", [&] { return make_charts(outcome.surface(), *outcome.diagram, cut, options); });
+      as_step(observer, "charts", [&] { return make_charts(outcome.surface(), outcome.of_surface(), cut, options); });
   tell_charts(observer, charts, *call.uv);
   return charts;
 }
 
 /// Cuts the input and not the diagram's surface: both sides of a border keep their vertices in common.
 void cut_along_bisectors(const SegmentCall& call, Observer& observer, SegmentOutcome& outcome) {
-  const Mesh& input = outcome.input->mesh;
+  const Mesh& input = outcome.input().mesh;
   auto cut = std::make_shared<CutMesh>(
-      as_step(observer, "cut", [&] { return cut_faces(input, *outcome.diagram, progress_of(observer)); }));
-  outcome.cut_vertices = carry_to_cut_vertices(outcome.surface(), *outcome.diagram, *cut);
-  cut->numbers = carry_to_cut_faces(outcome.parted.numbers, *cut);
-  outcome.appearance = carry_to_cut_faces(input, outcome.input->appearance, *cut);
-  add_labels(outcome.parted, cut->label, cut->numbers);
+      as_step(observer, "cut", [&] { return cut_faces(input, outcome.of_surface(), progress_of(observer)); }));
+  outcome.cut_vertices = carry_to_cut_vertices(outcome.surface(), outcome.of_surface(), *cut);
+  cut->numbers = carry_to_cut_faces(outcome.parted().numbers, *cut);
+  outcome.appearance = carry_to_cut_faces(input, outcome.input().appearance, *cut);
+  add_labels(outcome.parted(), cut->label, cut->numbers);
   if (cut->uncut_faces > 0) {
     observer.note(fmt::format("{} could not be cut", counted(cut->uncut_faces, "face", "faces")));
   }
@@ -252,17 +253,17 @@ void add_whole(const Figures& figure, const SegmentOutcome& made) {
   figure("given_faces", "", "given to generators that would own none", whole.given_faces);
   figure("smoothed_faces", "", "with another label than the nearest one has", whole.smoothed_faces);
   figure("border_length", "mesh units", "of the edges between regions", made.border_length);
-  const double bisectors = made.diagram->length;
+  const double bisectors = made.of_surface().length;
   figure("border_ratio", "", "that length by that of the bisectors",
          bisectors > 0 ? Figure(made.border_length / bisectors) : Figure());
 }
 
 Table list_regions(const SegmentOutcome& made) {
-  const std::vector<SurfacePoint>& generators = made.diagram->generators;
-  const Mesh& mesh = made.cut ? made.cut->mesh : made.input->mesh;
+  const std::vector<SurfacePoint>& generators = made.of_surface().generators;
+  const Mesh& mesh = made.cut ? made.cut->mesh : made.input().mesh;
   const IdVector<GeneratorId, RegionSize> sizes = measure_regions(mesh, made.face_labels(), generators.size());
   Table table{{"label", each_of(sizes.ids())}};
-  for (const FaceNumbers& numbers : made.parted.numbers) {
+  for (const FaceNumbers& numbers : made.parted().numbers) {
     table.push_back({numbers.name, each_of(generators, [&](const auto& point) { return numbers.values[point.face]; })});
   }
   table.push_back({"faces", each_of(sizes, &RegionSize::faces)});
@@ -301,19 +302,15 @@ void add_charts(ObjectVisitor& visitor, const SegmentOutcome& made) {
   visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts.charts, made.chart_map));
 }
 
-/// Colours in sRGB, 0 to 255.
-class ColorsObject : public Object {
- public:
-  explicit ColorsObject(std::vector<Rgb> colors) : colors_(std::move(colors)) { colors_.push_back(kUnlabelledColor); }
-  std::string_view kind() const override { return "colors"; }
-  void visit(ObjectVisitor& visitor) const override {
+/// Colours in sRGB, 0 to 255; that of no label is the last.
+std::shared_ptr<const Object> make_colors(const LabelledMesh& mesh) {
+  std::vector<Rgb> colors = region_colors(mesh);
+  colors.push_back(kUnlabelledColor);
+  return std::make_shared<PlainObject>("colors", [colors = std::move(colors)](ObjectVisitor& visitor) {
     visitor.array({"colors", "", "red, green and blue"},
-                  {colors_.data(), ArrayType::uint8, 2, {std::ssize(colors_), 3}, {sizeof(Rgb), 1}});
-  }
-
- private:
-  std::vector<Rgb> colors_;
-};
+                  {colors.data(), ArrayType::uint8, 2, {std::ssize(colors), 3}, {sizeof(Rgb), 1}});
+  });
+}
 
 }  // namespace
 
@@ -365,17 +362,15 @@ std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& ca
   whole.complete();
   call.cut = whole.cut;
   auto outcome = std::make_shared<SegmentOutcome>();
-  outcome->input = on.mesh();
-  outcome->diagram = on.of_surface();
-  outcome->options = on.options();
-  outcome->parted = on.parted();
+  outcome->diagram = std::make_shared<DiagramObject>(on);
   if (call.disc) {
     check_discs(on);
     whole.diagram = *on.options();
     whole.diagram.threads = observer.threads;
-    outcome->diagram = std::make_shared<const Diagram>(make_cells_discs(whole, observer, *outcome->diagram, *outcome));
+    auto discs =
+        std::make_shared<const Diagram>(make_cells_discs(whole, observer, on.surface(), *on.of_surface(), *outcome));
+    outcome->diagram = std::make_shared<DiagramObject>(on.mesh(), std::move(discs), on.options());
   }
-  outcome->on_input = outcome->parted.on_input(outcome->diagram);
   call.cut ? cut_along_bisectors(whole, observer, *outcome) : label_whole_faces(whole, observer, *outcome);
   return outcome;
 }
@@ -384,18 +379,15 @@ std::shared_ptr<const SegmentOutcome> run(const MeshPtr& input, SegmentCall& cal
   call.diagram.threads = observer.threads;
   call.complete();
   auto outcome = std::make_shared<SegmentOutcome>();
-  outcome->input = input;
-  outcome->parted = part(*input, call, observer);
+  const auto parted = std::make_shared<PartedMesh>(part(*input, call, observer));
   ResolvedGenerators found;
-  Diagram diagram =
-      compute_parts(*input, outcome->parted, call, call.per_region.has_value(), observer, found, outcome->balanced);
+  auto diagram = std::make_shared<Diagram>(
+      compute_parts(*input, *parted, call, call.per_region.has_value(), observer, found, outcome->balanced));
   outcome->snap_distance = std::move(found.snap_distance);
-  if (call.disc) diagram = make_cells_discs(call, observer, diagram, *outcome);
-  outcome->diagram = std::make_shared<const Diagram>(std::move(diagram));
-  outcome->on_input = outcome->parted.on_input(outcome->diagram);
-  call.cut ? cut_along_bisectors(call, observer, *outcome) : label_whole_faces(call, observer, *outcome);
+  if (call.disc) *diagram = make_cells_discs(call, observer, parted->surface(input->mesh), *diagram, *outcome);
   resolve(call.diagram);
-  outcome->options = call.diagram;
+  outcome->diagram = std::make_shared<DiagramObject>(input, std::move(diagram), call.diagram, parted);
+  call.cut ? cut_along_bisectors(call, observer, *outcome) : label_whole_faces(call, observer, *outcome);
   return outcome;
 }
 
@@ -406,15 +398,15 @@ const IdVector<FaceId, GeneratorId>& SegmentOutcome::face_labels() const {
 
 std::optional<LabelledMesh> SegmentOutcome::labelled() const {
   if (!cut) {
-    LabelledMesh mesh = label_mesh(input->mesh, *on_input, whole->face_label);
-    mesh.diagram = diagram.get();
+    LabelledMesh mesh = label_mesh(input().mesh, diagram->diagram(), whole->face_label);
+    mesh.diagram = &of_surface();
     mesh.diagram_mesh = &surface();
     mesh.face_numbers = &whole_numbers;
-    mesh.appearance = &input->appearance;
+    mesh.appearance = &input().appearance;
     return mesh;
   }
   LabelledMesh mesh{cut->mesh,     &cut->label, &cut->parent, &cut_vertices.label, &cut_vertices.distance,
-                    diagram.get(), &surface()};
+                    &of_surface(), &surface()};
   mesh.face_numbers = &cut->numbers;
   mesh.appearance = &appearance;
   return mesh;
@@ -422,30 +414,38 @@ std::optional<LabelledMesh> SegmentOutcome::labelled() const {
 
 std::vector<std::vector<Vec3>> SegmentOutcome::borders() const {
   std::vector<std::vector<Vec3>> borders;
-  const Mesh& mesh = input->mesh;
-  if (!parted.is_parted()) return borders;
+  const Mesh& mesh = input().mesh;
+  const FaceRegions& regions = parted().regions;
+  if (regions.empty()) return borders;
   for (const EdgeId e : mesh.edges()) {
     const HalfedgeId h = mesh.halfedge(e), twin = mesh.twin(h);
-    if (!twin.valid() || parted.regions[Mesh::face(h)] == parted.regions[Mesh::face(twin)]) continue;
+    if (!twin.valid() || regions[Mesh::face(h)] == regions[Mesh::face(twin)]) continue;
     borders.push_back({mesh.position(mesh.from(h)), mesh.position(mesh.to(h))});
   }
   return borders;
 }
 
+void SegmentOutcome::check_file(const WrittenFile& file) const {
+  if (!charts || has_any(file.format->carries, Content::texture)) return;
+  throw Error(ErrorCode::invalid_option, fmt::format("\1uv\2: {} texture coordinates; write one or leave \1uv\2 out",
+                                                     only_formats(Content::texture)));
+}
+
 OwnWriters SegmentOutcome::own_writers() const {
   return {{"json", [this](std::ostream& out) {
-             if (cut) return write_cut_json(out, input->mesh, *on_input, *cut, cut_vertices);
-             write_segmentation_json(out, input->mesh, *on_input, *whole, whole_numbers);
+             if (cut) return write_cut_json(out, input().mesh, diagram->diagram(), *cut, cut_vertices);
+             write_segmentation_json(out, input().mesh, diagram->diagram(), *whole, whole_numbers);
            }}};
 }
 
 void SegmentOutcome::visit(ObjectVisitor& visitor) const {
-  const Mesh& mesh = cut ? cut->mesh : input->mesh;
-  visit_parted(visitor, parted);
+  const Mesh& mesh = cut ? cut->mesh : input().mesh;
+  const Diagram& on_input = diagram->diagram();
+  visit_parted(visitor, parted());
   visit_balance(visitor, balanced);
   const Figures figure(visitor), disc(visitor, "disc", discs.has_value());
   figure("weights", "mesh units", "of the generators, where there are any",
-         diagram->weights.empty() ? Figure() : Figure(diagram->weights));
+         on_input.weights.empty() ? Figure() : Figure(on_input.weights));
   disc("added", "", "generators, so that every cell is a disc", or_none(discs).added);
   disc("rounds", "", "diagrams to which generators were added", or_none(discs).rounds);
   disc("search_cut_short", "", "whether fewer may do", or_none(discs).search_cut_short);
@@ -456,27 +456,26 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
   visitor.table({"regions", "", "faces and area of each label"}, list_regions(*this));
   add_charts(visitor, *this);
 
-  visitor.points({"generators", "", "by their labels"}, diagram->generators);
+  visitor.points({"generators", "", "by their labels"}, on_input.generators);
   visitor.array({"face_labels", "", "the region of each face, or of each piece; -1: none"}, view(face_labels()));
   const IdVector<FaceId, FaceId> no_parents;
   visitor.array({"face_parents", "", "the face of the input that each piece is of; empty without cut"},
                 view(cut ? cut->parent : no_parents));
   visitor.array({"vertex_labels", "", "the nearest generator of each vertex; -1: none"},
-                view(cut ? cut_vertices.label : on_input->vertex_label));
+                view(cut ? cut_vertices.label : on_input.vertex_label));
   visitor.array({"vertex_distances", "mesh units", "the distance from it"},
-                view(cut ? cut_vertices.distance : on_input->vertex_distance));
+                view(cut ? cut_vertices.distance : on_input.vertex_distance));
   for (const FaceNumbers& numbers : this->numbers()) {
     visitor.array({numbers.name, "", "of each face: its region, or its label at that level"}, view(numbers.values));
   }
   static const std::vector<Uv> kNone;
   visitor.array({"texture", "", "u and v of the three corners of each piece; empty without uv"},
                 view(charts ? appearance.texture : kNone));
-  visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram", [this] {
-    return std::make_shared<DiagramObject>(input, diagram, options, std::make_shared<PartedMesh>(parted));
-  });
+  visitor.part({"diagram", "", "of the generators, with the vertices of the input"}, "diagram",
+               [this] { return diagram; });
   visitor.part({"colors", "", "of the labels, as in files and on pages; that of no label follows"}, "colors",
                [this]() -> std::shared_ptr<const Object> {
-                 if (const auto shown = labelled()) return std::make_shared<ColorsObject>(region_colors(*shown));
+                 if (const auto shown = labelled()) return make_colors(*shown);
                  return nullptr;
                });
   visitor.part({"cut_mesh", "", "the pieces of the faces, made with cut"}, "mesh",

@@ -46,6 +46,24 @@ void describe(OptionList& list, FileOptions& options) {
 
 namespace {
 
+/// Refuses what does nothing in a file of this format.
+void check_options(const FileOptions& options, const Format* format) {
+  const auto needs = [format](bool is_given, const char* option, bool (*serves)(const Format&),
+                              const std::string& why) {
+    if (!is_given || (format != nullptr && serves(*format))) return;
+    throw Error(ErrorCode::invalid_option, fmt::format("\1{0}\2: {1}; write one or leave \1{0}\2 out", option, why));
+  };
+  needs(
+      options.no_curves, "no_curves", [](const Format& f) { return has_any(f.carries, Content::curves); },
+      only_formats(Content::curves) + " curves");
+  needs(
+      options.region_materials, "region_materials",
+      [](const Format& f) { return has_any(f.carries, Content::materials); },
+      only_formats(Content::materials) + " materials");
+  needs(
+      options.ascii_ply, "ascii_ply", [](const Format& f) { return f.id == MeshFormat::ply; }, "no .ply is written");
+}
+
 /// A file of an object in memory, or at a path.
 struct Target {
   std::string name;       ///< for messages
@@ -56,7 +74,9 @@ struct Target {
 
 void write_to(const Target& target, const Object& object, const FileOptions& options) {
   const auto& [name, extension, write, write_surface] = target;
+  const Format* const format = options.part.empty() ? find_output(extension) : nullptr;
   if (!options.part.empty()) {
+    check_options(options, nullptr);
     const OwnWriters own = object.part_writers(options.part);
     const auto writer = own.find(extension);
     if (own.empty()) {
@@ -74,12 +94,15 @@ void write_to(const Target& target, const Object& object, const FileOptions& opt
     throw Error(ErrorCode::invalid_option,
                 fmt::format("{}: a {} has no file; write what it consists of", name, object.kind()));
   }
-  if (extension == "html") return write([&](std::ostream& out) { out << object.page(options); });
-  const Format* const format = find_output(extension);
+  if (extension == "html") {
+    check_options(options, nullptr);
+    return write([&](std::ostream& out) { out << object.page(options); });
+  }
   if (format == nullptr || !has_any(format->carries, content)) {
     throw Error(ErrorCode::invalid_option, fmt::format("{}: the extension must be one of {}", name,
                                                        list_extensions(output_extensions(content), "or")));
   }
+  check_options(options, format);
   object.check_file({name, format});
   const OwnWriters own = object.own_writers();
   const auto writer = own.find(format->extensions.front());

@@ -185,6 +185,10 @@ const Diagram& DiagramEditor::add(const std::vector<SurfacePoint>& points) {
 const Diagram& DiagramEditor::remove(GeneratorId g) {
   state_->check(g);
   std::vector<SurfacePoint> points = generators();
+  if (points.size() == 1) {
+    throw Error(ErrorCode::precondition,
+                "generator 0 is the only one, and a diagram needs one; move it, or add another first", 0);
+  }
   const GeneratorId last(points.size() - 1);
   ChangedGenerators changed{{g}, {}, {points[g.index()]}};
   if (g != last) {

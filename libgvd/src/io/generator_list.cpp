@@ -297,7 +297,7 @@ class Resolver {
       result_.longest_snap = closest.distance;
       const std::size_t entry = result_.points.size();
       result_.farthest =
-          list_.entries[entry].line > 0 ? location(entry) : fmt::format("point {} of {}", entry, list_.name);
+          list_.entries[entry].line > 0 ? location(entry) : fmt::format("{}: point {}", list_.name, entry);
     }
     return closest.point;
   }

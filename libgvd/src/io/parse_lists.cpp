@@ -100,9 +100,10 @@ GeneratorEntry parse_entry(const Fields& fields, const ListLocation& location, c
     entry.values = parse_values({fields[0], fields[1], fields[2]}, location);
     if (fields.size() == 6) parse_values({fields[3], fields[4], fields[5]}, location);
   } else {
-    location.refuse(fmt::format("{}; write a vertex 'V', a face with coordinates '{}' or a position '{}' or '{}'",
-                                counted(std::ssize(fields), "field", "fields"), spell("F b0 b1 b2", separator),
-                                spell("x y z", separator), spell("p x y z", separator)));
+    location.refuse(
+        fmt::format("{}; write the number of a vertex, a face with coordinates '{}', or a position '{}' or '{}'",
+                    counted(std::ssize(fields), "field", "fields"), spell("F b0 b1 b2", separator),
+                    spell("x y z", separator), spell("p x y z", separator)));
   }
   return entry;
 }

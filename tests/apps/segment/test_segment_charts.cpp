@@ -261,6 +261,9 @@ TEST_CASE("gvd-segment --disc and --uv: refusals name what helps") {
   require_error(name, figure + "-q --uv flat", 5, "--disc adds generators until every region is a disc");
   require_error(name, figure + "--uv flat --labels smooth", 2, "--uv");
   require_error(name, figure + "--uv round", 2, "logmap|flat");
+  require_error(
+      name, figure + "--uv logmap -o a.off -o a.json", 2,
+      "--uv: only .ply, .obj and .glb hold texture coordinates; write one, such as -o FILE.obj, or leave it out");
   require_error(name, figure + "--disc --balance area", 2, "--disc");
   require_error(name, figure + "--disc --weights none.txt", 2, "--disc");
 }

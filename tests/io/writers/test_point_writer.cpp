@@ -106,12 +106,4 @@ TEST_CASE("point writer: XYZ has position and normal in each line") {
   CHECK(lines.peek() == std::char_traits<char>::eof());
 }
 
-TEST_CASE("point writer: extensions are known in any case, with or without a dot") {
-  CHECK(parse_point_format("PLY") == PointFormat::ply);
-  CHECK(parse_point_format(".xyz") == PointFormat::xyz);
-  CHECK(parse_point_format("npy") == PointFormat::npy);
-  CHECK_FALSE(parse_point_format(""));
-  CHECK_FALSE(parse_point_format("obj"));
-}
-
 }  // namespace gvd::test_point_writer

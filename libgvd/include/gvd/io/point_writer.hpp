@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <ostream>
 #include <string_view>
 #include <vector>
@@ -15,9 +14,6 @@ namespace gvd {
 enum class PointFormat { ply, xyz, npy };
 inline const Choices<PointFormat> kPointFormatNames{
     {"ply", PointFormat::ply}, {"xyz", PointFormat::xyz}, {"npy", PointFormat::npy}};
-
-/// The format of an extension, with or without its dot, in upper or lower case.
-std::optional<PointFormat> parse_point_format(std::string_view extension);
 
 /// A generator and integrals over its cell.
 struct SurfaceSample {

@@ -46,19 +46,13 @@ class LloydOutcome : public Object {
   std::string_view kind() const override { return "lloyd"; }
   Content content() const override { return kContent; }
   void visit(ObjectVisitor& visitor) const override;
-  std::optional<LabelledMesh> labelled() const override { return diagram().labelled(); }
-  OwnWriters own_writers() const override { return list_writers(input->mesh, relaxed->generators); }
+  std::optional<LabelledMesh> labelled() const override { return diagram->labelled(); }
+  OwnWriters own_writers() const override { return diagram->own_writers(); }
   OwnWriters part_writers(std::string_view part) const override;
-  DiagramObject diagram() const { return {input, on_input, options}; }
-  /// The mesh of the relaxed diagram (PartedMesh::surface).
-  const Mesh& surface() const { return parted.surface(input->mesh); }
 
-  MeshPtr input = std::make_shared<CheckedMesh>();
-  std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();  ///< with balanced cells at the end
-  PartedMesh parted;
-  std::shared_ptr<const Diagram> on_input = std::make_shared<Diagram>();  ///< with the vertices of the input alone
-  std::optional<DiagramOptions> options;                                  ///< of the diagram
-  std::optional<BalancedRelaxation> balanced;                             ///< without its diagram
+  std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();      ///< with balanced cells at the end
+  std::shared_ptr<const DiagramObject> diagram = std::make_shared<DiagramObject>();  ///< of the relaxed generators
+  std::optional<BalancedRelaxation> balanced;                                        ///< without its diagram
   /// How far each generator is from where it was given; nothing for one that is somewhere else now.
   std::vector<std::optional<double>> snap_distance;
 };

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "gvd/diagram.hpp"
 #include "gvd/diagram_editor.hpp"
+#include "gvd/mesh.hpp"
 #include "gvd/object.hpp"
 #include "gvd/observer.hpp"
 #include "gvd/soup.hpp"
@@ -18,8 +21,23 @@ namespace gvd {
 /// The mesh that an operation works on, with what is known of its file. Results keep it alive.
 using MeshPtr = std::shared_ptr<const CheckedMesh>;
 
-/// Writers of a list of points.
-OwnWriters list_writers(const Mesh& mesh, const std::vector<SurfacePoint>& points);
+/// The figures of meshes, in reports, too; the name of each begins with that of the group.
+void visit_summary(ObjectVisitor& visitor, const MeshSummary& mesh, const std::string& group = "");
+/// The figures of diagrams.
+void visit_figures(ObjectVisitor& visitor, const Diagram& diagram);
+
+/// An object that consists of what a function tells, and has no file.
+class PlainObject : public Object {
+ public:
+  PlainObject(std::string_view kind, std::function<void(ObjectVisitor&)> visit)
+      : kind_(kind), visit_(std::move(visit)) {}
+  std::string_view kind() const override { return kind_; }
+  void visit(ObjectVisitor& visitor) const override { visit_(visitor); }
+
+ private:
+  std::string_view kind_;
+  std::function<void(ObjectVisitor&)> visit_;
+};
 
 class MeshObject : public Object {
  public:

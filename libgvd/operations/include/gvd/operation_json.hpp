@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,6 +45,8 @@ std::string options_json(const OptionList& list, const Given& given, Door door =
 
 /// The figures of an object, nested at the dots of their names.
 std::string figures_json(const Object& object, Door door = Door::json);
+/// The same of what `visit` tells.
+std::string figures_json(const std::function<void(ObjectVisitor&)>& visit, Door door = Door::json);
 
 /// The table of formats: an array of objects with `name`, `title`, `extensions`, `input_extensions`, `is_read`,
 /// `is_written`, `is_binary` and `carries`.

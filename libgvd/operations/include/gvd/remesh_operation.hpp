@@ -38,8 +38,11 @@ void describe_for_programs(OptionList& list, RemeshCall& call);
 class RemeshOutcome : public Object {
  public:
   static constexpr Content kContent = Content::surface | Content::diagram;
+  /// What `carry` takes from the input.
+  static constexpr Content kCarried = Content::properties | Content::texture | Content::materials;
   std::string_view kind() const override { return "remesh"; }
   Content content() const override { return kContent; }
+  void check_file(const WrittenFile& file) const override;
   void visit(ObjectVisitor& visitor) const override;
   const RemeshResult& result() const { return made->result; }
   std::optional<LabelledMesh> labelled() const override;
@@ -54,6 +57,7 @@ class RemeshOutcome : public Object {
   std::optional<Fewest> search;          ///< for the fewest generators
   double search_distance = 0;            ///< that was asked for, mesh units
   std::optional<RemeshMap> map;          ///< where it was asked for
+  bool carries = false;                  ///< whether what follows was asked for
   std::vector<MeshProperty> properties;  ///< carried over
   Appearance appearance;                 ///< carried over
   /// How far each generator is from where it was given; nothing for one that is somewhere else now.

@@ -43,10 +43,14 @@ class SegmentOutcome : public Object {
   static constexpr Content kContent = Content::surface | Content::vertex_labels | Content::distances | Content::diagram;
   std::string_view kind() const override { return "segment"; }
   Content content() const override { return kContent; }
+  void check_file(const WrittenFile& file) const override;
   void visit(ObjectVisitor& visitor) const override;
 
-  /// The mesh of `diagram`, which has the input's faces, with the vertices on borders of regions doubled.
-  const Mesh& surface() const { return parted.surface(input->mesh); }
+  const CheckedMesh& input() const { return *diagram->mesh(); }
+  const PartedMesh& parted() const { return diagram->parted(); }
+  /// The mesh that has the input's faces, with the vertices on borders of regions doubled, and its diagram.
+  const Mesh& surface() const { return diagram->surface(); }
+  const Diagram& of_surface() const { return *diagram->of_surface(); }
   /// What files hold: the input, or its pieces, with labels and distances.
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;
@@ -56,14 +60,10 @@ class SegmentOutcome : public Object {
   /// The edges between two regions, or beside faces that are left out.
   std::vector<std::vector<Vec3>> borders() const;
 
-  MeshPtr input = std::make_shared<CheckedMesh>();
-  PartedMesh parted;
+  std::shared_ptr<const DiagramObject> diagram = std::make_shared<DiagramObject>();
   std::vector<std::optional<double>> snap_distance;  ///< of the generators, from where they were given; or empty
-  std::shared_ptr<const Diagram> diagram = std::make_shared<Diagram>();   ///< of the surface
-  std::shared_ptr<const Diagram> on_input = std::make_shared<Diagram>();  ///< with the vertices of the input alone
-  std::optional<DiagramOptions> options;                                  ///< of the diagram
-  std::optional<BalancedDiagram> balanced;                                ///< without its diagram
-  std::optional<Segmentation> whole;                                      ///< of the input's faces
+  std::optional<BalancedDiagram> balanced;           ///< without its diagram
+  std::optional<Segmentation> whole;                 ///< of the input's faces
   std::vector<FaceNumbers> whole_numbers;
   std::shared_ptr<const CutMesh> cut;  ///< null where whole faces are labelled
   CutVertices cut_vertices;

@@ -60,10 +60,6 @@ void write_npy(ByteWriter& out, const Mesh& mesh, const std::vector<SurfaceSampl
 
 }  // namespace
 
-std::optional<PointFormat> parse_point_format(std::string_view extension) {
-  return value_in(kPointFormatNames, io::bare_extension(extension));
-}
-
 void write_points(std::ostream& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples, PointFormat format) {
   constexpr std::array kPointWriters{write_ply, write_xyz, write_npy};  // in the order of PointFormat
   static_assert(static_cast<std::size_t>(PointFormat::npy) + 1 == kPointWriters.size());

@@ -59,7 +59,7 @@ void examine_polygons(const PolygonSoup& soup) {
   if (soup.first_corner.empty() || soup.first_corner.front() != 0 || soup.first_corner.back() != soup.corners.size()) {
     refuse_soup("the soup's first_corner does not span its corners", -1);
   }
-  if (soup.polygon_count() == 0) refuse_soup("the soup has no face", -1);
+  if (soup.polygon_count() == 0) refuse_soup("the mesh has no face; give it at least one", -1);
   constexpr std::size_t kMost = 0x7fffffff;
   if (soup.positions.size() > kMost || soup.polygon_count() > kMost) {
     refuse_soup("the soup has more elements than 32-bit ids can count", -1);

@@ -150,7 +150,8 @@ TEST_CASE("after two dashes an argument may begin with a dash") {
 TEST_CASE("a question is answered whatever else is wrong") {
   CHECK(*Line().parse({"-n", "x", "--version", "--nonsense"}) == "gvd-test " + std::string(version()) + "\n");
   CHECK_THAT(*Line().parse({"--help"}), StartsWith("A test.\n\nUsage: gvd-test [OPTIONS] INPUT...\n") &&
-                                            EndsWith(help_footer("  gvd-test a\n")) && Contains("\nOutput:\n"));
+                                            Contains("\nOutput:\n") &&
+                                            Contains("\nExamples:\n  gvd-test a\n\nExit codes: 0 done, 2 usage, "));
   CHECK_THAT(*Line().parse({"-h", "--help"}), EndsWith("All options, and examples: gvd-test --help\n"));
   CHECK_THAT(*Line().parse({"--print-options"}), StartsWith("{\n \"options\": [\n  {\n   \"name\": \"input\""));
 }

@@ -39,16 +39,22 @@ TEST_CASE("options are listed in groups, in full or with their first line") {
       "A test that has a description of so many words that they do not fit into one\n"
       "line of the help.\n"
       "\nUsage: x [OPTIONS] INPUT...\n";
-  CHECK(make_help(kWords, list) == head +
-                                       "\nInput:\n"
-                                       "  INPUT                   The mesh, or -\n"
-                                       "  --length NUMBER         Its length, in mesh units; see -q (default: 0.5)\n"
-                                       "\nOutput:\n"
-                                       "  --output-with-a-long-name FILE\n"
-                                       "                          Write it\n"
-                                       "\nGeneral:\n"
-                                       "  -q, --quiet             Say nothing but errors\n" +
-                                       help_footer("  x a.obj\n"));
+  CHECK(make_help(kWords, list) ==
+        head +
+            "\nInput:\n"
+            "  INPUT                   The mesh, or -\n"
+            "  --length NUMBER         Its length, in mesh units; see -q (default: 0.5)\n"
+            "\nOutput:\n"
+            "  --output-with-a-long-name FILE\n"
+            "                          Write it\n"
+            "\nGeneral:\n"
+            "  -q, --quiet             Say nothing but errors\n" +
+            "\nExamples:\n"
+            "  x a.obj\n"
+            "\nExit codes: 0 done, 2 usage, 3 unreadable input, 4 input breaks a "
+            "precondition,\n"
+            "5 no valid result or out of memory, 6 output could not be written,\n"
+            "130 interrupted; with several inputs, the code of the first one that failed.\n");
   CHECK(make_short_help(kWords, list) == head +
                                              "\n  INPUT                   The mesh\n"
                                              "  --length NUMBER         Its length\n"
