@@ -21,12 +21,13 @@
 #include <utility>
 
 #include "base/least.hpp"
-#include "base/union_find.hpp"
+#include "crease_generators.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #include "gvd/vec.hpp"
+#include "mesh/creases.hpp"
 
 namespace gvd {
 namespace {
@@ -45,16 +46,8 @@ bool exceeds_share(std::size_t placed, std::size_t asked) {
   return static_cast<double>(placed) > kFeatureShare * static_cast<double>(asked);
 }
 
-/// Least length of a boundary loop or of a network of creases that an even spacing gives three generators, in spacings.
-constexpr double kLeastNetwork = 3;
-
-/// Least length of a network of creases for each of its dead ends, in spacings; shorter ones are noise. Measured with
-/// 100 to 2000 generators: the large networks of 23 CAD models have none, or one in 40 spacings (fandisk). Those of
-/// scans and other smooth models mostly have one in 1 to 5, and less than a fifth of their creases is in longer ones.
-constexpr double kDeadEndLength = 20;
-
-/// Least share of the creases that has to be in such networks: noise makes some closed rings, too. It is .76 or more on
-/// those CAD models, and at most .25 on scans and other smooth models.
+/// Least share of the creases that has to be in long groups (CreaseGroup): noise makes some closed rings, too. It is
+/// .76 or more on those CAD models, and at most .25 on scans and other smooth models.
 constexpr double kLongShare = 0.5;
 
 /// Largest share of generators that a remesh is expected to add opposite others, for creases to be followed by default.
@@ -130,13 +123,13 @@ class NearestRemover {
   std::map<std::pair<double, std::size_t>, Vec3> left_;  ///< by x and index
 };
 
-void append(FeatureGenerators& placed, const SurfacePoint& point, Freedom freedom) {
+void append(CreaseGenerators& placed, const SurfacePoint& point, Freedom freedom) {
   placed.points.push_back(point);
   placed.freedom.push_back(freedom);
 }
 
 /// Appends the points of `added` that coincide with no earlier point.
-void append_different(const Mesh& mesh, const FeatureGenerators& added, FeatureGenerators& placed) {
+void append_different(const Mesh& mesh, const CreaseGenerators& added, CreaseGenerators& placed) {
   std::vector<SurfacePoint> all = placed.points;
   all.insert(all.end(), added.points.begin(), added.points.end());
   const std::vector<std::int32_t> first = find_coincident(mesh, all);
@@ -146,20 +139,14 @@ void append_different(const Mesh& mesh, const FeatureGenerators& added, FeatureG
   }
 }
 
-FeatureGenerators all_of(const std::vector<SurfacePoint>& points, Freedom freedom) {
+CreaseGenerators all_of(const std::vector<SurfacePoint>& points, Freedom freedom) {
   return {points, std::vector<Freedom>(points.size(), freedom)};
 }
 
 /// The listed generators after those that are placed; each stays on its crease.
-void append_listed(const Mesh& mesh, const ConstrainedStart& start, FeatureGenerators& placed) {
+void append_listed(const Mesh& mesh, const ConstrainedStart& start, CreaseGenerators& placed) {
   const auto points = snap_to_creases(mesh, start.creases, start.points, kListPrecision * mesh.bbox_diagonal());
   append_different(mesh, {points, freedoms_on_creases(mesh, start.creases, points)}, placed);
-}
-
-double total_length(const Mesh& mesh, const std::vector<EdgeId>& edges) {
-  double length = 0;
-  for (const EdgeId e : edges) length += mesh.length(e);
-  return length;
 }
 
 std::vector<EdgeId> join_edges(const std::vector<EdgeId>& a, const std::vector<EdgeId>& b) {
@@ -236,16 +223,12 @@ class CloseCurves {
   void add_samples(std::size_t c) {
     const CreaseCurve& curve = curves_[c];
     const double parts = std::max(1.0, std::round(kSamplesPerSpacing * lengths_[c] / spacing_));
-    double passed = 0;
-    std::size_t i = 0;
-    for (double k = 0; k < parts; ++k) {
-      const double at = lengths_[c] * (k + 0.5) / parts;
-      for (; i + 1 < curve.edges.size() && passed + mesh_.length(curve.edges[i]) < at; ++i) {
-        passed += mesh_.length(curve.edges[i]);
-      }
-      const double to_end = curve.closed ? kInfinity : std::min(at, lengths_[c] - at);
-      samples_.push_back(
-          {position(mesh_, point_on_curve(mesh_, curve, i, at - passed)), c, at, to_end, lengths_[c] / parts});
+    std::vector<double> at;
+    for (double k = 0; k < parts; ++k) at.push_back(lengths_[c] * (k + 0.5) / parts);
+    const std::vector<SurfacePoint> points = points_on_curve(mesh_, curve, at);
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const double to_end = curve.closed ? kInfinity : std::min(at[k], lengths_[c] - at[k]);
+      samples_.push_back({position(mesh_, points[k]), c, at[k], to_end, lengths_[c] / parts});
     }
   }
 
@@ -286,53 +269,6 @@ class CloseCurves {
   std::map<Box, std::vector<std::size_t>> in_box_;  // samples, boxes as long as the reach
 };
 
-/// The connected networks of some edges.
-class Networks {
- public:
-  Networks(const Mesh& mesh, const std::vector<EdgeId>& edges) : mesh_(mesh), sets_(mesh.vertex_count()) {
-    std::map<VertexId, int> degree;
-    for (const EdgeId e : edges) {
-      const HalfedgeId h = mesh.halfedge(e);
-      sets_.unite(mesh.from(h).value(), mesh.to(h).value());
-      ++degree[mesh.from(h)], ++degree[mesh.to(h)];
-    }
-    for (const EdgeId e : edges) networks_[of(e)].length += mesh.length(e);
-    for (const auto& [v, edges_there] : degree) {
-      if (edges_there == 1 && !mesh.is_boundary(v)) ++networks_[sets_.find(v.value())].dead_ends;
-    }
-  }
-
-  /// Of `edges`, those in networks that are at least kLeastNetwork long and have few dead ends, if any.
-  std::vector<EdgeId> long_ones(const std::vector<EdgeId>& edges, double spacing) {
-    std::vector<EdgeId> kept;
-    for (const EdgeId e : edges) {
-      if (is_long(networks_[of(e)], spacing)) kept.push_back(e);
-    }
-    return kept;
-  }
-
-  std::int64_t size() const { return std::ssize(networks_); }
-  std::int64_t count_long(double spacing) const {
-    return std::count_if(networks_.begin(), networks_.end(), [&](const auto& n) { return is_long(n.second, spacing); });
-  }
-
- private:
-  struct Network {
-    double length = 0;
-    int dead_ends = 0;
-  };
-
-  std::int32_t of(EdgeId e) { return sets_.find(mesh_.from(mesh_.halfedge(e)).value()); }
-
-  static bool is_long(const Network& network, double spacing) {
-    return network.length >= spacing * std::max(kLeastNetwork, kDeadEndLength * network.dead_ends);
-  }
-
-  const Mesh& mesh_;
-  UnionFind sets_;                            // of vertices
-  std::map<std::int32_t, Network> networks_;  // by a vertex
-};
-
 /// A curve of length l has at least l / spacing - 1.5 generators between its ends: the quotient is rounded, and each
 /// part but the last one ends at a generator.
 constexpr double kLostToRounding = 1.5;
@@ -346,11 +282,11 @@ bool surely_exceeds_share(const Mesh& mesh, const std::vector<EdgeId>& creases, 
 
 /// Generators on the creases as far apart as in an even triangulation, or farther, so that they are no more than
 /// kFeatureShare of all.
-FeatureGenerators place_features(const Mesh& mesh, const ConstrainedStart& start, double spacing) {
+CreaseGenerators place_features(const Mesh& mesh, const ConstrainedStart& start, double spacing) {
   while (surely_exceeds_share(mesh, start.creases, spacing, start.points.size()) && spacing < mesh.bbox_diagonal()) {
     spacing *= kWiderSpacing;
   }
-  FeatureGenerators placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
+  CreaseGenerators placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
   while (exceeds_share(placed.points.size(), start.points.size()) && spacing < mesh.bbox_diagonal()) {
     spacing *= kWiderSpacing;
     placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
@@ -367,7 +303,7 @@ void leave_room(const Mesh& mesh, const ConstrainedStart& start, double spacing,
 
 /// Generators on the creases, and the sampled ones that make room for all that are placed.
 void append_sampled(const Mesh& mesh, const ConstrainedStart& start, const StartOptions& options,
-                    FeatureGenerators& placed) {
+                    CreaseGenerators& placed) {
   const auto asked = std::ssize(start.points);
   const double spacing = start.corner_distance / kCornerDistance;
   if (!start.creases.empty()) append_different(mesh, place_features(mesh, start, spacing), placed);
@@ -404,15 +340,15 @@ void choose_loops(const Spaced& spaced, const std::vector<EdgeId>& others, std::
   const auto fits = [&](const std::vector<EdgeId>& loops) {
     return !exceeds_share(spaced.least(join_edges(loops, others)), start.points.size());
   };
-  Networks loops(spaced.mesh, boundary);
-  start.loops = loops.size();
+  const std::vector<CreaseGroup> loops = group_creases(spaced.mesh, boundary);
+  start.loops = std::ssize(loops);
   if (boundary.empty() || fits(boundary)) return;
   start.enough_for_loops = find_enough(spaced.mesh, join_edges(boundary, others), total_length(spaced.mesh, boundary),
                                        std::ssize(start.points));
-  const std::vector<EdgeId> all = std::move(boundary);
-  boundary = loops.long_ones(all, spaced.spacing);
+  boundary = keep_long(loops, spaced.spacing);
   if (!fits(boundary)) boundary.clear();
-  start.unfollowed_loops = start.loops - (boundary.empty() ? 0 : loops.count_long(spaced.spacing));
+  const auto is_followed = [&](const CreaseGroup& loop) { return !boundary.empty() && loop.is_long(spaced.spacing); };
+  start.unfollowed_loops = start.loops - std::ranges::count_if(loops, is_followed);
 }
 
 /// How many times as many generators as may be are needed on curves, if `count` are asked for.
@@ -441,7 +377,7 @@ std::int64_t find_enough_for_creases(std::int64_t asked, double excess, const Ex
 void choose_creases(const Spaced& spaced, const std::vector<EdgeId>& boundary, std::vector<EdgeId>& creases,
                     ConstrainedStart& start) {
   const double length = total_length(spaced.mesh, creases);
-  creases = Networks(spaced.mesh, creases).long_ones(creases, spaced.spacing);
+  creases = keep_long(group_creases(spaced.mesh, creases), spaced.spacing);
   if (total_length(spaced.mesh, creases) < kLongShare * length) creases.clear();
   if (creases.empty()) return;
   const std::vector<EdgeId> curves = join_edges(boundary, creases);
@@ -477,7 +413,7 @@ ConstrainedStart constrain_start(const Mesh& mesh, std::vector<SurfacePoint> poi
   const bool asks_for_creases = options.crease_angle && !options.prefers_creases;
   const bool asks = asks_for_creases || options.keep_boundary || !options.fixed.empty();
   if (!asks && start.creases.empty()) return start;
-  FeatureGenerators placed = all_of(options.fixed, Freedom::fixed);
+  CreaseGenerators placed = all_of(options.fixed, Freedom::fixed);
   if (options.are_listed) {
     append_listed(mesh, start, placed);
   } else {

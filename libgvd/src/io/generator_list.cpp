@@ -26,6 +26,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/angles.hpp"
 #include "base/plane.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
@@ -138,7 +139,7 @@ struct Polar {
     const Vec3& apex = mesh.position(mesh.from(outgoing));
     const Vec3 side = mesh.position(mesh.to(outgoing)) - apex;
     radius = (p - apex).norm();
-    angle = std::atan2(side.cross(p - apex).norm(), side.dot(p - apex));
+    angle = angle_between(side, p - apex);
   }
   double distance(const Polar& other, double turn) const {
     const double between = turn + other.angle - angle;

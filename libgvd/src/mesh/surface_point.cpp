@@ -23,6 +23,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "base/angles.hpp"
 #include "base/barycentric.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
@@ -251,7 +252,7 @@ Vec3 face_normal(const Mesh& mesh, FaceId f) {
 double corner_angle(const Mesh& mesh, HalfedgeId h) {
   const Vec3 along = mesh.position(mesh.to(h)) - mesh.position(mesh.from(h));
   const Vec3 other = mesh.position(mesh.opposite(h)) - mesh.position(mesh.from(h));
-  return std::atan2(along.cross(other).norm(), along.dot(other));
+  return angle_between(along, other);
 }
 
 Vec3 surface_normal(const Mesh& mesh, const SurfacePoint& point) {

@@ -17,13 +17,14 @@
 #include "gvd/error.hpp"
 #include "gvd/surface_point.hpp"
 #include "io/writers/format_writers.hpp"
+#include "mesh/creases.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd::io {
 namespace {
 
-/// cos(40 degrees), as on the page of --view: curved surfaces look smooth, creases sharp.
-constexpr double kCreaseCosine = 0.7660444431189780;
+/// As on the page of --view: curved surfaces look smooth, creases sharp. Degrees.
+constexpr double kShadingAngle = 40;
 constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
 
 class Splitter {
@@ -67,10 +68,8 @@ class Splitter {
     return label_of(g) == label_of(h) && texture_of(g) == texture_of(h);
   }
 
-  /// A face without area is no crease.
   bool is_crease(HalfedgeId g, HalfedgeId h) const {
-    const Vec3 &m = face_normal_[Mesh::face(g)], &n = face_normal_[Mesh::face(h)];
-    return !m.isZero(0) && !n.isZero(0) && m.dot(n) < kCreaseCosine;
+    return meet_at_crease_(face_normal_[Mesh::face(g)], face_normal_[Mesh::face(h)]);
   }
 
   /// Turns a closed ring so that it begins behind a crease or, where there is none, behind a border or a seam.
@@ -115,6 +114,7 @@ class Splitter {
   const LabelledMesh& labelled_;
   const Mesh& mesh_;
   IdVector<FaceId, Vec3> face_normal_;
+  CreaseTest meet_at_crease_{kShadingAngle, CreaseRule::cosine};
   std::vector<ShadingVertex> split_;  ///< by vertex
   IdVector<HalfedgeId, std::uint32_t> of_corner_;
   std::vector<HalfedgeId> ring_;  ///< of one vertex, counter-clockwise

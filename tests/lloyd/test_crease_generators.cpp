@@ -2,15 +2,15 @@
 #include <cmath>
 
 #include "constraints.hpp"
+#include "crease_generators.hpp"
 #include "gvd/error.hpp"
-#include "gvd/features.hpp"
 #include "gvd/lloyd.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-namespace gvd::test_features {
+namespace gvd::test_crease_generators {
 
 /// A closed box with sides of length 1, 1 and `thickness`: 12 creases and 8 corners.
 Mesh make_box(int n) { return test::make_plate(n, 0.5); }
@@ -42,26 +42,9 @@ TEST_CASE("creases: points near them are snapped to their vertices and edges, ot
   CHECK(snap_to_creases(box, {}, {near}, 1e-5).front() == near);
 }
 
-TEST_CASE("creases: the edges of a box, none of a sphere, and the boundary on demand") {
-  const Mesh box = make_box(4);
-  for (const EdgeId e : find_creases(box, {30})) {
-    const HalfedgeId h = box.halfedge(e);
-    const Vec3 way = (box.position(box.to(h)) - box.position(box.from(h))).cwiseAbs();
-    CHECK(way.maxCoeff() == Approx(way.sum()));  // along an axis
-  }
-  CHECK_FALSE(find_creases(box, {30}).empty());
-  CHECK(find_creases(box, {95}).empty());
-  CHECK(find_creases(test::make_sphere(3), {30}).empty());
-  const Mesh grid = test::make_grid(3, 2);
-  CHECK(find_creases(grid, {30}).empty());
-  CHECK(all_boundary(grid).size() == 10);
-  CHECK_THROWS_AS(find_creases(grid, {0}), Error);
-  CHECK_THROWS_AS(find_creases(grid, {181}), Error);
-}
-
 TEST_CASE("creases: corners are fixed, and generators between them evenly spaced") {
   const Mesh grid = test::make_grid(6, 3);
-  const FeatureGenerators placed = place_on_creases(grid, all_boundary(grid), 1.5);
+  const CreaseGenerators placed = place_on_creases(grid, all_boundary(grid), 1.5);
   // Four corners; four parts along each long side, two along each short one.
   REQUIRE(placed.points.size() == 4 + 2 * 3 + 2 * 1);
   CHECK(std::count(placed.freedom.begin(), placed.freedom.end(), Freedom::fixed) == 4);
@@ -73,7 +56,7 @@ TEST_CASE("creases: corners are fixed, and generators between them evenly spaced
     CHECK(std::fmod(at.y() + 1e-9, 1.5) < 1e-6);
   }
   CHECK_THROWS_AS(place_on_creases(grid, all_boundary(grid), 0), Error);
-  const FeatureGenerators of_box = place_on_creases(make_box(4), find_creases(make_box(4), {30}), 10);
+  const CreaseGenerators of_box = place_on_creases(make_box(4), find_creases(make_box(4), {30}), 10);
   CHECK(of_box.points.size() == 8);
 }
 
@@ -81,36 +64,9 @@ TEST_CASE("creases: a closed one without a corner has at least three generators,
   const Mesh ring = test::make_ring(40, 3);
   const double round = 2 * std::acos(-1.0);
   for (const double spacing : {100.0, round / 8}) {
-    const FeatureGenerators placed = place_on_creases(ring, all_boundary(ring), spacing);
+    const CreaseGenerators placed = place_on_creases(ring, all_boundary(ring), spacing);
     CHECK(placed.points.size() == (spacing > 10 ? 6 : 16));
     CHECK(std::count(placed.freedom.begin(), placed.freedom.end(), Freedom::on_crease) == std::ssize(placed.points));
-  }
-}
-
-TEST_CASE("creases: curves hold each crease edge once, from corner to corner") {
-  const Mesh box = make_box(4), ring = test::make_ring(40, 3);
-  const auto creases = find_creases(box, {30});
-  const auto curves = trace_creases(box, creases);
-  CHECK(curves.size() == 12);
-  std::vector<EdgeId> edges;
-  for (const CreaseCurve& curve : curves) {
-    CHECK_FALSE(curve.closed);
-    REQUIRE(curve.vertices.size() == curve.edges.size() + 1);
-    for (std::size_t k = 0; k < curve.edges.size(); ++k) {
-      CHECK(point_on_curve(box, curve, k, -1) == vertex_point(box, curve.vertices[k]));
-      const double length = box.length(box.halfedge(curve.edges[k]));
-      const Vec3 middle = position(box, point_on_curve(box, curve, k, length / 4));
-      CHECK((middle - box.position(curve.vertices[k])).norm() == Approx(length / 4));
-    }
-    edges.insert(edges.end(), curve.edges.begin(), curve.edges.end());
-  }
-  std::sort(edges.begin(), edges.end());
-  CHECK(edges == creases);
-  const auto loops = trace_creases(ring, all_boundary(ring));
-  REQUIRE(loops.size() == 2);
-  for (const CreaseCurve& loop : loops) {
-    CHECK(loop.closed);
-    CHECK(loop.vertices.front() == loop.vertices.back());
   }
 }
 
@@ -134,16 +90,16 @@ TEST_CASE("creases: a path follows the crease by its length, over vertices, to t
   for (const SurfacePoint& start : place_on_creases(grid, all_boundary(grid), 0.7).points) {
     const Vec3 from = position(grid, start);
     for (const Vec2& wish : {Vec2(0.9, 0.4), Vec2(-0.9, 0.4), Vec2(0.1, -1.3), Vec2(-5, -1)}) {
-      const Vec2 step = network.project(start, wish);
+      const Vec2 step = project_to_crease(grid, network, start, wish);
       CHECK(step.norm() <= wish.norm() + 1e-12);
-      const GeodesicTrace trace = network.follow(start, step);
+      const GeodesicTrace trace = follow_crease(grid, network, start, step);
       const Vec3 to = position(grid, trace.points.back());
       CHECK((to - from).norm() == Approx(trace.length).margin(1e-12));
       CHECK(network.contains(trace.points.back()));
       CHECK(trace.complete == (trace.length >= step.norm()));
       if (!(trace.length > 0) || !trace.complete) continue;
       // Back the same way.
-      const GeodesicTrace back = network.follow(trace.points.back(), -trace.length * trace.direction);
+      const GeodesicTrace back = follow_crease(grid, network, trace.points.back(), -trace.length * trace.direction);
       CHECK((position(grid, back.points.back()) - from).norm() < 1e-9);
     }
   }
@@ -153,7 +109,7 @@ TEST_CASE("lloyd: fixed generators stay, and those on creases stay on them") {
   const Mesh box = make_box(6);
   LloydOptions options;
   options.creases = find_creases(box, {30});
-  const FeatureGenerators placed = place_on_creases(box, options.creases, 0.4);
+  const CreaseGenerators placed = place_on_creases(box, options.creases, 0.4);
   auto start = placed.points;
   options.freedom = placed.freedom;
   for (const SurfacePoint& p : test::random_generators(box, 30, 3)) {
@@ -183,4 +139,4 @@ TEST_CASE("lloyd: wrong numbers of freedoms, and generators beside their creases
   CHECK_THROWS_AS(relax_generators(grid, start, options), Error);
 }
 
-}  // namespace gvd::test_features
+}  // namespace gvd::test_crease_generators
