@@ -23,11 +23,11 @@
 #include "base/least.hpp"
 #include "crease_generators.hpp"
 #include "gvd/error.hpp"
-#include "gvd/generator_list.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #include "gvd/vec.hpp"
 #include "mesh/creases.hpp"
+#include "mesh/find_coincident.hpp"
 
 namespace gvd {
 namespace {
