@@ -1,6 +1,6 @@
 #pragma once
 
-// What only the library needs of creases: gvd/creases.hpp has the rest.
+// Creases, for the library itself: gvd/creases.hpp has what users need.
 
 #include <cstdint>
 #include <vector>
