@@ -44,7 +44,7 @@ TEST_CASE("creases: points near them are snapped to their vertices and edges, ot
 
 TEST_CASE("creases: corners are fixed, and generators between them evenly spaced") {
   const Mesh grid = test::make_grid(6, 3);
-  const CreaseGenerators placed = place_on_creases(grid, all_boundary(grid), 1.5);
+  const FeatureGenerators placed = place_on_creases(grid, all_boundary(grid), 1.5);
   // Four corners; four parts along each long side, two along each short one.
   REQUIRE(placed.points.size() == 4 + 2 * 3 + 2 * 1);
   CHECK(std::count(placed.freedom.begin(), placed.freedom.end(), Freedom::fixed) == 4);
@@ -56,7 +56,7 @@ TEST_CASE("creases: corners are fixed, and generators between them evenly spaced
     CHECK(std::fmod(at.y() + 1e-9, 1.5) < 1e-6);
   }
   CHECK_THROWS_AS(place_on_creases(grid, all_boundary(grid), 0), Error);
-  const CreaseGenerators of_box = place_on_creases(make_box(4), find_creases(make_box(4), {30}), 10);
+  const FeatureGenerators of_box = place_on_creases(make_box(4), find_creases(make_box(4), {30}), 10);
   CHECK(of_box.points.size() == 8);
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("creases: a closed one without a corner has at least three generators,
   const Mesh ring = test::make_ring(40, 3);
   const double round = 2 * std::acos(-1.0);
   for (const double spacing : {100.0, round / 8}) {
-    const CreaseGenerators placed = place_on_creases(ring, all_boundary(ring), spacing);
+    const FeatureGenerators placed = place_on_creases(ring, all_boundary(ring), spacing);
     CHECK(placed.points.size() == (spacing > 10 ? 6 : 16));
     CHECK(std::count(placed.freedom.begin(), placed.freedom.end(), Freedom::on_crease) == std::ssize(placed.points));
   }
@@ -109,7 +109,7 @@ TEST_CASE("lloyd: fixed generators stay, and those on creases stay on them") {
   const Mesh box = make_box(6);
   LloydOptions options;
   options.creases = find_creases(box, {30});
-  const CreaseGenerators placed = place_on_creases(box, options.creases, 0.4);
+  const FeatureGenerators placed = place_on_creases(box, options.creases, 0.4);
   auto start = placed.points;
   options.freedom = placed.freedom;
   for (const SurfacePoint& p : test::random_generators(box, 30, 3)) {

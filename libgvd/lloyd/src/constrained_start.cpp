@@ -123,13 +123,13 @@ class NearestRemover {
   std::map<std::pair<double, std::size_t>, Vec3> left_;  ///< by x and index
 };
 
-void append(CreaseGenerators& placed, const SurfacePoint& point, Freedom freedom) {
+void append(FeatureGenerators& placed, const SurfacePoint& point, Freedom freedom) {
   placed.points.push_back(point);
   placed.freedom.push_back(freedom);
 }
 
 /// Appends the points of `added` that coincide with no earlier point.
-void append_different(const Mesh& mesh, const CreaseGenerators& added, CreaseGenerators& placed) {
+void append_different(const Mesh& mesh, const FeatureGenerators& added, FeatureGenerators& placed) {
   std::vector<SurfacePoint> all = placed.points;
   all.insert(all.end(), added.points.begin(), added.points.end());
   const std::vector<std::int32_t> first = find_coincident(mesh, all);
@@ -139,12 +139,12 @@ void append_different(const Mesh& mesh, const CreaseGenerators& added, CreaseGen
   }
 }
 
-CreaseGenerators all_of(const std::vector<SurfacePoint>& points, Freedom freedom) {
+FeatureGenerators all_of(const std::vector<SurfacePoint>& points, Freedom freedom) {
   return {points, std::vector<Freedom>(points.size(), freedom)};
 }
 
 /// The listed generators after those that are placed; each stays on its crease.
-void append_listed(const Mesh& mesh, const ConstrainedStart& start, CreaseGenerators& placed) {
+void append_listed(const Mesh& mesh, const ConstrainedStart& start, FeatureGenerators& placed) {
   const auto points = snap_to_creases(mesh, start.creases, start.points, kListPrecision * mesh.bbox_diagonal());
   append_different(mesh, {points, freedoms_on_creases(mesh, start.creases, points)}, placed);
 }
@@ -282,11 +282,11 @@ bool surely_exceeds_share(const Mesh& mesh, const std::vector<EdgeId>& creases, 
 
 /// Generators on the creases as far apart as in an even triangulation, or farther, so that they are no more than
 /// kFeatureShare of all.
-CreaseGenerators place_features(const Mesh& mesh, const ConstrainedStart& start, double spacing) {
+FeatureGenerators place_features(const Mesh& mesh, const ConstrainedStart& start, double spacing) {
   while (surely_exceeds_share(mesh, start.creases, spacing, start.points.size()) && spacing < mesh.bbox_diagonal()) {
     spacing *= kWiderSpacing;
   }
-  CreaseGenerators placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
+  FeatureGenerators placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
   while (exceeds_share(placed.points.size(), start.points.size()) && spacing < mesh.bbox_diagonal()) {
     spacing *= kWiderSpacing;
     placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
@@ -303,7 +303,7 @@ void leave_room(const Mesh& mesh, const ConstrainedStart& start, double spacing,
 
 /// Generators on the creases, and the sampled ones that make room for all that are placed.
 void append_sampled(const Mesh& mesh, const ConstrainedStart& start, const StartOptions& options,
-                    CreaseGenerators& placed) {
+                    FeatureGenerators& placed) {
   const auto asked = std::ssize(start.points);
   const double spacing = start.corner_distance / kCornerDistance;
   if (!start.creases.empty()) append_different(mesh, place_features(mesh, start, spacing), placed);
@@ -413,7 +413,7 @@ ConstrainedStart constrain_start(const Mesh& mesh, std::vector<SurfacePoint> poi
   const bool asks_for_creases = options.crease_angle && !options.prefers_creases;
   const bool asks = asks_for_creases || options.keep_boundary || !options.fixed.empty();
   if (!asks && start.creases.empty()) return start;
-  CreaseGenerators placed = all_of(options.fixed, Freedom::fixed);
+  FeatureGenerators placed = all_of(options.fixed, Freedom::fixed);
   if (options.are_listed) {
     append_listed(mesh, start, placed);
   } else {

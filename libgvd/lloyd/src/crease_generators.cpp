@@ -16,7 +16,7 @@ namespace gvd {
 namespace {
 
 /// Places generators between the ends of a curve.
-void place_along(const Mesh& mesh, const CreaseCurve& curve, double spacing, CreaseGenerators& placed) {
+void place_along(const Mesh& mesh, const CreaseCurve& curve, double spacing, FeatureGenerators& placed) {
   const double length = total_length(mesh, curve.edges);
   const bool is_loop = curve.vertices.front() == curve.vertices.back();  // a coarse one has three edges at least
   const double parts = std::max(std::round(length / spacing), is_loop ? 3.0 : 1.0);
@@ -90,11 +90,11 @@ std::vector<Freedom> freedoms_on_creases(const Mesh& mesh, const std::vector<Edg
   return freedoms;
 }
 
-CreaseGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing,
-                                  double corner_distance) {
+FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing,
+                                   double corner_distance) {
   if (!(spacing > 0)) throw Error(ErrorCode::invalid_option, "the spacing of generators on creases must be above 0");
   const CreaseNetwork network(mesh, creases, corner_distance);
-  CreaseGenerators placed;
+  FeatureGenerators placed;
   for (const VertexId v : mesh.vertices()) {
     if (network.leaving(v).empty() || !network.is_corner(v)) continue;
     placed.points.push_back(vertex_point(mesh, v));

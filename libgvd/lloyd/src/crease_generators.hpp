@@ -9,7 +9,7 @@
 namespace gvd {
 
 /// Generators on creases.
-struct CreaseGenerators {
+struct FeatureGenerators {
   std::vector<SurfacePoint> points;  ///< corners first
   std::vector<Freedom> freedom;      ///< of the points: fixed at corners, on_crease between them
 };
@@ -19,8 +19,8 @@ struct CreaseGenerators {
 ///
 /// A closed crease without a corner has at least three generators. Those between corners are evenly spaced by length.
 /// `spacing`: mesh units, > 0. Throws Error{invalid_option} if it is not. Cost: O(n log n).
-CreaseGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing,
-                                  double corner_distance = 0);
+FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing,
+                                   double corner_distance = 0);
 
 /// The points, those within `distance` of a crease moved onto it: to its nearest vertex within `distance`, else to the
 /// nearest point of its edges. So points that were written with few digits are at corners and on creases again. Only
