@@ -24,9 +24,8 @@ constexpr int kChordEdges = 5;
 /// Least length of a group of creases that an even spacing gives three generators, in spacings.
 constexpr double kLeastGroup = 3;
 
-/// Least length of a group of creases for each of its dead ends, in spacings; shorter ones are noise. Measured with 100
-/// to 2000 generators: the large groups of 23 CAD models have none, or one in 40 spacings (fandisk). Those of scans and
-/// other smooth models mostly have one in 1 to 5, and less than a fifth of their creases is in longer ones.
+/// Least length of a group of creases for each of its dead ends, in spacings; shorter ones are noise. Groups of CAD
+/// models have no dead end, or one in 40 spacings; those of scans mostly have one in 1 to 5.
 constexpr double kDeadEndLength = 20;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
