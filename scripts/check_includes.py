@@ -49,7 +49,7 @@ FLOOR = {folder: floor for floor, folders in enumerate(FLOORS) for folder in fol
 PUBLIC = {
     "libgvd/src/base": "vec ids error names placeholders text text_encoding progress diagram_steps version",
     "libgvd/src/options": "given_values option_list option_text",
-    "libgvd/src/mesh": "mesh surface_point generator_curve closest_point distance_samples quality openmesh",
+    "libgvd/src/mesh": "mesh surface_point creases generator_curve closest_point distance_samples quality openmesh",
     "libgvd/src/mesh/reading": "appearance mesh_property polygon_soup",
     "libgvd/src/mesh/repair": "soup",
     "libgvd/src/geodesic": "front geodesic_tracing",
@@ -60,7 +60,7 @@ PUBLIC = {
     "libgvd/src/io/writers": "io/diagram_json io/distance_writer io/label_color io/labelled_mesh io/point_writer io/write_file",
     "libgvd/src/io/view": "io/view gvd",
     "libgvd/segment": "charts face_regions region_statistics segment segment_options",
-    "libgvd/lloyd": "balance cell_moments coarse_copy constrained_start density features lloyd lloyd_options relaxation_start",
+    "libgvd/lloyd": "balance cell_moments coarse_copy constrained_start density lloyd lloyd_options relaxation_start",
     "libgvd/remesh/src/dual": "dual remesh_certificate surface_distance",
     "libgvd/remesh": "carry_properties disc_cells find_fewest placement remesh remesh_map remesh_options remesh_scenes remesh_surface",
     "libgvd/operations": "barriers diagram_operation diagram_parts distances_operation edit_operation generator_options program_operations given_regions lloyd_operation mesh_objects object "

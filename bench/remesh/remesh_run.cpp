@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "clocks.hpp"
-#include "gvd/features.hpp"
+#include "gvd/creases.hpp"
 #include "gvd/quality.hpp"
 #include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"

@@ -201,7 +201,7 @@ TEST_CASE("the boundary of a ring is two curves, and their bisector lies halfway
 
 TEST_CASE("distances from the creases of a box are those to the nearest side of each rectangle") {
   const Mesh mesh = test::make_plate(6, 0.5);
-  const std::vector<GeneratorCurve> creases = crease_curves(mesh, 0.5);
+  const std::vector<GeneratorCurve> creases = crease_curves(mesh, 30);
   REQUIRE(creases.size() == 1);
   const ExactField field(mesh, creases);
   Vec3 low = mesh.position(VertexId(0)), high = low;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "gvd/features.hpp"
+#include "gvd/creases.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 

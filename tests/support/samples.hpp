@@ -10,8 +10,8 @@
 
 #include "geodesic/marching/local_march.hpp"
 #include "gvd/error.hpp"
-#include "gvd/generator_list.hpp"
 #include "gvd/sampling.hpp"
+#include "mesh/find_coincident.hpp"
 #include "support/catch.hpp"
 
 namespace gvd::test {

@@ -13,7 +13,7 @@ namespace gvd {
 /// Texture coordinates of a corner: u to the right and v upwards, as in OBJ and PLY. In glTF, v runs downwards.
 using Uv = std::array<double, 2>;
 
-/// Those of a corner that has none.
+/// The texture coordinates of a corner that has none.
 inline constexpr Uv kNoTexture{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 /// Whether a corner has texture coordinates. A polygon with a corner that has none is written without any.
 inline bool is_finite(const Uv& uv) { return std::isfinite(uv[0]) && std::isfinite(uv[1]); }

@@ -35,8 +35,8 @@ void check_curves(const Mesh& mesh, const std::vector<GeneratorCurve>& curves);
 /// The boundary loops of a mesh, by their first vertices. Cost: O(n).
 std::vector<GeneratorCurve> boundary_curves(const Mesh& mesh);
 
-/// The creases of a mesh: connected sets of edges at which the normals of the two faces differ by more than
-/// `least_angle`, radians, by their first vertices. Cost: O(n).
-std::vector<GeneratorCurve> crease_curves(const Mesh& mesh, double least_angle);
+/// The creases of a mesh: connected sets of edges at which the normals of the two faces differ by more than `angle`,
+/// degrees, by their first vertices. Throws Error{invalid_option} for an angle that is not in (0, 180]. Cost: O(n).
+std::vector<GeneratorCurve> crease_curves(const Mesh& mesh, double angle);
 
 }  // namespace gvd

@@ -92,12 +92,6 @@ struct ResolvedGenerators {
 /// Cost: O(n log n) for n entries and, where there are positions, for the faces.
 ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options = {});
 
-/// For each point the index of the first point that coincides with it, which may be itself. Two points coincide where
-/// they are closer than the coincidence distance of the mesh and lie in faces that share a vertex: points of two sheets
-/// that touch do not.
-/// Cost: O(n log n).
-std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<SurfacePoint>& points);
-
 /// The points as a list that reads back bit by bit, in any locale. Positions are written for other programs; XYZ has
 /// nothing else, and reads back as the closest points.
 std::string format_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points, GeneratorFormat format);

@@ -21,8 +21,8 @@
 #include "geodesic/windows/propagation/mesh_partitions.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
-#include "gvd/generator_list.hpp"
 #include "mesh/decimate_part.hpp"
+#include "mesh/find_coincident.hpp"
 #include "mesh/submesh.hpp"
 
 namespace gvd {

@@ -21,12 +21,13 @@
 #include <utility>
 
 #include "base/least.hpp"
-#include "base/union_find.hpp"
+#include "crease_generators.hpp"
 #include "gvd/error.hpp"
-#include "gvd/generator_list.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/text.hpp"
 #include "gvd/vec.hpp"
+#include "mesh/creases.hpp"
+#include "mesh/find_coincident.hpp"
 
 namespace gvd {
 namespace {
@@ -45,16 +46,8 @@ bool exceeds_share(std::size_t placed, std::size_t asked) {
   return static_cast<double>(placed) > kFeatureShare * static_cast<double>(asked);
 }
 
-/// Least length of a boundary loop or of a network of creases that an even spacing gives three generators, in spacings.
-constexpr double kLeastNetwork = 3;
-
-/// Least length of a network of creases for each of its dead ends, in spacings; shorter ones are noise. Measured with
-/// 100 to 2000 generators: the large networks of 23 CAD models have none, or one in 40 spacings (fandisk). Those of
-/// scans and other smooth models mostly have one in 1 to 5, and less than a fifth of their creases is in longer ones.
-constexpr double kDeadEndLength = 20;
-
-/// Least share of the creases that has to be in such networks: noise makes some closed rings, too. It is .76 or more on
-/// those CAD models, and at most .25 on scans and other smooth models.
+/// Least share of the creases that has to be in long groups (CreaseGroup): noise makes some closed rings, too. It is
+/// .76 or more on those CAD models, and at most .25 on scans and other smooth models.
 constexpr double kLongShare = 0.5;
 
 /// Largest share of generators that a remesh is expected to add opposite others, for creases to be followed by default.
@@ -156,12 +149,6 @@ void append_listed(const Mesh& mesh, const ConstrainedStart& start, FeatureGener
   append_different(mesh, {points, freedoms_on_creases(mesh, start.creases, points)}, placed);
 }
 
-double total_length(const Mesh& mesh, const std::vector<EdgeId>& edges) {
-  double length = 0;
-  for (const EdgeId e : edges) length += mesh.length(e);
-  return length;
-}
-
 std::vector<EdgeId> join_edges(const std::vector<EdgeId>& a, const std::vector<EdgeId>& b) {
   std::vector<EdgeId> all;
   std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
@@ -236,16 +223,12 @@ class CloseCurves {
   void add_samples(std::size_t c) {
     const CreaseCurve& curve = curves_[c];
     const double parts = std::max(1.0, std::round(kSamplesPerSpacing * lengths_[c] / spacing_));
-    double passed = 0;
-    std::size_t i = 0;
-    for (double k = 0; k < parts; ++k) {
-      const double at = lengths_[c] * (k + 0.5) / parts;
-      for (; i + 1 < curve.edges.size() && passed + mesh_.length(curve.edges[i]) < at; ++i) {
-        passed += mesh_.length(curve.edges[i]);
-      }
-      const double to_end = curve.closed ? kInfinity : std::min(at, lengths_[c] - at);
-      samples_.push_back(
-          {position(mesh_, point_on_curve(mesh_, curve, i, at - passed)), c, at, to_end, lengths_[c] / parts});
+    std::vector<double> at;
+    for (double k = 0; k < parts; ++k) at.push_back(lengths_[c] * (k + 0.5) / parts);
+    const std::vector<SurfacePoint> points = points_on_curve(mesh_, curve, at);
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const double to_end = curve.closed ? kInfinity : std::min(at[k], lengths_[c] - at[k]);
+      samples_.push_back({position(mesh_, points[k]), c, at[k], to_end, lengths_[c] / parts});
     }
   }
 
@@ -284,53 +267,6 @@ class CloseCurves {
   std::vector<double> lengths_;  // of the curves
   std::vector<Sample> samples_;
   std::map<Box, std::vector<std::size_t>> in_box_;  // samples, boxes as long as the reach
-};
-
-/// The connected networks of some edges.
-class Networks {
- public:
-  Networks(const Mesh& mesh, const std::vector<EdgeId>& edges) : mesh_(mesh), sets_(mesh.vertex_count()) {
-    std::map<VertexId, int> degree;
-    for (const EdgeId e : edges) {
-      const HalfedgeId h = mesh.halfedge(e);
-      sets_.unite(mesh.from(h).value(), mesh.to(h).value());
-      ++degree[mesh.from(h)], ++degree[mesh.to(h)];
-    }
-    for (const EdgeId e : edges) networks_[of(e)].length += mesh.length(e);
-    for (const auto& [v, edges_there] : degree) {
-      if (edges_there == 1 && !mesh.is_boundary(v)) ++networks_[sets_.find(v.value())].dead_ends;
-    }
-  }
-
-  /// Of `edges`, those in networks that are at least kLeastNetwork long and have few dead ends, if any.
-  std::vector<EdgeId> long_ones(const std::vector<EdgeId>& edges, double spacing) {
-    std::vector<EdgeId> kept;
-    for (const EdgeId e : edges) {
-      if (is_long(networks_[of(e)], spacing)) kept.push_back(e);
-    }
-    return kept;
-  }
-
-  std::int64_t size() const { return std::ssize(networks_); }
-  std::int64_t count_long(double spacing) const {
-    return std::count_if(networks_.begin(), networks_.end(), [&](const auto& n) { return is_long(n.second, spacing); });
-  }
-
- private:
-  struct Network {
-    double length = 0;
-    int dead_ends = 0;
-  };
-
-  std::int32_t of(EdgeId e) { return sets_.find(mesh_.from(mesh_.halfedge(e)).value()); }
-
-  static bool is_long(const Network& network, double spacing) {
-    return network.length >= spacing * std::max(kLeastNetwork, kDeadEndLength * network.dead_ends);
-  }
-
-  const Mesh& mesh_;
-  UnionFind sets_;                            // of vertices
-  std::map<std::int32_t, Network> networks_;  // by a vertex
 };
 
 /// A curve of length l has at least l / spacing - 1.5 generators between its ends: the quotient is rounded, and each
@@ -404,15 +340,15 @@ void choose_loops(const Spaced& spaced, const std::vector<EdgeId>& others, std::
   const auto fits = [&](const std::vector<EdgeId>& loops) {
     return !exceeds_share(spaced.least(join_edges(loops, others)), start.points.size());
   };
-  Networks loops(spaced.mesh, boundary);
-  start.loops = loops.size();
+  const std::vector<CreaseGroup> loops = group_creases(spaced.mesh, boundary);
+  start.loops = std::ssize(loops);
   if (boundary.empty() || fits(boundary)) return;
   start.enough_for_loops = find_enough(spaced.mesh, join_edges(boundary, others), total_length(spaced.mesh, boundary),
                                        std::ssize(start.points));
-  const std::vector<EdgeId> all = std::move(boundary);
-  boundary = loops.long_ones(all, spaced.spacing);
+  boundary = keep_long(loops, spaced.spacing);
   if (!fits(boundary)) boundary.clear();
-  start.unfollowed_loops = start.loops - (boundary.empty() ? 0 : loops.count_long(spaced.spacing));
+  const auto is_followed = [&](const CreaseGroup& loop) { return !boundary.empty() && loop.is_long(spaced.spacing); };
+  start.unfollowed_loops = start.loops - std::ranges::count_if(loops, is_followed);
 }
 
 /// How many times as many generators as may be are needed on curves, if `count` are asked for.
@@ -441,7 +377,7 @@ std::int64_t find_enough_for_creases(std::int64_t asked, double excess, const Ex
 void choose_creases(const Spaced& spaced, const std::vector<EdgeId>& boundary, std::vector<EdgeId>& creases,
                     ConstrainedStart& start) {
   const double length = total_length(spaced.mesh, creases);
-  creases = Networks(spaced.mesh, creases).long_ones(creases, spaced.spacing);
+  creases = keep_long(group_creases(spaced.mesh, creases), spaced.spacing);
   if (total_length(spaced.mesh, creases) < kLongShare * length) creases.clear();
   if (creases.empty()) return;
   const std::vector<EdgeId> curves = join_edges(boundary, creases);

@@ -5,14 +5,22 @@
 #include <utility>
 #include <vector>
 
-#include "crease_network.hpp"
-#include "gvd/features.hpp"
 #include "gvd/geodesic_tracing.hpp"
+#include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
+#include "mesh/creases.hpp"
 
 namespace gvd {
+
+/// The tangent vector at a point of a crease nearest to `tangent` among those along the crease. Zero at a corner.
+Vec2 project_to_crease(const Mesh& mesh, const CreaseNetwork& network, const SurfacePoint& point, const Vec2& tangent);
+
+/// Follows the crease from a point of it in the direction of `tangent`, which lies along the crease, by its length, or
+/// to the next corner. The path ends on that crease. Cost: O(edges passed).
+GeodesicTrace follow_crease(const Mesh& mesh, const CreaseNetwork& network, const SurfacePoint& point,
+                            const Vec2& tangent);
 
 /// Where generators may go.
 class GeneratorConstraints {

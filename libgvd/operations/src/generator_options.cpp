@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <utility>
 
 #include "gvd/constrained_start.hpp"
@@ -60,7 +59,7 @@ std::vector<GeneratorCurve> find_curves(const Mesh& mesh, const std::string& nam
                 "of curves, or points");
   }
   const double angle = parse_creases(name, kUsualCreaseAngle).value_or(kUsualCreaseAngle);
-  auto curves = crease_curves(mesh, angle * std::numbers::pi / 180);
+  auto curves = crease_curves(mesh, angle);
   if (!curves.empty()) return curves;
   throw Error(ErrorCode::precondition,
               fmt::format("\1curves={}\2: no two faces meet at more than {} degrees; ask for a smaller angle, or use "

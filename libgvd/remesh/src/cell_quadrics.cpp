@@ -10,12 +10,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.hpp"
 #include "base/barycentric.hpp"
 #include "base/union_find.hpp"
 #include "diagram/cell_parts.hpp"
 #include "edge_labels.hpp"
+#include "mesh/creases.hpp"
 #include "repair/cell_topology.hpp"
 
 namespace gvd {
@@ -68,15 +69,13 @@ struct EdgeSum {
   Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();  // of sharp and boundary edges, by their lengths
 };
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 void add_edge(const Mesh& mesh, EdgeId e, const std::vector<LabelInterval>& labels,
               IdVector<GeneratorId, EdgeSum>& sums) {
   const HalfedgeId h = mesh.halfedge(e), twin = mesh.twin(h);
   const bool is_boundary = !twin.valid();
-  const double angle =
-      is_boundary ? 0 : angle_between(face_normal(mesh, Mesh::face(h)), face_normal(mesh, Mesh::face(twin)));
-  const bool is_sharp = angle > kSharpAngle * std::numbers::pi / 180;
+  const Vec3 here = face_normal(mesh, Mesh::face(h)), there = is_boundary ? here : face_normal(mesh, Mesh::face(twin));
+  const double angle = angle_between(here, there);
+  const bool is_sharp = CreaseTest(kSharpAngle, CreaseRule::angle)(here, there);
   const Vec3 along = (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).normalized();
   for (const LabelInterval& label : labels) {  // two for each part of an inner edge
     const double length = (label.end - label.begin) * mesh.length(h) * (is_boundary ? 1 : 0.5);
@@ -97,10 +96,11 @@ Vec3 find_direction(const EdgeSum& sum) {
 
 /// Whether a point of an edge or a vertex has faces that make a sharp edge.
 bool is_on_crease(const Mesh& mesh, const SurfacePoint& point) {
+  const CreaseTest meet_at_crease(kSharpAngle, CreaseRule::angle);
   const std::vector<FaceId> faces = faces_around(mesh, point);
   for (const FaceId f : faces) {
     for (const FaceId g : faces) {
-      if (angle_between(face_normal(mesh, f), face_normal(mesh, g)) > kSharpAngle * std::numbers::pi / 180) return true;
+      if (meet_at_crease(face_normal(mesh, f), face_normal(mesh, g))) return true;
     }
   }
   return false;

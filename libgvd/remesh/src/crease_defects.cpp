@@ -18,6 +18,7 @@
 
 #include "base/least.hpp"
 #include "edge_labels.hpp"
+#include "mesh/creases.hpp"
 #include "repair/added_generators.hpp"
 
 namespace gvd {
@@ -67,7 +68,7 @@ struct LabelledCurve {
   SurfacePoint point(double at) const {
     if (curve.closed) at = std::fmod(at, length());
     const auto edge = std::upper_bound(vertex_at.begin() + 1, vertex_at.end() - 1, at) - vertex_at.begin() - 1;
-    const SurfacePoint p = point_on_curve(mesh, curve, edge, at - vertex_at[edge]);
+    const SurfacePoint p = point_on_edge(mesh, curve.edges[edge], curve.vertices[edge], at - vertex_at[edge]);
     return make_surface_point(p.face, p.bary);
   }
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "gvd/creases.hpp"
 #include "gvd/diagram.hpp"
-#include "gvd/features.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 

@@ -18,8 +18,10 @@
 #include "gvd/error.hpp"
 #include "gvd/read_soup.hpp"
 #include "gvd/text.hpp"
+#include "io/parse_json_lists.hpp"
 #include "io/parse_lists.hpp"
 #include "io/writers/format_writers.hpp"
+#include "mesh/find_coincident.hpp"
 #include "mesh/reading/readers.hpp"
 #include "mesh/reading/unpack.hpp"
 

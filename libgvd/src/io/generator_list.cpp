@@ -1,14 +1,10 @@
-// Lists of generators: the format of a list, reading and writing it, its entries as points of a mesh, and points in the
-// same place; and plain lists of numbers.
+// Lists of generators: the format of a list, reading and writing it, and its entries as points of a mesh; and plain
+// lists of numbers.
 //
 // The extension of a file picks its format, else its content does: JSON begins with a brace or bracket, and CSV has a
 // comma in its first line, or the header `vertex`.
 // Text keeps face and coordinates alone; the other formats write the position beside them, for other programs to read.
 //
-// Positions are snapped to the closest point of the surface. Two points coincide where they are close along the
-// surface: two sheets that touch hold different points at one position. Near each other, points lie in faces with a
-// common vertex, whose fan is unrolled into a plane to measure the distance.
-// A grid of cubes, whose side is the tolerance, finds the points so far that are near in space: those of 27 cubes.
 // Invariant: barycentric coordinates of a surface point are kept bit by bit, so that a written list reads back bit by
 // bit, in any locale: fmt writes a double with the fewest digits that read back to the same bits. An entry is refused
 // with its name and line, whichever step finds out.
@@ -22,20 +18,17 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <limits>
-#include <map>
-#include <numbers>
 
-#include "base/plane.hpp"
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
 #include "gvd/read_soup.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/text.hpp"
+#include "io/parse_json_lists.hpp"
 #include "io/parse_lists.hpp"
 #include "io/writers/format_writers.hpp"
+#include "mesh/find_coincident.hpp"
 #include "mesh/reading/unpack.hpp"
-#include "mesh/vertex_ring.hpp"
 
 namespace gvd {
 namespace {
@@ -127,100 +120,6 @@ std::string xyz_of(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
   }
   return out;
 }
-
-using Cube = std::array<std::int64_t, 3>;
-
-/// The place of a point in the unrolled fan of a vertex of its face: its distance from the vertex, and its angle from
-/// the side by which one enters the face counter-clockwise.
-struct Polar {
-  double radius, angle;
-  Polar(const Mesh& mesh, HalfedgeId outgoing, const Vec3& p) {
-    const Vec3& apex = mesh.position(mesh.from(outgoing));
-    const Vec3 side = mesh.position(mesh.to(outgoing)) - apex;
-    radius = (p - apex).norm();
-    angle = std::atan2(side.cross(p - apex).norm(), side.dot(p - apex));
-  }
-  double distance(const Polar& other, double turn) const {
-    const double between = turn + other.angle - angle;
-    if (between >= std::numbers::pi) return radius + other.radius;
-    return (radius * unit_vector(angle) - other.radius * unit_vector(turn + other.angle)).norm();
-  }
-};
-
-/// Distance from p, in the face of a halfedge, to q in face g, counter-clockwise through the fan of the vertex that the
-/// halfedge leaves; infinite where the fan does not lead there.
-double distance_through_fan(const Mesh& mesh, HalfedgeId from, const Vec3& p, FaceId g, const Vec3& q) {
-  const Polar start(mesh, from, p);
-  double turn = 0;
-  for (HalfedgeId h = from; h.valid();) {
-    if (Mesh::face(h) == g) return start.distance(Polar(mesh, h, q), turn);
-    turn += corner_angle(mesh, h);
-    h = next_outgoing(mesh, h);
-    if (h == from) break;
-  }
-  return kInfinity;
-}
-
-/// Distance of two points along the surface, through the fans of the vertices that their faces have in common: exact
-/// for points that are much nearer than their faces are large. Infinite where the faces have no vertex in common.
-double distance_along_surface(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
-  const Vec3 p = position(mesh, a), q = position(mesh, b);
-  if (a.face == b.face) return (p - q).norm();
-  double least = kInfinity;
-  for (int i = 0; i < 3; ++i) {
-    const HalfedgeId h = Mesh::halfedge(a.face, i);
-    least = std::min(least, distance_through_fan(mesh, h, p, b.face, q));
-    for (int k = 0; k < 3; ++k) {
-      const HalfedgeId other = Mesh::halfedge(b.face, k);
-      if (mesh.from(other) == mesh.from(h)) least = std::min(least, distance_through_fan(mesh, other, q, a.face, p));
-    }
-  }
-  return least;
-}
-
-/// The points so far, in cubes with the tolerance as side: closer points lie in the same cube or in adjacent ones.
-class Grid {
- public:
-  Grid(const Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {
-    if (mesh.vertex_count() > 0) origin_ = mesh.position(VertexId(0));
-  }
-
-  /// Returns the smallest index of an earlier point that coincides with this one. Without one, inserts the point and
-  /// returns its own index.
-  std::int32_t insert(const SurfacePoint& point, std::int32_t index) {
-    const Vec3 location = position(mesh_, point);
-    const Cube centre = cube(location);
-    std::int32_t first = index;
-    for (int i = 0; i < 27; ++i) {
-      const Cube near{centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, centre[2] + i / 9 - 1};
-      const auto found = cubes_.find(near);
-      if (found == cubes_.end()) continue;
-      for (const Entry& other : found->second) {
-        if ((other.location - location).norm() > tolerance_) continue;
-        if (distance_along_surface(mesh_, other.point, point) <= tolerance_) first = std::min(first, other.index);
-      }
-    }
-    if (first == index) cubes_[centre].push_back({location, point, index});
-    return first;
-  }
-
- private:
-  struct Entry {
-    Vec3 location;
-    SurfacePoint point;
-    std::int32_t index;
-  };
-
-  Cube cube(const Vec3& location) const {
-    const Vec3 scaled = (location - origin_) / tolerance_;
-    return {std::llround(scaled.x()), std::llround(scaled.y()), std::llround(scaled.z())};
-  }
-
-  const Mesh& mesh_;
-  double tolerance_;
-  Vec3 origin_ = Vec3::Zero();
-  std::map<Cube, std::vector<Entry>> cubes_;
-};
 
 class Resolver {
  public:
@@ -347,7 +246,7 @@ class Resolver {
 GeneratorFormat detect_generator_format(std::string_view content) {
   if (is_utf16(content)) return detect_generator_format(to_utf8(content));
   if (detect_format(content, "") == MeshFormat::ply) return GeneratorFormat::ply;
-  const std::vector<detail::ListLine> lines = detail::split_lines(content);
+  const std::vector<detail::ListLine> lines = detail::split_lines(content, 1);
   const std::string_view first = lines.empty() ? std::string_view() : lines.front().text;
   if (first.starts_with('{') || first.starts_with('[')) return GeneratorFormat::json;
   const bool csv = first.find(',') != first.npos || first == "vertex" || first == "\"vertex\"";
@@ -400,16 +299,6 @@ std::vector<double> parse_numbers(std::string_view content, const std::string& n
     }
   }
   return numbers;
-}
-
-std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
-  Grid grid(mesh, std::max(coincidence(mesh), std::numeric_limits<double>::denorm_min()));
-  std::vector<std::int32_t> first;
-  first.reserve(points.size());
-  for (const SurfacePoint& point : points) {
-    first.push_back(grid.insert(canonical(mesh, point), std::int32_t(first.size())));
-  }
-  return first;
 }
 
 std::vector<std::string> generator_extensions() {

@@ -1,5 +1,4 @@
-// Lists line by line, as text and as comma-separated values; and as JSON, whose array `generators` of any object is a
-// list, so that a diagram or a report serves as one.
+// Lists line by line, as text and as comma-separated values; the vertices of a PLY; and tables of numbers.
 //
 // An entry says by the number of its fields what it is: one is a vertex, four a face with coordinates or a position
 // behind `p`, three a position. Whether three whole numbers are a position or three vertices only the whole list tells.
@@ -7,10 +6,6 @@
 // a face with coordinates before a vertex, and a vertex before a position, as an element of JSON does. So a list that
 // this library wrote, which has both face and position, comes back bit by bit.
 //
-// The documents of nlohmann/json know no lines. So JSON is read twice: by events from a stream, whose position gives
-// the lines of elements and of a syntax error, and then as a document. One parse with a callback would do both, but
-// after each object nlohmann/json 3.11 looks through all elements before it, which takes quadratic time.
-// Source: RFC 8259, as nlohmann/json reads it. Cost: O(length).
 // Invariant: a list that could be read in two ways is refused, never guessed at. Every message names list and line, and
 // is printable whatever the file holds.
 #include "io/parse_lists.hpp"
@@ -19,8 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
 #include "gvd/error.hpp"
@@ -120,18 +113,6 @@ Fields split_at(std::string_view text, char separator) {
 
 Fields split_commas(std::string_view text) { return split_at(text, ','); }
 
-/// Takes the lines up to the first one that is neither blank nor a comment, and returns it; an empty one at the end.
-ListLine take_line(std::string_view& content) {
-  if (content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
-  for (std::int32_t number = 1; !content.empty(); ++number) {
-    const std::size_t end = std::min(content.find('\n'), content.size());
-    const std::string_view line = content.substr(0, end), text = trim(line.substr(0, line.find('#')));
-    content.remove_prefix(std::min(end + 1, content.size()));
-    if (!text.empty()) return {text, number};
-  }
-  return {{}, 0};
-}
-
 /// The column of this name; -1 where there is none.
 std::ptrdiff_t find_column(const Fields& names, std::string_view name) {
   const auto found = std::find(names.begin(), names.end(), name);
@@ -195,91 +176,6 @@ GeneratorEntry read_row(const Columns& columns, const Fields& fields, const List
   return {GeneratorEntry::Kind::position, 0, parse_values(three(columns.position), location), location.line};
 }
 
-using nlohmann::json;
-
-/// Characters of the parser's reason that a message repeats: its own words, and a token of moderate length.
-constexpr std::size_t kReasonLength = 200;
-
-/// The events of a parse, for the line on which each object in the array "generators" begins.
-class LineReader : public nlohmann::json_sax<json> {
- public:
-  LineReader(std::string_view content, const std::string& name)
-      : content_(content), name_(name), in_(std::string(content)) {}
-
-  /// Throws Error{unreadable_input} with the line of a syntax error.
-  std::vector<std::int32_t> read() {
-    json::sax_parse(in_, this);
-    return std::move(lines_);
-  }
-
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(std::int64_t) override { return true; }
-  bool number_unsigned(std::uint64_t) override { return true; }
-  bool number_float(double, const std::string&) override { return true; }
-  bool string(std::string&) override { return true; }
-  bool binary(json::binary_t&) override { return true; }
-
-  bool key(std::string& text) override {
-    if (depth_ == 1) inside_ = text == "generators";
-    return true;
-  }
-  bool start_object(std::size_t) override {
-    if (depth_ == 2 && inside_) lines_.push_back(current_line());
-    return open();
-  }
-  bool end_object() override { return close(); }
-  bool start_array(std::size_t) override { return open(); }
-  bool end_array() override { return close(); }
-
-  bool parse_error(std::size_t, const std::string&, const json::exception& error) override {
-    // The library's text begins with its own name in brackets: "[json.exception.parse_error.101] parse error at ...",
-    // and quotes what it has read since the last token, whatever that is.
-    const std::string text = error.what();
-    const std::size_t bracket = text.find("] ");
-    const std::string reason = printable(text.substr(bracket == text.npos ? 0 : bracket + 2), kReasonLength);
-    ListLocation{name_, current_line()}.refuse("not valid JSON: " + reason);
-  }
-
- private:
-  bool open() { return ++depth_ > 0; }
-  bool close() { return --depth_ >= 0; }
-
-  /// The line up to which the stream is read. Each line is counted once.
-  std::int32_t current_line() {
-    const std::ptrdiff_t at = in_.rdbuf()->pubseekoff(0, std::ios::cur, std::ios::in);
-    line_ += static_cast<std::int32_t>(std::count(content_.begin() + counted_to_, content_.begin() + at, '\n'));
-    counted_to_ = at;
-    return line_;
-  }
-
-  std::string_view content_;
-  const std::string& name_;
-  std::istringstream in_;
-  std::vector<std::int32_t> lines_;
-  std::int32_t line_ = 1;
-  std::ptrdiff_t counted_to_ = 0;
-  int depth_ = 0;  ///< of objects and arrays that are open
-  bool inside_ = false;
-};
-
-std::array<double, 3> read_three(const json& value, std::string_view key, const ListLocation& location) {
-  std::array<double, 3> three{};
-  const bool sized = value.is_array() && value.size() == 3;
-  for (std::size_t i = 0; sized && i < 3; ++i) three[i] = value[i].is_number() ? value[i].get<double>() : NAN;
-  if (!sized || !std::isfinite(three[0] + three[1] + three[2])) {
-    location.refuse(fmt::format("\"{}\" must be an array of three finite numbers", key));
-  }
-  return three;
-}
-
-std::int64_t read_index(const json& value, std::string_view key, const ListLocation& location) {
-  if (!value.is_number_integer() || value.get<std::int64_t>() < 0) {
-    location.refuse(fmt::format("\"{}\" must be a whole number from 0", key));
-  }
-  return value.get<std::int64_t>();
-}
-
 }  // namespace
 
 std::string ListLocation::text() const { return line > 0 ? fmt::format("{}:{}", name, line) : name; }
@@ -319,11 +215,11 @@ std::vector<GeneratorEntry> parse_entries(const std::vector<ListRow>& rows, cons
   return entries;
 }
 
-std::vector<ListLine> split_lines(std::string_view content) {
-  if (content.substr(0, kByteOrderMark.size()) == kByteOrderMark) content.remove_prefix(kByteOrderMark.size());
+std::vector<ListLine> split_lines(std::string_view content, std::size_t most) {
+  if (content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
   std::vector<ListLine> lines;
   std::int32_t number = 0;
-  for (std::size_t start = 0; start < content.size();) {
+  for (std::size_t start = 0; start < content.size() && lines.size() < most;) {
     const std::size_t end = std::min(content.find('\n', start), content.size());
     const std::string_view line = content.substr(start, end - start);
     ++number;
@@ -400,12 +296,15 @@ std::vector<GeneratorEntry> parse_ply_points(std::string_view content, const std
 }
 
 bool is_element_table(std::string_view content) {
-  const Fields names = split_commas(take_line(content).text);
+  const std::vector<ListLine> lines = split_lines(content, 1);
+  const Fields names = lines.empty() ? Fields() : split_commas(lines.front().text);
   return names.size() > 1 && is_header(names) && find_element_column(names) >= 0;
 }
 
 void refuse_other_table(std::string_view content, const std::string& name) {
-  const ListLine first = take_line(content);
+  const std::vector<ListLine> lines = split_lines(content, 2);
+  if (lines.empty()) return;
+  const ListLine& first = lines.front();
   const auto is_name = [](std::string_view field) { return !field.empty() && !parse_number<double>(field); };
   const bool has_separators = first.text.find_first_of(",;\t") != first.text.npos;
   Fields names;
@@ -414,7 +313,7 @@ void refuse_other_table(std::string_view content, const std::string& name) {
   }
   if (!std::ranges::all_of(names, is_name)) return;
   const bool is_word = first.text.find(' ') == first.text.npos;
-  const bool is_title = is_word && parse_number<double>(take_line(content).text).has_value();
+  const bool is_title = is_word && lines.size() > 1 && parse_number<double>(lines[1].text).has_value();
   if (!has_separators && !is_title) return;
   ListLocation{name, first.number}.refuse(
       "the header has no column vertex or face, with commas between columns; name the column of indices so, or give "
@@ -454,43 +353,6 @@ ElementTable parse_element_table(std::string_view content, const std::string& na
     table.numbers[index] = *number;
   }
   return table;
-}
-
-nlohmann::json parse_document(std::string_view content, const std::string& name) {
-  LineReader(content, name).read();
-  return json::parse(content);
-}
-
-GeneratorEntry read_object(const json& object, const ListLocation& location) {
-  if (object.contains("face") && object.contains("bary")) {
-    const std::int64_t face = read_index(object["face"], "face", location);
-    return {GeneratorEntry::Kind::face, face, read_three(object["bary"], "bary", location), location.line};
-  }
-  if (object.contains("vertex")) {
-    return {GeneratorEntry::Kind::vertex, read_index(object["vertex"], "vertex", location), {}, location.line};
-  }
-  if (object.contains("position")) {
-    return {GeneratorEntry::Kind::position, 0, read_three(object["position"], "position", location), location.line};
-  }
-  location.refuse("a generator needs \"face\" and \"bary\", or \"vertex\", or \"position\"");
-}
-
-std::vector<GeneratorEntry> parse_json(std::string_view content, const std::string& name) {
-  const std::vector<std::int32_t> lines = LineReader(content, name).read();
-  const json document = json::parse(content);
-  const ListLocation location{name, 1};
-  if (!document.is_object() || !document.contains("generators")) {
-    location.refuse("there is no array \"generators\"; write one");
-  }
-  const json& list = document["generators"];
-  if (!list.is_array()) location.refuse("\"generators\" must be an array");
-  std::vector<GeneratorEntry> entries;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const ListLocation at{name, i < lines.size() ? lines[i] : 1};
-    if (!list[i].is_object()) at.refuse(fmt::format("element {} of \"generators\" must be an object", i));
-    entries.push_back(read_object(list[i], at));
-  }
-  return entries;
 }
 
 }  // namespace gvd::detail

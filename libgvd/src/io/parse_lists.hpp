@@ -1,14 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "gvd/generator_list.hpp"
 
-// Lists as text, comma-separated values and JSON. `name` is the list's in all messages.
+// Lists as text, comma-separated values and PLY. `name` is the list's in all messages.
 namespace gvd::detail {
 
 /// A line of a list, for messages. `name` must outlive it.
@@ -28,8 +29,9 @@ struct ListLine {
   std::int32_t number = 0;  ///< 1-based
 };
 
-/// The lines that are not empty. A byte order mark is skipped; # starts a comment. Cost: O(length).
-std::vector<ListLine> split_lines(std::string_view content);
+/// The lines that are not empty, the first `most` of them. A byte order mark is skipped; # starts a comment. Cost:
+/// O(length) of what is read.
+std::vector<ListLine> split_lines(std::string_view content, std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// The fields of a line between blanks, and between any number of `separator`.
 std::vector<std::string_view> split_fields(std::string_view text, char separator = ' ');
@@ -81,15 +83,5 @@ void refuse_other_table(std::string_view content, const std::string& name);
 /// `face,label_1,label_2` or `source,vertex,distance`. Each element from 0 on has one row; rows may come in any order.
 /// Throws Error{unreadable_input} with name and line. Cost: O(length).
 ElementTable parse_element_table(std::string_view content, const std::string& name);
-
-/// A JSON document. Throws Error{unreadable_input} with name and line.
-nlohmann::json parse_document(std::string_view content, const std::string& name);
-
-/// The entry of a JSON object: a face with coordinates, a vertex or a position.
-GeneratorEntry read_object(const nlohmann::json& object, const ListLocation& location);
-
-/// Parses JSON: the array `generators` of any object, such as a diagram or a report.
-/// Throws Error{unreadable_input} with name and line. Cost: O(length).
-std::vector<GeneratorEntry> parse_json(std::string_view content, const std::string& name);
 
 }  // namespace gvd::detail

@@ -176,7 +176,7 @@ void check_count(const CheckedMesh& input, const SoupProperty& property, const s
                                   counted(least_polygons(input), "polygon", "polygons")));
 }
 
-/// What a list has its numbers for, which only their count tells: the vertices of the input's file, its polygons, or
+/// Tells by their count what the numbers of a list belong to: the vertices of the input's file, its polygons, or
 /// the vertices or faces that the repair made of them, as files of this library have them. Where several could be, and
 /// the file does not say it, the first of these counts.
 ElementValues assign(const CheckedMesh& input, FileValues&& found, const std::string& name) {

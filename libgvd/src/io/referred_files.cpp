@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// So many bytes tell what a file is, unless all are blank.
+/// This many bytes tell what a file is, unless all are blank.
 constexpr std::size_t kOpeningBytes = 4096;
 
 constexpr std::string_view kLineBlanks = " \t\v\f", kLineEnds = "\r\n";
@@ -42,7 +42,7 @@ bool may_refer(MeshFormat format) {
   return format == MeshFormat::obj || format == MeshFormat::gltf || format == MeshFormat::glb;
 }
 
-/// What follows the keyword of each statement `mtllib`.
+/// The names in the statements `mtllib`: all that follows the keyword.
 std::vector<std::string> find_material_statements(std::string_view obj) {
   constexpr std::string_view kKeyword = "mtllib";
   std::vector<std::string> statements;

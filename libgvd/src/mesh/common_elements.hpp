@@ -15,8 +15,9 @@ struct ChangedGenerators {
   std::vector<SurfacePoint> points;        ///< all their points, in the input
 };
 
-/// What two working meshes of one input have in common. A face of the input that no changed generator splits is split
-/// by both in the same way, so that its parts, and its own vertices, correspond in their order.
+/// The faces and vertices that two working meshes of one input have in common. A face of the input that no changed
+/// generator splits is split by both in the same way, so that its parts, and its own vertices, correspond in their
+/// order.
 struct CommonElements {
   IdVector<FaceId, FaceId> before, after;       ///< of each face in the other mesh; invalid for a part of another split
   IdVector<VertexId, VertexId> vertex_before;   ///< of each vertex after; invalid for a changed generator's own

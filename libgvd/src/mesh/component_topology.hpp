@@ -8,7 +8,7 @@
 
 namespace gvd {
 
-/// What a connected part of a mesh is, but for its shape.
+/// The topology of a connected part of a mesh.
 struct ComponentTopology {
   std::int32_t euler_characteristic = 0;  ///< vertices - edges + faces: 1 for a disc
   std::int32_t boundary_loops = 0;

@@ -3,17 +3,17 @@
 // A curve is checked before work begins, so that what inserts it may count on points in faces and on connected
 // segments.
 //
-// The curves of a mesh are connected sets of its edges: union-find over the vertices gives the sets, in the order of
-// their first vertices.
+// The curves of a mesh are connected groups of its edges: see creases.hpp.
 #include "gvd/generator_curve.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 #include "base/union_find.hpp"
 #include "gvd/error.hpp"
+#include "mesh/creases.hpp"
 
 namespace gvd {
 namespace {
@@ -49,30 +49,19 @@ void check_curve(const Mesh& mesh, const GeneratorCurve& curve, std::size_t numb
   if (parts > 1) refuse(number, fmt::format("has {} parts; make each one a curve of its own", parts));
 }
 
-/// The connected sets of some edges, each with its vertices in their order. So the first point of a curve is the vertex
-/// with the least number, whatever edges it has.
+/// The connected groups of some edges, each with its vertices in their order. So the first point of a curve is the
+/// vertex with the least number, whatever edges it has.
 std::vector<GeneratorCurve> collect_curves(const Mesh& mesh, const std::vector<EdgeId>& edges) {
-  UnionFind sets(mesh.vertex_count());
-  for (const EdgeId e : edges) {
-    sets.unite(mesh.from(mesh.halfedge(e)).value(), mesh.to(mesh.halfedge(e)).value());
-  }
-  IdVector<VertexId, std::uint8_t> is_used(mesh.vertex_count(), 0);
-  for (const EdgeId e : edges) is_used[mesh.from(mesh.halfedge(e))] = is_used[mesh.to(mesh.halfedge(e))] = 1;
   std::vector<GeneratorCurve> curves;
-  IdVector<VertexId, std::int32_t> curve_of(mesh.vertex_count(), -1), point_of(mesh.vertex_count(), -1);
-  for (const VertexId v : mesh.vertices()) {
-    if (is_used[v] == 0) continue;
-    std::int32_t& curve = curve_of[VertexId(sets.find(v.value()))];
-    if (curve < 0) {
-      curve = std::int32_t(curves.size());
-      curves.emplace_back();
+  for (const CreaseGroup& group : group_creases(mesh, edges)) {
+    GeneratorCurve& curve = curves.emplace_back();
+    for (const VertexId v : group.vertices) curve.points.push_back(vertex_point(mesh, v));
+    const auto point = [&](VertexId v) {
+      return std::int32_t(std::ranges::lower_bound(group.vertices, v) - group.vertices.begin());
+    };
+    for (const EdgeId e : group.edges) {
+      curve.segments.push_back({point(mesh.from(mesh.halfedge(e))), point(mesh.to(mesh.halfedge(e)))});
     }
-    point_of[v] = std::int32_t(curves[curve].points.size());
-    curves[curve].points.push_back(vertex_point(mesh, v));
-  }
-  for (const EdgeId e : edges) {
-    const VertexId from = mesh.from(mesh.halfedge(e)), to = mesh.to(mesh.halfedge(e));
-    curves[curve_of[VertexId(sets.find(from.value()))]].segments.push_back({point_of[from], point_of[to]});
   }
   return curves;
 }
@@ -104,23 +93,11 @@ void check_curves(const Mesh& mesh, const std::vector<GeneratorCurve>& curves) {
 }
 
 std::vector<GeneratorCurve> boundary_curves(const Mesh& mesh) {
-  std::vector<EdgeId> edges;
-  for (const EdgeId e : mesh.edges()) {
-    if (mesh.is_boundary(e)) edges.push_back(e);
-  }
-  return collect_curves(mesh, edges);
+  return collect_curves(mesh, find_creases(mesh, {.with_boundary = true}));
 }
 
-std::vector<GeneratorCurve> crease_curves(const Mesh& mesh, double least_angle) {
-  std::vector<EdgeId> edges;
-  for (const EdgeId e : mesh.edges()) {
-    if (mesh.is_boundary(e)) continue;
-    const HalfedgeId h = mesh.halfedge(e);
-    const Vec3 here = face_normal(mesh, Mesh::face(h)), there = face_normal(mesh, Mesh::face(mesh.twin(h)));
-    if (here.isZero() || there.isZero()) continue;
-    if (std::atan2(here.cross(there).norm(), here.dot(there)) > least_angle) edges.push_back(e);
-  }
-  return collect_curves(mesh, edges);
+std::vector<GeneratorCurve> crease_curves(const Mesh& mesh, double angle) {
+  return collect_curves(mesh, find_creases(mesh, {.angle = angle, .rule = CreaseRule::angle}));
 }
 
 }  // namespace gvd

@@ -27,6 +27,7 @@
 #include <string>
 #include <tuple>
 
+#include "base/angles.hpp"
 #include "base/union_find.hpp"
 #include "gvd/error.hpp"
 #include "gvd/quality.hpp"
@@ -73,8 +74,7 @@ constexpr double kAngleSlack = 1e-9;
 constexpr double kShortest = 1 + 1e-9;
 
 double angle_at(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 u = b - a, v = c - a;
-  return std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / std::numbers::pi;
+  return angle_between(b - a, c - a) * 180 / std::numbers::pi;
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ class WorkingMesh {
   VertexId vertex(GeneratorId g) const { return generator_vertex_[g]; }
   /// The generator at vertex v of mesh(); invalid where there is none.
   GeneratorId generator(VertexId v) const { return vertex_generator_[v]; }
-  /// Of a curve that of its first point.
+  /// The vertex of each generator; for a curve, that of its first point.
   const IdVector<GeneratorId, VertexId>& generator_vertices() const { return generator_vertex_; }
   /// Empty where all generators are points. A curve of one point is none.
   const CurveEdges& curves() const { return curves_; }

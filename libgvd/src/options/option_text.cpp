@@ -316,7 +316,7 @@ Written write_any(const std::optional<T>& value) {
   return value ? Written(Texts{fmt::format("{}", *value)}) : Written();
 }
 
-// These are function objects, so that std::visit takes them beside lambdas.
+// Function objects, so that std::visit takes them beside lambdas.
 
 const auto kWriteNumber = [](const Number& number) {
   return std::visit(

@@ -1,4 +1,4 @@
-// What a misspelt name may have been meant for.
+// The name that a misspelt one may have been meant for.
 
 #include <algorithm>
 #include <string_view>
@@ -55,7 +55,7 @@ std::optional<std::string> suggest_name(const std::string& wrong, const std::vec
   std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
   for (const std::string& name : names) {
     const std::string bare = bare_name(name);
-    // So many letters at least have to be inserted or deleted.
+    // At least this many letters have to be inserted or deleted.
     const std::size_t fewest = std::max(typed.size(), bare.size()) - std::min(typed.size(), bare.size());
     const std::size_t edits = fewest < least ? count_edits(typed, bare) : least;
     // An option of one letter is nobody's misspelling.

@@ -111,7 +111,7 @@ TEST_CASE("isolines from the creases of a cube are squares on its sides") {
   for (const int n : {1, 2, 5}) {
     CAPTURE(n);
     const Mesh mesh = make_cube(n);
-    const ExactField field(mesh, crease_curves(mesh, 1));
+    const ExactField field(mesh, crease_curves(mesh, 57.3));
     const auto distance = [](const Vec3& p) {
       std::array<double, 3> to_side{};
       for (int i = 0; i < 3; ++i) to_side[i] = std::min(p[i], 1 - p[i]);

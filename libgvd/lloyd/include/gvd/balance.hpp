@@ -5,7 +5,7 @@
 #include "gvd/cell_moments.hpp"
 #include "gvd/density.hpp"
 #include "gvd/diagram.hpp"
-#include "gvd/features.hpp"
+#include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "gvd/features.hpp"
+#include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
@@ -33,7 +33,7 @@ struct ConstrainedStart {
   std::vector<SurfacePoint> points;
   std::vector<Freedom> freedom;  ///< of the points; empty if all are free
   std::vector<EdgeId> creases;
-  double corner_distance = 0;           ///< of the creases (place_on_creases), mesh units
+  double corner_distance = 0;           ///< of the creases (trace_creases), mesh units
   std::int64_t loops = 0;               ///< of the boundary, where it is preferred
   std::int64_t unfollowed_loops = 0;    ///< of these, those that would take too many generators
   std::int64_t enough_for_loops = 0;    ///< with so many generators some are on each loop; 0 where all are followed

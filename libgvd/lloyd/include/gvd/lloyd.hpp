@@ -8,7 +8,6 @@
 #include "gvd/cell_moments.hpp"
 #include "gvd/density.hpp"
 #include "gvd/diagram.hpp"
-#include "gvd/features.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/names.hpp"
 #include "gvd/surface_point.hpp"
@@ -17,6 +16,13 @@
 namespace gvd {
 
 struct CoarseCopy;  // coarse_copy.hpp
+
+/// How a generator may move while it is relaxed.
+enum class Freedom {
+  free,       ///< over the whole surface
+  on_crease,  ///< along the creases, up to their corners
+  fixed,      ///< not at all
+};
 
 /// How the steps of an iteration are found.
 enum class Acceleration {
@@ -28,7 +34,7 @@ inline const Choices<Acceleration> kAccelerationNames{{"lbfgs", Acceleration::lb
 struct LloydOptions {
   /// How each generator may move, one for each; empty: all are free.
   std::vector<Freedom> freedom;
-  std::vector<EdgeId> creases;  ///< of the generators that stay on creases (see features.hpp)
+  std::vector<EdgeId> creases;  ///< of the generators that stay on creases (see creases.hpp)
   Density density;              ///< weight of the surface in the energy; of the mesh's faces, or uniform
   Acceleration acceleration = Acceleration::lbfgs;
   std::optional<std::int32_t> max_iterations;  ///< >= 0; without a value 300, or 100 without acceleration

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "gvd/creases.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/dual.hpp"
-#include "gvd/features.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/placement.hpp"
 #include "gvd/quality.hpp"

@@ -179,10 +179,6 @@ std::int64_t count_excess(const Mesh& mesh, const Diagram& diagram) {
   return excess;
 }
 
-bool reaches_everything(const Diagram& diagram) {
-  return std::ranges::all_of(diagram.vertex_label, &GeneratorId::valid);
-}
-
 std::vector<ViewFigure> make_figures(const Mesh& mesh, const Diagram& diagram, const Mesh& shown) {
   const MeshSummary summary = compute_mesh_summary(mesh);
   std::int64_t characteristics = 0, discs = 0;
@@ -199,7 +195,7 @@ std::vector<ViewFigure> make_figures(const Mesh& mesh, const Diagram& diagram, c
                                   {"Bisectors", fmt::format("{}", diagram.bisectors.size())},
                                   {"Bisector length", fmt::format("{:.6g}", diagram.length)},
                                   {"Disc regions", fmt::format("{} of {}", discs, diagram.cells.size())}};
-  if (reaches_everything(diagram)) {
+  if (std::ranges::all_of(diagram.vertex_label, &GeneratorId::valid)) {  // they cover the mesh
     figures.push_back({"Euler count", fmt::format("{} of {}", count_excess(mesh, diagram),
                                                   2 * (characteristics - summary.euler_characteristic))});
   }

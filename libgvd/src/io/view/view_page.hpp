@@ -12,8 +12,8 @@
 
 namespace gvd::io {
 
-/// What a page holds of its scenes, which have been checked: the manifest; the arrays go into `blobs`. Cost: that of
-/// its entries.
+/// The manifest of a page: its scenes, which have been checked, without their arrays, which go into `blobs`. Cost: that
+/// of its entries.
 nlohmann::json make_view_manifest(const std::vector<ViewScene>& scenes, const ViewFrame& frame,
                                   const ViewOptions& options, ViewBlobs& blobs);
 

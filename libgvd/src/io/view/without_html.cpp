@@ -1,4 +1,4 @@
-// What GVD_WITH_XML=OFF leaves out for want of zlib: the page. There is no viewer either then.
+// The stand-in for the page, which GVD_WITH_XML=OFF leaves out for want of zlib. There is no viewer either then.
 #include "gvd/error.hpp"
 #include "io/view/view_blobs.hpp"
 

@@ -96,7 +96,7 @@ DistanceTable require_distances(const ColoredMesh& mesh, std::string_view format
 /// them, relative to `origin`. Empty where they can. Cost: O(n).
 std::string why_not_floats(const Mesh& mesh, const Vec3& origin);
 
-/// What 32-bit floats do to the positions of a mesh, relative to `origin`. Cost: O(n).
+/// The effect of 32-bit floats on the positions of a mesh, relative to `origin`. Cost: O(n).
 PositionLoss measure_float_loss(const Mesh& mesh, const Vec3& origin);
 
 /// The point that the positions of a GLB are relative to: 0, or a point with floats as coordinates near the centre of a

@@ -12,113 +12,66 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "gvd/error.hpp"
 #include "gvd/surface_point.hpp"
 #include "io/writers/format_writers.hpp"
+#include "mesh/creases.hpp"
 #include "mesh/vertex_ring.hpp"
 
 namespace gvd::io {
 namespace {
 
-/// cos(40 degrees), as on the page of --view: curved surfaces look smooth, creases sharp.
-constexpr double kCreaseCosine = 0.7660444431189780;
+/// As on the page of --view: curved surfaces look smooth, creases sharp. Degrees.
+constexpr double kShadingAngle = 40;
 constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
 
-class Splitter {
- public:
-  explicit Splitter(const LabelledMesh& labelled) : labelled_(labelled), mesh_(labelled.mesh) {
-    for (const FaceId f : mesh_.faces()) face_normal_.push_back(face_normal(mesh_, f));
-    of_corner_.resize(mesh_.halfedge_count());
-    for (const VertexId v : mesh_.vertices()) split(v);
+/// The texture coordinates of a corner; 0 for the corners of a face without: GLB has some for every vertex.
+Uv texture_of(const LabelledMesh& labelled, HalfedgeId h) {
+  if (!labelled.has_texture()) return {};
+  const std::vector<Uv>& texture = labelled.appearance->texture;
+  for (const HalfedgeId corner : Mesh::halfedges(Mesh::face(h))) {
+    if (!fits_floats(texture[corner.index()])) return {};
   }
+  return texture[h.index()];
+}
 
-  /// Numbers the vertices in the order in which the faces use them.
-  ShadingVertices run() {
-    ShadingVertices result;
-    std::vector<std::uint32_t> number(split_.size(), kUnseen);
-    for (const HalfedgeId h : mesh_.halfedges()) {
-      std::uint32_t& known = number[of_corner_[h]];
-      if (known == kUnseen) {
-        known = std::uint32_t(result.vertices.size());
-        result.vertices.push_back(split_[of_corner_[h]]);
-      }
-      result.of_corner.push_back(known);
+/// The mean of the normals of faces at a vertex, by their angles. `ring`: the halfedges that leave it.
+Eigen::Vector3f mean_normal(const Mesh& mesh, const IdVector<FaceId, Vec3>& normal, std::span<const HalfedgeId> ring) {
+  Vec3 sum = Vec3::Zero();
+  for (const HalfedgeId h : ring) sum += corner_angle(mesh, h) * normal[Mesh::face(h)];
+  const Vec3 unit = sum.stableNormalized();
+  return unit.isZero(0) ? Eigen::Vector3f(0, 0, 1) : Eigen::Vector3f(unit.cast<float>());
+}
+
+/// Numbers vertices in the order in which the faces use them. `of_corner`: the vertex of each corner.
+ShadingVertices number_by_use(const std::vector<ShadingVertex>& vertices,
+                              const IdVector<HalfedgeId, std::uint32_t>& of_corner) {
+  ShadingVertices numbered;
+  std::vector<std::uint32_t> number(vertices.size(), kUnseen);
+  for (const std::uint32_t vertex : of_corner) {
+    std::uint32_t& known = number[vertex];
+    if (known == kUnseen) {
+      known = std::uint32_t(numbered.vertices.size());
+      numbered.vertices.push_back(vertices[vertex]);
     }
-    return result;
+    numbered.of_corner.push_back(known);
   }
+  return numbered;
+}
 
- private:
-  GeneratorId label_of(HalfedgeId h) const {
-    return labelled_.face_label == nullptr ? GeneratorId() : (*labelled_.face_label)[Mesh::face(h)];
+/// Turns a closed ring so that it begins behind a break. False where it has none.
+template <class IsBreak>
+bool begin_at_break(std::vector<HalfedgeId>& ring, const IsBreak& is_break) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (!is_break(ring[(i + ring.size() - 1) % ring.size()], ring[i])) continue;
+    std::rotate(ring.begin(), ring.begin() + i, ring.end());
+    return true;
   }
-  /// 0 for the corners of a face without texture coordinates: GLB has some for every vertex.
-  Uv texture_of(HalfedgeId h) const {
-    if (!labelled_.has_texture()) return {};
-    const std::vector<Uv>& texture = labelled_.appearance->texture;
-    for (const HalfedgeId corner : Mesh::halfedges(Mesh::face(h))) {
-      if (!fits_floats(texture[corner.index()])) return {};
-    }
-    return texture[h.index()];
-  }
-  /// Whether the corners of two faces can be one vertex, but for their normals.
-  bool is_joined(HalfedgeId g, HalfedgeId h) const {
-    return label_of(g) == label_of(h) && texture_of(g) == texture_of(h);
-  }
-
-  /// A face without area is no crease.
-  bool is_crease(HalfedgeId g, HalfedgeId h) const {
-    const Vec3 &m = face_normal_[Mesh::face(g)], &n = face_normal_[Mesh::face(h)];
-    return !m.isZero(0) && !n.isZero(0) && m.dot(n) < kCreaseCosine;
-  }
-
-  /// Turns a closed ring so that it begins behind a crease or, where there is none, behind a border or a seam.
-  /// So faces that lie together in the ring lie together in the list.
-  void begin_at_break() {
-    const auto turn_to = [this](auto is_break) {
-      for (std::size_t i = 0; i < ring_.size(); ++i) {
-        if (!is_break(ring_[(i + ring_.size() - 1) % ring_.size()], ring_[i])) continue;
-        std::rotate(ring_.begin(), ring_.begin() + i, ring_.end());
-        return true;
-      }
-      return false;
-    };
-    if (turn_to([this](HalfedgeId g, HalfedgeId h) { return is_crease(g, h); })) return;
-    turn_to([this](HalfedgeId g, HalfedgeId h) { return !is_joined(g, h); });
-  }
-
-  Eigen::Vector3f mean_normal(std::size_t first, std::size_t last) const {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = first; i < last; ++i)
-      sum += corner_angle(mesh_, ring_[i]) * face_normal_[Mesh::face(ring_[i])];
-    const Vec3 unit = sum.stableNormalized();
-    return unit.isZero(0) ? Eigen::Vector3f(0, 0, 1) : Eigen::Vector3f(unit.cast<float>());
-  }
-
-  void split(VertexId v) {
-    ring_.clear();
-    for_each_outgoing(mesh_, v, [this](HalfedgeId h) { ring_.push_back(h); });
-    if (!mesh_.is_boundary(v)) begin_at_break();
-    for (std::size_t first = 0, last = 0; first < ring_.size(); first = last) {
-      for (last = first + 1; last < ring_.size() && !is_crease(ring_[last - 1], ring_[last]);) ++last;
-      const Eigen::Vector3f normal = mean_normal(first, last);
-      for (std::size_t i = first; i < last; ++i) {
-        if (i == first || !is_joined(ring_[i - 1], ring_[i])) {
-          split_.push_back({v, normal, label_of(ring_[i]), texture_of(ring_[i])});
-        }
-        of_corner_[ring_[i]] = std::uint32_t(split_.size()) - 1;
-      }
-    }
-  }
-
-  const LabelledMesh& labelled_;
-  const Mesh& mesh_;
-  IdVector<FaceId, Vec3> face_normal_;
-  std::vector<ShadingVertex> split_;  ///< by vertex
-  IdVector<HalfedgeId, std::uint32_t> of_corner_;
-  std::vector<HalfedgeId> ring_;  ///< of one vertex, counter-clockwise
-};
+  return false;
+}
 
 }  // namespace
 
@@ -196,6 +149,44 @@ DistanceTable require_distances(const ColoredMesh& mesh, std::string_view format
               fmt::format("{} holds distances of vertices, and there are none; choose another format", format));
 }
 
-ShadingVertices split_shading_vertices(const LabelledMesh& mesh) { return Splitter(mesh).run(); }
+ShadingVertices split_shading_vertices(const LabelledMesh& labelled) {
+  const Mesh& mesh = labelled.mesh;
+  IdVector<FaceId, Vec3> normal;
+  for (const FaceId f : mesh.faces()) normal.push_back(face_normal(mesh, f));
+  const CreaseTest meet_at_crease(kShadingAngle, CreaseRule::cosine);
+  const auto is_crease = [&](HalfedgeId g, HalfedgeId h) {
+    return meet_at_crease(normal[Mesh::face(g)], normal[Mesh::face(h)]);
+  };
+  const auto label_of = [&](HalfedgeId h) {
+    return labelled.face_label == nullptr ? GeneratorId() : (*labelled.face_label)[Mesh::face(h)];
+  };
+  // Whether the corners of two faces can be one vertex, but for their normals.
+  const auto is_joined = [&](HalfedgeId g, HalfedgeId h) {
+    return label_of(g) == label_of(h) && texture_of(labelled, g) == texture_of(labelled, h);
+  };
+  std::vector<ShadingVertex> split;  // by vertex
+  IdVector<HalfedgeId, std::uint32_t> of_corner(mesh.halfedge_count());
+  std::vector<HalfedgeId> ring;
+  for (const VertexId v : mesh.vertices()) {
+    ring.clear();
+    for_each_outgoing(mesh, v, [&](HalfedgeId h) { ring.push_back(h); });
+    // A closed ring begins behind a crease or, where there is none, behind a border or a seam. So faces that lie
+    // together in the ring lie together in the list.
+    if (!mesh.is_boundary(v) && !begin_at_break(ring, is_crease)) {
+      begin_at_break(ring, [&](HalfedgeId g, HalfedgeId h) { return !is_joined(g, h); });
+    }
+    for (std::size_t first = 0, last = 0; first < ring.size(); first = last) {
+      for (last = first + 1; last < ring.size() && !is_crease(ring[last - 1], ring[last]);) ++last;
+      const Eigen::Vector3f mean = mean_normal(mesh, normal, {ring.data() + first, last - first});
+      for (std::size_t i = first; i < last; ++i) {
+        if (i == first || !is_joined(ring[i - 1], ring[i])) {
+          split.push_back({v, mean, label_of(ring[i]), texture_of(labelled, ring[i])});
+        }
+        of_corner[ring[i]] = std::uint32_t(split.size()) - 1;
+      }
+    }
+  }
+  return number_by_use(split, of_corner);
+}
 
 }  // namespace gvd::io

@@ -79,68 +79,8 @@ std::vector<Rgb> to_colors(const std::vector<std::size_t>& choice) {
   return colors;
 }
 
-/// Changes colours until neighbours differ.
-class Adaptation {
- public:
-  Adaptation(const Neighbours& neighbours, const std::vector<Rgb>& before)
-      : neighbours_(neighbours), choice_(neighbours.size(), kUncoloured), tries_(neighbours.size()) {
-    for (std::size_t label = 0; label < std::min(before.size(), choice_.size()); ++label) {
-      const auto found = std::find(kRegionPalette.begin(), kRegionPalette.end(), before[label]);
-      choice_[label] = std::size_t(found - kRegionPalette.begin());
-      ++uses_[choice_[label]];
-    }
-  }
-
-  /// Returns whether neighbours differ at last.
-  bool run() {
-    std::deque<std::size_t> open;
-    for (std::size_t label = 0; label < choice_.size(); ++label) {
-      const std::size_t c = choose(label);
-      const bool is_free = count_around(label)[c] == 0;
-      if (is_free && (clashes(label) || choice_[label] >= kUsualColors)) take(label, c);
-      if (clashes(label)) open.push_back(label);
-    }
-    for (std::size_t left = kMostChanges * choice_.size(); !open.empty(); --left) {
-      if (left == 0) return false;
-      const std::size_t label = open.front();
-      open.pop_front();
-      if (!clashes(label)) continue;
-      take(label, choose(label));
-      for (const std::size_t other : neighbours_[label]) {
-        if (choice_[other] == choice_[label]) open.push_back(other);
-      }
-    }
-    return true;
-  }
-  const std::vector<std::size_t>& choice() const { return choice_; }
-
- private:
-  /// Changes for each label, on the average, after which all colours are chosen anew.
-  static constexpr std::size_t kMostChanges = 20;
-
-  Uses count_around(std::size_t label) const { return count_colors(choice_, neighbours_[label]); }
-  bool clashes(std::size_t label) const {
-    return choice_[label] == kUncoloured || count_around(label)[choice_[label]] > 0;
-  }
-  /// The usual colour that the fewest neighbours have. A colour that the label had before counts as if a neighbour had
-  /// it; otherwise colours would be passed round for ever.
-  std::size_t choose(std::size_t label) const {
-    const Uses around = count_around(label);
-    return find_cheapest(kUsualColors,
-                         [&](std::size_t c) { return std::tuple(around[c] + tries_[label][c], uses_[c]); });
-  }
-  void take(std::size_t label, std::size_t c) {
-    if (choice_[label] != kUncoloured) --uses_[choice_[label]];
-    choice_[label] = c;
-    ++uses_[c];
-    ++tries_[label][c];
-  }
-
-  const Neighbours& neighbours_;
-  std::vector<std::size_t> choice_;
-  std::vector<std::array<std::size_t, kUsualColors>> tries_;  // how often each label has taken each colour
-  Uses uses_{};
-};
+/// Changes of colour for each label, on the average, after which all colours are chosen anew.
+constexpr std::size_t kMostChanges = 20;
 
 /// The pairs of a mesh's labels: of faces or, without these, of vertices.
 std::vector<RegionPair> list_pairs(const LabelledMesh& labelled) {
@@ -194,8 +134,48 @@ std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<Regio
 std::vector<Rgb> adapt_region_colors(const std::vector<Rgb>& before, std::size_t count,
                                      const std::vector<RegionPair>& adjacent) {
   const Neighbours neighbours = list_neighbours(count, adjacent);
-  Adaptation adaptation(neighbours, before);
-  return adaptation.run() ? to_colors(adaptation.choice()) : choose_region_colors(count, adjacent);
+  std::vector<std::size_t> choice(count, kUncoloured);
+  std::vector<std::array<std::size_t, kUsualColors>> tries(count);  // how often each label has taken each colour
+  Uses uses{};
+  for (std::size_t label = 0; label < std::min(before.size(), count); ++label) {
+    const auto found = std::find(kRegionPalette.begin(), kRegionPalette.end(), before[label]);
+    choice[label] = std::size_t(found - kRegionPalette.begin());
+    ++uses[choice[label]];
+  }
+  const auto count_around = [&](std::size_t label) { return count_colors(choice, neighbours[label]); };
+  const auto clashes = [&](std::size_t label) {
+    return choice[label] == kUncoloured || count_around(label)[choice[label]] > 0;
+  };
+  // The usual colour that the fewest neighbours have. A colour that the label had before counts as if a neighbour had
+  // it; otherwise colours would be passed round for ever.
+  const auto choose = [&](std::size_t label) {
+    const Uses around = count_around(label);
+    return find_cheapest(kUsualColors, [&](std::size_t c) { return std::tuple(around[c] + tries[label][c], uses[c]); });
+  };
+  const auto take = [&](std::size_t label, std::size_t c) {
+    if (choice[label] != kUncoloured) --uses[choice[label]];
+    choice[label] = c;
+    ++uses[c];
+    ++tries[label][c];
+  };
+  std::deque<std::size_t> open;
+  for (std::size_t label = 0; label < count; ++label) {
+    const std::size_t c = choose(label);
+    const bool is_free = count_around(label)[c] == 0;
+    if (is_free && (clashes(label) || choice[label] >= kUsualColors)) take(label, c);
+    if (clashes(label)) open.push_back(label);
+  }
+  for (std::size_t left = kMostChanges * count; !open.empty(); --left) {
+    if (left == 0) return choose_region_colors(count, adjacent);
+    const std::size_t label = open.front();
+    open.pop_front();
+    if (!clashes(label)) continue;
+    take(label, choose(label));
+    for (const std::size_t other : neighbours[label]) {
+      if (choice[other] == choice[label]) open.push_back(other);
+    }
+  }
+  return to_colors(choice);
 }
 
 }  // namespace gvd::io

@@ -1,4 +1,5 @@
-// What 32-bit floats do to positions: what they can't hold, how far they move vertices, and where GLB puts its origin.
+// The effect of 32-bit floats on positions: which they can't hold, how far they move vertices, and where GLB puts its
+// origin.
 //
 // A float has 24 bits. A survey at a northing of 5,400,000 m is held in steps of half a metre, whatever its size. STL,
 // GIFTI and FreeSurfer's surfaces have no other numbers, so that users can only be told. In GLB a node has a

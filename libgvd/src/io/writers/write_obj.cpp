@@ -48,52 +48,39 @@ std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh
   return numbers;
 }
 
-/// Prints the faces, with the numbers of their texture coordinates and the names of their materials.
-class FacePrinter {
- public:
-  /// `texture`: what print_texture gave.
-  FacePrinter(ByteWriter& out, const LabelledMesh& mesh, std::vector<std::size_t> texture)
-      : out_(out), mesh_(mesh), texture_(std::move(texture)) {}
-
-  /// In the order of the faces.
-  void print_all() {
-    for (const FaceId f : mesh_.mesh.faces()) print(f);
-  }
-
-  /// Group by group. `with_materials`: each region has one of its own, and the faces have none.
-  void print_regions(bool with_materials) {
-    for (const Region& region : collect_regions(mesh_)) {
-      const std::string name = region_name(region.label);
-      out_.print("g {}\n", name);
-      if (with_materials) out_.print("usemtl {}\n", name);
-      for (const FaceId f : region.faces) print(f);
+/// Prints the faces, by regions where there are some, with the numbers of their texture coordinates and the names of
+/// their materials. `region_materials`: each region has a material of its own.
+void print_faces(ByteWriter& out, const LabelledMesh& mesh, bool region_materials) {
+  const std::vector<std::size_t> texture = print_texture(out, mesh);
+  std::int32_t used = -1;  // the material of the last statement, which holds for all faces up to the next one
+  const auto print = [&](FaceId f) {
+    if (mesh.names_materials()) {
+      const std::int32_t material = mesh.appearance->material[f.index()];
+      const auto name = [&] {
+        return material < 0 ? kNoMaterial : std::string_view(mesh.appearance->materials[material]);
+      };
+      if (material != used) out.print("usemtl {}\n", name());
+      used = material;
     }
-  }
-
- private:
-  void print(FaceId f) {
-    if (mesh_.names_materials()) use_material(mesh_.appearance->material[f.index()]);
-    const auto& [a, b, c] = mesh_.mesh.vertices(f);
-    const std::size_t* t = texture_.empty() ? nullptr : texture_.data() + 3 * f.index();
+    const auto& [a, b, c] = mesh.mesh.vertices(f);
+    const std::size_t* t = texture.empty() ? nullptr : texture.data() + 3 * f.index();
     if (t == nullptr || t[0] == 0 || t[1] == 0 || t[2] == 0) {
-      out_.print("f {} {} {}\n", a.value() + 1, b.value() + 1, c.value() + 1);
+      out.print("f {} {} {}\n", a.value() + 1, b.value() + 1, c.value() + 1);
     } else {
-      out_.print("f {}/{} {}/{} {}/{}\n", a.value() + 1, t[0], b.value() + 1, t[1], c.value() + 1, t[2]);
+      out.print("f {}/{} {}/{} {}/{}\n", a.value() + 1, t[0], b.value() + 1, t[1], c.value() + 1, t[2]);
     }
+  };
+  if (mesh.face_label == nullptr) {
+    for (const FaceId f : mesh.mesh.faces()) print(f);
+    return;
   }
-
-  /// A statement holds for all faces up to the next one.
-  void use_material(std::int32_t material) {
-    if (material == material_) return;
-    material_ = material;
-    out_.print("usemtl {}\n", material < 0 ? kNoMaterial : std::string_view(mesh_.appearance->materials[material]));
+  for (const Region& region : collect_regions(mesh)) {
+    const std::string name = region_name(region.label);
+    out.print("g {}\n", name);
+    if (region_materials) out.print("usemtl {}\n", name);
+    for (const FaceId f : region.faces) print(f);
   }
-
-  ByteWriter& out_;
-  const LabelledMesh& mesh_;
-  std::vector<std::size_t> texture_;
-  std::int32_t material_ = -1;  // that of the last statement; faces before the first one have none
-};
+}
 
 /// The line through the vertices from number `first` on, one `l` for each segment: Blender keeps one edge of a longer
 /// `l`.
@@ -128,8 +115,7 @@ void write_obj_with_library(std::ostream& stream, const LabelledMesh& mesh, cons
     for (const std::string& file : mesh.appearance->material_files) out.print("mtllib {}\n", file);
   }
   for (const Vec3& p : mesh.mesh.positions()) print_vertex(out, p);
-  FacePrinter faces(out, mesh, print_texture(out, mesh));
-  mesh.face_label != nullptr ? faces.print_regions(!material_library.empty()) : faces.print_all();
+  print_faces(out, mesh, !material_library.empty());
   print_lines(out, mesh);
   out.finish();
 }

@@ -12,8 +12,8 @@ namespace gvd {
 
 /// The bytes of an array in XML, as they are or in Base64.
 ///
-/// Base64 comes in runs that end in padding: a compressed array of VTK has one for its header and one for its blocks.
-/// So the decoder goes on behind a padding.
+/// Base64 comes in runs that end in padding: a compressed array of VTK has one for its header and one for its blocks,
+/// so the decoder goes on behind a padding.
 class ArrayBytes {
  public:
   ArrayBytes(std::string_view data, bool is_base64) : data_(data), is_base64_(is_base64) {}

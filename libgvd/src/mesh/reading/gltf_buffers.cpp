@@ -20,106 +20,82 @@
 namespace gvd {
 namespace {
 
-class BufferReader {
- public:
-  BufferReader(std::string_view uri, std::size_t b, std::string_view name) : uri_(uri), number_(b), name_(name) {}
+constexpr std::string_view kData = "data:";
 
-  bool is_data() const { return to_lower(uri_.substr(0, kData.size())) == kData; }
+bool is_data_uri(std::string_view uri) { return to_lower(uri.substr(0, kData.size())) == kData; }
 
-  std::string read_data() const {
-    const std::size_t comma = std::min(uri_.find(','), uri_.size());
-    if (!to_lower(uri_.substr(0, comma)).ends_with(";base64")) refuse("is a data URI without Base64");
-    ArrayBytes data(uri_.substr(std::min(comma + 1, uri_.size())), true);
-    std::string bytes = data.take(data.most());
-    if (data.most() > 0) refuse("is a data URI whose Base64 is damaged");
-    return bytes;
-  }
-
-  std::string read_file(const std::filesystem::path& folder) const {
-    namespace fs = std::filesystem;
-    const fs::path relative = relative_path();
-    std::error_code error;
-    const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
-    const fs::path file = error ? fs::path() : fs::canonical(root / relative, error);
-    if (error) refuse("is not there; put it beside the mesh, or export one .glb");
-    const auto [end, below] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
-    if (end != root.end()) {
-      refuse("leads out of the folder of the mesh by a symbolic link; put the file itself there");
+/// The address with its percent-encoded bytes decoded; nothing where a '%' lacks its two digits.
+std::optional<std::string> decode_percents(std::string_view uri) {
+  std::string path;
+  for (std::size_t at = 0; at < uri.size(); ++at) {
+    if (uri[at] != '%') {
+      path += uri[at];
+      continue;
     }
-    if (!fs::is_regular_file(file, error)) refuse("is no file");
-    std::ifstream in(file, std::ios::binary);
-    if (!in) refuse("can't be opened; check its permissions");
-    const std::uintmax_t size = fs::file_size(file, error);
-    std::string bytes = read_to_end(in, error ? 0 : size);
-    if (in.bad()) refuse("can't be read to its end");
-    return bytes;
+    const std::string_view digits = uri.substr(at + 1, 2);
+    std::uint8_t byte = 0;
+    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
+    if (digits.size() != 2 || result.ec != std::errc() || result.ptr != digits.data() + 2) return std::nullopt;
+    path += static_cast<char>(byte);
+    at += 2;
   }
+  return path;
+}
 
-  [[noreturn]] void refuse(std::string_view what) const {
-    throw Error(ErrorCode::unreadable_input, fmt::format("{}: buffer {}, {}, {}", name_, number_, quoted(uri_), what));
+/// Sets the path that an address stands for, down from the folder of the mesh. Returns why it stands for none; nothing
+/// where it does.
+std::string_view find_relative_path(std::string_view uri, std::filesystem::path& relative) {
+  const std::optional<std::string> path = decode_percents(uri);
+  if (!path) return "has a '%' without two digits behind it";
+  if (path->find(':') != path->npos) {
+    return "is an address, and only files in the folder of the mesh are read; put it there, or export one .glb";
   }
-
-  /// The address as a path that leads down from the folder of the mesh.
-  std::filesystem::path relative_path() const {
-    const std::string path = decode();
-    if (path.find(':') != path.npos) {
-      refuse("is an address, and only files in the folder of the mesh are read; put it there, or export one .glb");
-    }
-    const bool is_plain = std::ranges::none_of(path, [](char c) { return std::uint8_t(c) < ' ' || c == '\\'; });
-    if (path.empty() || !is_plain) refuse("is no name of a file");
-    bool leads_up = path.front() == '/';
-    for (const std::filesystem::path& part : std::filesystem::path(path)) leads_up |= part == "..";
-    if (leads_up) refuse("is not in the folder of the mesh; put it there, or export one .glb");
-    return path;
+  const bool is_plain = std::ranges::none_of(*path, [](char c) { return std::uint8_t(c) < ' ' || c == '\\'; });
+  if (path->empty() || !is_plain) return "is no name of a file";
+  relative = *path;
+  if (path->front() == '/' || std::find(relative.begin(), relative.end(), "..") != relative.end()) {
+    return "is not in the folder of the mesh; put it there, or export one .glb";
   }
-
- private:
-  static constexpr std::string_view kData = "data:";
-
-  /// The address with its percent-encoded bytes decoded.
-  std::string decode() const {
-    std::string path;
-    for (std::size_t at = 0; at < uri_.size(); ++at) {
-      if (uri_[at] != '%') {
-        path += uri_[at];
-        continue;
-      }
-      const std::string_view digits = uri_.substr(at + 1, 2);
-      std::uint8_t byte = 0;
-      const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
-      if (digits.size() != 2 || result.ec != std::errc() || result.ptr != digits.data() + 2) {
-        refuse("has a '%' without two digits behind it");
-      }
-      path += static_cast<char>(byte);
-      at += 2;
-    }
-    return path;
-  }
-
-  std::string_view uri_;
-  std::size_t number_;
-  std::string_view name_;
-};
+  return {};
+}
 
 }  // namespace
 
 std::optional<std::filesystem::path> gltf_file(std::string_view uri) {
-  const BufferReader reader(uri, 0, "");
-  if (reader.is_data()) return std::nullopt;
-  try {
-    return reader.relative_path();
-  } catch (const Error&) {
-    return std::nullopt;
-  }
+  std::filesystem::path relative;
+  if (is_data_uri(uri) || !find_relative_path(uri, relative).empty()) return std::nullopt;
+  return relative;
 }
 
 std::string read_gltf_buffer(std::string_view uri, std::size_t b, const std::optional<std::filesystem::path>& folder,
                              ExpansionLimit& limit, std::string_view name) {
-  const BufferReader reader(uri, b, name);
-  if (reader.is_data()) return reader.read_data();
-  if (!folder)
-    reader.refuse("is not in the file; name the mesh by its path, with the buffer beside it, or export one .glb");
-  std::string bytes = reader.read_file(*folder);
+  namespace fs = std::filesystem;
+  const auto refuse = [&](std::string_view what) {
+    throw Error(ErrorCode::unreadable_input, fmt::format("{}: buffer {}, {}, {}", name, b, quoted(uri), what));
+  };
+  if (is_data_uri(uri)) {
+    const std::size_t comma = std::min(uri.find(','), uri.size());
+    if (!to_lower(uri.substr(0, comma)).ends_with(";base64")) refuse("is a data URI without Base64");
+    ArrayBytes data(uri.substr(std::min(comma + 1, uri.size())), true);
+    std::string bytes = data.take(data.most());
+    if (data.most() > 0) refuse("is a data URI whose Base64 is damaged");
+    return bytes;
+  }
+  if (!folder) refuse("is not in the file; name the mesh by its path, with the buffer beside it, or export one .glb");
+  fs::path relative;
+  if (const std::string_view why = find_relative_path(uri, relative); !why.empty()) refuse(why);
+  std::error_code error;
+  const fs::path root = fs::canonical(folder->empty() ? fs::path(".") : *folder, error);
+  const fs::path file = error ? fs::path() : fs::canonical(root / relative, error);
+  if (error) refuse("is not there; put it beside the mesh, or export one .glb");
+  const auto [end, below] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
+  if (end != root.end()) refuse("leads out of the folder of the mesh by a symbolic link; put the file itself there");
+  if (!fs::is_regular_file(file, error)) refuse("is no file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) refuse("can't be opened; check its permissions");
+  const std::uintmax_t size = fs::file_size(file, error);
+  std::string bytes = read_to_end(in, error ? 0 : size);
+  if (in.bad()) refuse("can't be read to its end");
   limit.add_file(bytes.size());
   return bytes;
 }

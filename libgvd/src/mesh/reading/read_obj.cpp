@@ -72,7 +72,8 @@ class ObjParser {
     }
     check_forward_references();
     finish_texture();
-    finish_materials();
+    use_material("");  // the last polygons have the last one
+    if (materials_.empty()) soup_.appearance.material.clear();
     if (lines_wanted_) return {};
     if (lines_ > 0)
       soup_.notes.push_back(fmt::format("{} (statement l) left out", counted(lines_, "polyline", "polylines")));
@@ -86,9 +87,11 @@ class ObjParser {
  private:
   void read_statement(std::string_view statement) {
     if (statement == "v") {
-      add_vertex();
+      soup_.positions.push_back(text_.position(soup_.positions.size()));
     } else if (statement == "vt") {
-      add_texture_vertex();
+      const std::optional<double> u = parse_double(text_.token());
+      const std::string_view v = text_.token();  // 0 where it is missing
+      texture_vertices_.push_back({u.value_or(kNone), v.empty() ? 0 : parse_double(v).value_or(kNone)});
     } else if (statement == "f") {
       if (!lines_wanted_) add_face();
     } else if (statement == "l") {
@@ -102,8 +105,6 @@ class ObjParser {
       soup_.appearance.material_files.push_back(rest_of_line());
     }
   }
-
-  void add_vertex() { soup_.positions.push_back(text_.position(soup_.positions.size())); }
 
   void add_face() {
     for (std::string_view token = text_.token(); !token.empty(); token = text_.token()) {
@@ -149,13 +150,6 @@ class ObjParser {
     texture_numbers_.push_back(is_number ? static_cast<std::int32_t>(index) : kWrongNumber);
   }
 
-  /// Reads `vt u v`; v is 0 where it is missing.
-  void add_texture_vertex() {
-    const std::optional<double> u = parse_double(text_.token());
-    const std::string_view v = text_.token();
-    texture_vertices_.push_back({u.value_or(kNone), v.empty() ? 0 : parse_double(v).value_or(kNone)});
-  }
-
   /// Gives the corners the coordinates that they refer to. Those may come later in the file, so all lines are read by
   /// now. A file whose corners have none has no texture.
   void finish_texture() {
@@ -174,7 +168,7 @@ class ObjParser {
                                       counted(wrong, "corner refers", "corners refer")));
   }
 
-  /// What follows the statement: a name may have blanks and '#'.
+  /// The name that follows the statement, which may have blanks and '#'.
   std::string rest_of_line() const {
     const std::string_view rest = text_.line();
     const std::size_t begin = std::min(rest.find_first_not_of(" \t"), rest.size());
@@ -189,12 +183,6 @@ class ObjParser {
     const auto [known, is_new] = materials_.try_emplace(name, std::int32_t(materials_.size()));
     if (is_new) soup_.appearance.materials.push_back(name);
     material_ = known->second;
-  }
-
-  /// The last polygons have the last material. A file that names no material has none.
-  void finish_materials() {
-    use_material("");
-    if (materials_.empty()) soup_.appearance.material.clear();
   }
 
   const char* element() const { return lines_wanted_ ? "line" : "face"; }

@@ -48,7 +48,7 @@ struct PlyHeader {
   bool has_images = false;  ///< a comment names the image of a texture, as MeshLab writes it
 };
 
-/// What is read from a PLY.
+/// The part of a PLY that is read.
 enum class PlyContent { surface, lines, points };
 
 /// Reads the header of a PLY file. Throws Error{unreadable_input} with the line where it is malformed. It needs an

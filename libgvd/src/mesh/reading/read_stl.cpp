@@ -116,55 +116,37 @@ constexpr std::array<StlStatement, 6> kStlStatements = {{{"solid", "solid", 0, 1
                                                          {"endfacet", "endfacet", 2, 1},
                                                          {"endsolid", "endsolid", 1, 0}}};
 
-class TextStlParser {
- public:
-  TextStlParser(std::string_view bytes, std::string_view name) : text_(bytes, name, false) { soup_.unwelded = true; }
-
-  /// Reads each solid: solid (facet (outer loop, three times vertex, endloop) endfacet)... endsolid.
-  PolygonSoup parse() {
-    while (text_.next_content_line()) {
-      const std::string_view word = text_.token();
-      if (same_word(word, "vertex")) {
-        add_vertex();
-      } else {
-        change_level(word);
-      }
+/// Reads each solid: solid (facet (outer loop, three times vertex, endloop) endfacet)... endsolid.
+PolygonSoup parse_text_stl(std::string_view bytes, std::string_view name) {
+  TextReader text(bytes, name, false);
+  PolygonSoup soup;
+  soup.unwelded = true;
+  int level = 0;
+  while (text.next_content_line()) {
+    const std::string_view word = text.token();
+    if (same_word(word, "vertex")) {
+      if (level != 3) text.refuse("'vertex' is out of place");
+      const std::size_t count = soup.positions.size();
+      check_counts(count + 1, 0, "the file");
+      soup.positions.push_back(text.position(count));
+      soup.corners.push_back(std::int32_t(count));
+      continue;
     }
-    if (level_ > 0) text_.refuse_end("and endsolid is missing");
-    return std::move(soup_);
-  }
-
- private:
-  void change_level(std::string_view word) {
     const auto is_named = [&](const StlStatement& s) { return same_word(word, s.word); };
     const auto statement = std::ranges::find_if(kStlStatements, is_named);
-    if (statement == kStlStatements.end()) text_.refuse(fmt::format("{} is no statement of a text STL", quoted(word)));
-    if (level_ != statement->from) text_.refuse(fmt::format("'{}' is out of place", statement->name));
-    level_ = statement->to;
-    if (statement->from == 3) close_loop();
-  }
-
-  void add_vertex() {
-    if (level_ != 3) text_.refuse("'vertex' is out of place");
-    const std::size_t count = soup_.positions.size();
-    check_counts(count + 1, 0, "the file");
-    soup_.positions.push_back(text_.position(count));
-    soup_.corners.push_back(std::int32_t(count));
-  }
-
-  void close_loop() {
-    const std::size_t size = soup_.corners.size() - soup_.first_corner.back(), facet = soup_.polygon_count();
+    if (statement == kStlStatements.end()) text.refuse(fmt::format("{} is no statement of a text STL", quoted(word)));
+    if (level != statement->from) text.refuse(fmt::format("'{}' is out of place", statement->name));
+    level = statement->to;
+    if (statement->from != 3) continue;
+    const std::size_t size = soup.corners.size() - soup.first_corner.back(), facet = soup.polygon_count();
     if (size != 3) {
-      text_.refuse(fmt::format("facet {} has {}, and should have 3", facet, counted(size, "vertex", "vertices")),
-                   facet);
+      text.refuse(fmt::format("facet {} has {}, and should have 3", facet, counted(size, "vertex", "vertices")), facet);
     }
-    soup_.close_polygon();
+    soup.close_polygon();
   }
-
-  TextReader text_;
-  PolygonSoup soup_;
-  int level_ = 0;
-};
+  if (level > 0) text.refuse_end("and endsolid is missing");
+  return soup;
+}
 
 /// Some binary files start with "solid" too, but their first 512 bytes contain a zero byte, unlike any text.
 bool is_text(std::string_view bytes) {
@@ -183,7 +165,7 @@ bool is_binary_stl(std::string_view bytes) {
 
 PolygonSoup parse_stl(std::string_view bytes, std::string_view name) {
   if (is_binary_stl(bytes) || !is_text(bytes)) return parse_binary(bytes, name);
-  return TextStlParser(bytes, name).parse();
+  return parse_text_stl(bytes, name);
 }
 
 }  // namespace gvd

@@ -15,7 +15,7 @@
 
 namespace gvd {
 
-/// What to do about a damaged file, in messages of readers.
+/// The advice about a damaged file, in messages of readers.
 inline constexpr const char* kExportAgain = "export the file again";
 
 /// The double nearest to a decimal number, the same in any locale: "1", "+1.5", "-2e-3", "nan", "inf". A number that is

@@ -1,4 +1,4 @@
-// What a file is wrapped in: contents are named, by the marks of the formats' specifications.
+// Recognizes what a file is wrapped in: contents are named, by the marks of the formats' specifications.
 #include "mesh/reading/unpack.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +57,7 @@ bool is_binary_mni(std::string_view bytes) {
   return bytes.starts_with('p') && bytes.size() > kHeader && bytes.substr(1, kHeader).find('\0') != bytes.npos;
 }
 
-/// So many characters of ASCII tell UTF-16 from binary files, where some zeros are common.
+/// This many characters of ASCII tell UTF-16 from binary files, in which some zeros are common.
 constexpr std::size_t kTellingCharacters = 4;
 
 /// Appends a character of Unicode in UTF-8.

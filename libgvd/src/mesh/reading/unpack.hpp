@@ -44,8 +44,8 @@ bool is_utf16(std::string_view bytes);
 /// Text in UTF-16 with a byte order mark as UTF-8 without; U+FFFD stands for what is no character. Cost: O(bytes).
 std::string to_utf8(std::string_view utf16);
 
-/// What the content of a file seems to be, where that is no mesh that can be read, and what to do: "an HTML page; ...".
-/// Empty where it has no such mark. Cost: O(1), of JSON O(bytes).
+/// Names the content of a file that is no mesh, and says what to do about it: "an HTML page; ...". Empty where no mark
+/// tells. Cost: O(1), of JSON O(bytes).
 std::string describe_content(std::string_view bytes);
 
 }  // namespace gvd

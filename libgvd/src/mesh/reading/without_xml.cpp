@@ -1,4 +1,4 @@
-// What GVD_WITH_XML=OFF leaves out, for platforms that have no pugixml and zlib: each reader says so.
+// Stand-ins for the readers that GVD_WITH_XML=OFF leaves out on platforms without pugixml and zlib: each says so.
 #include <string>
 
 #include "gvd/error.hpp"

@@ -123,7 +123,7 @@ std::int64_t count_faces_below(const Mesh& mesh, double height) {
 }
 
 /// Refuses a mesh of which most triangles have no shape. Single ones are common, and only hold the surface together.
-/// Those of area 0 are not counted: they are degenerate as they stand, and not by rounding.
+/// Triangles of area 0 are not counted: they are degenerate as they stand, and not by rounding.
 void require_shapes(const Mesh& mesh) {
   const std::int64_t without = count_faces_below(mesh, kHeightWithoutShape) - count_faces_below(mesh, 0);
   if (2 * without <= mesh.face_count()) return;

@@ -12,67 +12,53 @@
 namespace gvd {
 namespace {
 
-class TextureCarrier {
- public:
-  TextureCarrier(const PolygonSoup& soup, const CheckedMesh& checked) : soup_(soup), checked_(checked) {}
-
-  /// In the order of the faces' corners.
-  std::vector<Uv> run() const {
-    std::vector<Uv> carried;
-    carried.reserve(std::size_t(checked_.mesh.halfedge_count()));
-    for (const FaceId f : checked_.mesh.faces()) {
-      for (const VertexId v : checked_.mesh.vertices(f)) {
-        const bool is_midpoint = checked_.input_vertex[v] < 0;
-        const auto polygon = std::size_t(checked_.input_polygon[f]);
-        carried.push_back(is_midpoint ? at_midpoint(polygon, checked_.mesh.position(v)) : at_vertex(polygon, v));
-      }
-    }
-    return carried;
+/// The texture coordinates of a polygon's corner at v: of the first one if there are several.
+Uv texture_at_vertex(const PolygonSoup& soup, const CheckedMesh& checked, std::size_t polygon, VertexId v) {
+  const std::int32_t vertex = checked.input_vertex[v];
+  for (std::size_t c = soup.first_corner[polygon]; c < soup.first_corner[polygon + 1]; ++c) {
+    const std::int32_t other = soup.corners[c];
+    if (other == vertex || checked.mesh_vertex[other] == checked.mesh_vertex[vertex]) return soup.appearance.texture[c];
   }
+  return kNoTexture;
+}
 
- private:
-  /// The texture coordinates of the polygon's corner at v: of the first one if there are several.
-  Uv at_vertex(std::size_t polygon, VertexId v) const {
-    const std::int32_t vertex = checked_.input_vertex[v];
-    for (std::size_t c = soup_.first_corner[polygon]; c < soup_.first_corner[polygon + 1]; ++c) {
-      const std::int32_t other = soup_.corners[c];
-      if (other == vertex || checked_.mesh_vertex[other] == checked_.mesh_vertex[vertex]) return texture(c);
+/// The same at a midpoint. An edge or a diagonal of the polygon was split: the one on which the midpoint lies.
+Uv texture_at_midpoint(const PolygonSoup& soup, const CheckedMesh& checked, std::size_t polygon, const Vec3& midpoint) {
+  const auto vertex = [&](std::size_t corner) { return std::size_t(soup.corners[corner]); };
+  Uv found = kNoTexture;
+  double nearest = kInfinity;
+  for (std::size_t a = soup.first_corner[polygon]; a < soup.first_corner[polygon + 1]; ++a) {
+    for (std::size_t b = soup.first_corner[polygon]; b < soup.first_corner[polygon + 1]; ++b) {
+      // One direction in both faces of the edge.
+      if (!(checked.mesh_vertex[vertex(a)] < checked.mesh_vertex[vertex(b)])) continue;
+      const Vec3 &from = soup.positions[vertex(a)], along = soup.positions[vertex(b)] - from;
+      const double t = nearest_on_segment(from, along, midpoint);
+      const double distance = (from + t * along - midpoint).norm();
+      if (!(distance < nearest)) continue;
+      nearest = distance;
+      const Uv &uv_a = soup.appearance.texture[a], &uv_b = soup.appearance.texture[b];
+      for (std::size_t k = 0; k < 2; ++k) found[k] = (1 - t) * uv_a[k] + t * uv_b[k];
     }
-    return kNoTexture;
   }
-
-  /// An edge or a diagonal of the polygon was split: the one on which the midpoint lies.
-  Uv at_midpoint(std::size_t polygon, const Vec3& midpoint) const {
-    Uv found = kNoTexture;
-    double nearest = kInfinity;
-    for (std::size_t a = soup_.first_corner[polygon]; a < soup_.first_corner[polygon + 1]; ++a) {
-      for (std::size_t b = soup_.first_corner[polygon]; b < soup_.first_corner[polygon + 1]; ++b) {
-        if (!(mesh_vertex(a) < mesh_vertex(b))) continue;  // one direction in both faces of the edge
-        const Vec3 &from = position(a), along = position(b) - from;
-        const double t = nearest_on_segment(from, along, midpoint);
-        const double distance = (from + t * along - midpoint).norm();
-        if (!(distance < nearest)) continue;
-        nearest = distance;
-        for (std::size_t k = 0; k < 2; ++k) found[k] = (1 - t) * texture(a)[k] + t * texture(b)[k];
-      }
-    }
-    return found;
-  }
-
-  const Uv& texture(std::size_t corner) const { return soup_.appearance.texture[corner]; }
-  const Vec3& position(std::size_t corner) const { return soup_.positions[std::size_t(soup_.corners[corner])]; }
-  VertexId mesh_vertex(std::size_t corner) const { return checked_.mesh_vertex[std::size_t(soup_.corners[corner])]; }
-
-  const PolygonSoup& soup_;
-  const CheckedMesh& checked_;
-};
+  return found;
+}
 
 }  // namespace
 
 Appearance carry_appearance(const PolygonSoup& soup, const CheckedMesh& checked) {
   const Appearance& given = soup.appearance;
   Appearance carried{{}, {}, given.materials, given.material_files, given.unread};
-  if (!given.texture.empty()) carried.texture = TextureCarrier(soup, checked).run();
+  if (!given.texture.empty()) {
+    carried.texture.reserve(std::size_t(checked.mesh.halfedge_count()));
+    for (const FaceId f : checked.mesh.faces()) {
+      const auto polygon = std::size_t(checked.input_polygon[f]);
+      for (const VertexId v : checked.mesh.vertices(f)) {
+        const bool is_midpoint = checked.input_vertex[v] < 0;
+        carried.texture.push_back(is_midpoint ? texture_at_midpoint(soup, checked, polygon, checked.mesh.position(v))
+                                              : texture_at_vertex(soup, checked, polygon, v));
+      }
+    }
+  }
   if (given.material.empty()) return carried;
   for (const std::int32_t polygon : checked.input_polygon) {
     carried.material.push_back(given.material[std::size_t(polygon)]);

@@ -1,4 +1,4 @@
-// What open edges tell of vertices that were meant to be joined: copies at one place, and those that are nearly there.
+// Vertices on open edges that were probably meant to be joined: copies at one place, and nearly so.
 //
 // Copies are found by sorting the vertices by their positions. The nearest two are found by a sweep along a direction
 // in which hardly two vertices are level: where they lie on curves, as those of a boundary do, or far apart on a

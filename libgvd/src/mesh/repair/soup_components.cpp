@@ -70,28 +70,6 @@ void flip(WorkFaces& work, std::int32_t f) {
       origin);
 }
 
-struct Orientations {
-  std::vector<char> to_flip;    // per face
-  std::vector<char> one_sided;  // per face whether its component has one side only
-};
-
-Orientations find_orientations(const WorkFaces& work, DefectPolicy policy) {
-  Orientations result{std::vector<char>(work.faces.size(), 0), std::vector<char>(work.faces.size(), 0)};
-  std::vector<signed char> side(work.faces.size(), -1);
-  for (std::int32_t start = 0; start < work.face_count(); ++start) {
-    if (side[start] >= 0) continue;
-    const OrientedComponent component = walk_component(work, start, side);
-    if (component.conflict >= 0) {
-      if (policy != DefectPolicy::largest) refuse_one_sided(work, component);
-      for (const std::int32_t f : component.faces) result.one_sided[f] = 1;
-      continue;
-    }
-    const bool against_first = 2 * std::size_t(component.flipped) > component.faces.size();
-    for (const std::int32_t f : component.faces) result.to_flip[f] = (side[f] == 1) != against_first;
-  }
-  return result;
-}
-
 struct Component {
   std::int32_t first_face;
   double twice_area = 0;  // square mesh units
@@ -170,8 +148,19 @@ void keep_faces(WorkFaces& work, const std::vector<std::int32_t>& component, con
 }  // namespace
 
 std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, DefectLog& log) {
-  Orientations orientations = find_orientations(work, log.policy());
-  const std::vector<char>& to_flip = orientations.to_flip;
+  std::vector<char> to_flip(work.faces.size(), 0), one_sided(work.faces.size(), 0);
+  std::vector<signed char> side(work.faces.size(), -1);
+  for (std::int32_t start = 0; start < work.face_count(); ++start) {
+    if (side[start] >= 0) continue;
+    const OrientedComponent component = walk_component(work, start, side);
+    if (component.conflict >= 0) {
+      if (log.policy() != DefectPolicy::largest) refuse_one_sided(work, component);
+      for (const std::int32_t f : component.faces) one_sided[f] = 1;
+      continue;
+    }
+    const bool against_first = 2 * std::size_t(component.flipped) > component.faces.size();
+    for (const std::int32_t f : component.faces) to_flip[f] = (side[f] == 1) != against_first;
+  }
   std::int64_t count = 0;
   std::int32_t first = -1;
   std::int32_t last = -1;
@@ -193,7 +182,7 @@ std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, De
                               "faces are against the orientation of most of their component"),
                       first),
           "flipped");
-  return std::move(orientations.one_sided);
+  return one_sided;
 }
 
 void drop_zero_area_components(WorkFaces& work, DefectLog& log) {

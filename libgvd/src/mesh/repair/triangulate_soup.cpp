@@ -283,85 +283,43 @@ PolygonShape triangulate_polygon(std::span<const std::int32_t> polygon, const st
   return shape;
 }
 
-class Triangulator {
- public:
-  Triangulator(const WorkPolygons& polygons, const std::vector<Vec3>& positions)
-      : positions_(positions), known_(polygons) {}
+/// Quadrilaterals, from the most usual: the two triangles of the first face the same way; those of the last may share
+/// an edge that the mesh has already, which is cut apart later.
+enum class Quad { simple, crossing, along_edge };
 
-  void add(std::span<const std::int32_t> polygon, std::int32_t origin, WorkFaces& work) {
-    const std::size_t begin = work.faces.size();
-    if (polygon.size() == 3) {
-      work.faces.push_back({polygon[0], polygon[1], polygon[2]});
-    } else if (polygon.size() != 4 || !split_quad(polygon, work.faces, Quad::simple)) {
-      const PolygonShape shape = triangulate_polygon(polygon, positions_, known_, work.faces);
-      if (shape != PolygonShape::simple) cut_crossing_quad(shape, polygon, origin, work.faces);
-    }
-    work.origin.resize(work.faces.size(), origin);
-    for (std::size_t f = begin; f + 1 < work.faces.size(); ++f) known_.add_diagonal(work.faces[f][2], work.faces[f][0]);
+/// Cuts a quadrilateral along its better diagonal. False where neither will do.
+bool split_quad(std::span<const std::int32_t> q, const std::vector<Vec3>& positions, const KnownEdges& known,
+                Quad shape, std::vector<std::array<std::int32_t, 3>>& faces) {
+  if (q[0] == q[2] || q[1] == q[3]) return false;
+  // The quality of the diagonal from corner i to i + 2: that of the worse of its two triangles. 0 where a triangle is
+  // flat, the two of a simple quadrilateral face different ways, or the diagonal is an edge already and must not be.
+  const auto quality = [&](std::size_t i) {
+    const Vec3 &a = positions[q[i]], &b = positions[q[i + 1]], &c = positions[q[i + 2]], &d = positions[q[(i + 3) % 4]];
+    const Vec3 normal_b = (b - a).cross(c - a), normal_d = (c - a).cross(d - a);
+    if (shape == Quad::simple && !(normal_b.dot(normal_d) > 0)) return 0.0;
+    if (shape != Quad::along_edge && known.contains(q[i], q[i + 2])) return 0.0;
+    return std::min(triangle_quality(a, b, c), triangle_quality(a, c, d));
+  };
+  const double first = quality(0), second = quality(1);
+  if (std::max(first, second) == 0) return false;
+  if (second > first * (1 + kBetterDiagonal)) {
+    faces.push_back({q[3], q[0], q[1]});
+    faces.push_back({q[1], q[2], q[3]});
+  } else {
+    faces.push_back({q[0], q[1], q[2]});
+    faces.push_back({q[0], q[2], q[3]});
   }
+  return true;
+}
 
-  /// The quadrilaterals that are folded or cross themselves, and the first of them.
-  std::int64_t crossing_quads() const { return crossing_quads_; }
-  std::int32_t first_crossing_quad() const { return first_crossing_quad_; }
-
- private:
-  /// Quadrilaterals, from the most usual: the two triangles of the first face the same way; those of the last may share
-  /// an edge that the mesh has already, which is cut apart later.
-  enum class Quad { simple, crossing, along_edge };
-
-  const Vec3& at(std::int32_t v) const { return positions_[v]; }
-
-  /// Quality of the diagonal a-c: that of the worse of its two triangles. 0 where a triangle is flat, the two of a
-  /// simple quadrilateral face different ways, or the diagonal is an edge already and must not be.
-  double diagonal_quality(const std::array<std::int32_t, 4>& quad, Quad shape) const {
-    const auto [a, b, c, d] = quad;
-    const Vec3 normal_b = (at(b) - at(a)).cross(at(c) - at(a)), normal_d = (at(c) - at(a)).cross(at(d) - at(a));
-    if (shape == Quad::simple && !(normal_b.dot(normal_d) > 0)) return 0;
-    if (shape != Quad::along_edge && known_.contains(a, c)) return 0;
-    return std::min(triangle_quality(at(a), at(b), at(c)), triangle_quality(at(a), at(c), at(d)));
-  }
-
-  bool split_quad(std::span<const std::int32_t> q, std::vector<std::array<std::int32_t, 3>>& faces, Quad shape) const {
-    const std::int32_t a = q[0], b = q[1], c = q[2], d = q[3];
-    if (a == c || b == d) return false;
-    const double first = diagonal_quality({a, b, c, d}, shape);
-    const double second = diagonal_quality({b, c, d, a}, shape);
-    if (std::max(first, second) == 0) return false;
-    if (second > first * (1 + kBetterDiagonal)) {
-      faces.push_back({d, a, b});
-      faces.push_back({b, c, d});
-    } else {
-      faces.push_back({a, b, c});
-      faces.push_back({a, c, d});
-    }
-    return true;
-  }
-
-  /// Cuts a quadrilateral that is folded or crosses itself into two triangles with area, or refuses the polygon.
-  void cut_crossing_quad(PolygonShape shape, std::span<const std::int32_t> polygon, std::int32_t origin,
-                         std::vector<std::array<std::int32_t, 3>>& faces) {
-    const bool is_cut = polygon.size() == 4 &&
-                        (split_quad(polygon, faces, Quad::crossing) || split_quad(polygon, faces, Quad::along_edge));
-    if (!is_cut) refuse(shape, polygon.size(), origin);
-    if (crossing_quads_++ == 0) first_crossing_quad_ = origin;
-  }
-
-  [[noreturn]] static void refuse(PolygonShape shape, std::size_t corners, std::int32_t origin) {
-    if (shape == PolygonShape::too_complex) {
-      refuse_soup(
-          fmt::format("face {} has {} corners in too complex a shape; cut it into smaller ones", origin, corners),
-          origin);
-    }
-    refuse_soup(
-        fmt::format("face {} with its {} corners is folded or crosses itself; cut it into triangles", origin, corners),
-        origin);
-  }
-
-  const std::vector<Vec3>& positions_;
-  KnownEdges known_;
-  std::int64_t crossing_quads_ = 0;
-  std::int32_t first_crossing_quad_ = -1;
-};
+[[noreturn]] void refuse_polygon(PolygonShape shape, std::size_t corners, std::int32_t origin) {
+  refuse_soup(
+      shape == PolygonShape::too_complex
+          ? fmt::format("face {} has {} corners in too complex a shape; cut it into smaller ones", origin, corners)
+          : fmt::format("face {} with its {} corners is folded or crosses itself; cut it into triangles", origin,
+                        corners),
+      origin);
+}
 
 }  // namespace
 
@@ -388,16 +346,34 @@ WorkFaces triangulate_polygons(WorkPolygons polygons, const std::vector<Vec3>& p
     return work;
   }
   work.origin.reserve(triangles);
-  Triangulator triangulator(polygons, positions);
+  KnownEdges known(polygons);
+  std::int64_t crossing_quads = 0;
+  std::int32_t first_crossing = -1;
   for (std::size_t p = 0; p < polygons.count(); ++p) {
-    triangulator.add(polygons.polygon(p), polygons.origin[p], work);
+    const auto polygon = polygons.polygon(p);
+    const std::int32_t origin = polygons.origin[p];
+    const std::size_t begin = work.faces.size();
+    const auto is_split = [&](Quad shape) {
+      return polygon.size() == 4 && split_quad(polygon, positions, known, shape, work.faces);
+    };
+    if (polygon.size() == 3) {
+      work.faces.push_back({polygon[0], polygon[1], polygon[2]});
+    } else if (!is_split(Quad::simple)) {
+      const PolygonShape shape = triangulate_polygon(polygon, positions, known, work.faces);
+      if (shape != PolygonShape::simple) {
+        // A quadrilateral that is folded or crosses itself is cut into two triangles with area.
+        if (!is_split(Quad::crossing) && !is_split(Quad::along_edge)) refuse_polygon(shape, polygon.size(), origin);
+        if (crossing_quads++ == 0) first_crossing = origin;
+      }
+    }
+    work.origin.resize(work.faces.size(), origin);
+    for (std::size_t f = begin; f + 1 < work.faces.size(); ++f) known.add_diagonal(work.faces[f][2], work.faces[f][0]);
   }
-  const std::int32_t first = triangulator.first_crossing_quad();
-  log.add(DefectKind::crossing_quads, triangulator.crossing_quads(), first,
+  log.add(DefectKind::crossing_quads, crossing_quads, first_crossing,
           fmt::format("{}, first face {}",
-                      counted(triangulator.crossing_quads(), "quadrilateral is folded or crosses itself",
+                      counted(crossing_quads, "quadrilateral is folded or crosses itself",
                               "quadrilaterals are folded or cross themselves"),
-                      first),
+                      first_crossing),
           "cut along a diagonal");
   return work;
 }

@@ -2,10 +2,10 @@
 #include <string>
 
 #include "io/generator_fixture.hpp"
-#include "io/parse_lists.hpp"
+#include "io/parse_json_lists.hpp"
 #include "support/catch.hpp"
 
-namespace gvd::test_parse_json {
+namespace gvd::test_parse_json_lists {
 
 using namespace test;
 
@@ -35,4 +35,4 @@ TEST_CASE("a message about wrong json is one short printable line, whatever the 
   }
 }
 
-}  // namespace gvd::test_parse_json
+}  // namespace gvd::test_parse_json_lists

@@ -2,15 +2,15 @@
 #include <cmath>
 
 #include "constraints.hpp"
+#include "crease_generators.hpp"
 #include "gvd/error.hpp"
-#include "gvd/features.hpp"
 #include "gvd/lloyd.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
-namespace gvd::test_features {
+namespace gvd::test_crease_generators {
 
 /// A closed box with sides of length 1, 1 and `thickness`: 12 creases and 8 corners.
 Mesh make_box(int n) { return test::make_plate(n, 0.5); }
@@ -87,33 +87,6 @@ TEST_CASE("creases: a closed one without a corner has at least three generators,
   }
 }
 
-TEST_CASE("creases: curves hold each crease edge once, from corner to corner") {
-  const Mesh box = make_box(4), ring = test::make_ring(40, 3);
-  const auto creases = find_creases(box, {30});
-  const auto curves = trace_creases(box, creases);
-  CHECK(curves.size() == 12);
-  std::vector<EdgeId> edges;
-  for (const CreaseCurve& curve : curves) {
-    CHECK_FALSE(curve.closed);
-    REQUIRE(curve.vertices.size() == curve.edges.size() + 1);
-    for (std::size_t k = 0; k < curve.edges.size(); ++k) {
-      CHECK(point_on_curve(box, curve, k, -1) == vertex_point(box, curve.vertices[k]));
-      const double length = box.length(box.halfedge(curve.edges[k]));
-      const Vec3 middle = position(box, point_on_curve(box, curve, k, length / 4));
-      CHECK((middle - box.position(curve.vertices[k])).norm() == Approx(length / 4));
-    }
-    edges.insert(edges.end(), curve.edges.begin(), curve.edges.end());
-  }
-  std::sort(edges.begin(), edges.end());
-  CHECK(edges == creases);
-  const auto loops = trace_creases(ring, all_boundary(ring));
-  REQUIRE(loops.size() == 2);
-  for (const CreaseCurve& loop : loops) {
-    CHECK(loop.closed);
-    CHECK(loop.vertices.front() == loop.vertices.back());
-  }
-}
-
 TEST_CASE("creases: turns near sharper ones, or near ends of creases, are no corners on demand") {
   const Mesh grid = test::make_grid(6, 1);
   const auto corners = [&](double distance) {
@@ -134,16 +107,16 @@ TEST_CASE("creases: a path follows the crease by its length, over vertices, to t
   for (const SurfacePoint& start : place_on_creases(grid, all_boundary(grid), 0.7).points) {
     const Vec3 from = position(grid, start);
     for (const Vec2& wish : {Vec2(0.9, 0.4), Vec2(-0.9, 0.4), Vec2(0.1, -1.3), Vec2(-5, -1)}) {
-      const Vec2 step = network.project(start, wish);
+      const Vec2 step = project_to_crease(grid, network, start, wish);
       CHECK(step.norm() <= wish.norm() + 1e-12);
-      const GeodesicTrace trace = network.follow(start, step);
+      const GeodesicTrace trace = follow_crease(grid, network, start, step);
       const Vec3 to = position(grid, trace.points.back());
       CHECK((to - from).norm() == Approx(trace.length).margin(1e-12));
       CHECK(network.contains(trace.points.back()));
       CHECK(trace.complete == (trace.length >= step.norm()));
       if (!(trace.length > 0) || !trace.complete) continue;
       // Back the same way.
-      const GeodesicTrace back = network.follow(trace.points.back(), -trace.length * trace.direction);
+      const GeodesicTrace back = follow_crease(grid, network, trace.points.back(), -trace.length * trace.direction);
       CHECK((position(grid, back.points.back()) - from).norm() < 1e-9);
     }
   }
@@ -183,4 +156,4 @@ TEST_CASE("lloyd: wrong numbers of freedoms, and generators beside their creases
   CHECK_THROWS_AS(relax_generators(grid, start, options), Error);
 }
 
-}  // namespace gvd::test_features
+}  // namespace gvd::test_crease_generators
