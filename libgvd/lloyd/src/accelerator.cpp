@@ -79,7 +79,7 @@ std::optional<ProposedSteps> Accelerator::propose_by_history(const RelaxationSta
   const TangentField gradient = energy_gradient(state);
   TangentField smooth = gradient;
   for (std::size_t i = 0; i < gradient.size(); ++i) {
-    if (is_at_kink(state, i)) smooth[i] = Vec2::Zero();
+    if (is_at_kink(state, state.rest, i)) smooth[i] = Vec2::Zero();
   }
   ProposedSteps proposed{direction(state, smooth), 0, 0, false, state.rest};
   for (std::size_t i = 0; i < gradient.size(); ++i) {
@@ -87,7 +87,10 @@ std::optional<ProposedSteps> Accelerator::propose_by_history(const RelaxationSta
     const double longest = kLongestStep * std::max(state.mean_cell_radius, state.to_centroids[i].norm());
     if (!step.allFinite()) return std::nullopt;
     if (step.norm() > longest) step *= longest / step.norm();
-    if (is_at_kink(state, i)) step = is_held(state, i) ? Vec2(Vec2::Zero()) : state.to_centroids[i];
+    if (is_at_kink(state, state.rest, i)) {
+      const bool is_held = state.is_resting[i] || state.rest[i];
+      step = is_held ? Vec2(Vec2::Zero()) : state.to_centroids[i];
+    }
     step = constraints_.project(mesh_, i, state.generators[i], step);
   }
   proposed.slope = dot(gradient, proposed.steps);
@@ -131,13 +134,14 @@ void Accelerator::adapt(const RelaxationState& before, const GeneratorMove& move
   if (ratio > kTrustedRatio && longest > kNearRadius * radius_) radius_ = std::min(kLargestRadius, 2 * radius_);
 }
 
-void Accelerator::learn(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after) {
+void Accelerator::learn(const RelaxationState& before, const Rests& rests, const GeneratorMove& move,
+                        const RelaxationState& after) {
   if (kind_ == Acceleration::none) return;
   adapt(before, move, after);
   history_.transport(move.turns);
   StepPair pair{move.step, add_scaled(energy_gradient(after), -1, turned(move.turns, energy_gradient(before)))};
   for (std::size_t i = 0; i < pair.step.size(); ++i) {
-    if (is_at_kink(before, i) || is_at_kink(after, i)) pair.step[i] = pair.change[i] = Vec2::Zero();
+    if (is_at_kink(before, rests, i) || is_at_kink(after, after.rest, i)) pair.step[i] = pair.change[i] = Vec2::Zero();
   }
   if (has_curvature(pair, cell_masses(after))) history_.add(std::move(pair));
 }

@@ -20,7 +20,7 @@ struct ProposedSteps {
   double slope = 0;          ///< < 0; mesh units to the fourth
   double prediction = 0;     ///< decrease of the energy by the steps according to the model, mesh units to the fourth
   bool is_of_model = false;  ///< whether EnergyModel has been minimised within the radius of trust
-  std::vector<std::optional<VertexId>> rest;  ///< where generators go to rest instead
+  Rests rest;                ///< where generators go to rest instead
 };
 
 /// Error of differences of energies, as a fraction: in exact diagrams, that of the integrals over triangles that ridges
@@ -38,7 +38,9 @@ class Accelerator {
 
   /// Steps from `state` that lower the energy if they are short enough; no value if there are none.
   std::optional<ProposedSteps> propose(const RelaxationState& state) const;
-  void learn(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after);
+  /// `rests`: of `before`, for the steps that were made.
+  void learn(const RelaxationState& before, const Rests& rests, const GeneratorMove& move,
+             const RelaxationState& after);
   /// Begins anew.
   void forget() {
     history_.clear();

@@ -128,7 +128,7 @@ ModelMinimum EnergyModel::minimise(double reach, double least) const {
     }
   }
   const std::size_t size = step.size();
-  ModelMinimum minimum{std::move(step), -energy.change, std::vector<std::optional<VertexId>>(size)};
+  ModelMinimum minimum{std::move(step), -energy.change, Rests(size)};
   add_rests(minimum);
   return minimum;
 }

@@ -90,12 +90,12 @@ RelaxationStart start_relaxation(const Mesh& mesh, const RelaxationStartOptions&
   return Starter(mesh, options).start();
 }
 
-LloydResult relax_generators(const Mesh& mesh, const RelaxationStart& start, LloydOptions options) {
+LloydResult relax_generators(const Mesh& mesh, const RelaxationStart& start, LloydOptions options, LloydStages stages) {
   options.freedom = start.freedom;
   options.creases = start.creases;
   options.density = start.density;
-  options.copy = start.copy ? &*start.copy : nullptr;
-  return relax_generators(mesh, start.points, options);
+  stages.copy = start.copy ? &*start.copy : nullptr;
+  return relax_generators(mesh, start.points, options, stages);
 }
 
 }  // namespace gvd

@@ -1,8 +1,6 @@
 // States of a relaxation: generators with their cells, the energy, and the ways to the centroids.
 //
-// At first the cells are measured without diagrams, at last by those that the caller asked for. Energies of one level
-// are compared with each other only: between the two they differ by the errors at the bisectors. A way leads to the
-// centroid, projected to where the generator may go. Sums run in ascending order of the generators.
+// A way leads to the centroid, projected to where the generator may go. Sums run in ascending order of the generators.
 //
 // At a vertex the way is the steepest one instead, because the energy has no gradient there. The directions of all
 // paths that bend at a vertex with curvature jump as the generator passes the vertex. Where a saddle has a minimum, no
@@ -15,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -23,7 +20,6 @@
 #include "diagram/diagram_windows.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/tangent_fan.hpp"
-#include "gvd/diagram_steps.hpp"
 #include "gvd/geodesic_tracing.hpp"
 
 namespace gvd {
@@ -281,28 +277,6 @@ std::vector<double> cell_masses(const RelaxationState& state) {
     if (!(mass > 0)) mass = mean;
   }
   return masses;
-}
-
-std::vector<Precision> make_precision_levels(const LloydOptions& options) {
-  const Precision by_faces{options.diagram, true}, by_diagrams{options.diagram, false};
-  const bool starts_by_faces = options.early_approximation && max_iterations(options) > 0 &&
-                               options.acceleration != Acceleration::none && options.diagram.method == Method::exact;
-  if (!starts_by_faces) return {by_diagrams};
-  if (options.ends_on_copy) return {by_faces};
-  return {by_faces, by_diagrams};
-}
-
-RelaxationState StateEvaluator::evaluate(const std::vector<SurfacePoint>& generators,
-                                         const std::function<void(double)>& report) {
-  Precision precision = levels_[level_];
-  precision.rest_tolerance = options_.move_tolerance;
-  precision.diagram.progress = [&report](std::string_view step, double fraction) {
-    const auto begun = std::find(steps::kAll.begin(), steps::kAll.end(), step) - steps::kAll.begin();
-    report((double(begun) + fraction) / double(steps::kAll.size()));
-    return true;
-  };
-  ++diagrams_;
-  return evaluate_generators(mesh_, generators, precision, options_.density, constraints_);
 }
 
 }  // namespace gvd

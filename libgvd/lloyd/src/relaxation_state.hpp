@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -79,7 +77,11 @@ std::optional<VertexId> find_rest(const Mesh& mesh, const SurfacePoint& generato
 
 // States.
 
-/// How the cells of generators are found.
+/// The vertices at which generators would rest, one for each generator that would (see find_rest).
+using Rests = std::vector<std::optional<VertexId>>;
+
+/// How the cells of generators are found. Energies of different precisions must not be compared with each other: they
+/// differ by the errors at the bisectors.
 struct Precision {
   DiagramOptions diagram;
   bool skips_diagram = false;  ///< measures the cells face by face instead (see measured_cells.cpp)
@@ -99,18 +101,14 @@ struct RelaxationState {
   double residual = 0;  ///< length of the longest way
   /// Whether each generator is at a vertex where no short step, or hardly any, lowers the energy of its cell.
   std::vector<char> is_resting;
-  /// The vertex nearby at which each generator would rest, if any (see find_rest).
-  std::vector<std::optional<VertexId>> rest;
+  Rests rest;
   double mean_cell_radius = 0;  ///< sqrt(area / (pi cells)), mesh units
 };
 
-/// Generators that rest, or go to rest, have no step.
-inline bool is_held(const RelaxationState& state, std::size_t i) { return state.is_resting[i] || state.rest[i]; }
-
-/// Whether the energy is no smooth function of the generator. The steps of other generators then tell nothing about its
-/// own, and it takes Lloyd's.
-inline bool is_at_kink(const RelaxationState& state, std::size_t i) {
-  return is_held(state, i) || state.generators[i].kind() == SurfacePoint::Kind::vertex;
+/// Whether the energy is no smooth function of the generator: it is at a vertex, or goes to rest at one. The steps of
+/// other generators then tell nothing about its own, and it takes Lloyd's.
+inline bool is_at_kink(const RelaxationState& state, const Rests& rests, std::size_t i) {
+  return state.is_resting[i] || rests[i] || state.generators[i].kind() == SurfacePoint::Kind::vertex;
 }
 
 /// Cells, integrals and ways to the centroids of these generators.
@@ -124,36 +122,5 @@ TangentField energy_gradient(const RelaxationState& state);
 /// Twice the integrals of the density over the cells. The gradient divided by them is minus the way to the centroid, so
 /// Lloyd's step is the step of a Newton method with this diagonal Hessian. A cell without any takes the mean.
 std::vector<double> cell_masses(const RelaxationState& state);
-
-/// How a relaxation finds the cells: at first without diagrams, at last by those of `options.diagram`. Energies of
-/// different levels must not be compared with each other: they differ by the errors at the bisectors. A relaxation that
-/// ends on a copy has no diagrams there.
-std::vector<Precision> make_precision_levels(const LloydOptions& options);
-
-/// Computes the states of a relaxation with one level of precision after the other.
-class StateEvaluator {
- public:
-  /// Begins at the first level. All arguments have to outlive this.
-  StateEvaluator(const Mesh& mesh, const LloydOptions& options, const GeneratorConstraints& constraints)
-      : mesh_(mesh), options_(options), constraints_(constraints), levels_(make_precision_levels(options)) {}
-
-  bool is_first_level() const { return level_ == 0; }
-  bool is_last_level() const { return level_ + 1 == levels_.size(); }
-  void raise_level() { ++level_; }
-  const Precision& precision() const { return levels_[level_]; }
-
-  /// The state with the cells of this level. `report` is called with the fraction of the work that is done.
-  RelaxationState evaluate(const std::vector<SurfacePoint>& generators, const std::function<void(double)>& report);
-  /// The number of states.
-  std::int64_t diagrams() const { return diagrams_; }
-
- private:
-  const Mesh& mesh_;
-  const LloydOptions& options_;
-  const GeneratorConstraints& constraints_;
-  std::vector<Precision> levels_;
-  std::size_t level_ = 0;
-  std::int64_t diagrams_ = 0;
-};
 
 }  // namespace gvd
