@@ -4,9 +4,9 @@
 #include <numbers>
 #include <numeric>
 
+#include "balance_search.hpp"
 #include "cell_integrals.hpp"
 #include "diagram/diagram_windows.hpp"
-#include "gvd/balance.hpp"
 #include "gvd/check.hpp"
 #include "gvd/exact_field.hpp"
 #include "gvd/face_regions.hpp"
