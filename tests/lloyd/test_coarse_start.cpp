@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gvd/coarse_copy.hpp"
+#include "copy_points.hpp"
 #include "gvd/constrained_start.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/lloyd.hpp"

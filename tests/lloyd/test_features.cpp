@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "constraints.hpp"
+#include "crease_generators.hpp"
 #include "gvd/error.hpp"
-#include "gvd/features.hpp"
 #include "gvd/lloyd.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"

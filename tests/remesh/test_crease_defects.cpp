@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "crease_defects.hpp"
+#include "crease_generators.hpp"
 #include "gvd/remesh.hpp"
 #include "remesh/crease_meshes.hpp"
 #include "support/catch.hpp"

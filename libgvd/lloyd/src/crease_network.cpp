@@ -155,4 +155,29 @@ GeodesicTrace CreaseNetwork::follow(const SurfacePoint& point, const Vec2& tange
   return trace;
 }
 
+std::vector<CreaseCurve> trace_curves(const Mesh& mesh, const CreaseNetwork& network,
+                                      const std::vector<EdgeId>& creases) {
+  IdVector<EdgeId, bool> done(mesh.edge_count(), false);
+  std::vector<CreaseCurve> curves;
+  const auto trace = [&](const CreaseNetwork::Step& first) {
+    if (done[first.edge]) return;
+    CreaseCurve curve;
+    curve.vertices.push_back(network.start(first));
+    CreaseNetwork::Step step = first;
+    for (; step.edge.valid() && !done[step.edge]; step = network.next(step)) {
+      done[step.edge] = true;
+      curve.edges.push_back(step.edge);
+      curve.vertices.push_back(network.end(step));
+    }
+    curve.closed = step.edge.valid();
+    curves.push_back(std::move(curve));
+  };
+  for (const VertexId v : mesh.vertices()) {
+    if (!network.is_corner(v)) continue;
+    for (const CreaseNetwork::Step& step : network.leaving(v)) trace(step);
+  }
+  for (const EdgeId e : creases) trace({e, true});  // the closed ones are left
+  return curves;
+}
+
 }  // namespace gvd

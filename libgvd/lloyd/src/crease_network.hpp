@@ -11,6 +11,9 @@
 
 namespace gvd {
 
+/// The largest angle by which a crease turns at a vertex that is no corner, degrees.
+inline constexpr double kCornerTurn = 45;
+
 /// The point of an edge at a distance from one of its ends, mesh units, which is limited to the edge.
 SurfacePoint point_on_edge(const Mesh& mesh, EdgeId edge, VertexId start, double distance);
 
@@ -75,5 +78,9 @@ class CreaseNetwork {
   IdVector<VertexId, std::vector<Step>> leaving_;
   IdVector<VertexId, bool> is_corner_;
 };
+
+/// The curves of a network that was made of these creases (see trace_creases).
+std::vector<CreaseCurve> trace_curves(const Mesh& mesh, const CreaseNetwork& network,
+                                      const std::vector<EdgeId>& creases);
 
 }  // namespace gvd

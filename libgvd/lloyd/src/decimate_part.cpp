@@ -10,8 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "base/lazy_max_heap.hpp"
+#include "gvd/vec.hpp"
 
 namespace gvd {
 namespace {
@@ -43,13 +46,80 @@ double shape(const Vec3& a, const Vec3& b, const Vec3& c) {
   return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
 }
 
-}  // namespace
+/// The faces of a part with their halfedges, as they collapse.
+class PartDecimator {
+ public:
+  PartDecimator(const Mesh& mesh, const DecimatedPart& part);
 
-PartDecimator::PartDecimator(const Mesh& mesh, std::span<const FaceId> faces, const IdVector<FaceId, PartPlace>& places)
-    : left_(std::ssize(faces)) {
+  void decimate(double share, const std::function<void(double)>& report);
+  /// Faces that are left, by vertices of the mesh.
+  std::vector<std::array<VertexId, 3>> faces() const;
+  void enter_targets(IdVector<VertexId, VertexId>& target) const;
+
+ private:
+  /// A sum of squared distances from planes, weighted by areas: x A x + 2 b x + c, and the sum of the areas.
+  struct Quadric {
+    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+    Vec3 b = Vec3::Zero();
+    double c = 0, area = 0;
+
+    void add_plane(const Vec3& normal, const Vec3& point, double weight) {
+      const double distance = normal.dot(point);
+      a += weight * normal * normal.transpose();
+      b -= weight * distance * normal;
+      c += weight * distance * distance;
+    }
+    void add(const Quadric& other) {
+      a += other.a;
+      b += other.b;
+      c += other.c;
+      area += other.area;
+    }
+    double at(const Vec3& x) const { return x.dot(a * x) + 2 * b.dot(x) + c; }
+  };
+
+  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static std::int32_t previous(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  std::int32_t from(std::int32_t h) const { return corner_[h]; }
+  std::int32_t to(std::int32_t h) const { return corner_[next(h)]; }
+  bool is_boundary(std::int32_t v) const { return twin_[leaving_[v]] < 0; }
+
+  void link(const Mesh& mesh, const DecimatedPart& part);
+  void add_quadrics();
+  /// Calls visit(halfedge) for the halfedges that leave an unlocked vertex, and at the boundary for the last one, which
+  /// arrives.
+  template <class Visit>
+  void for_each_edge(std::int32_t v, Visit visit) const;
+  /// The key of a vertex in the heap: minus the cost of its best legal collapse, which is stored.
+  double find_best(std::int32_t v);
+  bool is_legal(std::int32_t v, std::int32_t halfedge);
+  bool keeps_topology(std::int32_t v, std::int32_t w, std::int32_t halfedge);
+  bool keeps_normals(std::int32_t v, std::int32_t w) const;
+  void collapse(std::int32_t v, std::int32_t halfedge);
+  void remove_face(std::int32_t halfedge, std::int32_t kept);
+  std::int32_t first_of_fan(std::int32_t halfedge) const;
+  /// Whether v is not on the boundary, which stays so. Any halfedge may then be the one that leaves it.
+  bool is_inner(std::int32_t v) const { return twin_[leaving_[v]] >= 0; }
+
+  std::vector<VertexId> vertex_;       // of the mesh
+  std::vector<Vec3> position_;         // relative to the first vertex
+  std::vector<Quadric> quadric_;       // of what collapsed to each vertex
+  std::vector<char> is_locked_;        // stays, and is no target
+  std::vector<std::int32_t> leaving_;  // a halfedge of an unlocked vertex; on the boundary the first one of the fan
+  std::vector<std::int32_t> target_;   // of collapsed vertices, -1 of others
+  std::vector<std::int32_t> best_;     // the halfedge to collapse
+  std::vector<std::int32_t> corner_;   // of each halfedge, where it begins; -1 where its face is gone
+  std::vector<std::int32_t> twin_;     // -1 on the boundary and between parts
+  std::vector<std::int32_t> mark_;     // per vertex: the last question that it is a neighbour in
+  std::vector<std::pair<double, std::int32_t>> choices_;
+  std::int32_t question_ = 0;
+  std::int64_t left_;
+};
+
+PartDecimator::PartDecimator(const Mesh& mesh, const DecimatedPart& part) : left_(std::ssize(part.faces)) {
   IdVector<VertexId, std::int32_t> local(mesh.vertex_count(), -1);
-  corner_.reserve(3 * faces.size());
-  for (const FaceId f : faces) {
+  corner_.reserve(3 * part.faces.size());
+  for (const FaceId f : part.faces) {
     for (const VertexId v : mesh.vertices(f)) {
       if (local[v] < 0) {
         local[v] = static_cast<std::int32_t>(vertex_.size());
@@ -59,23 +129,23 @@ PartDecimator::PartDecimator(const Mesh& mesh, std::span<const FaceId> faces, co
     }
   }
   for (const VertexId v : vertex_) position_.push_back(mesh.position(v) - mesh.position(vertex_[0]));
-  link(mesh, faces, places);
+  link(mesh, part);
   add_quadrics();
   target_.assign(vertex_.size(), -1);
   best_.assign(vertex_.size(), -1);
   mark_.assign(vertex_.size(), 0);
 }
 
-void PartDecimator::link(const Mesh& mesh, std::span<const FaceId> faces, const IdVector<FaceId, PartPlace>& places) {
+void PartDecimator::link(const Mesh& mesh, const DecimatedPart& part) {
   is_locked_.assign(vertex_.size(), 0);
   leaving_.assign(vertex_.size(), -1);
   twin_.reserve(corner_.size());
-  for (const FaceId f : faces) {
+  for (const FaceId f : part.faces) {
     for (const HalfedgeId h : Mesh::halfedges(f)) {
       const auto here = static_cast<std::int32_t>(twin_.size());
       const HalfedgeId twin = mesh.twin(h);
-      const PartPlace place = twin.valid() ? places[Mesh::face(twin)] : PartPlace{-1, -1};
-      const bool is_inner = twin.valid() && place.part == places[f].part;
+      const PartPlace place = twin.valid() ? part.places[Mesh::face(twin)] : PartPlace{-1, -1};
+      const bool is_inner = twin.valid() && place.part == part.places[f].part;
       twin_.push_back(is_inner ? 3 * place.place + Mesh::corner(twin) : -1);
       if (twin.valid() && !is_inner) is_locked_[from(here)] = is_locked_[to(here)] = 1;
       if (mesh.halfedge(mesh.from(h)) == h) leaving_[from(here)] = here;
@@ -244,6 +314,17 @@ void PartDecimator::enter_targets(IdVector<VertexId, VertexId>& target) const {
   for (std::size_t v = 0; v < target_.size(); ++v) {
     if (target_[v] >= 0) target[vertex_[v]] = vertex_[target_[v]];
   }
+}
+
+}  // namespace
+
+std::vector<std::array<VertexId, 3>> decimate_part(const Mesh& mesh, const DecimatedPart& part, double share,
+                                                   const std::function<void(double)>& report,
+                                                   IdVector<VertexId, VertexId>& target) {
+  PartDecimator decimator(mesh, part);
+  decimator.decimate(share, report);
+  decimator.enter_targets(target);
+  return decimator.faces();
 }
 
 }  // namespace gvd

@@ -1,16 +1,13 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
-#include "gvd/vec.hpp"
 
 namespace gvd {
 
@@ -19,83 +16,22 @@ struct PartPlace {
   std::int32_t part, place;
 };
 
-/// Some faces of a mesh, which are decimated without a look at the others.
-///
-/// Vertices that have a face elsewhere stay, and no vertex collapses to one of them. So the parts of a mesh can be
-/// decimated at the same time.
-class PartDecimator {
- public:
-  /// `faces`: all those of a part, in the order of their places. Cost: O(faces), and 4 bytes a vertex of the mesh.
-  PartDecimator(const Mesh& mesh, std::span<const FaceId> faces, const IdVector<FaceId, PartPlace>& places);
-
-  /// Collapses halfedges until this share of the faces is left, or none can be collapsed. Faces with a vertex that has
-  /// to stay count as if all were left. `report` is called now and then with the share of the work that is done, and
-  /// may throw; it may be empty.
-  void decimate(double share, const std::function<void(double)>& report = {});
-
-  /// Faces that are left, by vertices of the mesh.
-  std::vector<std::array<VertexId, 3>> faces() const;
-  /// Enters the vertex that each collapsed vertex went to, which may have collapsed later.
-  void enter_targets(IdVector<VertexId, VertexId>& target) const;
-
- private:
-  /// A sum of squared distances from planes, weighted by areas: x A x + 2 b x + c, and the sum of the areas.
-  struct Quadric {
-    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-    Vec3 b = Vec3::Zero();
-    double c = 0, area = 0;
-
-    void add_plane(const Vec3& normal, const Vec3& point, double weight) {
-      const double distance = normal.dot(point);
-      a += weight * normal * normal.transpose();
-      b -= weight * distance * normal;
-      c += weight * distance * distance;
-    }
-    void add(const Quadric& other) {
-      a += other.a;
-      b += other.b;
-      c += other.c;
-      area += other.area;
-    }
-    double at(const Vec3& x) const { return x.dot(a * x) + 2 * b.dot(x) + c; }
-  };
-
-  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static std::int32_t previous(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  std::int32_t from(std::int32_t h) const { return corner_[h]; }
-  std::int32_t to(std::int32_t h) const { return corner_[next(h)]; }
-  bool is_boundary(std::int32_t v) const { return twin_[leaving_[v]] < 0; }
-
-  void link(const Mesh& mesh, std::span<const FaceId> faces, const IdVector<FaceId, PartPlace>& places);
-  void add_quadrics();
-  /// Calls visit(halfedge) for the halfedges that leave an unlocked vertex, and at the boundary for the last one, which
-  /// arrives.
-  template <class Visit>
-  void for_each_edge(std::int32_t v, Visit visit) const;
-  /// The key of a vertex in the heap: minus the cost of its best legal collapse, which is stored.
-  double find_best(std::int32_t v);
-  bool is_legal(std::int32_t v, std::int32_t halfedge);
-  bool keeps_topology(std::int32_t v, std::int32_t w, std::int32_t halfedge);
-  bool keeps_normals(std::int32_t v, std::int32_t w) const;
-  void collapse(std::int32_t v, std::int32_t halfedge);
-  void remove_face(std::int32_t halfedge, std::int32_t kept);
-  std::int32_t first_of_fan(std::int32_t halfedge) const;
-  /// Whether v is not on the boundary, which stays so. Any halfedge may then be the one that leaves it.
-  bool is_inner(std::int32_t v) const { return twin_[leaving_[v]] >= 0; }
-
-  std::vector<VertexId> vertex_;       // of the mesh
-  std::vector<Vec3> position_;         // relative to the first vertex
-  std::vector<Quadric> quadric_;       // of what collapsed to each vertex
-  std::vector<char> is_locked_;        // stays, and is no target
-  std::vector<std::int32_t> leaving_;  // a halfedge of an unlocked vertex; on the boundary the first one of the fan
-  std::vector<std::int32_t> target_;   // of collapsed vertices, -1 of others
-  std::vector<std::int32_t> best_;     // the halfedge to collapse
-  std::vector<std::int32_t> corner_;   // of each halfedge, where it begins; -1 where its face is gone
-  std::vector<std::int32_t> twin_;     // -1 on the boundary and between parts
-  std::vector<std::int32_t> mark_;     // per vertex: the last question that it is a neighbour in
-  std::vector<std::pair<double, std::int32_t>> choices_;
-  std::int32_t question_ = 0;
-  std::int64_t left_;
+/// All faces of a part of a mesh, in the order of their places, and the places of all faces of the mesh.
+struct DecimatedPart {
+  std::span<const FaceId> faces;
+  const IdVector<FaceId, PartPlace>& places;
 };
+
+/// Collapses halfedges of a part of the mesh, without a look at the others, until this share of its faces is left or
+/// none can be collapsed. Returns the faces that are left, by vertices of the mesh.
+///
+/// Vertices that have a face elsewhere stay, and no vertex collapses to one of them: the parts of a mesh can be
+/// decimated at the same time. Faces with a vertex that has to stay count as if all were left.
+/// `target`: receives the vertex that each collapsed vertex went to, which may have collapsed later. `report` is called
+/// now and then with the share of the work that is done, and may throw; it may be empty.
+/// Cost: O(k log k) for k faces, and 4 bytes a vertex of the mesh.
+std::vector<std::array<VertexId, 3>> decimate_part(const Mesh& mesh, const DecimatedPart& part, double share,
+                                                   const std::function<void(double)>& report,
+                                                   IdVector<VertexId, VertexId>& target);
 
 }  // namespace gvd

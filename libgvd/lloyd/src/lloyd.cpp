@@ -24,9 +24,9 @@
 #include <string_view>
 #include <utility>
 
+#include "copy_points.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "generator_moves.hpp"
-#include "gvd/coarse_copy.hpp"
 #include "gvd/error.hpp"
 #include "relaxer.hpp"
 
@@ -249,8 +249,8 @@ LloydResult finish_on_mesh(const Mesh& mesh, const std::vector<SurfacePoint>& ge
 
 }  // namespace
 
-LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                             const LloydOptions& options, const LloydStages& stages) {
+LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LloydOptions& options,
+                             const LloydStages& stages) {
   check_options(options);
   check_density(mesh, options.density);
   if (generators.empty()) throw Error(ErrorCode::precondition, "there are no generators to relax");
