@@ -4,8 +4,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "balance_rates.hpp"
 #include "balance_search.hpp"
-#include "cell_integrals.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "gvd/check.hpp"
 #include "gvd/exact_field.hpp"

@@ -21,10 +21,10 @@
 #include <cmath>
 #include <utility>
 
+#include "balance_rates.hpp"
 #include "base/barycentric.hpp"
 #include "base/parallel_chunks.hpp"
 #include "base/union_find.hpp"
-#include "cell_integrals.hpp"
 #include "diagram/cell_parts.hpp"
 #include "gvd/error.hpp"
 
@@ -212,8 +212,8 @@ class Balancer {
       }
       if (length > (next ? kShortStep : kShortestStep)) continue;
       length = longest;
-      const auto [a, b] = next ? find_jump(*next, step, length)
-                               : find_neighbour(std::get<HiddenGenerator>(computed).generator, step);
+      const auto [a, b] =
+          next ? find_jump(*next, step, length) : find_neighbour(std::get<HiddenGenerator>(computed).generator, step);
       if (!tied_.tie(a, b)) return false;
       variation_ = find_variation(state_.masses, targets_, tied_);
       return true;

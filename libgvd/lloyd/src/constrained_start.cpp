@@ -52,7 +52,7 @@ class NearestRemover {
     if (nearest.value != left_.end()) left_.erase(nearest.value);
   }
 
-  /// Of `points`, those that are left, in their order.
+  /// The ones of `points` that are left, in their order.
   std::vector<SurfacePoint> rest(const std::vector<SurfacePoint>& points) const {
     std::vector<std::size_t> indices;
     for (const auto& [key, at] : left_) indices.push_back(key.second);

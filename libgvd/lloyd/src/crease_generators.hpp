@@ -26,7 +26,7 @@ FeatureGenerators place_on_creases(const Mesh& mesh, const std::vector<EdgeId>& 
 std::vector<SurfacePoint> snap_to_creases(const Mesh& mesh, const std::vector<EdgeId>& creases,
                                           std::vector<SurfacePoint> points, double distance);
 
-/// What each of these points may do by where it lies: fixed at a corner of a crease, on_crease beside it on the crease,
+/// The freedom of each point, by where it lies: fixed at a corner of a crease, on_crease beside it on the crease,
 /// free elsewhere. Cost: O(n).
 std::vector<Freedom> freedoms_on_creases(const Mesh& mesh, const std::vector<EdgeId>& creases,
                                          const std::vector<SurfacePoint>& points);

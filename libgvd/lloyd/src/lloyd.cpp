@@ -1,4 +1,4 @@
-// What surrounds the iterations of a relaxation (relaxer.hpp): a copy before them, and extremities after them.
+// A relaxation in stages: on a copy of the mesh, on the mesh (relaxer.hpp), and with generators on extremities.
 //
 // A relaxation from coarse to fine: on a decimated copy of the mesh until it ends, and for a few iterations on the
 // mesh.

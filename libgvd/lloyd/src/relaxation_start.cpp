@@ -22,7 +22,7 @@ std::int64_t choose_copy_faces(std::int64_t all, std::int64_t generators, const 
   return faces < kCopyFacesPerGenerator * generators || 2 * faces > all ? 0 : faces;
 }
 
-/// What restricts the generators: those that are listed do not follow creases that are preferred.
+/// The restrictions of the generators: listed ones do not follow creases that are preferred.
 StartOptions choose_constraints(const RelaxationStartOptions& options) {
   StartOptions constraints = options.constraints;
   constraints.are_listed = !options.listed.empty();

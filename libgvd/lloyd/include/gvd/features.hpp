@@ -39,7 +39,7 @@ struct CreaseCurve {
 };
 
 /// The curves of the creases, which hold each crease edge once: first those that begin at corners, ascending.
-/// Of corners where one crease only turns, the sharpest count that are `corner_distance` or more along the crease from
+/// Where one crease only turns, the sharpest corners count that are `corner_distance` or more along the crease from
 /// other corners: the boundary of a scan may turn at every second vertex. Cost: O(n log n).
 std::vector<CreaseCurve> trace_creases(const Mesh& mesh, const std::vector<EdgeId>& creases,
                                        double corner_distance = 0);
