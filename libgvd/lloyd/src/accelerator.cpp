@@ -18,8 +18,7 @@ namespace {
 
 /// Least absolute eigenvalue relative to the masses. Steps are up to the inverse as long as Lloyd's, as far as the
 /// model has told the truth: where the energy fell by .7 to 1.6 of its prediction, half as much is allowed, and twice
-/// as much where it fell by less than .3. With .1 for all iterations, runs on the bunny with 100 generators take 72 and
-/// 58 diagrams to their centroids instead of 41 and 40.
+/// as much where it fell by less than .3.
 constexpr double kLeastEigenvalue = 0.01;
 constexpr std::pair<double, double> kGoodRatio{0.7, 1.6};
 constexpr double kPoorRatio = 0.3;
@@ -36,7 +35,7 @@ constexpr double kNearEnd = 1e-3;
 /// than the way past them.
 constexpr double kNearVertex = 0.02;
 
-/// Pairs that are kept. With 5, 10 and 20 pairs of L-BFGS runs on the bunny take as many iterations, within 5 %.
+/// Pairs that are kept; with 5 to 20 runs take as many iterations.
 constexpr std::size_t kMemory = 7;
 
 /// Longest step of a generator, in mean cell radii, or in ways to its centroid if that is more: beyond this the

@@ -65,8 +65,7 @@ class Accelerator {
 
   static constexpr double kFirstLeastEigenvalue = 0.1;
 
-  /// Radius of trust, in mean cell radii. With .5 at first, runs to the limit on the bunny with 100 generators take 9.7
-  /// diagrams instead of 9.1, means of ten runs.
+  /// Radius of trust, in mean cell radii.
   static constexpr double kFirstRadius = 0.2, kLeastRadius = 0.01, kLargestRadius = 1;
 
   const Mesh& mesh_;

@@ -45,9 +45,8 @@ std::size_t count_least(const Mesh& mesh, const std::vector<EdgeId>& creases, do
 /// Least length of a boundary loop or of a network of creases that an even spacing gives three generators, in spacings.
 constexpr double kLeastNetwork = 3;
 
-/// Least length of a network of creases for each of its dead ends, in spacings; shorter ones are noise. Measured with
-/// 100 to 2000 generators: the large networks of 23 CAD models have none, or one in 40 spacings (fandisk). Those of
-/// scans and other smooth models mostly have one in 1 to 5, and less than a fifth of their creases is in longer ones.
+/// Least length of a network of creases for each of its dead ends, in spacings; shorter ones are noise. Networks of CAD
+/// models have no dead end, or one in 40 spacings; those of scans mostly have one in 1 to 5.
 constexpr double kDeadEndLength = 20;
 
 /// Least share of the creases that has to be in such networks: noise makes some closed rings, too. It is .76 or more on

@@ -14,8 +14,7 @@ double total_length(const Mesh& mesh, const std::vector<EdgeId>& edges);
 /// place for each that is expected. `corner_distance`: as in place_on_creases.
 ///
 /// The relaxation moves generators of two such curves to gaps of each other, and each then needs one more opposite.
-/// Measured: 116 expected and 112 added on the plate with 500, 232 and 222 with 2000; 63 and 86 on the rotor with 500,
-/// 116 and 116 with 2000; 14 and 16 on the fandisk with 100. Some more are added at bends and beside free generators.
+/// Some more are added at bends and beside free generators.
 /// Cost: O(k log k) for k samples of the curves, as long as few are in each other's reach.
 std::vector<Vec3> expect_opposite_generators(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing,
                                              double corner_distance);

@@ -30,9 +30,7 @@ constexpr std::int32_t kPartFaces = 1 << 15, kMaxParts = 64, kWholeParts = 8;
 /// many.
 constexpr double kLeftByParts = 2;
 
-/// Faces of a default copy: this share of the mesh's, and no more unless generators need them (CopySize). With 10 a
-/// generator, the energies of 1,000 on the bunny are those without a copy. With 20,000 faces instead of 40,000, that of
-/// 50 on the armadillo, cut to 832,000 faces, is .1 % larger.
+/// Faces of a default copy: this share of the mesh's, and no more unless generators need them (CopySize).
 constexpr std::int64_t kMeshFacesPerFace = 10;
 
 constexpr std::string_view kStep = "coarse copy";

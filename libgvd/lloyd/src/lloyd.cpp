@@ -33,22 +33,18 @@
 namespace gvd {
 namespace {
 
-/// Least distance of an extremity from its generator, in radii of a disc with the cell's area. Ends of limbs are at .84
-/// to 1.23 (armadillo, camel); nearer ones are spikes that are small beside the cell.
+/// Least distance of an extremity from its generator, in radii of a disc with the cell's area; nearer ones are spikes
+/// that are small beside the cell.
 constexpr double kLeastExtremity = 0.5;
 
-/// Iterations after generators went to extremities. On armadillo, camel and ChineseDragon with 500 generators, the mean
-/// Hausdorff distance of remeshes is 2.14 % of the diagonal after 2, 1.80 after 5 and 1.77 after 8. There, fits moved
-/// the vertices at extremities too, and angles could fall to 10 degrees.
+/// Iterations after generators went to extremities: more hardly lower the distance of remeshes.
 constexpr std::int32_t kExtremityIterations = 5;
 
-/// Largest share of cells that become no discs, or get fewer than three neighbours, by generators on extremities. With
-/// .004 (armadillo, 500 generators) and .014 (dino, 500), repairs add .006 and .014 of the generators. With .06
-/// (armadillo, 100), they add .20, and the Hausdorff distance grows.
+/// Largest share of cells that become no discs, or get fewer than three neighbours, by generators on extremities.
+/// Beyond it the repairs of a remesh cost more than extremities gain.
 constexpr double kLargestPoorShare = 0.04;
 
-/// Largest share of generators on extremities. Surfaces with limbs have 2 to 5 % there. A rough one has an end in 61 of
-/// 100 cells: with them its remesh took 3,524 vertices, and without 1,448.
+/// Largest share of generators on extremities. Surfaces with limbs have 2 to 5 % there, rough ones more than half.
 constexpr double kLargestExtremityShare = 0.2;
 
 /// The share of the progress before generators go to extremities.
@@ -77,8 +73,8 @@ constexpr double kLargestShare = 0.5;
 /// Share of the progress that the relaxation on the copy takes.
 constexpr double kCopyShare = 0.3;
 
-/// Least energy tolerance on the copy. By the default rule energies are up to .5 % larger. With 1e-8, the copy takes as
-/// long again, and its limit is no nearer to that of the mesh.
+/// Least energy tolerance on the copy. The default rule ends at larger energies, and with less the limit of the copy is
+/// no nearer to that of the mesh.
 constexpr double kCopyTolerance = 1e-5;
 
 Freedom freedom_of(const LloydOptions& options, std::size_t i) {

@@ -28,9 +28,8 @@ namespace {
 /// steps. After these all steps are halved too: down to a thousandth.
 constexpr int kLloydTrials = 16, kOwnTrials = 6;
 
-/// The level without diagrams ends where iterations lower the energy by less than this fraction of it. Its energies are
-/// off by more, but by nearly the same from one iteration to the next. It lies between 1e-4 and 1e-5, which were tried:
-/// the last iterations with 1e-5 lower the energy of 1,000 generators by less than diagrams do.
+/// The level without diagrams ends where iterations lower the energy by less than this fraction of it: diagrams lower
+/// it by more than further early iterations.
 constexpr double kEarlyFall = 3e-5;
 
 /// Accelerated iterations over which the mean fall of the energy decides whether to end.
@@ -52,11 +51,10 @@ constexpr std::size_t kRelocationPause = 10;
 /// Least fall of the energy, as a fraction, that a relocation at the start must promise: what the first step gives.
 constexpr double kFirstRelocationGain = 0.05;
 
-/// Diagrams that an accelerated step may cost. After four a Lloyd step has always been the better use of a diagram.
+/// Diagrams that an accelerated step may cost; then a Lloyd step is the better use of a diagram.
 constexpr int kLineSearchTrials = 4;
 
-/// Error of differences of energies without a diagram, as a fraction: parts of needles come and go. Energies of a scan
-/// with needles jumped by .0024.
+/// Error of differences of energies without a diagram, as a fraction: parts of needles come and go.
 constexpr double kSampledError = 0.003;
 
 /// Bounds of the factor by which a generator shortens its own step.
@@ -110,7 +108,6 @@ class Decline {
 };
 
 /// The rules of the iteration: what is tried, what is taken, and when to end.
-/// Long because all rules share the record, the levels and the accelerator.
 class Relaxer {
  public:
   /// All arguments have to outlive this.
@@ -289,8 +286,8 @@ class Relaxer {
     std::vector<double> scales(state.generators.size(), 1);
     const Rests rests = refused_rests_.allowed(record_.falls.size(), state.rest);
     for (int trial = 0; trial < kLloydTrials; ++trial) {
-      GeneratorMove next = move_generators(mesh_, state, scaled(state.to_centroids, scales), constraints_,
-                                           trial == 0 ? rests : Rests());
+      GeneratorMove next =
+          move_generators(mesh_, state, scaled(state.to_centroids, scales), constraints_, trial == 0 ? rests : Rests());
       next.scale = *std::max_element(scales.begin(), scales.end());
       const std::optional<RelaxationState> rejected = take_if_below(state.energy, state, rests, next);
       if (!rejected) return true;

@@ -75,8 +75,8 @@ std::vector<EdgePoint> number_edge_points(const Mesh& mesh, const std::vector<Fa
       point.vertex = mesh.from(h);
     } else if (coincide(at, to, tolerance)) {
       point.vertex = mesh.to(h);
-    } else if (before && (point.t - before->t <= kCutWeld ||
-                          coincide(positions[before->vertex.index()], at, tolerance))) {
+    } else if (before &&
+               (point.t - before->t <= kCutWeld || coincide(positions[before->vertex.index()], at, tolerance))) {
       point.vertex = before->vertex;
     } else {
       point.vertex = add_vertex(at, positions);

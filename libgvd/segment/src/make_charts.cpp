@@ -60,9 +60,7 @@ void place_islands(const std::vector<Island>& islands, const std::vector<PlaneCo
   charts.scale = packing.side > 0 ? 1 / packing.side : 1;
   charts.texture.assign(3 * corners.size(), {kNaN, kNaN});
   for (std::size_t i = 0; i < islands.size(); ++i) {
-    const auto in_square = [&](const Vec2& p) -> Vec2 {
-      return charts.scale * (packing.at[i] + (p - boxes[i].min()));
-    };
+    const auto in_square = [&](const Vec2& p) -> Vec2 { return charts.scale * (packing.at[i] + (p - boxes[i].min())); };
     charts.charts[i].origin = in_square(Vec2::Zero());
     for (const FaceId f : islands[i].faces) {
       for (std::size_t c = 0; c < 3; ++c) {
