@@ -173,7 +173,7 @@ bool surely_exceeds_share(const Mesh& mesh, const std::vector<EdgeId>& creases, 
   return least > kFeatureShare * double(asked);
 }
 
-double choose_curves(const Mesh& mesh, const StartOptions& options, ConstrainedStart& start) {
+double choose_followed_curves(const Mesh& mesh, const StartOptions& options, ConstrainedStart& start) {
   const bool prefers_boundary = options.prefers_boundary && !options.keep_boundary && !options.are_listed;
   std::vector<EdgeId> boundary, creases;
   if (options.keep_boundary || prefers_boundary) boundary = find_creases(mesh, {180, true});

@@ -27,6 +27,6 @@ bool surely_exceeds_share(const Mesh& mesh, const std::vector<EdgeId>& creases, 
 /// Chooses the creases and the boundary loops that generators keep to, as far as the options ask for them, or prefer
 /// them and it is possible (see constrain_start). Sets `creases` of a start that has all `points`, and what follows it.
 /// Returns the spacing of evenly spread generators, mesh units.
-double choose_curves(const Mesh& mesh, const StartOptions& options, ConstrainedStart& start);
+double choose_followed_curves(const Mesh& mesh, const StartOptions& options, ConstrainedStart& start);
 
 }  // namespace gvd

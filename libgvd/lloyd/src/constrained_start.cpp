@@ -148,7 +148,7 @@ void append_sampled(const Mesh& mesh, const ConstrainedStart& start, const Start
 ConstrainedStart constrain_start(const Mesh& mesh, std::vector<SurfacePoint> points, const StartOptions& options) {
   ConstrainedStart start;
   start.points = std::move(points);
-  const double spacing = choose_curves(mesh, options, start);
+  const double spacing = choose_followed_curves(mesh, options, start);
   const bool asks_for_creases = options.crease_angle && !options.prefers_creases;
   const bool asks = asks_for_creases || options.keep_boundary || !options.fixed.empty();
   if (!asks && start.creases.empty()) return start;

@@ -32,7 +32,7 @@ EdgeId shared_edge(const Mesh& mesh, FaceId a, FaceId b, const Vec3& point) {
 }
 
 /// The edge of the input on which each added vertex lies, where faces of two parents meet; invalid for other vertices.
-IdVector<VertexId, EdgeId> find_edges(const Mesh& mesh, const CutMesh& cut) {
+IdVector<VertexId, EdgeId> find_input_edges(const Mesh& mesh, const CutMesh& cut) {
   IdVector<VertexId, EdgeId> edges(cut.mesh.vertex_count());
   IdVector<VertexId, FaceId> first(cut.mesh.vertex_count());
   for (const FaceId f : cut.mesh.faces()) {
@@ -70,7 +70,7 @@ Uv interpolate_texture(const std::vector<Uv>& texture, const SurfacePoint& point
 
 /// In the order of the cut faces' corners.
 std::vector<Uv> carry_texture(const Mesh& mesh, const std::vector<Uv>& texture, const CutMesh& cut) {
-  const IdVector<VertexId, EdgeId> edges = find_edges(mesh, cut);
+  const IdVector<VertexId, EdgeId> edges = find_input_edges(mesh, cut);
   const auto point_in = [&](FaceId parent, VertexId v) -> SurfacePoint {
     const auto& corners = mesh.vertices(parent);
     const auto corner = std::find(corners.begin(), corners.end(), v) - corners.begin();

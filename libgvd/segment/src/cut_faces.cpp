@@ -141,7 +141,7 @@ void add_polygons(FaceId f, FaceTiling& tiling, std::int32_t& polygons, CutTrian
   }
 }
 
-void build_mesh(CutTriangles cut, CutMesh& result) {
+void build_cut_mesh(CutTriangles cut, CutMesh& result) {
   std::vector<std::array<VertexId, 3>> faces;
   for (const CutTriangle& t : cut.triangles) {
     faces.push_back(t.corners);
@@ -211,7 +211,7 @@ CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& prog
   split_doubled_edges(cut);
   separate_coincident_corners(cut, mesh.positions().size(), tolerance);
   report_progress(progress, kCutStep, 1);
-  build_mesh(std::move(cut), result);
+  build_cut_mesh(std::move(cut), result);
   part_touching_regions(diagram.cells, tolerance, result);
   return result;
 }

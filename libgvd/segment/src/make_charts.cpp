@@ -30,14 +30,14 @@ namespace {
 constexpr StepPart kFlatMapping{"charts", 0, 0.9};
 
 /// A corner of a face in the square.
-Vec2 corner_of(const Charts& charts, FaceId f, std::size_t c) {
+Vec2 corner_in_square(const Charts& charts, FaceId f, std::size_t c) {
   const auto& [u, v] = charts.texture[3 * f.index() + c];
   return Vec2(u, v);
 }
 
 /// 1 if the face is counter-clockwise in the square, for certain.
 int orientation_of(const Charts& charts, FaceId f) {
-  return orientation(corner_of(charts, f, 0), corner_of(charts, f, 1), corner_of(charts, f, 2));
+  return orientation(corner_in_square(charts, f, 0), corner_in_square(charts, f, 1), corner_in_square(charts, f, 2));
 }
 
 /// Packs the islands and sets the texture coordinates. `corners`: of all faces, mesh units, each island round an origin
@@ -124,9 +124,10 @@ void measure_chart(const Mesh& mesh, const Island& island, const IdVector<FaceId
     const FaceLayout layout(mesh, f);
     Eigen::Matrix2d sides, laid;
     sides << layout.corner[1] - layout.corner[0], layout.corner[2] - layout.corner[0];
-    laid << corner_of(charts, f, 1) - corner_of(charts, f, 0), corner_of(charts, f, 2) - corner_of(charts, f, 0);
+    laid << corner_in_square(charts, f, 1) - corner_in_square(charts, f, 0),
+        corner_in_square(charts, f, 2) - corner_in_square(charts, f, 0);
     chart.stretch += area * (laid * sides.inverse()).norm() / (std::numbers::sqrt2 * charts.scale);
-    for (std::size_t c = 0; c < 3; ++c) chart.box.extend(corner_of(charts, f, c));
+    for (std::size_t c = 0; c < 3; ++c) chart.box.extend(corner_in_square(charts, f, c));
   }
   if (const double placed = chart.area - chart.unplaced_area; placed > 0) chart.stretch /= placed;
 }
