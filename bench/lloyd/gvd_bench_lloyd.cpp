@@ -117,20 +117,17 @@ void measure_energies(const Mesh& mesh, int count, const std::string& start, con
   }
 }
 
-/// Every iteration with an exact diagram, from the first one on.
-LloydOptions exact_options(int iterations) {
+/// A run whose iterations all have exact diagrams, from the first one on; or only the last ones.
+RelaxationRun run_iterations(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int iterations,
+                             bool early_approximation = false) {
   LloydOptions options;
-  options.early_approximation = false;
   options.max_iterations = iterations;
-  options.diagram.threads = 1;
-  return options;
+  return run_relaxation(mesh, generators, options, {.early_approximation = early_approximation});
 }
 
 /// Mean seconds of the iterations without diagrams but the first one, at which generators leave vertices.
 double seconds_of_early_iteration(const Mesh& mesh, int count, const Settings& settings) {
-  LloydOptions options = exact_options(settings.short_iterations);
-  options.early_approximation = true;
-  const RelaxationRun run = run_relaxation(mesh, draw(mesh, count, "farthest"), options);
+  const RelaxationRun run = run_iterations(mesh, draw(mesh, count, "farthest"), settings.short_iterations, true);
   double first = 0, last = 0;
   int iterations = 0;
   for (const TracePoint& point : run.trace) {
@@ -146,14 +143,14 @@ double seconds_of_early_iteration(const Mesh& mesh, int count, const Settings& s
 void measure_iteration(const Mesh& mesh, int count, const Settings& settings) {
   // Farthest points are vertices, where it is tested once whether they rest: only later iterations are like all others.
   const std::vector<SurfacePoint> generators =
-      run_relaxation(mesh, draw(mesh, count, "farthest"), exact_options(kFirstIterations)).result.generators;
+      run_iterations(mesh, draw(mesh, count, "farthest"), kFirstIterations).result.generators;
   DiagramOptions options;
   options.threads = 1;
   RelaxationRun some;
   double made = 1, start = 0;  // iterations of a run; seconds of one without iterations: a diagram and its integrals
-  const auto time_start = [&] { return start = run_relaxation(mesh, generators, exact_options(0)).seconds; };
+  const auto time_start = [&] { return start = run_iterations(mesh, generators, 0).seconds; };
   const auto time_iteration = [&] {
-    some = run_relaxation(mesh, generators, exact_options(settings.short_iterations));
+    some = run_iterations(mesh, generators, settings.short_iterations);
     made = double(std::max<std::size_t>(1, some.result.iterations.size()));
     return (some.seconds - start) / made;
   };

@@ -68,14 +68,15 @@ double scaled_energy(const Mesh& mesh, const Diagram& diagram) {
   return energy * energy_scale(mesh, diagram.generators.size());
 }
 
-RelaxationRun run_relaxation(const Mesh& mesh, const std::vector<SurfacePoint>& generators, LloydOptions options) {
+RelaxationRun run_relaxation(const Mesh& mesh, const std::vector<SurfacePoint>& generators, LloydOptions options,
+                             const LloydStages& stages) {
   RelaxationRun run;
   const double scale = energy_scale(mesh, generators.size()), start = cpu_milliseconds();
   options.diagram.threads = 1;
   options.on_iteration = [&](std::int64_t iteration, double energy, const std::vector<SurfacePoint>&) {
     run.trace.push_back({static_cast<int>(iteration), (cpu_milliseconds() - start) / 1e3, energy * scale});
   };
-  run.result = relax_generators(mesh, generators, options);
+  run.result = relax_generators(mesh, generators, options, stages);
   run.seconds = (cpu_milliseconds() - start) / 1e3;
   run.energy = scaled_energy(mesh, run.result.diagram);
   return run;

@@ -40,7 +40,8 @@ struct RelaxationRun {
 };
 
 /// Relaxes on this thread.
-RelaxationRun run_relaxation(const Mesh& mesh, const std::vector<SurfacePoint>& generators, LloydOptions options);
+RelaxationRun run_relaxation(const Mesh& mesh, const std::vector<SurfacePoint>& generators, LloydOptions options,
+                             const LloydStages& stages = {});
 
 /// The run with the fewest iterations whose result has at most the energy E.
 struct ShortestRun {

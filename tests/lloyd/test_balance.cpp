@@ -4,9 +4,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "cell_integrals.hpp"
+#include "balance_rates.hpp"
+#include "balance_search.hpp"
 #include "diagram/diagram_windows.hpp"
-#include "gvd/balance.hpp"
 #include "gvd/check.hpp"
 #include "gvd/exact_field.hpp"
 #include "gvd/face_regions.hpp"
@@ -126,6 +126,19 @@ TEST_CASE("weights: what is no weight is refused in one line") {
   options.weights = {0, 0, 0};
   options.method = Method::gbgvd;
   CHECK(message() == "only the exact method takes weights");
+}
+
+TEST_CASE("balance: weights at the start that hide a generator are told, and refused in one line") {
+  const Mesh mesh = test::make_sphere(2);
+  const std::vector<SurfacePoint> generators = test::sample(mesh, Sampling::farthest, 3);
+  BalanceOptions options;
+  options.diagram.weights = {0, 0, 4};
+  const auto found = try_to_balance(mesh, generators, options);
+  REQUIRE(std::holds_alternative<HiddenGenerator>(found));
+  CHECK(std::get<HiddenGenerator>(found).generator == GeneratorId(2));
+  CHECK(std::get<HiddenGenerator>(found).nearer == GeneratorId(0));
+  CHECK(refusal([&] { balance_cells(mesh, generators, options); }, ErrorCode::precondition) ==
+        std::get<HiddenGenerator>(found).error().what());
 }
 
 TEST_CASE("balance: all cells have the same area, in the cut mesh too") {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "cell_integrals.hpp"
+#include "measured_cells.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

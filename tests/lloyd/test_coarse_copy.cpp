@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "gvd/coarse_copy.hpp"
+#include "copy_points.hpp"
 #include "gvd/error.hpp"
 #include "support/cancelled.hpp"
 #include "support/catch.hpp"

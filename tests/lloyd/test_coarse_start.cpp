@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gvd/coarse_copy.hpp"
+#include "copy_points.hpp"
 #include "gvd/constrained_start.hpp"
 #include "gvd/diagram.hpp"
 #include "gvd/lloyd.hpp"
@@ -23,10 +23,9 @@ std::vector<SurfacePoint> sample(const Mesh& mesh, int count, std::uint64_t seed
   return sample_generators(mesh, options);
 }
 
-LloydOptions on_copy(const CoarseCopy& copy) {
-  LloydOptions options;
-  options.copy = &copy;
-  return options;
+LloydResult relax_on_copy(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const CoarseCopy& copy,
+                          const LloydOptions& options = {}) {
+  return relax_generators(mesh, generators, options, {.copy = &copy});
 }
 
 TEST_CASE("relax_generators: from a copy, the energy is that of the relaxation on the mesh, for fewer diagrams of it") {
@@ -36,7 +35,7 @@ TEST_CASE("relax_generators: from a copy, the energy is that of the relaxation o
     for (const std::uint64_t seed : test::thinned({0, 1})) {
       CAPTURE(name, seed);
       const auto start = sample(mesh, 60, seed);
-      const LloydResult plain = relax_generators(mesh, start), result = relax_generators(mesh, start, on_copy(copy));
+      const LloydResult plain = relax_generators(mesh, start), result = relax_on_copy(mesh, start, copy);
       // Starts that differ a little end in other minima, up to half a percent apart: on the average they are equal.
       CHECK(result.final_energy < 1.005 * plain.final_energy);
       CHECK(result.diagrams < plain.diagrams / 3);
@@ -51,7 +50,7 @@ TEST_CASE("relax_generators: from a copy, the energy is that of the relaxation o
 TEST_CASE("relax_generators: the energy on a copy's generators is near that of many more iterations on the mesh") {
   const Mesh mesh = test::make_bumpy_sphere(5, 3);
   const CoarseCopy copy = make_coarse_copy(mesh, 4000);
-  const LloydResult result = relax_generators(mesh, sample(mesh, 60), on_copy(copy));
+  const LloydResult result = relax_on_copy(mesh, sample(mesh, 60), copy);
   const LloydResult further = relax_generators(mesh, result.generators);
   CHECK(further.final_energy <= result.final_energy);
   CHECK(further.final_energy > 0.998 * result.final_energy);
@@ -60,9 +59,9 @@ TEST_CASE("relax_generators: the energy on a copy's generators is near that of m
 TEST_CASE("relax_generators: with a tolerance, a relaxation from a copy goes on until it holds on the mesh") {
   const Mesh mesh = test::make_bumpy_sphere(4, 3);
   const CoarseCopy copy = make_coarse_copy(mesh, 800);
-  LloydOptions options = on_copy(copy);
+  LloydOptions options;
   options.energy_tolerance = 1e-8;
-  const LloydResult result = relax_generators(mesh, sample(mesh, 30), options);
+  const LloydResult result = relax_on_copy(mesh, sample(mesh, 30), copy, options);
   CHECK(result.iterations.size() > std::size_t(kFinishIterations));
   CHECK((result.stop == LloydStop::centroids || result.stop == LloydStop::energy));
   CHECK(result.residual < 0.01 * result.mean_cell_radius);
@@ -73,11 +72,11 @@ TEST_CASE("relax_generators: from a copy, the same on any number of threads") {
   LloydResult results[2];
   for (const int threads : {1, 2}) {
     const CoarseCopy copy = make_coarse_copy(mesh, 4000, threads);
-    LloydOptions options = on_copy(copy);
+    LloydOptions options;
     options.diagram.threads = threads;
-    options.keeps_extremities = true;
     options.max_iterations = 8;
-    results[threads - 1] = relax_generators(mesh, sample_on_copy(mesh, copy, {.count = 50, .progress = {}}), options);
+    const auto start = sample_on_copy(mesh, copy, {.count = 50, .progress = {}});
+    results[threads - 1] = relax_generators(mesh, start, options, {.copy = &copy, .keeps_extremities = true});
   }
   CHECK(results[0].generators == results[1].generators);
   CHECK(results[0].final_energy == results[1].final_energy);
@@ -89,7 +88,7 @@ TEST_CASE("relax_generators: from a copy, generators keep to their component, an
   const CoarseCopy copy = make_coarse_copy(mesh, mesh.face_count() / 3);
   const auto component = compute_face_components(mesh);
   const auto start = sample(mesh, 30);
-  const LloydResult result = relax_generators(mesh, start, on_copy(copy));
+  const LloydResult result = relax_on_copy(mesh, start, copy);
   REQUIRE(result.copy.faces > 0);
   CHECK(are_apart(mesh, result.generators));
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -104,10 +103,10 @@ TEST_CASE("relax_generators: from a copy, fixed generators stay, and those on th
   asked.fixed = {make_surface_point(FaceId(100), {0.2, 0.3, 0.5}), vertex_point(mesh, VertexId(500))};
   const ConstrainedStart start = constrain_start(mesh, sample(mesh, 50), asked);
   const CoarseCopy copy = make_coarse_copy(mesh, mesh.face_count() / 5);
-  LloydOptions options = on_copy(copy);
+  LloydOptions options;
   options.freedom = start.freedom;
   options.creases = start.creases;
-  const LloydResult result = relax_generators(mesh, start.points, options);
+  const LloydResult result = relax_on_copy(mesh, start.points, copy, options);
   REQUIRE(result.copy.faces > 0);
   CHECK(result.copy.iterations > 0);
   int moved = 0;
@@ -122,10 +121,10 @@ TEST_CASE("relax_generators: from a copy, fixed generators stay, and those on th
 TEST_CASE("relax_generators: from a copy, extremities keep their generators") {
   const Mesh mesh = test::make_spindle();
   const CoarseCopy copy = make_coarse_copy(mesh, mesh.face_count() / 3);
-  LloydOptions options = on_copy(copy);
+  LloydOptions options;
   options.max_iterations = 15;
-  options.keeps_extremities = true;
-  const LloydResult result = relax_generators(mesh, sample(mesh, 60), options);
+  const LloydStages stages{.copy = &copy, .keeps_extremities = true};
+  const LloydResult result = relax_generators(mesh, sample(mesh, 60), options, stages);
   CHECK(result.extremities.size() == 2);
   for (const GeneratorId g : result.extremities) {
     const Vec3 at = position(mesh, result.generators[g.index()]);
@@ -143,8 +142,7 @@ TEST_CASE("relax_generators: the density counts on the copy, too") {
   const auto start = sample(mesh, 60);
   const CoarseCopy copy = make_coarse_copy(mesh, 1500);
   const LloydResult plain = relax_generators(mesh, start, options);
-  options.copy = &copy;
-  const LloydResult result = relax_generators(mesh, start, options);
+  const LloydResult result = relax_on_copy(mesh, start, copy, options);
   REQUIRE(result.copy.faces > 0);
   CHECK(result.final_energy < 1.01 * plain.final_energy);
   const auto on_right =
@@ -159,8 +157,7 @@ TEST_CASE("relax_generators: a copy that is large, or on which generators coinci
   options.max_iterations = 3;
   const LloydResult plain = relax_generators(mesh, start, options);
   const CoarseCopy large = make_coarse_copy(mesh, mesh.face_count() * 3 / 4);
-  options.copy = &large;
-  const LloydResult unused = relax_generators(mesh, start, options);
+  const LloydResult unused = relax_on_copy(mesh, start, large, options);
   CHECK(unused.copy.faces == 0);
   CHECK(unused.generators == plain.generators);
   CHECK(unused.final_energy == plain.final_energy);
@@ -171,19 +168,10 @@ TEST_CASE("relax_generators: a copy that is large, or on which generators coinci
   shrunk.mesh = Mesh(std::move(positions), shrunk.mesh.face_vertices());
   std::vector<SurfacePoint> all;
   for (const VertexId v : mesh.vertices()) all.push_back(vertex_point(mesh, v));
-  options.copy = &shrunk;
   options.max_iterations = 1;
-  const LloydResult crowded = relax_generators(mesh, all, options);
+  const LloydResult crowded = relax_on_copy(mesh, all, shrunk, options);
   CHECK(crowded.copy.faces == 0);
   CHECK(crowded.generators.size() == all.size());
-}
-
-/// The options of a relaxation that ends on a copy.
-LloydOptions ending_on_copy(const CoarseCopy& copy) {
-  LloydOptions options = on_copy(copy);
-  options.ends_on_copy = true;
-  options.max_iterations = 15;
-  return options;
 }
 
 /// The energy of generators on a mesh.
@@ -198,10 +186,10 @@ TEST_CASE("relax_generators: a relaxation that ends on a copy computes one diagr
                                    test::NamedMesh{"torus", test::make_torus(160, 60)}}) {
     const CoarseCopy copy = make_coarse_copy(mesh, 2000);
     const auto start = sample(mesh, 60);
-    LloydOptions options = ending_on_copy(copy);
-    const LloydResult result = relax_generators(mesh, start, options);
-    options.copy = nullptr;
-    const LloydResult plain = relax_generators(mesh, start, options);
+    LloydOptions options;
+    options.max_iterations = 15;
+    const LloydResult result = relax_generators(mesh, start, options, {.copy = &copy, .ends_on_copy = true});
+    const LloydResult plain = relax_generators(mesh, start, options, {.ends_on_copy = true});
     CAPTURE(name);
     CHECK(plain.copy.faces == 0);
     CHECK(plain.diagrams > 10);
@@ -223,10 +211,11 @@ TEST_CASE(
   LloydResult results[2];
   for (const int threads : {1, 2}) {
     const CoarseCopy copy = make_coarse_copy(mesh, mesh.face_count() / 3, threads);
-    LloydOptions options = ending_on_copy(copy);
-    options.keeps_extremities = true;
+    LloydOptions options;
+    options.max_iterations = 15;
     options.diagram.threads = threads;
-    results[threads - 1] = relax_generators(mesh, sample(mesh, 60), options);
+    const LloydStages stages{.copy = &copy, .ends_on_copy = true, .keeps_extremities = true};
+    results[threads - 1] = relax_generators(mesh, sample(mesh, 60), options, stages);
   }
   const LloydResult& result = results[0];
   CHECK(result.generators == results[1].generators);
@@ -247,12 +236,11 @@ TEST_CASE("relax_generators: without a copy that can be used, a relaxation ends 
   const Mesh mesh = test::make_spindle();
   const auto start = sample(mesh, 60);
   const CoarseCopy large = make_coarse_copy(mesh, mesh.face_count() * 3 / 4);
-  LloydOptions options = ending_on_copy(large);
-  options.keeps_extremities = true;
-  const LloydResult unused = relax_generators(mesh, start, options);
-  options.ends_on_copy = false;
-  options.copy = nullptr;
-  const LloydResult plain = relax_generators(mesh, start, options);
+  LloydOptions options;
+  options.max_iterations = 15;
+  const LloydStages stages{.copy = &large, .ends_on_copy = true, .keeps_extremities = true};
+  const LloydResult unused = relax_generators(mesh, start, options, stages);
+  const LloydResult plain = relax_generators(mesh, start, options, {.keeps_extremities = true});
   CHECK(unused.copy.faces == 0);
   CHECK(unused.generators == plain.generators);
   CHECK(unused.final_energy == plain.final_energy);
@@ -264,14 +252,12 @@ TEST_CASE("relax_generators: an interrupt on the copy or on the mesh throws") {
   const CoarseCopy copy = make_coarse_copy(mesh, 300);
   const auto start = sample(mesh, 10);
   test::require_cancelled_everywhere([&](const Progress& progress) {
-    LloydOptions options = on_copy(copy);
+    LloydOptions options;
     options.max_iterations = 3;
     options.diagram.threads = 1;
     options.progress = progress;
-    relax_generators(mesh, start, options);
-    options.ends_on_copy = true;
-    options.keeps_extremities = true;
-    relax_generators(mesh, start, options);
+    relax_on_copy(mesh, start, copy, options);
+    relax_generators(mesh, start, options, {.copy = &copy, .ends_on_copy = true, .keeps_extremities = true});
   });
 }
 

@@ -43,10 +43,10 @@ TEST_CASE("density: a uniform one changes nothing, and its unit does not matter"
   const auto start = test::random_generators(mesh, 9, 2);
   LloydOptions options;
   options.max_iterations = 8;
-  options.early_approximation = false;
-  const LloydResult plain = relax_generators(mesh, start, options);
+  const LloydStages exact{.early_approximation = false};
+  const LloydResult plain = relax_generators(mesh, start, options, exact);
   options.density = make_vertex_density(mesh, std::vector<double>(mesh.positions().size(), 4));
-  const LloydResult heavy = relax_generators(mesh, start, options);
+  const LloydResult heavy = relax_generators(mesh, start, options, exact);
   // Rounded weights lead to steps that differ a little.
   CHECK(heavy.final_energy == Approx(4 * plain.final_energy).epsilon(1e-4));
 }

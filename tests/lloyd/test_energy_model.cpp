@@ -121,8 +121,7 @@ TEST_CASE("energy model: relaxations near their limit take few diagrams on rough
     const LloydResult near_limit = relax_generators(mesh, test::random_generators(mesh, 12, seed), options);
     options.max_iterations = 300;
     options.energy_tolerance = 1e-8;
-    options.early_approximation = false;
-    const LloydResult limit = relax_generators(mesh, near_limit.generators, options);
+    const LloydResult limit = relax_generators(mesh, near_limit.generators, options, {.early_approximation = false});
     CHECK(limit.stop == LloydStop::centroids);
     diagrams += limit.diagrams;
   }

@@ -32,11 +32,10 @@ std::vector<SurfacePoint> sample(const Mesh& mesh, int count, std::uint64_t seed
   return sample_generators(mesh, options);
 }
 
-LloydOptions relaxation(bool keeps_extremities) {
-  LloydOptions options;
+LloydResult relax(const Mesh& mesh, const std::vector<SurfacePoint>& start, bool keeps_extremities,
+                  LloydOptions options = {}) {
   options.max_iterations = 15;
-  options.keeps_extremities = keeps_extremities;
-  return options;
+  return relax_generators(mesh, start, options, {.keeps_extremities = keeps_extremities});
 }
 
 TEST_CASE("extremities: the ends of limbs keep a generator, which centroids pull off") {
@@ -45,10 +44,10 @@ TEST_CASE("extremities: the ends of limbs keep a generator, which centroids pull
     for (const std::uint64_t seed : test::thinned({0, 1, 2})) {
       CAPTURE(count, seed);
       const auto start = sample(mesh, count, seed);
-      const LloydResult pulled = relax_generators(mesh, start, relaxation(false));
+      const LloydResult pulled = relax(mesh, start, false);
       CHECK(farthest_end(mesh, pulled.generators) > 0.5);
       CHECK(pulled.extremities.empty());
-      const LloydResult kept = relax_generators(mesh, start, relaxation(true));
+      const LloydResult kept = relax(mesh, start, true);
       CHECK(farthest_end(mesh, kept.generators) == 0);
       CHECK(kept.extremities.size() == 2);
       CHECK(kept.generators == kept.diagram.generators);
@@ -61,8 +60,8 @@ TEST_CASE("extremities: the ends of limbs keep a generator, which centroids pull
 TEST_CASE("extremities: where no limb ends, nothing changes") {
   for (const Mesh& mesh : {test::make_sphere(3), test::make_torus(24, 12), test::make_grid(9, 7)}) {
     const auto start = sample(mesh, 20);
-    const LloydResult plain = relax_generators(mesh, start, relaxation(false));
-    const LloydResult kept = relax_generators(mesh, start, relaxation(true));
+    const LloydResult plain = relax(mesh, start, false);
+    const LloydResult kept = relax(mesh, start, true);
     CHECK(kept.generators == plain.generators);
     CHECK(kept.final_energy == plain.final_energy);
     CHECK(kept.extremities.empty());
@@ -72,9 +71,9 @@ TEST_CASE("extremities: where no limb ends, nothing changes") {
 TEST_CASE("extremities: a generator that may not move stays") {
   const Mesh mesh = test::make_spindle();
   const auto start = sample(mesh, 60);
-  LloydOptions options = relaxation(true);
+  LloydOptions options;
   options.freedom.assign(60, Freedom::fixed);
-  const LloydResult kept = relax_generators(mesh, start, options);
+  const LloydResult kept = relax(mesh, start, true, options);
   CHECK(kept.generators == start);
   CHECK(kept.extremities.empty());
 }

@@ -83,14 +83,14 @@ TEST_CASE("generator moves: generators go to rest at their vertex, unless anothe
   const VertexId corner = mesh.vertices(FaceId(0))[0];
   state.rest[0] = corner;
   const TangentField steps{Vec2(0.01, 0), Vec2(0, 0.01)};
-  const GeneratorMove move = move_generators(mesh, state, steps, {}, GoToRest::yes);
+  const GeneratorMove move = move_generators(mesh, state, steps, {}, state.rest);
   CHECK(position(mesh, move.to[0]) == mesh.position(corner));
   CHECK(move.length[0] == Approx((mesh.position(corner) - position(mesh, state.generators[0])).norm()));
   CHECK(move.step[0] == Vec2::Zero());
   CHECK(move.length[1] == Approx(0.01));
   CHECK(position(mesh, move_generators(mesh, state, steps).to[0]) != mesh.position(corner));
   state.generators[1] = vertex_point(mesh, corner);
-  CHECK(move_generators(mesh, state, {steps[0], Vec2::Zero()}, {}, GoToRest::yes).to[0] == state.generators[0]);
+  CHECK(move_generators(mesh, state, {steps[0], Vec2::Zero()}, {}, state.rest).to[0] == state.generators[0]);
 }
 
 TEST_CASE("step history: the oldest pairs are dropped") {

@@ -305,14 +305,14 @@ TEST_CASE("lloyd: each iteration is told with its energy, the start too, and aga
     CAPTURE(early);
     LloydOptions options;
     options.max_iterations = 5;
-    options.early_approximation = early;
     std::vector<double> energies;
     options.on_iteration = [&](std::int64_t iterations, double energy, const std::vector<SurfacePoint>&) {
       CHECK((iterations == std::ssize(energies) || (early && iterations < std::ssize(energies))));
       energies.resize(static_cast<std::size_t>(iterations) + 1);
       energies.back() = energy;
     };
-    const LloydResult result = relax_generators(mesh, test::random_generators(mesh, 5, 1), options);
+    const auto start = test::random_generators(mesh, 5, 1);
+    const LloydResult result = relax_generators(mesh, start, options, {.early_approximation = early});
     REQUIRE(energies.size() == result.iterations.size() + 1);
     CHECK(energies.front() == result.initial_energy);
     CHECK(energies.back() == result.final_energy);

@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "cell_integrals.hpp"
 #include "gvd/geodesic_tracing.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
+#include "lower_envelope.hpp"
+#include "measured_cells.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
 #include "support/many_threads.hpp"

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "copy_points.hpp"
 #include "gvd/relaxation_start.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"

@@ -1,6 +1,6 @@
-// Early iterations without diagrams, last ones with those that were asked for.
-// States of a relaxation, level by level.
+// States of a relaxation: early ones without diagrams, last ones with those that were asked for.
 #include <algorithm>
+#include <string_view>
 #include <vector>
 
 #include "gvd/sampling.hpp"
@@ -18,26 +18,44 @@ double energy_of(const Mesh& mesh, const Diagram& diagram) {
 }
 
 TEST_CASE("precision levels: accelerated exact runs begin without diagrams and end as asked for") {
+  const Mesh mesh = test::make_sphere(3);
+  const auto start = test::random_generators(mesh, 12, 1);
   LloydOptions options;
   options.diagram.chord_tolerance = 1e-3;
-  const auto levels = make_precision_levels(options);
-  REQUIRE(levels.size() == 2);
-  CHECK(levels[0].skips_diagram);
-  CHECK_FALSE(levels[1].skips_diagram);
-  CHECK(levels[1].diagram.chord_tolerance == 1e-3);
+  const LloydResult result = relax_generators(mesh, start, options);
+  REQUIRE(result.iterations.size() > 1);
+  CHECK(result.iterations.front().is_sampled);
+  CHECK_FALSE(result.iterations.back().is_sampled);
+  const Diagram coarse = compute_diagram(mesh, result.generators, options.diagram);
+  const Diagram fine = compute_diagram(mesh, result.generators);
+  const auto points = [](const Diagram& diagram) {
+    std::size_t count = 0;
+    for (const Bisector& bisector : diagram.bisectors) count += bisector.points.size();
+    return count;
+  };
+  CHECK(points(coarse) < points(fine));
+  CHECK(points(result.diagram) < points(fine));
 }
 
 TEST_CASE("precision levels: one level for other methods, Lloyd's iteration, and on demand") {
-  const auto count = [](auto change) {
+  const Mesh mesh = test::make_sphere(2);
+  const auto start = test::random_generators(mesh, 6, 1);
+  const auto begins_by_faces = [&](auto change, const LloydStages& stages = {}) {
     LloydOptions options;
+    options.max_iterations = 5;
     change(options);
-    return make_precision_levels(options).size();
+    const LloydResult result = relax_generators(mesh, start, options, stages);
+    return std::ranges::any_of(result.iterations, [](const LloydIteration& i) { return i.is_sampled; });
   };
-  CHECK(count([](LloydOptions& o) { o.diagram.method = Method::gbgvd; }) == 1);
-  CHECK(count([](LloydOptions& o) { o.diagram.method = Method::paper; }) == 1);
-  CHECK(count([](LloydOptions& o) { o.acceleration = Acceleration::none; }) == 1);
-  CHECK(count([](LloydOptions& o) { o.early_approximation = false; }) == 1);
-  CHECK(count([](LloydOptions& o) { o.max_iterations = 0; }) == 1);
+  const auto nothing = [](LloydOptions&) {};
+  CHECK(begins_by_faces(nothing));
+  CHECK_FALSE(begins_by_faces([](LloydOptions& o) { o.diagram.method = Method::gbgvd; }));
+  CHECK_FALSE(begins_by_faces([](LloydOptions& o) { o.diagram.method = Method::paper; }));
+  CHECK_FALSE(begins_by_faces([](LloydOptions& o) { o.acceleration = Acceleration::none; }));
+  CHECK_FALSE(begins_by_faces(nothing, {.early_approximation = false}));
+  LloydOptions none;
+  none.max_iterations = 0;
+  CHECK(relax_generators(mesh, start, none).diagrams == 1);
 }
 
 TEST_CASE("precision levels: the last energy is exact, and methods follow each other in order") {
@@ -65,9 +83,8 @@ TEST_CASE("precision levels: the last energy is exact, and methods follow each o
 TEST_CASE("precision levels: relaxed generators are not made worse by early iterations") {
   for (const auto& [name, mesh] : test::small_family()) {
     CAPTURE(name);
-    LloydOptions options;
-    options.early_approximation = false;
-    const LloydResult relaxed = relax_generators(mesh, test::random_generators(mesh, 6, 1), options);
+    const auto start = test::random_generators(mesh, 6, 1);
+    const LloydResult relaxed = relax_generators(mesh, start, {}, {.early_approximation = false});
     const LloydResult again = relax_generators(mesh, relaxed.generators);
     // Relaxations may end while iterations promise a fall of kSettledFall. In 120 runs, one energy rose, by 3e-5.
     CHECK(again.final_energy <= relaxed.final_energy * (1 + kSettledFall / 10));
@@ -75,47 +92,35 @@ TEST_CASE("precision levels: relaxed generators are not made worse by early iter
   }
 }
 
-TEST_CASE("state evaluator: the level of diagrams follows the one without") {
+TEST_CASE("precision: the energy without a diagram is near that with one") {
   const Mesh mesh = test::make_sphere(3);
-  const LloydOptions options;
-  const GeneratorConstraints free;
-  StateEvaluator states(mesh, options, free);
-  CHECK(states.is_first_level());
-  CHECK_FALSE(states.is_last_level());
-  CHECK(states.precision().skips_diagram);
-  states.raise_level();
-  CHECK_FALSE(states.is_first_level());
-  CHECK(states.is_last_level());
-  CHECK_FALSE(states.precision().skips_diagram);
-}
-
-TEST_CASE("state evaluator: without early approximation there is one level") {
-  const Mesh mesh = test::make_sphere(2);
-  LloydOptions options;
-  options.early_approximation = false;
-  const GeneratorConstraints free;
-  StateEvaluator states(mesh, options, free);
-  CHECK(states.is_first_level());
-  CHECK(states.is_last_level());
-}
-
-TEST_CASE("state evaluator: diagrams are counted, and each reports the fraction that is done") {
-  const Mesh mesh = test::make_sphere(3);
-  const LloydOptions options;
-  const GeneratorConstraints free;
-  StateEvaluator states(mesh, options, free);
   const std::vector<SurfacePoint> generators = test::random_generators(mesh, 6, 1);
-  std::vector<double> fractions;
-  const RelaxationState early = states.evaluate(generators, [&](double done) { fractions.push_back(done); });
-  REQUIRE_FALSE(fractions.empty());
-  CHECK(*std::min_element(fractions.begin(), fractions.end()) >= 0);
-  CHECK(*std::max_element(fractions.begin(), fractions.end()) == 1);
-  states.raise_level();
-  const RelaxationState late = states.evaluate(generators, [](double) {});
-  CHECK(states.diagrams() == 2);
+  const RelaxationState early = evaluate_generators(mesh, generators, {.diagram = {}, .skips_diagram = true});
+  const RelaxationState late = evaluate_generators(mesh, generators, {});
   CHECK(early.generators == late.generators);
+  CHECK(early.diagram.cells.empty());
+  CHECK(late.diagram.cells.size() == generators.size());
   CHECK(early.energy != late.energy);
   CHECK(early.energy == Approx(late.energy).epsilon(0.01));
+}
+
+TEST_CASE("precision levels: each measurement of the cells reports the fraction of it that is done") {
+  const Mesh mesh = test::make_sphere(3);
+  for (const bool early : {false, true}) {
+    LloydOptions options;
+    options.max_iterations = 1;
+    options.diagram.threads = 1;
+    std::vector<double> fractions;
+    options.progress = [&](std::string_view, double done) {
+      fractions.push_back(done);
+      return true;
+    };
+    relax_generators(mesh, test::random_generators(mesh, 6, 1), options, {.early_approximation = early});
+    const auto is_between = [](double done) { return done > 0 && done < 1; };
+    CHECK(std::ranges::count_if(fractions, is_between) > 0);
+    CHECK(*std::ranges::min_element(fractions) >= 0);
+    CHECK(*std::ranges::max_element(fractions) == 1);
+  }
 }
 
 }  // namespace gvd::test_relaxation_state

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "base/plane.hpp"
-#include "cell_integrals.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "gvd/geodesic_tracing.hpp"
 #include "support/catch.hpp"
@@ -10,6 +9,7 @@
 #include "support/meshes.hpp"
 #include "support/same_diagram.hpp"
 #include "support/tiny_meshes.hpp"
+#include "window_integrals.hpp"
 
 namespace gvd::test_window_integrals {
 
@@ -24,7 +24,7 @@ Moments integrate(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
   Diagram traced = compute_diagram_and_read(
       mesh, generators, options, KeepWindows::all, [&](const auto& working, const auto& field, const auto& diagram) {
         moments =
-            integrate_over_windows(working, field, diagram, {{density, {}}, divisions}, ParallelChunks(threads, silent))
+            integrate_over_windows(working, field, diagram, {density, {}}, ParallelChunks(threads, silent), divisions)
                 .moments;
       });
   if (out) *out = std::move(traced);

@@ -6,12 +6,14 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <optional>
 #include <random>
 #include <set>
 
 #include "gvd/check.hpp"
 #include "gvd/face_regions.hpp"
 #include "gvd/read_soup.hpp"
+#include "gvd/read_values.hpp"
 #include "support/catch.hpp"
 #include "support/many_threads.hpp"
 #include "support/meshes.hpp"
@@ -367,7 +369,10 @@ TEST_CASE("regions: files have numbers of vertices or polygons, and of a propert
                                      "4 0 1 2 3 6\n3 1 4 2 7\n";
   std::ofstream(folder / "list.txt") << "10, 20 # two polygons\n";
   CheckedMesh input = build_mesh(read_soup(folder / "a.ply"));
-  const auto read = [&](const std::string& name) { return read_region_numbers(input, name, folder / "a.ply"); };
+  const auto read = [&](const std::string& name) -> std::optional<SoupProperty> {
+    const auto given = read_element_values(input, name, folder / "a.ply", SoupElement::polygon, ValueColumns::last);
+    return given ? std::optional(to_region_numbers(input, *given)) : std::nullopt;
+  };
   CHECK(read("atlas")->values == std::vector<double>{6, 6, 7});
   CHECK_FALSE(read("atlas")->of_vertices);
   CHECK(read((folder / "list.txt").string())->values == std::vector<double>{10, 10, 20});

@@ -1,4 +1,4 @@
-#include "label_components.hpp"
+#include "segment_faces.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"

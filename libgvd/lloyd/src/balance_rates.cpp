@@ -5,6 +5,8 @@
 // which the windows of the diagram know.
 //
 // Invariant: rates are summed in the order of a bisector's points, so no bit depends on the number of threads.
+#include "balance_rates.hpp"
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -13,10 +15,10 @@
 
 #include "base/barycentric.hpp"
 #include "base/plane.hpp"
-#include "cell_integrals.hpp"
 #include "geodesic/face_layout.hpp"
 #include "geodesic/windows/window_sources.hpp"
 #include "gvd/diagram_steps.hpp"
+#include "window_integrals.hpp"
 
 namespace gvd {
 namespace {
@@ -67,7 +69,7 @@ class BisectorRates {
     const Vec2 at = layout_->at(p.bary);
     return (gradient(at, bisector.left) - gradient(at, bisector.right)).norm();
   }
-  /// Of the distance from g: the direction in which its shortest path arrives.
+  /// The gradient of the distance from g: the direction in which its shortest path arrives.
   Vec2 gradient(const Vec2& at, GeneratorId g) const {
     FaceSource::Path shortest{kInfinity, at};
     for (const FaceSource& source : sources_) {

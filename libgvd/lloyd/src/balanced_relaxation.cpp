@@ -9,25 +9,23 @@
 #include <numbers>
 #include <utility>
 
+#include "balance_search.hpp"
 #include "constraints.hpp"
 #include "generator_moves.hpp"
-#include "gvd/balance.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
 namespace {
 
 /// Balances the cells, from these weights where every generator has a cell with them.
-BalancedDiagram balance_from(const Mesh& mesh, const std::vector<SurfacePoint>& generators, BalanceOptions options,
-                             const std::vector<double>& weights) {
-  if (weights.empty()) return balance_cells(mesh, generators, options);
-  const std::vector<double> given = std::exchange(options.diagram.weights, weights);
-  try {
-    return balance_cells(mesh, generators, options);
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::precondition || error.element() < 0) throw;
+BalancedDiagram balance_from(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                             const BalanceOptions& options, const std::vector<double>& weights) {
+  if (!weights.empty()) {
+    BalanceOptions from = options;
+    from.diagram.weights = weights;
+    auto balanced = try_to_balance(mesh, generators, from);
+    if (auto* const found = std::get_if<BalancedDiagram>(&balanced)) return std::move(*found);
   }
-  options.diagram.weights = given;
   return balance_cells(mesh, generators, options);
 }
 

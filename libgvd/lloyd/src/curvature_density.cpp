@@ -26,12 +26,11 @@ namespace {
 using VertexValues = IdVector<VertexId, double>;
 
 /// Radius of the discs, in units of the even spacing; a disc with the area of a cell has 0.53. Smaller ones let noise
-/// count, larger ones miss what cells can follow. With 500 generators and radii from 0.6 to 1.4, RMS distances differed
-/// by at most 6 % on three models.
+/// count, larger ones miss what cells can follow.
 constexpr double kDiscRadius = 0.8;
 
 /// Vertices nearer than this to the centre of a disc get no disc of their own; in units of the radius. Some 13 discs
-/// then overlap at a point. Half the distance, with four times as many discs, changed RMS distances by at most 2 %.
+/// then overlap at a point.
 constexpr double kDiscSpacing = 0.4;
 
 /// Discs whose distance from their plane is below this count as equally flat; in units of the radius. Rounding gives
@@ -124,8 +123,7 @@ class Discs {
   IdVector<FaceId, VertexId> last_;  // centre of the last disc with the face
 };
 
-/// q^(2/3) at the vertices: means over the discs there, with weights that fall to 0 at their rims. With means
-/// of q^2, RMS distances were 0 to 2 % larger on three smooth models, and 6 % on the fandisk.
+/// q^(2/3) at the vertices: means over the discs there, with weights that fall to 0 at their rims.
 VertexValues wanted_cells(const Mesh& mesh, double radius, const Progress& progress) {
   VertexValues sum(mesh.vertex_count(), 0), weight(mesh.vertex_count(), 0);
   IdVector<VertexId, char> is_covered(mesh.vertex_count(), 0);

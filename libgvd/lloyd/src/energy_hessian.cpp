@@ -20,8 +20,7 @@
 namespace gvd {
 namespace {
 
-/// Steps of the Lanczos process. With 60, runs on the bunny with 100 generators take 57 and 75 diagrams to their
-/// centroids instead of 41 and 40.
+/// Steps of the Lanczos process.
 constexpr int kLanczosSteps = 20;
 
 /// Sectors of directions round a generator.

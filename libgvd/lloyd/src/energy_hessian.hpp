@@ -22,7 +22,7 @@ struct EnergyCone {
   double slope;  ///< > 0 at a saddle, which draws the generator; mesh units cubed
 };
 
-/// What is added to the Hessian before it is solved, each for all generators.
+/// Terms that are added to the Hessian before it is solved, each for all generators.
 struct LocalTerms {
   std::vector<Eigen::Matrix2d> curvature;  ///< added to the generator's own second derivative
   std::vector<Eigen::Matrix2d> allowed;    ///< projection to the steps that the generator may take

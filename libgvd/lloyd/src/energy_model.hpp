@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "constraints.hpp"
@@ -22,7 +21,7 @@ struct ModelMinimum {
   TangentField step;  ///< mesh units
   double fall = 0;    ///< of the model's energy, > 0 if it is any use; mesh units to the fourth
   /// The saddle vertex at which each generator ends, if any.
-  std::vector<std::optional<VertexId>> rest;
+  Rests rest;
 };
 
 /// The energy near a state: a quadratic function of all steps, and a cone at each vertex beside a generator.

@@ -32,26 +32,22 @@ struct GeneratorMove {
 std::int32_t keep_apart(const Mesh& mesh, const std::vector<SurfacePoint>& from, double gap,
                         std::vector<SurfacePoint>& to);
 
-/// Whether generators beside a vertex where they would rest (RelaxationState::rest) go there instead of along their
-/// step.
-enum class GoToRest { no, yes };
-
-/// Moves each generator of the state along the straight geodesic of its step, or along its crease. One that would come
-/// nearer than a small gap to another one stays (see keep_apart). One that goes to rest has no step and turns nothing,
-/// because no history is kept of resting generators.
+/// Moves each generator of the state along the straight geodesic of its step, or along its crease; or to its vertex of
+/// `rests`, which may be empty. One that would come nearer than a small gap to another one stays (see keep_apart). One
+/// that goes to rest has no step and turns nothing, because no history is kept of resting generators.
 /// Cost: O(faces crossed) and O(m log m).
 GeneratorMove move_generators(const Mesh& mesh, const RelaxationState& state, const TangentField& steps,
-                              const GeneratorConstraints& constraints = {}, GoToRest rests = GoToRest::no);
+                              const GeneratorConstraints& constraints = {}, const Rests& rests = {});
 
 /// Vertices at which generators seemed to rest, but did not. A generator that goes there jumps, however short the steps
 /// are, and so does the energy: no step would be accepted while it is sent there again.
 class RefusedRests {
  public:
-  /// Notes the vertices where `moved` has generators of `state` that would go on, after so many iterations, and forgets
-  /// them as rests of `state`. Returns whether there are any.
-  bool note(std::size_t iterations, const RelaxationState& moved, RelaxationState& state);
-  /// Forgets the rests of `state` that were refused a few iterations ago.
-  void apply(std::size_t iterations, RelaxationState& state) const;
+  /// Notes the vertices of `rests` at which generators of `moved` lie that would go on, after so many iterations, and
+  /// removes them. Returns whether there are any.
+  bool note(std::size_t iterations, const RelaxationState& moved, Rests& rests);
+  /// The rests but those that were refused a few iterations ago.
+  Rests allowed(std::size_t iterations, Rests rests) const;
 
  private:
   struct Refusal {

@@ -16,7 +16,7 @@ namespace gvd {
 struct IterationRecord {
   double initial_energy = 0;
   std::vector<LloydIteration> iterations;
-  /// Of each iteration, as a fraction of the energy before it. Merging keeps them: the rule that ends a level asks for
+  /// By each iteration, as a fraction of the energy before it. Merging keeps them: the rule that ends a level asks for
   /// their mean.
   std::vector<double> falls;
 

@@ -1,4 +1,4 @@
-// What surrounds the iterations of a relaxation (relaxer.hpp): a copy before them, and extremities after them.
+// A relaxation in stages: on a copy of the mesh, on the mesh (relaxer.hpp), and with generators on extremities.
 //
 // A relaxation from coarse to fine: on a decimated copy of the mesh until it ends, and for a few iterations on the
 // mesh.
@@ -24,31 +24,27 @@
 #include <string_view>
 #include <utility>
 
+#include "copy_points.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "generator_moves.hpp"
-#include "gvd/coarse_copy.hpp"
 #include "gvd/error.hpp"
 #include "relaxer.hpp"
 
 namespace gvd {
 namespace {
 
-/// Least distance of an extremity from its generator, in radii of a disc with the cell's area. Ends of limbs are at .84
-/// to 1.23 (armadillo, camel); nearer ones are spikes that are small beside the cell.
+/// Least distance of an extremity from its generator, in radii of a disc with the cell's area; nearer ones are spikes
+/// that are small beside the cell.
 constexpr double kLeastExtremity = 0.5;
 
-/// Iterations after generators went to extremities. On armadillo, camel and ChineseDragon with 500 generators, the mean
-/// Hausdorff distance of remeshes is 2.14 % of the diagonal after 2, 1.80 after 5 and 1.77 after 8. There, fits moved
-/// the vertices at extremities too, and angles could fall to 10 degrees.
+/// Iterations after generators went to extremities: more hardly lower the distance of remeshes.
 constexpr std::int32_t kExtremityIterations = 5;
 
-/// Largest share of cells that become no discs, or get fewer than three neighbours, by generators on extremities. With
-/// .004 (armadillo, 500 generators) and .014 (dino, 500), repairs add .006 and .014 of the generators. With .06
-/// (armadillo, 100), they add .20, and the Hausdorff distance grows.
+/// Largest share of cells that become no discs, or get fewer than three neighbours, by generators on extremities.
+/// Beyond it the repairs of a remesh cost more than extremities gain.
 constexpr double kLargestPoorShare = 0.04;
 
-/// Largest share of generators on extremities. Surfaces with limbs have 2 to 5 % there. A rough one has an end in 61 of
-/// 100 cells: with them its remesh took 3,524 vertices, and without 1,448.
+/// Largest share of generators on extremities. Surfaces with limbs have 2 to 5 % there, rough ones more than half.
 constexpr double kLargestExtremityShare = 0.2;
 
 /// The share of the progress before generators go to extremities.
@@ -60,7 +56,6 @@ void check_options(const LloydOptions& o) {
   const double tolerance = energy_tolerance(o).value_or(0);
   if (!(tolerance >= 0) || !std::isfinite(tolerance)) refuse("the energy tolerance must be 0 or more");
   if (!(o.move_tolerance >= 0) || !std::isfinite(o.move_tolerance)) refuse("the move tolerance must be 0 or more");
-  if (!(o.least_promise >= 0)) refuse("the least promise must be 0 or more");
   check_diagram_options(o.diagram);  // iterations without diagrams would not tell
 }
 
@@ -78,20 +73,19 @@ constexpr double kLargestShare = 0.5;
 /// Share of the progress that the relaxation on the copy takes.
 constexpr double kCopyShare = 0.3;
 
-/// Least energy tolerance on the copy. By the default rule energies are up to .5 % larger. With 1e-8, the copy takes as
-/// long again, and its limit is no nearer to that of the mesh.
+/// Least energy tolerance on the copy. The default rule ends at larger energies, and with less the limit of the copy is
+/// no nearer to that of the mesh.
 constexpr double kCopyTolerance = 1e-5;
 
 Freedom freedom_of(const LloydOptions& options, std::size_t i) {
   return options.freedom.empty() ? Freedom::free : options.freedom[i];
 }
 
-LloydOptions options_on_copy(const Mesh& mesh, const LloydOptions& options) {
+LloydOptions options_on_copy(const Mesh& mesh, const LloydOptions& options, const CoarseCopy& copy) {
   LloydOptions of_copy = options;
-  of_copy.copy = nullptr;
   of_copy.creases.clear();
   for (Freedom& freedom : of_copy.freedom) freedom = freedom == Freedom::free ? Freedom::free : Freedom::fixed;
-  of_copy.density = to_copy(mesh, *options.copy, options.density);
+  of_copy.density = to_copy(mesh, copy, options.density);
   of_copy.on_iteration = nullptr;
   of_copy.energy_tolerance = std::max(kCopyTolerance, options.energy_tolerance.value_or(0));
   of_copy.progress = part_of(options.progress, 0, kCopyShare);
@@ -101,13 +95,7 @@ LloydOptions options_on_copy(const Mesh& mesh, const LloydOptions& options) {
 /// The options of the iterations on the mesh. The copy's diagram has told which generators are on extremities.
 LloydOptions options_on_mesh(const LloydOptions& options, const LloydResult& on_copy) {
   LloydOptions of_mesh = options;
-  of_mesh.copy = nullptr;
-  of_mesh.keeps_extremities = false;
-  of_mesh.early_approximation = false;
-  if (!options.energy_tolerance) {
-    of_mesh.max_iterations = std::min(max_iterations(options), kFinishIterations);
-    of_mesh.least_promise = std::max(options.least_promise, kFinishPromise);
-  }
+  if (!options.energy_tolerance) of_mesh.max_iterations = std::min(max_iterations(options), kFinishIterations);
   if (!on_copy.extremities.empty()) of_mesh.freedom.resize(on_copy.generators.size(), Freedom::free);
   for (const GeneratorId g : on_copy.extremities) of_mesh.freedom[g.index()] = Freedom::fixed;
   of_mesh.progress = part_of(options.progress, kCopyShare, 1);
@@ -117,8 +105,7 @@ LloydOptions options_on_mesh(const LloydOptions& options, const LloydResult& on_
 /// The generators on the copy; nothing where it can't be used: no iteration is left, it has more than half of the
 /// faces, or generators that are apart on the mesh coincide on it.
 std::optional<std::vector<SurfacePoint>> start_on_copy(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                                                       const LloydOptions& options) {
-  const CoarseCopy& copy = *options.copy;
+                                                       const LloydOptions& options, const CoarseCopy& copy) {
   if (max_iterations(options) == 0 || (options.is_time_over && options.is_time_over())) return std::nullopt;
   if (copy.mesh.face_count() > kLargestShare * mesh.face_count()) return std::nullopt;
   std::vector<SurfacePoint> start = to_copy(mesh, copy, generators, options.progress, {kRelaxation, 0, 0});
@@ -128,9 +115,10 @@ std::optional<std::vector<SurfacePoint>> start_on_copy(const Mesh& mesh, const s
 
 /// The generators of the copy on the mesh. Those that are not free are where they were.
 std::vector<SurfacePoint> back_on_mesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                                       const LloydOptions& options, const std::vector<SurfacePoint>& on_copy) {
+                                       const LloydOptions& options, const CoarseCopy& copy,
+                                       const std::vector<SurfacePoint>& on_copy) {
   std::vector<SurfacePoint> moved =
-      to_input(mesh, *options.copy, on_copy, options.progress, {kRelaxation, kCopyShare, kCopyShare});
+      to_input(mesh, copy, on_copy, options.progress, {kRelaxation, kCopyShare, kCopyShare});
   for (std::size_t i = 0; i < moved.size(); ++i) {
     if (freedom_of(options, i) != Freedom::free) moved[i] = generators[i];
   }
@@ -144,16 +132,19 @@ CoarseRelaxation sum_up(const CoarseCopy& copy, const LloydResult& on_copy) {
 
 /// A relaxation without extremities: on the mesh, or from its start to its end on the copy. Then the energies and
 /// moments are those of the copy, and the diagram is that of the mesh.
-LloydResult relax_once(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LloydOptions& options) {
-  LloydOptions of_mesh = options;
-  of_mesh.ends_on_copy = false;
-  const auto start = options.copy && options.ends_on_copy ? start_on_copy(mesh, generators, options) : std::nullopt;
-  if (!start) return relax_on_mesh(mesh, generators, of_mesh);
-  LloydResult result = relax_on_mesh(options.copy->mesh, *start, options_on_copy(mesh, options));
-  result.copy = sum_up(*options.copy, result);
-  result.generators = back_on_mesh(mesh, generators, options, result.generators);
-  of_mesh.diagram.progress = part_of(options.progress, kCopyShare, 1);
-  result.diagram = compute_diagram(mesh, result.generators, of_mesh.diagram);
+LloydResult relax_once(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LloydOptions& options,
+                       const LloydStages& stages) {
+  RelaxerRules rules{.starts_by_faces = stages.early_approximation};
+  const CoarseCopy* const copy = stages.ends_on_copy ? stages.copy : nullptr;
+  const auto start = copy ? start_on_copy(mesh, generators, options, *copy) : std::nullopt;
+  if (!start) return relax_on_mesh(mesh, generators, options, rules);
+  rules.ends_by_faces = true;
+  LloydResult result = relax_on_mesh(copy->mesh, *start, options_on_copy(mesh, options, *copy), rules);
+  result.copy = sum_up(*copy, result);
+  result.generators = back_on_mesh(mesh, generators, options, *copy, result.generators);
+  DiagramOptions of_mesh = options.diagram;
+  of_mesh.progress = part_of(options.progress, kCopyShare, 1);
+  result.diagram = compute_diagram(mesh, result.generators, of_mesh);
   result.diagrams = 1;
   return result;
 }
@@ -193,7 +184,7 @@ std::int64_t count_poor_cells(const Diagram& diagram) {
 
 /// Puts free generators on the extremities of their cells, where they stay, and relaxes the others once more. Changes
 /// nothing where generators are too few for the limbs.
-void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult& result) {
+void keep_extremities(const Mesh& mesh, const LloydOptions& options, const LloydStages& stages, LloydResult& result) {
   LloydOptions again = options;
   again.freedom.resize(result.generators.size(), Freedom::free);
   std::vector<SurfacePoint> start = result.generators;
@@ -209,7 +200,7 @@ void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult
   // Few generators have moved, so that the model predicts little: on the mesh all iterations are made.
   again.energy_tolerance = energy_tolerance(options).value_or(0);
   again.max_iterations = std::min(max_iterations(options), kExtremityIterations);
-  LloydResult second = relax_once(mesh, start, again);
+  LloydResult second = relax_once(mesh, start, again, stages);
   const double more = double(count_poor_cells(second.diagram) - count_poor_cells(result.diagram));
   if (more > kLargestPoorShare * double(start.size())) return;
   second.extremities = std::move(kept);
@@ -221,43 +212,50 @@ void keep_extremities(const Mesh& mesh, const LloydOptions& options, LloydResult
   result = std::move(second);
 }
 
-/// A relaxation, with extremities where the options ask for them.
+/// A relaxation, with extremities where the stages ask for them.
 LloydResult relax_with_extremities(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                                   const LloydOptions& options) {
-  if (!options.keeps_extremities) return relax_once(mesh, generators, options);
+                                   const LloydOptions& options, const LloydStages& stages) {
+  if (!stages.keeps_extremities) return relax_once(mesh, generators, options, stages);
   LloydOptions part = options;
   part.progress = part_of(options.progress, 0, kShareBefore);
-  LloydResult result = relax_once(mesh, generators, part);
+  LloydResult result = relax_once(mesh, generators, part, stages);
   part.progress = part_of(options.progress, kShareBefore, 1);
-  keep_extremities(mesh, part, result);
+  keep_extremities(mesh, part, stages, result);
   return result;
 }
 
 /// A relaxation on the copy, with its extremities, from the generators `start`; then a few iterations on the mesh.
 LloydResult finish_on_mesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                           const std::vector<SurfacePoint>& start, const LloydOptions& options) {
-  LloydResult on_copy = relax_with_extremities(options.copy->mesh, start, options_on_copy(mesh, options));
-  const std::vector<SurfacePoint> moved = back_on_mesh(mesh, generators, options, on_copy.generators);
-  LloydResult result = relax_on_mesh(mesh, moved, options_on_mesh(options, on_copy));
+                           const std::vector<SurfacePoint>& start, const LloydOptions& options,
+                           const LloydStages& stages) {
+  const CoarseCopy& copy = *stages.copy;
+  LloydStages of_copy = stages;
+  of_copy.copy = nullptr;
+  LloydResult on_copy = relax_with_extremities(copy.mesh, start, options_on_copy(mesh, options, copy), of_copy);
+  const std::vector<SurfacePoint> moved = back_on_mesh(mesh, generators, options, copy, on_copy.generators);
+  const double least_promise = options.energy_tolerance ? 0 : kFinishPromise;
+  LloydResult result = relax_on_mesh(mesh, moved, options_on_mesh(options, on_copy),
+                                     {.starts_by_faces = false, .least_promise = least_promise});
   const bool ends_early = !options.energy_tolerance && max_iterations(options) > kFinishIterations;
   if (ends_early && result.stop == LloydStop::max_iterations) result.stop = LloydStop::prediction;
   result.extremities = std::move(on_copy.extremities);
-  result.copy = sum_up(*options.copy, on_copy);
+  result.copy = sum_up(copy, on_copy);
   return result;
 }
 
 }  // namespace
 
-LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                             const LloydOptions& options) {
+LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LloydOptions& options,
+                             const LloydStages& stages) {
   check_options(options);
   check_density(mesh, options.density);
   if (generators.empty()) throw Error(ErrorCode::precondition, "there are no generators to relax");
-  if (options.copy && !options.ends_on_copy) {
-    if (const auto start = start_on_copy(mesh, generators, options))
-      return finish_on_mesh(mesh, generators, *start, options);
+  if (stages.copy && !stages.ends_on_copy) {
+    if (const auto start = start_on_copy(mesh, generators, options, *stages.copy)) {
+      return finish_on_mesh(mesh, generators, *start, options, stages);
+    }
   }
-  return relax_with_extremities(mesh, generators, options);
+  return relax_with_extremities(mesh, generators, options, stages);
 }
 
 }  // namespace gvd

@@ -3,7 +3,8 @@
 // Lloyd's method (S. Lloyd, Least squares quantization in PCM, 1982) moves every generator to the centroid of its cell.
 // Accelerated steps take the way to the centroid for the gradient of the energy. A step is taken only if it lowers the
 // energy, as measured at the present level of precision, so the energies of the iterations fall. At the first level,
-// which ends sooner, cells are measured without diagrams; the last one has the diagrams of the options.
+// which ends sooner, cells are measured without diagrams; the last one has the diagrams of the options. Energies of the
+// two are not compared with each other: they differ by the errors at the bisectors.
 // docs/developer/lloyd.md derives what the steps compute.
 
 #include "relaxer.hpp"
@@ -12,9 +13,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "accelerator.hpp"
+#include "gvd/diagram_steps.hpp"
 #include "gvd/error.hpp"
 #include "iteration_record.hpp"
 
@@ -25,9 +28,8 @@ namespace {
 /// steps. After these all steps are halved too: down to a thousandth.
 constexpr int kLloydTrials = 16, kOwnTrials = 6;
 
-/// The level without diagrams ends where iterations lower the energy by less than this fraction of it. Its energies are
-/// off by more, but by nearly the same from one iteration to the next. It lies between 1e-4 and 1e-5, which were tried:
-/// the last iterations with 1e-5 lower the energy of 1,000 generators by less than diagrams do.
+/// The level without diagrams ends where iterations lower the energy by less than this fraction of it: diagrams lower
+/// it by more than further early iterations.
 constexpr double kEarlyFall = 3e-5;
 
 /// Accelerated iterations over which the mean fall of the energy decides whether to end.
@@ -49,11 +51,10 @@ constexpr std::size_t kRelocationPause = 10;
 /// Least fall of the energy, as a fraction, that a relocation at the start must promise: what the first step gives.
 constexpr double kFirstRelocationGain = 0.05;
 
-/// Diagrams that an accelerated step may cost. After four a Lloyd step has always been the better use of a diagram.
+/// Diagrams that an accelerated step may cost; then a Lloyd step is the better use of a diagram.
 constexpr int kLineSearchTrials = 4;
 
-/// Error of differences of energies without a diagram, as a fraction: parts of needles come and go. Energies of a scan
-/// with needles jumped by .0024.
+/// Error of differences of energies without a diagram, as a fraction: parts of needles come and go.
 constexpr double kSampledError = 0.003;
 
 /// Bounds of the factor by which a generator shortens its own step.
@@ -107,17 +108,27 @@ class Decline {
 };
 
 /// The rules of the iteration: what is tried, what is taken, and when to end.
-/// Long because all rules share the record, the levels and the accelerator.
 class Relaxer {
  public:
   /// All arguments have to outlive this.
-  Relaxer(const Mesh& mesh, const std::vector<SurfacePoint>& start, const LloydOptions& options)
+  Relaxer(const Mesh& mesh, const std::vector<SurfacePoint>& start, const LloydOptions& options,
+          const RelaxerRules& rules)
       : mesh_(mesh),
         options_(options),
+        least_promise_(rules.least_promise),
         start_(start),
         constraints_(mesh, options.freedom, options.creases),
-        states_(mesh, options, constraints_),
-        accelerator_(mesh, constraints_, options.acceleration) {}
+        precision_{options.diagram, false, options.move_tolerance},
+        accelerator_(mesh, constraints_, options.acceleration) {
+    precision_.skips_diagram = rules.starts_by_faces && max_iterations(options) > 0 &&
+                               options.acceleration != Acceleration::none && options.diagram.method == Method::exact;
+    is_last_level_ = !precision_.skips_diagram || rules.ends_by_faces;
+    precision_.diagram.progress = [this](std::string_view step, double fraction) {
+      const auto begun = std::find(steps::kAll.begin(), steps::kAll.end(), step) - steps::kAll.begin();
+      report((double(begun) + fraction) / double(steps::kAll.size()));
+      return true;
+    };
+  }
 
   LloydResult run() {
     report();
@@ -128,10 +139,10 @@ class Relaxer {
     report_iteration(state);
     LloydResult result;
     result.stop = iterate(state);
-    if (!states_.is_last_level()) state = raise_level(state);
+    if (!is_last_level_) state = raise_level(state);
     result.initial_energy = record_.initial_energy;
     result.iterations = std::move(record_.iterations);
-    result.diagrams = states_.diagrams();
+    result.diagrams = diagrams_;
     result.generators = std::move(state.generators);
     result.diagram = std::move(state.diagram);
     result.moments = std::move(state.moments);
@@ -149,7 +160,7 @@ class Relaxer {
       const std::optional<LloydStop> stop = advance(state);
       if (!stop) continue;
       const bool is_used_up = *stop == LloydStop::max_iterations || *stop == LloydStop::time_limit;
-      if (is_used_up || states_.is_last_level()) return *stop;
+      if (is_used_up || is_last_level_) return *stop;
       state = raise_level(state);
     }
   }
@@ -159,16 +170,16 @@ class Relaxer {
     if (is_at_centroids(state)) return LloydStop::centroids;
     if (std::ssize(record_.falls) >= max_iterations(options_)) return LloydStop::max_iterations;
     if (options_.is_time_over && options_.is_time_over()) return LloydStop::time_limit;
-    if (promised_fall(state) < options_.least_promise * state.energy) return LloydStop::prediction;
+    if (promised_fall(state) < least_promise_ * state.energy) return LloydStop::prediction;
     if (relocate(state)) return std::nullopt;
     report();
     const std::optional<ProposedSteps> proposed = accelerator_.propose(state);
     if (proposed && is_settled(state, *proposed)) return LloydStop::prediction;
     if (!(proposed && descend_accelerated(state, *proposed))) {
-      if (!states_.is_last_level() || !descend(state)) return LloydStop::no_descent;
+      if (!is_last_level_ || !descend(state)) return LloydStop::no_descent;
     }
     const double tolerance = energy_tolerance(options_).value_or(0);
-    const double least = std::max(states_.is_last_level() ? 0 : kEarlyFall, tolerance);
+    const double least = std::max(is_last_level_ ? 0 : kEarlyFall, tolerance);
     const int window = options_.acceleration == Acceleration::none ? 1 : kStallWindow;
     const std::optional<double> fall = record_.sum_falls(window);
     if (fall) energy_decline_.note(*fall / (window * tolerance));
@@ -181,14 +192,13 @@ class Relaxer {
     if (energy_tolerance(options_)) return false;
     const double ahead = kIterationsAhead * std::max(proposed.prediction / state.energy, record_.largest_fall(2));
     energy_decline_.note(ahead / kSettledFall);
-    const bool is_after_another = !states_.is_first_level();
-    return ahead < (is_after_another ? kDoubt : 1) * kSettledFall;
+    return ahead < (is_first_level_ ? 1 : kDoubt) * kSettledFall;
   }
 
   bool is_at_centroids(const RelaxationState& state) {
     const double limit = options_.move_tolerance * state.mean_cell_radius;
     // The first level ends nothing: there the way to the centroids counts as twice the tolerance at least.
-    way_decline_.note(std::max(state.residual / limit, states_.is_last_level() ? 1.0 : 2.0));
+    way_decline_.note(std::max(state.residual / limit, is_last_level_ ? 1.0 : 2.0));
     return state.residual <= limit;
   }
 
@@ -196,12 +206,14 @@ class Relaxer {
   RelaxationState raise_level(const RelaxationState& early) {
     const bool has_moved = early.generators != start_;
     const bool has_fallen = early.energy < kClearFall * record_.initial_energy;
-    states_.raise_level();
+    is_first_level_ = false;
+    is_last_level_ = true;
+    precision_.skips_diagram = false;
     RelaxationState state = evaluate(early.generators);
     if (has_moved && (!has_fallen || !(state.energy < record_.initial_energy))) {
       state = lower_of(std::move(state), evaluate(start_));
     }
-    record_.restate(state.energy, states_.precision());
+    record_.restate(state.energy, precision_);
     report_iteration(state);
     return state;
   }
@@ -217,8 +229,9 @@ class Relaxer {
   }
 
   RelaxationState evaluate(const std::vector<SurfacePoint>& generators) {
-    RelaxationState state = states_.evaluate(generators, [this](double fraction) { report(fraction); });
-    refused_rests_.apply(record_.falls.size(), state);
+    ++diagrams_;
+    RelaxationState state = evaluate_generators(mesh_, generators, precision_, options_.density, constraints_);
+    state.rest = refused_rests_.allowed(record_.falls.size(), std::move(state.rest));
     return state;
   }
 
@@ -231,7 +244,7 @@ class Relaxer {
     if (!(total_gain(plan) > (record_.falls.empty() ? kFirstRelocationGain : record_.falls.back()) * state.energy))
       return false;
     for (std::size_t count = plan.size(); count > plan.size() / 8; count /= 2) {
-      if (!take_if_below(state.energy, state, relocate_generators(mesh_, state, plan, count))) return true;
+      if (!take_if_below(state.energy, state, state.rest, relocate_generators(mesh_, state, plan, count))) return true;
     }
     next_relocation_ = record_.iterations.size() + kRelocationPause;
     return false;
@@ -241,22 +254,18 @@ class Relaxer {
   /// ones, until the energy falls enough. False if it never does; then the accelerator begins anew.
   bool descend_accelerated(RelaxationState& state, ProposedSteps proposed) {
     double scale = 1;
-    const auto rest = state.rest;  // as the evaluation found it, without the model
     for (int trial = 0; trial < kLineSearchTrials; ++trial) {
       report();
-      state.rest = proposed.rest;
-      refused_rests_.apply(record_.falls.size(), state);
-      GeneratorMove next = move_generators(mesh_, state, scaled(proposed.steps, scale), constraints_, GoToRest::yes);
+      Rests rests = refused_rests_.allowed(record_.falls.size(), proposed.rest);
+      GeneratorMove next = move_generators(mesh_, state, scaled(proposed.steps, scale), constraints_, rests);
       next.scale = scale;
       next.prediction = proposed.prediction;
       next.by = options_.acceleration;
       const double before = state.energy, limit = before + kSufficientFall * scale * proposed.slope;
-      const std::optional<RelaxationState> rejected = take_if_below(limit, state, next);
+      const std::optional<RelaxationState> rejected = take_if_below(limit, state, rests, next);
       if (!rejected) return true;
-      const bool is_by_rests = refused_rests_.note(record_.falls.size(), *rejected, state) &&
-                               rise_by_slopes(state, next, *rejected) < limit - before;
-      state.rest = rest;
-      if (is_by_rests) continue;
+      const bool is_any_refused = refused_rests_.note(record_.falls.size(), *rejected, rests);
+      if (is_any_refused && rise_by_slopes(state, next, *rejected) < limit - before) continue;
       const double shorter = shorter_scale(scale, proposed.slope, rejected->energy - before);
       if (proposed.is_of_model) {
         accelerator_.shorten(*std::max_element(next.length.begin(), next.length.end()), shorter, state);
@@ -268,7 +277,6 @@ class Relaxer {
         scale = shorter;
       }
     }
-    refused_rests_.apply(record_.falls.size(), state);
     accelerator_.forget();
     return false;
   }
@@ -276,11 +284,12 @@ class Relaxer {
   /// One iteration by Lloyd's steps: shortens those that went too far until the energy falls. False if it never does.
   bool descend(RelaxationState& state) {
     std::vector<double> scales(state.generators.size(), 1);
+    const Rests rests = refused_rests_.allowed(record_.falls.size(), state.rest);
     for (int trial = 0; trial < kLloydTrials; ++trial) {
-      GeneratorMove next = move_generators(mesh_, state, scaled(state.to_centroids, scales), constraints_,
-                                           trial == 0 ? GoToRest::yes : GoToRest::no);
+      GeneratorMove next =
+          move_generators(mesh_, state, scaled(state.to_centroids, scales), constraints_, trial == 0 ? rests : Rests());
       next.scale = *std::max_element(scales.begin(), scales.end());
-      const std::optional<RelaxationState> rejected = take_if_below(state.energy, state, next);
+      const std::optional<RelaxationState> rejected = take_if_below(state.energy, state, rests, next);
       if (!rejected) return true;
       const bool is_any_shortened = shorten_own_steps(state, next, *rejected, scales);
       if (is_any_shortened && trial < kOwnTrials) continue;
@@ -296,25 +305,26 @@ class Relaxer {
   bool is_better(double limit, const RelaxationState& state, const GeneratorMove& next,
                  const RelaxationState& moved) const {
     if (moved.energy < limit) return true;
-    const double error = states_.precision().skips_diagram ? kSampledError : kEnergyError;
+    const double error = precision_.skips_diagram ? kSampledError : kEnergyError;
     if (next.relocated > 0 || moved.energy > std::min(record_.initial_energy, state.energy * (1 + error))) return false;
     return rise_by_slopes(state, next, moved) < limit - state.energy;
   }
 
   /// Moves the generators if their energy is then below the limit. Otherwise returns the state that they would have; a
-  /// copy of this one if none moves.
-  std::optional<RelaxationState> take_if_below(double limit, RelaxationState& state, const GeneratorMove& next) {
+  /// copy of this one if none moves. `rests`: where generators would rest, whether or not they go there now.
+  std::optional<RelaxationState> take_if_below(double limit, RelaxationState& state, Rests rests,
+                                               const GeneratorMove& next) {
     if (next.to == state.generators) return state;
     RelaxationState moved = evaluate(next.to);
     if (!is_better(limit, state, next, moved)) return moved;
-    refused_rests_.note(record_.falls.size(), moved, state);
-    record_.add(next, state.energy, moved.energy, states_.precision());
-    record_.restate(moved.energy, states_.precision());
+    refused_rests_.note(record_.falls.size(), moved, rests);
+    record_.add(next, state.energy, moved.energy, precision_);
+    record_.restate(moved.energy, precision_);
     report_iteration(moved);
     if (next.relocated > 0) {
       accelerator_.forget();
     } else {
-      accelerator_.learn(state, next, moved);
+      accelerator_.learn(state, rests, next, moved);
     }
     state = std::move(moved);
     return std::nullopt;
@@ -336,9 +346,13 @@ class Relaxer {
 
   const Mesh& mesh_;
   const LloydOptions& options_;
+  const double least_promise_;
   const std::vector<SurfacePoint>& start_;
   const GeneratorConstraints constraints_;
-  StateEvaluator states_;
+  Precision precision_;         // of the present level
+  bool is_first_level_ = true;  // there are one or two
+  bool is_last_level_ = true;
+  std::int64_t diagrams_ = 0;  // states that were computed
   RefusedRests refused_rests_;
   Accelerator accelerator_;
   IterationRecord record_;
@@ -348,8 +362,9 @@ class Relaxer {
 
 }  // namespace
 
-LloydResult relax_on_mesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LloydOptions& options) {
-  return Relaxer(mesh, generators, options).run();
+LloydResult relax_on_mesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LloydOptions& options,
+                          const RelaxerRules& rules) {
+  return Relaxer(mesh, generators, options, rules).run();
 }
 
 }  // namespace gvd

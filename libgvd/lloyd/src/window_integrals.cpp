@@ -1,16 +1,16 @@
-// Integrals over all cells, with exact distances and log maps, and the segments of the cells' bisectors.
+// Integrals over all cells, with exact distances and log maps.
 //
 // Each thread sums over its own part of the surface. Points of one cell mostly follow each other, so a part has a list
 // of short sums and no table of all cells. The parts are joined in their order, and sorting is stable: the result does
-// not depend on the number of threads. Two counting sorts, by the second cell and then by the first one, order the
-// segments of bisectors in linear time.
+// not depend on the number of threads.
 // Whole faces and the triangles of pieces have three inner points each, a rule that is exact for quadratic functions
 // (G. Strang and G. Fix, An Analysis of the Finite Element Method, 1973, section 4.3). Paths are looked up in the
 // windows of the working mesh. A face that generators have split is looked up in its parts.
+#include "window_integrals.hpp"
+
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,7 +18,6 @@
 #include "base/ear_clipping.hpp"
 #include "base/plane.hpp"
 #include "base/triangle_lattice.hpp"
-#include "cell_integrals.hpp"
 #include "diagram/cell_parts.hpp"
 #include "diagram/diagram_windows.hpp"
 #include "gvd/diagram_steps.hpp"
@@ -27,20 +26,6 @@
 
 namespace gvd {
 namespace {
-
-/// Counting sort: keeps the order of segments with the same cell.
-void sort_by(GeneratorId BisectorSegment::*cell, std::vector<BisectorSegment>& segments) {
-  std::vector<std::size_t> begin;  // of each cell's segments
-  for (const BisectorSegment& segment : segments) {
-    const std::size_t next = (segment.*cell).index() + 1;
-    if (begin.size() <= next) begin.resize(next + 1, 0);
-    ++begin[next];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<BisectorSegment> sorted(segments.size());
-  for (const BisectorSegment& segment : segments) sorted[begin[(segment.*cell).index()]++] = segment;
-  segments = std::move(sorted);
-}
 
 using Triangle = std::array<Bary, 3>;
 
@@ -70,12 +55,12 @@ struct Paths {
 /// Integrates over faces of the input, one after the other.
 class FaceIntegrator {
  public:
-  FaceIntegrator(const Paths& paths, const Quadrature& quadrature, const std::vector<Bary>& points)
-      : sums(quadrature.watched),
+  FaceIntegrator(const Paths& paths, const Integrand& integrand, const std::vector<Bary>& points)
+      : sums(integrand.watched),
         input_(paths.working.input()),
         paths_(paths.working.mesh(), paths.field, paths.departures),
         split_(paths.split),
-        density_(quadrature.density),
+        density_(integrand.density),
         points_(points) {}
 
   void enter(FaceId face) {
@@ -167,26 +152,14 @@ CellIntegrals CellSums::join(std::size_t cells, const std::vector<CellSums>& par
   return all;
 }
 
-void sort_by_cells(std::vector<BisectorSegment>& segments) {
-  sort_by(&BisectorSegment::right, segments);
-  sort_by(&BisectorSegment::left, segments);
-}
-
-std::vector<std::pair<GeneratorId, GeneratorId>> neighbouring_cells(const std::vector<BisectorSegment>& segments) {
-  std::vector<std::pair<GeneratorId, GeneratorId>> pairs;
-  for (const BisectorSegment& segment : segments) pairs.emplace_back(segment.left, segment.right);
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
-}
-
 CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowField& field, const Diagram& diagram,
-                                     const Quadrature& quadrature, const ParallelChunks& parallel) {
+                                     const Integrand& integrand, const ParallelChunks& parallel, int divisions) {
   const Paths paths{working, field, Departures(working, diagram.generators), SplitFaces(working)};
-  const std::vector<Bary> points = quadrature_points(quadrature.divisions);
+  const std::vector<Bary> points = quadrature_points(divisions);
   const std::vector<Chunk> chunks = cut_into_chunks(diagram.face_label.size(), kScanChunk);
-  std::vector<CellSums> sums(chunks.size(), CellSums(quadrature.watched));
+  std::vector<CellSums> sums(chunks.size(), CellSums(integrand.watched));
   parallel.run(chunks.size(), {steps::kCells}, [&](std::size_t chunk) {
-    FaceIntegrator integrator(paths, quadrature, points);
+    FaceIntegrator integrator(paths, integrand, points);
     for (FaceId face(chunks[chunk].begin); face.index() < chunks[chunk].end; face = FaceId(face.value() + 1)) {
       integrator.enter(face);
       for_each_cell_part(diagram, face, [&](const FacePart& part) { integrator.add(part); });
@@ -196,24 +169,20 @@ CellIntegrals integrate_over_windows(const WorkingMesh& working, const WindowFie
   return CellSums::join(diagram.generators.size(), sums);
 }
 
-CellIntegrals integrate_cells(const Mesh& mesh, const Diagram& diagram, const Quadrature& quadrature, int threads,
-                              const Progress& progress) {
-  const auto read = [&](const WorkingMesh& working, const WindowField& field) {
-    return integrate_over_windows(working, field, diagram, quadrature, ParallelChunks(threads, progress));
-  };
-  PropagationOptions options;
-  options.offsets = from_zero(diagram.weights);
-  options.threads = threads;
-  return read_windows(mesh, diagram.generators, options, progress, read);
-}
-
 IdVector<GeneratorId, CellMoments> compute_cell_moments(const Mesh& mesh, const Diagram& diagram, int threads,
                                                         const Density& density) {
   if (diagram.face_label.count() != mesh.face_count()) {
     throw Error(ErrorCode::precondition, "the diagram was not made of this mesh: the number of faces differs");
   }
   check_density(mesh, density);
-  return integrate_cells(mesh, diagram, {{density, {}}}, threads).moments;
+  const Progress silent;
+  const auto read = [&](const WorkingMesh& working, const WindowField& field) {
+    return integrate_over_windows(working, field, diagram, {density, {}}, ParallelChunks(threads, silent)).moments;
+  };
+  PropagationOptions options;
+  options.offsets = from_zero(diagram.weights);
+  options.threads = threads;
+  return read_windows(mesh, diagram.generators, options, silent, read);
 }
 
 }  // namespace gvd

@@ -84,7 +84,7 @@ LloydResult relax(const Mesh& mesh, const RelaxationStart& start, const LloydCal
   };
   LloydResult result = as_step(observer, kRelaxationStep, [&] { return relax_generators(mesh, start, options); });
   observer.status("");
-  tell_copy(observer, result.copy, start, options.ends_on_copy);
+  tell_copy(observer, result.copy, start, false);
   observer.note(fmt::format("{}, energy {:.6g} -> {:.6g} mesh units^4: {}",
                             counted(std::ssize(result.iterations), "iteration", "iterations"), result.initial_energy,
                             result.final_energy, describe(result.stop)));

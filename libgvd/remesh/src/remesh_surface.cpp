@@ -125,14 +125,14 @@ class SurfaceRemesher {
     enter("relaxation");
     LloydOptions options;
     options.max_iterations = options_.iterations();
-    options.keeps_extremities = true;
-    options.ends_on_copy = made_.relaxation_ends_on_copy = !follows_creases(mesh_, made_.start);
+    made_.relaxation_ends_on_copy = !follows_creases(mesh_, made_.start);
     options.diagram = options_.remesh.diagram;
     options.progress = options_.remesh.diagram.progress;
     options.on_iteration = [this](std::int64_t iterations, double energy, const std::vector<SurfacePoint>&) {
       if (options_.on_iteration) options_.on_iteration(iterations, energy);
     };
-    made_.relaxation = relax_generators(mesh_, made_.start, std::move(options));
+    const LloydStages stages{.ends_on_copy = made_.relaxation_ends_on_copy, .keeps_extremities = true};
+    made_.relaxation = relax_generators(mesh_, made_.start, std::move(options), stages);
     made_.start.points = made_.relaxation->generators;
   }
 

@@ -18,87 +18,76 @@
 namespace gvd {
 namespace {
 
-class CutTexture {
- public:
-  CutTexture(const Mesh& mesh, const std::vector<Uv>& texture, const CutMesh& cut)
-      : mesh_(mesh), texture_(texture), cut_(cut), edge_(cut.mesh.vertex_count()) {
-    find_edges();
+/// The edge between two faces that is nearest to a point.
+EdgeId shared_edge(const Mesh& mesh, FaceId a, FaceId b, const Vec3& point) {
+  std::pair nearest(kInfinity, EdgeId());
+  for (const HalfedgeId h : Mesh::halfedges(a)) {
+    if (!mesh.twin(h).valid() || Mesh::face(mesh.twin(h)) != b) continue;
+    const Vec3& from = mesh.position(mesh.from(h));
+    const Vec3 along = mesh.position(mesh.to(h)) - from;
+    const double distance = (from + nearest_on_segment(from, along, point) * along - point).norm();
+    nearest = std::min(nearest, {distance, mesh.edge(h)});
   }
+  return nearest.second;
+}
 
-  /// In the order of the cut faces' corners.
-  std::vector<Uv> run() const {
-    std::vector<Uv> carried;
-    carried.reserve(std::size_t(cut_.mesh.halfedge_count()));
-    for (const FaceId f : cut_.mesh.faces()) {
-      for (const VertexId v : cut_.mesh.vertices(f)) carried.push_back(interpolate(point_in(cut_.parent[f], v)));
-    }
-    return carried;
-  }
-
- private:
-  /// Finds the edges of added vertices: faces of two parents meet there.
-  void find_edges() {
-    IdVector<VertexId, FaceId> first(cut_.mesh.vertex_count());
-    for (const FaceId f : cut_.mesh.faces()) {
-      for (const VertexId v : cut_.mesh.vertices(f)) {
-        if (v.value() < cut_.input_vertices) continue;
-        if (!first[v].valid()) first[v] = cut_.parent[f];
-        if (first[v] != cut_.parent[f]) edge_[v] = shared_edge(first[v], cut_.parent[f], cut_.mesh.position(v));
-      }
+/// The edge of the input on which each added vertex lies, where faces of two parents meet; invalid for other vertices.
+IdVector<VertexId, EdgeId> find_input_edges(const Mesh& mesh, const CutMesh& cut) {
+  IdVector<VertexId, EdgeId> edges(cut.mesh.vertex_count());
+  IdVector<VertexId, FaceId> first(cut.mesh.vertex_count());
+  for (const FaceId f : cut.mesh.faces()) {
+    for (const VertexId v : cut.mesh.vertices(f)) {
+      if (v.value() < cut.input_vertices) continue;
+      if (!first[v].valid()) first[v] = cut.parent[f];
+      if (first[v] != cut.parent[f]) edges[v] = shared_edge(mesh, first[v], cut.parent[f], cut.mesh.position(v));
     }
   }
+  return edges;
+}
 
-  /// Of the edges between two faces the one that is nearest to a point.
-  EdgeId shared_edge(FaceId a, FaceId b, const Vec3& point) const {
-    std::pair nearest(kInfinity, EdgeId());
-    for (const HalfedgeId h : Mesh::halfedges(a)) {
-      if (!mesh_.twin(h).valid() || Mesh::face(mesh_.twin(h)) != b) continue;
-      const Vec3& from = mesh_.position(mesh_.from(h));
-      const Vec3 along = mesh_.position(mesh_.to(h)) - from;
-      const double distance = (from + nearest_on_segment(from, along, point) * along - point).norm();
-      nearest = std::min(nearest, {distance, mesh_.edge(h)});
-    }
-    return nearest.second;
+/// The nearest point of an edge, seen from either face with the same weights.
+SurfacePoint nearest_on_edge(const Mesh& mesh, EdgeId e, FaceId face, const Vec3& point) {
+  const HalfedgeId first = mesh.halfedge(e), own = Mesh::face(first) == face ? first : mesh.twin(first);
+  const Vec3& from = mesh.position(mesh.from(first));
+  const double t = nearest_on_segment<Vec3>(from, mesh.position(mesh.to(first)) - from, point);
+  SurfacePoint found{face, {0, 0, 0}};
+  found.bary[std::size_t(Mesh::corner(own))] = own == first ? 1 - t : t;
+  found.bary[std::size_t(Mesh::corner(Mesh::next(own)))] = own == first ? t : 1 - t;
+  return found;
+}
+
+/// Linear in the point's face; at a corner its own value, bit by bit.
+Uv interpolate_texture(const std::vector<Uv>& texture, const SurfacePoint& point) {
+  Uv sum{};
+  for (int i = 0; i < 3; ++i) {
+    const double weight = point.bary[std::size_t(i)];
+    const Uv& corner = texture[Mesh::halfedge(point.face, i).index()];
+    if (weight == 1) return corner;
+    for (std::size_t k = 0; k < 2; ++k) sum[k] += weight * corner[k];
   }
+  return sum;
+}
 
-  /// The nearest point of an edge, seen from either face with the same weights.
-  SurfacePoint nearest_on_edge(EdgeId e, FaceId face, const Vec3& point) const {
-    const HalfedgeId first = mesh_.halfedge(e), own = Mesh::face(first) == face ? first : mesh_.twin(first);
-    const Vec3& from = mesh_.position(mesh_.from(first));
-    const double t = nearest_on_segment<Vec3>(from, mesh_.position(mesh_.to(first)) - from, point);
-    SurfacePoint found{face, {0, 0, 0}};
-    found.bary[std::size_t(Mesh::corner(own))] = own == first ? 1 - t : t;
-    found.bary[std::size_t(Mesh::corner(Mesh::next(own)))] = own == first ? t : 1 - t;
-    return found;
-  }
-
-  /// A vertex of the cut mesh as a point of its parent.
-  SurfacePoint point_in(FaceId parent, VertexId v) const {
-    const auto& corners = mesh_.vertices(parent);
+/// In the order of the cut faces' corners.
+std::vector<Uv> carry_texture(const Mesh& mesh, const std::vector<Uv>& texture, const CutMesh& cut) {
+  const IdVector<VertexId, EdgeId> edges = find_input_edges(mesh, cut);
+  const auto point_in = [&](FaceId parent, VertexId v) -> SurfacePoint {
+    const auto& corners = mesh.vertices(parent);
     const auto corner = std::find(corners.begin(), corners.end(), v) - corners.begin();
-    if (v.value() < cut_.input_vertices && corner < 3) return {parent, kWholeTriangle[std::size_t(corner)]};
-    const Vec3& point = cut_.mesh.position(v);
-    return edge_[v].valid() ? nearest_on_edge(edge_[v], parent, point)
-                            : closest_point_on_face(mesh_, parent, point).point;
-  }
-
-  /// Linear in the point's face; at a corner its own value, bit by bit.
-  Uv interpolate(const SurfacePoint& point) const {
-    Uv sum{};
-    for (int i = 0; i < 3; ++i) {
-      const double weight = point.bary[std::size_t(i)];
-      const Uv& corner = texture_[Mesh::halfedge(point.face, i).index()];
-      if (weight == 1) return corner;
-      for (std::size_t k = 0; k < 2; ++k) sum[k] += weight * corner[k];
+    if (v.value() < cut.input_vertices && corner < 3) return {parent, kWholeTriangle[std::size_t(corner)]};
+    const Vec3& at = cut.mesh.position(v);
+    return edges[v].valid() ? nearest_on_edge(mesh, edges[v], parent, at)
+                            : closest_point_on_face(mesh, parent, at).point;
+  };
+  std::vector<Uv> carried;
+  carried.reserve(std::size_t(cut.mesh.halfedge_count()));
+  for (const FaceId f : cut.mesh.faces()) {
+    for (const VertexId v : cut.mesh.vertices(f)) {
+      carried.push_back(interpolate_texture(texture, point_in(cut.parent[f], v)));
     }
-    return sum;
   }
-
-  const Mesh& mesh_;
-  const std::vector<Uv>& texture_;
-  const CutMesh& cut_;
-  IdVector<VertexId, EdgeId> edge_;  // of the input, on which an added vertex lies; invalid for others
-};
+  return carried;
+}
 
 }  // namespace
 
@@ -111,7 +100,7 @@ Appearance carry_to_cut_faces(const Mesh& mesh, const Appearance& appearance, co
     throw Error(ErrorCode::precondition, "the appearance or the cut mesh is of another mesh");
   }
   Appearance carried{{}, {}, appearance.materials, appearance.material_files, appearance.unread};
-  if (!appearance.texture.empty()) carried.texture = CutTexture(mesh, appearance.texture, cut).run();
+  if (!appearance.texture.empty()) carried.texture = carry_texture(mesh, appearance.texture, cut);
   if (appearance.material.empty()) return carried;
   for (const FaceId parent : cut.parent) carried.material.push_back(appearance.material[parent.index()]);
   return carried;

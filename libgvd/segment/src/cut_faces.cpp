@@ -28,191 +28,133 @@
 namespace gvd {
 namespace {
 
+constexpr const char* kCutStep = "cut";
+
 /// Faces between two calls of the progress callback.
 constexpr std::int32_t kCutStride = 1 << 8;
 
-class Cutter {
- public:
-  Cutter(const Mesh& mesh, const Diagram& diagram, const Progress& progress)
-      : mesh_(mesh), diagram_(diagram), progress_(progress), shares_(diagram), tolerance_(position_tolerance(mesh)) {
-    cut_.positions = mesh.positions();
-    result_.input_vertices = mesh.vertex_count();
-  }
-
-  CutMesh run() {
-    collect_edge_points();
-    number_edge_points();
-    auto piece = diagram_.pieces.begin();
-    for (const FaceId f : mesh_.faces()) {
-      if (f.value() % kCutStride == 0) report(double(f.value()) / mesh_.face_count());
-      const auto first = piece;
-      while (piece != diagram_.pieces.end() && piece->face == f) ++piece;
-      cut_face(f, {std::to_address(first), std::to_address(piece)});
-    }
-    if (piece != diagram_.pieces.end()) {
-      throw Error(ErrorCode::precondition, "the diagram's pieces are not sorted by face", piece->face.value());
-    }
-    report(1);
-    split_doubled_edges(cut_);
-    separate_coincident_corners(cut_, mesh_.positions().size(), tolerance_);
-    report(1);
-    build_mesh();
-    part_touching_regions(diagram_.cells, tolerance_, result_);
-    return std::move(result_);
-  }
-
- private:
-  void report(double fraction) const { report_progress(progress_, "cut", fraction); }
-
-  /// A point of a piece on an edge, at `t` along the edge's own direction.
-  struct EdgePoint {
-    EdgeId edge;
-    double t;
-    VertexId vertex;
-  };
-
-  double parameter(EdgeId e, FaceId f, const Bary& bary) const {
-    const VertexId end = mesh_.to(mesh_.halfedge(e));
-    return bary[std::ranges::find(mesh_.vertices(f), end) - mesh_.vertices(f).begin()];
-  }
-
-  void collect_edge_points() {
-    for (const FacePiece& piece : diagram_.pieces) {
-      for (const Bary& bary : piece.corners) {
-        const SurfacePoint point = make_surface_point(piece.face, bary);
-        if (point.kind() != SurfacePoint::Kind::edge) continue;
-        const EdgeId e = mesh_.edge(halfedge(point));
-        edge_points_.push_back({e, parameter(e, piece.face, point.bary), {}});
-      }
-    }
-    std::sort(edge_points_.begin(), edge_points_.end(),
-              [](const EdgePoint& a, const EdgePoint& b) { return std::tie(a.edge, a.t) < std::tie(b.edge, b.t); });
-  }
-
-  /// Gives each edge point a vertex: that of the point before it or an end of the edge if they coincide, or a new one.
-  void number_edge_points() {
-    const EdgePoint* before = nullptr;
-    for (EdgePoint& point : edge_points_) {
-      const HalfedgeId h = mesh_.halfedge(point.edge);
-      const Vec3 at = (1 - point.t) * mesh_.position(mesh_.from(h)) + point.t * mesh_.position(mesh_.to(h));
-      if (before && before->edge != point.edge) before = nullptr;
-      if (coincide(at, mesh_.position(mesh_.from(h)), tolerance_)) {
-        point.vertex = mesh_.from(h);
-      } else if (coincide(at, mesh_.position(mesh_.to(h)), tolerance_)) {
-        point.vertex = mesh_.to(h);
-      } else if (before && (point.t - before->t <= kCutWeld ||
-                            coincide(cut_.positions[before->vertex.index()], at, tolerance_))) {
-        point.vertex = before->vertex;
-      } else {
-        point.vertex = add_vertex(at);
-      }
-      before = &point;
-    }
-  }
-
-  VertexId add_vertex(const Vec3& at) {
-    cut_.positions.push_back(at);
-    return VertexId(cut_.positions.size() - 1);
-  }
-
-  std::span<const EdgePoint> points_on(EdgeId e) const {
-    return {std::to_address(std::ranges::lower_bound(edge_points_, e, {}, &EdgePoint::edge)),
-            std::to_address(std::ranges::upper_bound(edge_points_, e, {}, &EdgePoint::edge))};
-  }
-
-  /// The corners of f and the vertices on its edges, in order, each once.
-  std::vector<FaceTiling::Corner> border_of(FaceId f) const {
-    std::vector<FaceTiling::Corner> border;
-    for (const HalfedgeId h : Mesh::halfedges(f)) {
-      const auto add = [&](double t, VertexId v) {
-        const bool known = std::ranges::find(border, v, &FaceTiling::Corner::vertex) != border.end();
-        if (!known && v != mesh_.to(h)) border.push_back({edge_point(h, t).bary, cut_.positions[v.index()], v});
-      };
-      add(0, mesh_.from(h));
-      const auto points = points_on(mesh_.edge(h));
-      const bool along = mesh_.halfedge(mesh_.edge(h)) == h;
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        const EdgePoint& point = along ? points[k] : points[points.size() - 1 - k];
-        add(along ? point.t : 1 - point.t, point.vertex);
-      }
-    }
-    return border;
-  }
-
-  FaceTiling::Corner corner_of(FaceId f, const Bary& bary) const {
-    const SurfacePoint point = make_surface_point(f, bary);
-    FaceTiling::Corner corner{point.bary, position(mesh_, point), {}};
-    if (point.kind() == SurfacePoint::Kind::vertex) corner.vertex = vertex(mesh_, point);
-    if (point.kind() == SurfacePoint::Kind::edge) {
-      const EdgeId e = mesh_.edge(halfedge(point));
-      const auto points = points_on(e);
-      // collect_edge_points has added this corner.
-      corner.vertex = std::ranges::lower_bound(points, parameter(e, f, point.bary), {}, &EdgePoint::t)->vertex;
-    }
-    return corner;
-  }
-
-  void cut_face(FaceId f, std::span<const FacePiece> pieces) {
-    std::vector<FaceTiling::Corner> border = border_of(f);
-    const auto shares = shares_.of(f);
-    const GeneratorId whole = !shares.empty() ? shares.front().generator : diagram_.face_label[f];
-    if (pieces.empty() && border.size() == 3) {
-      cut_.triangles.push_back({mesh_.vertices(f), f, whole, polygons_++});
-      return;
-    }
-    FaceTiling tiling(std::move(border), tolerance_);
-    for (const FacePiece& piece : pieces) {
-      FaceTiling::Polygon polygon{piece.generator, {}};
-      for (const Bary& bary : piece.corners) polygon.corners.push_back(tiling.find_or_add(corner_of(f, bary)));
-      tiling.add(std::move(polygon));
-    }
-    const bool fits = !pieces.empty() && tiling.fit();
-    if (!fits) tiling.leave_whole(whole);
-    if (!fits && !pieces.empty()) ++result_.uncut_faces;
-    add_polygons(f, tiling);
-  }
-
-  void add_polygons(FaceId f, FaceTiling& tiling) {
-    for (const FaceTiling::Polygon& polygon : tiling.polygons()) {
-      std::vector<Vec2> plane_points;
-      for (const std::size_t number : polygon.corners) {
-        FaceTiling::Corner& corner = tiling.corners()[number];
-        if (!corner.vertex.valid()) corner.vertex = add_vertex(corner.position);
-        plane_points.push_back(tiling.plane_point(number));
-      }
-      const auto vertex = [&](std::size_t i) { return tiling.corners()[polygon.corners[i]].vertex; };
-      for (const auto& [a, b, c] : triangulate_plane_polygon(plane_points)) {
-        cut_.triangles.push_back({{vertex(a), vertex(b), vertex(c)}, f, polygon.generator, polygons_});
-      }
-      ++polygons_;
-    }
-  }
-
-  void build_mesh() {
-    std::vector<std::array<VertexId, 3>> faces;
-    for (const CutTriangle& t : cut_.triangles) {
-      faces.push_back(t.corners);
-      result_.parent.push_back(t.parent);
-      result_.label.push_back(t.label);
-    }
-    try {
-      result_.mesh = Mesh(std::move(cut_.positions), std::move(faces));
-    } catch (const Error& error) {
-      throw Error(ErrorCode::no_valid_result,
-                  std::string("cutting along the bisectors gives no manifold mesh: ") + error.what(), error.element());
-    }
-  }
-
-  const Mesh& mesh_;
-  const Diagram& diagram_;
-  const Progress& progress_;
-  FaceShares shares_;
-  double tolerance_;
-  std::vector<EdgePoint> edge_points_;  // sorted by edge and t
-  CutTriangles cut_;
-  std::int32_t polygons_ = 0;  // number of polygons so far
-  CutMesh result_;
+/// A point of a piece on an edge, at `t` along the edge's own direction.
+struct EdgePoint {
+  EdgeId edge;
+  double t;
+  VertexId vertex;
 };
+
+double parameter_on(const Mesh& mesh, EdgeId e, FaceId f, const Bary& bary) {
+  const VertexId end = mesh.to(mesh.halfedge(e));
+  return bary[std::ranges::find(mesh.vertices(f), end) - mesh.vertices(f).begin()];
+}
+
+VertexId add_vertex(const Vec3& at, std::vector<Vec3>& positions) {
+  positions.push_back(at);
+  return VertexId(positions.size() - 1);
+}
+
+/// The points of pieces on edges, sorted by edge and t. Each has a vertex: that of the point before it or an end of the
+/// edge if they coincide, or a new one.
+std::vector<EdgePoint> number_edge_points(const Mesh& mesh, const std::vector<FacePiece>& pieces, double tolerance,
+                                          std::vector<Vec3>& positions) {
+  std::vector<EdgePoint> points;
+  for (const FacePiece& piece : pieces) {
+    for (const Bary& bary : piece.corners) {
+      const SurfacePoint point = make_surface_point(piece.face, bary);
+      if (point.kind() != SurfacePoint::Kind::edge) continue;
+      const EdgeId e = mesh.edge(halfedge(point));
+      points.push_back({e, parameter_on(mesh, e, piece.face, point.bary), {}});
+    }
+  }
+  std::sort(points.begin(), points.end(),
+            [](const EdgePoint& a, const EdgePoint& b) { return std::tie(a.edge, a.t) < std::tie(b.edge, b.t); });
+  const EdgePoint* before = nullptr;
+  for (EdgePoint& point : points) {
+    const HalfedgeId h = mesh.halfedge(point.edge);
+    const Vec3 &from = mesh.position(mesh.from(h)), &to = mesh.position(mesh.to(h));
+    const Vec3 at = (1 - point.t) * from + point.t * to;
+    if (before && before->edge != point.edge) before = nullptr;
+    if (coincide(at, from, tolerance)) {
+      point.vertex = mesh.from(h);
+    } else if (coincide(at, to, tolerance)) {
+      point.vertex = mesh.to(h);
+    } else if (before &&
+               (point.t - before->t <= kCutWeld || coincide(positions[before->vertex.index()], at, tolerance))) {
+      point.vertex = before->vertex;
+    } else {
+      point.vertex = add_vertex(at, positions);
+    }
+    before = &point;
+  }
+  return points;
+}
+
+std::span<const EdgePoint> points_on(const std::vector<EdgePoint>& sorted, EdgeId e) {
+  return {std::to_address(std::ranges::lower_bound(sorted, e, {}, &EdgePoint::edge)),
+          std::to_address(std::ranges::upper_bound(sorted, e, {}, &EdgePoint::edge))};
+}
+
+/// The corners of f and the vertices on its edges, in order, each once.
+std::vector<FaceTiling::Corner> border_of(const Mesh& mesh, FaceId f, const std::vector<EdgePoint>& edge_points,
+                                          const std::vector<Vec3>& positions) {
+  std::vector<FaceTiling::Corner> border;
+  for (const HalfedgeId h : Mesh::halfedges(f)) {
+    const auto add = [&](double t, VertexId v) {
+      const bool known = std::ranges::find(border, v, &FaceTiling::Corner::vertex) != border.end();
+      if (!known && v != mesh.to(h)) border.push_back({edge_point(h, t).bary, positions[v.index()], v});
+    };
+    add(0, mesh.from(h));
+    const auto points = points_on(edge_points, mesh.edge(h));
+    const bool along = mesh.halfedge(mesh.edge(h)) == h;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const EdgePoint& point = along ? points[k] : points[points.size() - 1 - k];
+      add(along ? point.t : 1 - point.t, point.vertex);
+    }
+  }
+  return border;
+}
+
+FaceTiling::Corner corner_of(const Mesh& mesh, FaceId f, const std::vector<EdgePoint>& edge_points, const Bary& bary) {
+  const SurfacePoint point = make_surface_point(f, bary);
+  FaceTiling::Corner corner{point.bary, position(mesh, point), {}};
+  if (point.kind() == SurfacePoint::Kind::vertex) corner.vertex = vertex(mesh, point);
+  if (point.kind() == SurfacePoint::Kind::edge) {
+    const EdgeId e = mesh.edge(halfedge(point));
+    const auto points = points_on(edge_points, e);
+    // number_edge_points has added this corner.
+    corner.vertex = std::ranges::lower_bound(points, parameter_on(mesh, e, f, point.bary), {}, &EdgePoint::t)->vertex;
+  }
+  return corner;
+}
+
+/// Cuts the polygons of face f into triangles. `polygons`: the number of those before them, which grows.
+void add_polygons(FaceId f, FaceTiling& tiling, std::int32_t& polygons, CutTriangles& cut) {
+  for (const FaceTiling::Polygon& polygon : tiling.polygons()) {
+    std::vector<Vec2> plane_points;
+    for (const std::size_t number : polygon.corners) {
+      FaceTiling::Corner& corner = tiling.corners()[number];
+      if (!corner.vertex.valid()) corner.vertex = add_vertex(corner.position, cut.positions);
+      plane_points.push_back(tiling.plane_point(number));
+    }
+    const auto vertex = [&](std::size_t i) { return tiling.corners()[polygon.corners[i]].vertex; };
+    for (const auto& [a, b, c] : triangulate_plane_polygon(plane_points)) {
+      cut.triangles.push_back({{vertex(a), vertex(b), vertex(c)}, f, polygon.generator, polygons});
+    }
+    ++polygons;
+  }
+}
+
+void build_cut_mesh(CutTriangles cut, CutMesh& result) {
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const CutTriangle& t : cut.triangles) {
+    faces.push_back(t.corners);
+    result.parent.push_back(t.parent);
+    result.label.push_back(t.label);
+  }
+  try {
+    result.mesh = Mesh(std::move(cut.positions), std::move(faces));
+  } catch (const Error& error) {
+    throw Error(ErrorCode::no_valid_result,
+                std::string("cutting along the bisectors gives no manifold mesh: ") + error.what(), error.element());
+  }
+}
 
 /// The parent of a face at v, one with the label of v where regions were separated: the vertex may lie on their border.
 FaceId parent_at(const CutMesh& cut, VertexId v, GeneratorId label, bool is_separated) {
@@ -230,7 +172,48 @@ GeneratorId smaller_label(GeneratorId a, GeneratorId b) { return !a.valid() || (
 
 CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& progress) {
   check_belongs(mesh, diagram);
-  return Cutter(mesh, diagram, progress).run();
+  const double tolerance = position_tolerance(mesh);
+  const FaceShares shares(diagram);
+  CutMesh result;
+  result.input_vertices = mesh.vertex_count();
+  CutTriangles cut{mesh.positions(), {}};
+  const std::vector<EdgePoint> edge_points = number_edge_points(mesh, diagram.pieces, tolerance, cut.positions);
+  std::int32_t polygons = 0;
+  auto piece = diagram.pieces.begin();
+  for (const FaceId f : mesh.faces()) {
+    if (f.value() % kCutStride == 0) report_progress(progress, kCutStep, double(f.value()) / mesh.face_count());
+    const auto first = piece;
+    while (piece != diagram.pieces.end() && piece->face == f) ++piece;
+    std::vector<FaceTiling::Corner> border = border_of(mesh, f, edge_points, cut.positions);
+    const auto of_face = shares.of(f);
+    const GeneratorId whole = !of_face.empty() ? of_face.front().generator : diagram.face_label[f];
+    if (first == piece && border.size() == 3) {
+      cut.triangles.push_back({mesh.vertices(f), f, whole, polygons++});
+      continue;
+    }
+    FaceTiling tiling(std::move(border), tolerance);
+    for (const FacePiece& own : std::span(std::to_address(first), std::to_address(piece))) {
+      FaceTiling::Polygon polygon{own.generator, {}};
+      for (const Bary& bary : own.corners) {
+        polygon.corners.push_back(tiling.find_or_add(corner_of(mesh, f, edge_points, bary)));
+      }
+      tiling.add(std::move(polygon));
+    }
+    const bool fits = first != piece && tiling.fit();
+    if (!fits) tiling.leave_whole(whole);
+    if (!fits && first != piece) ++result.uncut_faces;
+    add_polygons(f, tiling, polygons, cut);
+  }
+  if (piece != diagram.pieces.end()) {
+    throw Error(ErrorCode::precondition, "the diagram's pieces are not sorted by face", piece->face.value());
+  }
+  report_progress(progress, kCutStep, 1);
+  split_doubled_edges(cut);
+  separate_coincident_corners(cut, mesh.positions().size(), tolerance);
+  report_progress(progress, kCutStep, 1);
+  build_cut_mesh(std::move(cut), result);
+  part_touching_regions(diagram.cells, tolerance, result);
+  return result;
 }
 
 CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut) {

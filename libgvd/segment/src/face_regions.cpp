@@ -148,13 +148,6 @@ void update_numbers(const FaceRegions& regions, FaceRegions& given) {
   }
 }
 
-std::optional<SoupProperty> read_region_numbers(const CheckedMesh& input, const std::string& name,
-                                                const std::filesystem::path& mesh_file) {
-  const std::optional<ElementValues> given =
-      read_element_values(input, name, mesh_file, SoupElement::polygon, ValueColumns::last);
-  return given ? std::optional(to_region_numbers(input, *given)) : std::nullopt;
-}
-
 SoupProperty to_region_numbers(const CheckedMesh& input, const ElementValues& given) {
   const std::vector<double>& values = given.soup.values;
   if (given.of_mesh) return given.soup;

@@ -27,146 +27,110 @@
 namespace gvd {
 namespace {
 
-void check_cut(const Mesh& mesh, const CutMesh& cut) {
-  const bool fits = cut.parent.count() == cut.mesh.face_count() && cut.label.count() == cut.mesh.face_count() &&
-                    (cut.parent.empty() || cut.parent.raw().back().value() < mesh.face_count());
-  if (!fits) throw Error(ErrorCode::precondition, "the cut mesh was made of another mesh");
-}
-
 constexpr StepPart kFlatMapping{"charts", 0, 0.9};
 
-class ChartMaker {
- public:
-  ChartMaker(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, const ChartOptions& options)
-      : surface_(mesh, diagram, cut, options) {}
+/// A corner of a face in the square.
+Vec2 corner_in_square(const Charts& charts, FaceId f, std::size_t c) {
+  const auto& [u, v] = charts.texture[3 * f.index() + c];
+  return Vec2(u, v);
+}
 
-  Charts run(ChartMap map) {
-    charts_.charts.resize(islands().size());
-    if (map == ChartMap::logmap) {
-      corners_ = map_by_logarithms(surface_, torn_);
-      place();
-    } else {
-      lay_flat();
+/// 1 if the face is counter-clockwise in the square, for certain.
+int orientation_of(const Charts& charts, FaceId f) {
+  return orientation(corner_in_square(charts, f, 0), corner_in_square(charts, f, 1), corner_in_square(charts, f, 2));
+}
+
+/// Packs the islands and sets the texture coordinates. `corners`: of all faces, mesh units, each island round an origin
+/// of its own.
+void place_islands(const std::vector<Island>& islands, const std::vector<PlaneCorners>& corners, Charts& charts) {
+  std::vector<Box2> boxes;
+  std::vector<Vec2> sizes;
+  for (const Island& island : islands) {
+    Box2 box;
+    for (const FaceId f : island.faces) {
+      for (const Vec2& p : corners[f.index()]) {
+        if (p.allFinite()) box.extend(p);
+      }
     }
-    for (std::size_t i = 0; i < islands().size(); ++i) measure(i);
-    charts_.covered =
-        std::accumulate(charts_.charts.begin(), charts_.charts.end(), 0.0,
-                        [&](double sum, const Chart& c) { return sum + c.area * charts_.scale * charts_.scale; });
-    return std::move(charts_);
+    if (box.isEmpty()) box.extend(Vec2::Zero());
+    boxes.push_back(box);
+    sizes.push_back(box.sizes());
   }
-
- private:
-  const Mesh& mesh() const { return surface_.mesh(); }
-  const std::vector<Island>& islands() const { return surface_.islands(); }
-
-  void lay_flat() {
-    for (const Island& island : islands()) check_disc(island);
-    corners_.assign(std::size_t(mesh().face_count()), {kNowhere, kNowhere, kNowhere});
-    std::vector<int> next(islands().size(), 0);
-    std::vector<IslandBorder> borders(islands().size());
-    std::vector<std::size_t> open(islands().size());
-    std::iota(open.begin(), open.end(), std::size_t{0});
-    while (!open.empty()) {
-      surface_.parallel().run(open.size(), kFlatMapping, [&](std::size_t k) {
-        int& attempt = next[open[k]];
-        const Island& island = islands()[open[k]];
-        if (attempt == 0) borders[open[k]] = measure_border(surface_, island);
-        for (bool laid = false; !laid && attempt < kFlatMaps; ++attempt) {
-          laid = map_flat(mesh(), island, borders[open[k]], attempt, corners_);
-        }
-      });
-      place();
-      std::erase_if(open, [&](std::size_t i) { return next[i] == kFlatMaps || !has_flip(i); });
+  const Packing packing = pack_boxes(sizes);
+  charts.scale = packing.side > 0 ? 1 / packing.side : 1;
+  charts.texture.assign(3 * corners.size(), {kNaN, kNaN});
+  for (std::size_t i = 0; i < islands.size(); ++i) {
+    const auto in_square = [&](const Vec2& p) -> Vec2 { return charts.scale * (packing.at[i] + (p - boxes[i].min())); };
+    charts.charts[i].origin = in_square(Vec2::Zero());
+    for (const FaceId f : islands[i].faces) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Vec2 p = in_square(corners[f.index()][c]);
+        charts.texture[3 * f.index() + c] = {p.x(), p.y()};
+      }
     }
   }
+}
 
-  void check_disc(const Island& island) const {
-    if (island.euler_characteristic == 1) return;
+/// Lays all islands flat, each by its first map that turns no face round in the square, or by the last one.
+void lay_flat(const ChartSurface& surface, Charts& charts) {
+  const std::vector<Island>& islands = surface.islands();
+  for (const Island& island : islands) {
+    if (island.euler_characteristic == 1) continue;
     throw Error(ErrorCode::no_valid_result,
                 fmt::format("region {} is no disc (Euler characteristic {}), and can't be laid flat; \1disc\2 adds "
                             "generators until every region is a disc",
                             island.generator.value(), island.euler_characteristic),
                 island.generator.value());
   }
-
-  bool has_flip(std::size_t i) const {
-    return std::ranges::any_of(islands()[i].faces, [&](FaceId f) { return orientation_of(f) <= 0; });
-  }
-
-  /// 1 if counter-clockwise in the square, for certain.
-  int orientation_of(FaceId f) const { return orientation(corner_of(f, 0), corner_of(f, 1), corner_of(f, 2)); }
-
-  /// In the square.
-  Vec2 corner_of(FaceId f, std::size_t c) const {
-    const auto& [u, v] = charts_.texture[3 * f.index() + c];
-    return Vec2(u, v);
-  }
-
-  /// Packs the islands and sets the texture coordinates.
-  void place() {
-    std::vector<Box2> boxes;
-    std::vector<Vec2> sizes;
-    for (const Island& island : islands()) {
-      Box2 box;
-      for (const FaceId f : island.faces) {
-        for (const Vec2& p : corners_[f.index()]) {
-          if (p.allFinite()) box.extend(p);
-        }
+  const std::size_t faces = std::size_t(surface.mesh().face_count());
+  std::vector<PlaneCorners> corners(faces, {kNowhere, kNowhere, kNowhere});
+  std::vector<int> next(islands.size(), 0);
+  std::vector<IslandBorder> borders(islands.size());
+  std::vector<std::size_t> open(islands.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  const auto has_flip = [&](const Island& island) {
+    return std::ranges::any_of(island.faces, [&](FaceId f) { return orientation_of(charts, f) <= 0; });
+  };
+  while (!open.empty()) {
+    surface.parallel().run(open.size(), kFlatMapping, [&](std::size_t k) {
+      int& attempt = next[open[k]];
+      const Island& island = islands[open[k]];
+      if (attempt == 0) borders[open[k]] = measure_border(surface, island);
+      for (bool laid = false; !laid && attempt < kFlatMaps; ++attempt) {
+        laid = map_flat(surface.mesh(), island, borders[open[k]], attempt, corners);
       }
-      if (box.isEmpty()) box.extend(Vec2::Zero());
-      boxes.push_back(box);
-      sizes.push_back(box.sizes());
-    }
-    const Packing packing = pack_boxes(sizes);
-    charts_.scale = packing.side > 0 ? 1 / packing.side : 1;
-    charts_.texture.assign(3 * corners_.size(), {kNaN, kNaN});
-    for (std::size_t i = 0; i < islands().size(); ++i) {
-      const auto in_square = [&](const Vec2& p) -> Vec2 {
-        return charts_.scale * (packing.at[i] + (p - boxes[i].min()));
-      };
-      charts_.charts[i].origin = in_square(Vec2::Zero());
-      for (const FaceId f : islands()[i].faces) {
-        for (std::size_t c = 0; c < 3; ++c) {
-          const Vec2 p = in_square(corners_[f.index()][c]);
-          charts_.texture[3 * f.index() + c] = {p.x(), p.y()};
-        }
-      }
-    }
+    });
+    place_islands(islands, corners, charts);
+    std::erase_if(open, [&](std::size_t i) { return next[i] == kFlatMaps || !has_flip(islands[i]); });
   }
+}
 
-  void measure(std::size_t i) {
-    Chart& chart = charts_.charts[i];
-    chart.generator = islands()[i].generator;
-    chart.faces = std::ssize(islands()[i].faces);
-    for (const FaceId f : islands()[i].faces) {
-      const double area = mesh().area(f);
-      chart.area += area;
-      if (!torn_.empty() && torn_[f]) chart.torn_area += area;
-      if (std::isnan(charts_.texture[3 * f.index()][0])) {
-        chart.unplaced_area += area;
-      } else if (orientation_of(f) <= 0) {
-        chart.flipped_area += area;
-      }
-      if (is_finite(charts_.texture[3 * f.index()])) add_stretch(f, area, chart);
+/// Measures a chart whose faces are placed. `torn`: marks faces; empty for none.
+void measure_chart(const Mesh& mesh, const Island& island, const IdVector<FaceId, char>& torn, const Charts& charts,
+                   Chart& chart) {
+  chart.generator = island.generator;
+  chart.faces = std::ssize(island.faces);
+  for (const FaceId f : island.faces) {
+    const double area = mesh.area(f);
+    chart.area += area;
+    if (!torn.empty() && torn[f]) chart.torn_area += area;
+    if (std::isnan(charts.texture[3 * f.index()][0])) {
+      chart.unplaced_area += area;
+    } else if (orientation_of(charts, f) <= 0) {
+      chart.flipped_area += area;
     }
-    if (const double placed = chart.area - chart.unplaced_area; placed > 0) chart.stretch /= placed;
-  }
-
-  /// Adds the root mean square of the singular values of the face's map, by its area.
-  void add_stretch(FaceId f, double area, Chart& chart) const {
-    const FaceLayout layout(mesh(), f);
+    if (!is_finite(charts.texture[3 * f.index()])) continue;
+    // The root mean square of the singular values of the face's map, by its area.
+    const FaceLayout layout(mesh, f);
     Eigen::Matrix2d sides, laid;
     sides << layout.corner[1] - layout.corner[0], layout.corner[2] - layout.corner[0];
-    laid << corner_of(f, 1) - corner_of(f, 0), corner_of(f, 2) - corner_of(f, 0);
-    chart.stretch += area * (laid * sides.inverse()).norm() / (std::numbers::sqrt2 * charts_.scale);
-    for (std::size_t c = 0; c < 3; ++c) chart.box.extend(corner_of(f, c));
+    laid << corner_in_square(charts, f, 1) - corner_in_square(charts, f, 0),
+        corner_in_square(charts, f, 2) - corner_in_square(charts, f, 0);
+    chart.stretch += area * (laid * sides.inverse()).norm() / (std::numbers::sqrt2 * charts.scale);
+    for (std::size_t c = 0; c < 3; ++c) chart.box.extend(corner_in_square(charts, f, c));
   }
-
-  ChartSurface surface_;
-  std::vector<PlaneCorners> corners_;  // mesh units, each island round an origin of its own
-  IdVector<FaceId, char> torn_;
-  Charts charts_;
-};
+  if (const double placed = chart.area - chart.unplaced_area; placed > 0) chart.stretch /= placed;
+}
 
 /// Whether an island has two vertices that are copies of one.
 bool touches_itself(const SeparatedMesh& separated, const Island& island) {
@@ -203,8 +167,26 @@ std::vector<GeneratorId> find_non_disc_regions(const Mesh& mesh, const IdVector<
 
 Charts make_charts(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, const ChartOptions& options) {
   check_belongs(mesh, diagram);
-  check_cut(mesh, cut);
-  return ChartMaker(mesh, diagram, cut, options).run(options.map);
+  if (cut.parent.count() != cut.mesh.face_count() || cut.label.count() != cut.mesh.face_count() ||
+      (!cut.parent.empty() && cut.parent.raw().back().value() >= mesh.face_count())) {
+    throw Error(ErrorCode::precondition, "the cut mesh was made of another mesh");
+  }
+  const ChartSurface surface(mesh, diagram, cut, options);
+  const std::vector<Island>& islands = surface.islands();
+  Charts charts;
+  charts.charts.resize(islands.size());
+  IdVector<FaceId, char> torn;
+  if (options.map == ChartMap::logmap) {
+    place_islands(islands, map_by_logarithms(surface, torn), charts);
+  } else {
+    lay_flat(surface, charts);
+  }
+  for (std::size_t i = 0; i < islands.size(); ++i) {
+    Chart& chart = charts.charts[i];
+    measure_chart(surface.mesh(), islands[i], torn, charts, chart);
+    charts.covered += chart.area * charts.scale * charts.scale;
+  }
+  return charts;
 }
 
 void replace_texture(std::vector<Uv> charts, Appearance& appearance) {

@@ -122,7 +122,7 @@ class CornerRound {
   }
 
  private:
-  /// What happens to a face at one of its corners.
+  /// The change of a face at one of its corners.
   struct Edit {
     HalfedgeId outgoing;                ///< of the face, from the corner
     VertexId on_next, on_before;        ///< new vertices on the sides after and before the corner; invalid for none

@@ -94,40 +94,6 @@ void share_out_to_regions(const RegionSamplingOptions& options, RegionParts& reg
   for (auto& [number, region] : regions) share_out_to_parts(*share++, region);
 }
 
-/// Samples parts one after the other, and joins their progress.
-class PartSampler {
- public:
-  PartSampler(const SeparatedMesh& mesh, const SamplingOptions& options)
-      : mesh_(mesh), options_(options), faces_(mesh.mesh.face_count()) {}
-
-  /// Adds the points of a part, with the faces that they have in the whole mesh. Errors name the region.
-  void sample(std::int32_t region, const Part& part, std::vector<SurfacePoint>& points) {
-    SamplingOptions options = options_;
-    options.count = static_cast<std::int32_t>(part.count);
-    if (!(part.area > 0) && options.kind != Sampling::covering_radius) options.kind = Sampling::farthest;
-    // Larger parts take longer; faces measure that well enough for a bar.
-    options.progress = [&](std::string_view step, double fraction) {
-      const double done = (double(done_) + fraction * double(part.faces.size())) / faces_;
-      return !options_.progress || options_.progress(step, done);
-    };
-    try {
-      // The order of the input's vertices is that which the part would have alone.
-      const Submesh alone = make_submesh(mesh_.mesh, part.faces, mesh_.input_vertex);
-      for (const SurfacePoint& point : sample_generators(alone.mesh, options)) points.push_back(alone.to_whole(point));
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::interrupted) throw;
-      throw error.at(fmt::format("region {}", region));
-    }
-    done_ += part.faces.size();
-  }
-
- private:
-  const SeparatedMesh& mesh_;
-  const SamplingOptions& options_;
-  double faces_;
-  std::size_t done_ = 0;
-};
-
 }  // namespace
 
 std::vector<std::int64_t> share_out(std::int64_t total, const std::vector<double>& weights,
@@ -136,7 +102,7 @@ std::vector<std::int64_t> share_out(std::int64_t total, const std::vector<double
   std::vector<std::size_t> open(weights.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
   std::vector<double> exact(weights.size());
-  // What a raised share takes from the others may bring one of these below its least: this ends when no share is
+  // A raised share takes from the others, which may bring one of these below its least: this ends when no share is
   // raised.
   for (std::size_t before = 0; before != open.size();) {
     before = open.size();
@@ -167,12 +133,34 @@ RegionSamples sample_regions(const SeparatedMesh& separated, const FaceRegions& 
   const bool covers = options.sampling.kind == Sampling::covering_radius;
   if (!covers) share_out_to_regions(options, found);
   RegionSamples result;
-  PartSampler sampler(separated, options.sampling);
+  std::size_t done_faces = 0;
+  // Adds the points of a part, with the faces that they have in the whole mesh.
+  const auto sample = [&](std::int32_t region, const Part& part) {
+    SamplingOptions sampling = options.sampling;
+    sampling.count = static_cast<std::int32_t>(part.count);
+    if (!(part.area > 0) && !covers) sampling.kind = Sampling::farthest;
+    // Larger parts take longer; faces measure that well enough for a bar.
+    sampling.progress = [&](std::string_view step, double fraction) {
+      const double done = double(done_faces) + fraction * double(part.faces.size());
+      return !options.sampling.progress || options.sampling.progress(step, done / separated.mesh.face_count());
+    };
+    try {
+      // The order of the input's vertices is that which the part would have alone.
+      const Submesh alone = make_submesh(separated.mesh, part.faces, separated.input_vertex);
+      for (const SurfacePoint& point : sample_generators(alone.mesh, sampling)) {
+        result.points.push_back(alone.to_whole(point));
+      }
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::interrupted) throw;
+      throw error.at(fmt::format("region {}", region));
+    }
+    done_faces += part.faces.size();
+  };
   for (const auto& [number, parts] : found) {
     ++result.regions;
     for (const Part& part : parts) {
       ++result.parts;
-      if (covers || part.count > 0) sampler.sample(number, part, result.points);
+      if (covers || part.count > 0) sample(number, part);
       if (!covers && part.count == 0) ++result.empty_parts;
     }
   }

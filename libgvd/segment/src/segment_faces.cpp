@@ -4,19 +4,102 @@
 // from an adjacent face, breadth-first from the labelled faces. A generator without a face then takes one, but only
 // from a region that stays connected without it. Smoothing (smooth_borders.cpp) follows last and keeps the topology.
 // Shares decide between labels, and ids where shares are equal, so that no result depends on the order of a search.
+#include "segment_faces.hpp"
+
 #include <algorithm>
 #include <deque>
 #include <utility>
 
 #include "gvd/progress.hpp"
 #include "gvd/surface_point.hpp"
-#include "label_components.hpp"
 #include "region_topology.hpp"
 #include "smooth_borders.hpp"
 
 namespace gvd {
+namespace {
 
-LabelComponents find_label_components(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label) {
+constexpr const char* kLabelStep = "labels";
+
+/// Sorts faces with a share of a generator's cell, which ascend: first those that contain the generator, which are
+/// added where the cell has no share, then by their shares.
+void sort_own_faces_first(const Mesh& mesh, const SurfacePoint& generator, std::vector<FaceShare>& candidates) {
+  const std::vector<FaceId> own = faces_around(mesh, generator);
+  std::vector<FaceId> ascending = own;
+  std::sort(ascending.begin(), ascending.end());
+  const auto is_own = [&](const FaceShare& s) { return std::ranges::binary_search(ascending, s.face); };
+  const std::size_t given = candidates.size();
+  for (const FaceId f : own) {  // each comes once
+    const std::span<const FaceShare> shares(candidates.data(), given);
+    if (!std::ranges::binary_search(shares, f, {}, &FaceShare::face)) candidates.push_back({f, {}, 0});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [&](const FaceShare& a, const FaceShare& b) {
+    return is_own(a) != is_own(b) ? is_own(a) : a.fraction > b.fraction;
+  });
+}
+
+/// Takes the label from all faces outside of their label's main component: the one with a face of the generator, or
+/// else the one with the largest area. Returns these faces.
+std::vector<FaceId> release_minor_components(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                             FaceLabelling& label) {
+  const LabelComponents found = find_label_components(mesh, label);
+  std::vector<char> holds_generator(found.components.size(), 0);
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    for (const FaceId f : faces_around(mesh, generators[i])) {
+      if (label[f] == GeneratorId(i)) holds_generator[found.component[f]] = 1;
+    }
+  }
+  const auto beats = [&](int a, int b) {
+    return holds_generator[a] != holds_generator[b] ? holds_generator[a] != 0
+                                                    : found.components[a].area > found.components[b].area;
+  };
+  IdVector<GeneratorId, int> main(generators.size(), -1);
+  for (int i = 0; i < std::ssize(found.components); ++i) {
+    int& best = main[found.components[i].label];
+    if (best < 0 || beats(i, best)) best = i;
+  }
+  std::vector<FaceId> released;
+  for (const FaceId f : mesh.faces()) {
+    if (!label[f].valid() || main[label[f]] == found.component[f]) continue;
+    label[f] = GeneratorId();
+    released.push_back(f);
+  }
+  return released;
+}
+
+/// Labels released faces breadth-first from the labelled ones: each takes the adjacent label with the largest share of
+/// it, of equals the smallest id, so that every label stays connected. Returns their number.
+std::int32_t label_released_faces(const Mesh& mesh, const FaceShares& shares, const std::vector<FaceId>& released,
+                                  FaceLabelling& label) {
+  const auto best_adjacent_label = [&](FaceId f) {
+    GeneratorId best;
+    for_each_adjacent_face(mesh, f, [&](FaceId g) {
+      const GeneratorId other = label[g];
+      if (!other.valid()) return;
+      const double gain = best.valid() ? shares.fraction(f, other) - shares.fraction(f, best) : 1;
+      if (gain > 0 || (gain == 0 && other < best)) best = other;
+    });
+    return best;
+  };
+  IdVector<FaceId, char> is_waiting(label.size(), 0);
+  std::deque<FaceId> queue;
+  for (const FaceId f : released) {
+    is_waiting[f] = !best_adjacent_label(f).valid();
+    if (!is_waiting[f]) queue.push_back(f);
+  }
+  std::int32_t moved = 0;
+  for (; !queue.empty(); queue.pop_front(), ++moved) {
+    const FaceId f = queue.front();
+    label[f] = best_adjacent_label(f);
+    for_each_adjacent_face(mesh, f, [&](FaceId g) {
+      if (std::exchange(is_waiting[g], 0)) queue.push_back(g);
+    });
+  }
+  return moved;
+}
+
+}  // namespace
+
+LabelComponents find_label_components(const Mesh& mesh, const FaceLabelling& label) {
   LabelComponents result;
   result.component.assign(label.size(), -1);
   std::vector<FaceId> stack;
@@ -39,213 +122,64 @@ LabelComponents find_label_components(const Mesh& mesh, const IdVector<FaceId, G
   return result;
 }
 
-namespace {
-
-/// Finds faces for the generators without one.
-class FaceAssigner {
- public:
-  FaceAssigner(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result,
-               const Progress& progress)
-      : mesh_(mesh),
-        diagram_(diagram),
-        shares_(shares),
-        result_(result),
-        progress_(progress),
-        count_(diagram.generators.size(), 0),
-        search_(mesh, result.face_label) {
-    for (const GeneratorId g : result.face_label) {
-      if (g.valid()) ++count_[g];
-    }
-  }
-
-  void run() {
-    const auto candidates = collect_candidates();
-    for (const GeneratorId generator : count_.ids()) {
-      if (count_[generator] > 0) continue;
-      report(0.5 + 0.5 * generator.value() / count_.count());
-      const FaceId face = find_face(candidates[generator]);
-      if (!face.valid()) {
-        result_.without_face.push_back(generator);
-        continue;
-      }
-      --count_[label(face)];
-      ++count_[generator];
-      result_.face_label[face] = generator;
-      ++result_.given_faces;
-    }
-  }
-
- private:
-  using Candidates = IdVector<GeneratorId, std::vector<FaceShare>>;
-
-  GeneratorId label(FaceId f) const { return result_.face_label[f]; }
-
-  void report(double fraction) const { report_progress(progress_, "labels", fraction); }
-
-  Candidates collect_candidates() const {
-    Candidates candidates(count_.size());
-    for (const FaceShare& share : shares_.all()) {
-      if (count_[share.generator] == 0) candidates[share.generator].push_back(share);
-    }
-    for (const GeneratorId g : count_.ids()) {
-      if (count_[g] > 0) continue;
-      report(0.5 * g.value() / count_.count());
-      sort_own_faces_first(diagram_.generators[g.index()], candidates[g]);
-    }
-    return candidates;
-  }
-
-  void sort_own_faces_first(const SurfacePoint& generator, std::vector<FaceShare>& candidates) const {
-    const std::vector<FaceId> own = faces_around(mesh_, generator);
-    std::vector<FaceId> ascending = own;
-    std::sort(ascending.begin(), ascending.end());
-    const auto is_own = [&](const FaceShare& s) { return std::ranges::binary_search(ascending, s.face); };
-    // The shares of one cell ascend by face, and each face of `own` comes once.
-    const std::size_t given = candidates.size();
-    for (const FaceId f : own) {
-      const std::span<const FaceShare> shares(candidates.data(), given);
-      if (!std::ranges::binary_search(shares, f, {}, &FaceShare::face)) candidates.push_back({f, {}, 0});
-    }
-    std::stable_sort(candidates.begin(), candidates.end(), [&](const FaceShare& a, const FaceShare& b) {
-      return is_own(a) != is_own(b) ? is_own(a) : a.fraction > b.fraction;
-    });
-  }
-
-  FaceId find_face(const std::vector<FaceShare>& candidates) {
-    for (const FaceShare& share : candidates) {
-      const GeneratorId generator = label(share.face);
-      if (generator.valid() && count_[generator] > 1 && stays_connected_without(share.face)) return share.face;
-    }
-    return FaceId();
-  }
-
-  /// Whether the adjacent faces with the label of `face` are connected without it.
-  bool stays_connected_without(FaceId face) {
-    const GeneratorId own = std::exchange(result_.face_label[face], GeneratorId());
-    std::vector<FaceId> targets;
-    for_each_adjacent_face(mesh_, face, [&](FaceId g) {
-      if (label(g) == own) targets.push_back(g);
-    });
-    const bool connected = targets.size() < 2 || search_.connects(targets);
-    result_.face_label[face] = own;
-    return connected;
-  }
-
-  const Mesh& mesh_;
-  const Diagram& diagram_;
-  const FaceShares& shares_;
-  Segmentation& result_;
-  const Progress& progress_;
-  IdVector<GeneratorId, std::int32_t> count_;  // faces of each label
-  RegionSearch search_;
-};
-
-/// Labels the faces by their largest shares, and makes every label connected.
-class FaceLabeller {
- public:
-  FaceLabeller(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares)
-      : mesh_(mesh), diagram_(diagram), shares_(shares) {}
-
-  Segmentation run() {
-    label_by_area();
-    release_minor_components();
-    label_released_faces();
-    return std::move(result_);
-  }
-
- private:
-  GeneratorId& label(FaceId f) { return result_.face_label[f]; }
-
-  void label_by_area() {
-    result_.face_label = diagram_.face_label;
-    for (const FaceShare& share : shares_.all()) {
-      if (!label(share.face).valid()) label(share.face) = share.generator;  // the largest share of a face comes first
-    }
-  }
-
-  /// Takes the label from all faces outside of their label's main component: the one with a face of the generator, or
-  /// else the one with the largest area.
-  void release_minor_components() {
-    const LabelComponents found = find_label_components(mesh_, result_.face_label);
-    const std::vector<char> holds_generator = mark_components_of_generators(found);
-    const auto beats = [&](int a, int b) {
-      return holds_generator[a] != holds_generator[b] ? holds_generator[a] != 0
-                                                      : found.components[a].area > found.components[b].area;
-    };
-    IdVector<GeneratorId, int> main(diagram_.generators.size(), -1);
-    for (int i = 0; i < std::ssize(found.components); ++i) {
-      int& best = main[found.components[i].label];
-      if (best < 0 || beats(i, best)) best = i;
-    }
-    for (const FaceId f : mesh_.faces()) {
-      if (!label(f).valid() || main[label(f)] == found.component[f]) continue;
-      label(f) = GeneratorId();
-      released_.push_back(f);
-    }
-  }
-
-  std::vector<char> mark_components_of_generators(const LabelComponents& found) {
-    std::vector<char> marked(found.components.size(), 0);
-    for (std::size_t i = 0; i < diagram_.generators.size(); ++i) {
-      for (const FaceId f : faces_around(mesh_, diagram_.generators[i])) {
-        if (label(f) == GeneratorId(i)) marked[found.component[f]] = 1;
-      }
-    }
-    return marked;
-  }
-
-  /// Labels breadth-first from the labelled faces. Each released face takes the label of an adjacent face, so every
-  /// label stays connected.
-  void label_released_faces() {
-    IdVector<FaceId, char> is_waiting(result_.face_label.size(), 0);
-    std::deque<FaceId> queue;
-    for (const FaceId f : released_) {
-      is_waiting[f] = !best_adjacent_label(f).valid();
-      if (!is_waiting[f]) queue.push_back(f);
-    }
-    for (; !queue.empty(); queue.pop_front()) {
-      const FaceId f = queue.front();
-      label(f) = best_adjacent_label(f);
-      ++result_.moved_faces;
-      for_each_adjacent_face(mesh_, f, [&](FaceId g) {
-        if (!is_waiting[g]) return;
-        is_waiting[g] = 0;
-        queue.push_back(g);
-      });
-    }
-  }
-
-  /// The adjacent label with the largest share of the face, the smallest id among equals; none if no face has a label.
-  GeneratorId best_adjacent_label(FaceId f) {
-    GeneratorId best;
-    for_each_adjacent_face(mesh_, f, [&](FaceId g) {
-      const GeneratorId other = label(g);
-      if (!other.valid()) return;
-      const double gain = best.valid() ? shares_.fraction(f, other) - shares_.fraction(f, best) : 1;
-      if (gain > 0 || (gain == 0 && other < best)) best = other;
-    });
-    return best;
-  }
-
-  const Mesh& mesh_;
-  const Diagram& diagram_;
-  const FaceShares& shares_;
-  std::vector<FaceId> released_;
-  Segmentation result_;
-};
-
-}  // namespace
-
 void assign_missing_faces(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result,
                           const Progress& progress) {
-  FaceAssigner(mesh, diagram, shares, result, progress).run();
+  FaceLabelling& label = result.face_label;
+  IdVector<GeneratorId, std::int32_t> count(diagram.generators.size(), 0);  // faces of each label
+  for (const GeneratorId g : label) {
+    if (g.valid()) ++count[g];
+  }
+  IdVector<GeneratorId, std::vector<FaceShare>> candidates(count.size());
+  for (const FaceShare& share : shares.all()) {
+    if (count[share.generator] == 0) candidates[share.generator].push_back(share);
+  }
+  for (const GeneratorId g : count.ids()) {
+    if (count[g] > 0) continue;
+    report_progress(progress, kLabelStep, 0.5 * g.value() / count.count());
+    sort_own_faces_first(mesh, diagram.generators[g.index()], candidates[g]);
+  }
+  RegionSearch search(mesh, label);
+  const auto stays_connected_without = [&](FaceId face) {
+    const GeneratorId own = std::exchange(label[face], GeneratorId());
+    std::vector<FaceId> beside;
+    for_each_adjacent_face(mesh, face, [&](FaceId g) {
+      if (label[g] == own) beside.push_back(g);
+    });
+    const bool connected = beside.size() < 2 || search.connects(beside);
+    label[face] = own;
+    return connected;
+  };
+  const auto may_leave = [&](const FaceShare& share) {
+    const GeneratorId owner = label[share.face];
+    return owner.valid() && count[owner] > 1 && stays_connected_without(share.face);
+  };
+  for (const GeneratorId g : count.ids()) {
+    if (count[g] > 0) continue;
+    report_progress(progress, kLabelStep, 0.5 + 0.5 * g.value() / count.count());
+    const auto taken = std::ranges::find_if(candidates[g], may_leave);
+    if (taken == candidates[g].end()) {
+      result.without_face.push_back(g);
+      continue;
+    }
+    --count[label[taken->face]];
+    ++count[g];
+    label[taken->face] = g;
+    ++result.given_faces;
+  }
 }
 
 Segmentation segment_faces(const Mesh& mesh, const Diagram& diagram, const SegmentOptions& options) {
   check_belongs(mesh, diagram);
-  report_progress(options.progress, "labels", 0);
+  report_progress(options.progress, kLabelStep, 0);
   const FaceShares shares(diagram);
-  Segmentation result = FaceLabeller(mesh, diagram, shares).run();
+  Segmentation result;
+  FaceLabelling& label = result.face_label;
+  label = diagram.face_label;
+  for (const FaceShare& share : shares.all()) {
+    if (!label[share.face].valid()) label[share.face] = share.generator;  // the largest share of a face comes first
+  }
+  const std::vector<FaceId> released = release_minor_components(mesh, diagram.generators, label);
+  result.moved_faces = label_released_faces(mesh, shares, released, label);
   assign_missing_faces(mesh, diagram, shares, result, options.progress);
   if (options.labels == FaceLabels::smooth) smooth_borders(mesh, diagram, shares, result, options.progress);
   return result;

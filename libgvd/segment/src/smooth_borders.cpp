@@ -44,8 +44,7 @@ IdVector<FaceId, char> hold_generators(const Mesh& mesh, const Diagram& diagram,
   return held;
 }
 
-/// Forests before the cuts. Borders of 100 regions and more are 0.2 to 0.7 % longer without any, and 0.1 to 0.2 %
-/// longer with one.
+/// Forests before the cuts: with one, borders of many regions are 0.1 to 0.2 % longer.
 constexpr int kForests = 4;
 
 /// Cuts of one region in a row, each without the faces that topology held back before. The first one does nearly all.

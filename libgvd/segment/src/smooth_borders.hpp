@@ -55,9 +55,9 @@ class FreeFaces {
 /// The cost of a label with a smaller share than the first one, as a fraction of the side of the equilateral triangle
 /// whose height is that of the face over its longest side.
 ///
-/// Among borders with nearly the same length it prefers the one near to the bisectors. With 0, borders are 1 % shorter,
-/// but 20 to 40 % more area lies in regions of other cells. The height of a needle is nearly 0, so that its label costs
-/// nearly nothing: with its mean side instead, borders on needles became up to 1.8 times as long as the shortest ones.
+/// Among borders with nearly the same length it prefers the one near to the bisectors. The height of a needle is nearly
+/// 0, so that its label costs nearly nothing: with its mean side instead, borders on needles would be far from
+/// shortest.
 inline constexpr double kShareWeight = 0.1;
 
 /// The cost of the labels of faces, in mesh units: the length of the borders, and little for small shares.

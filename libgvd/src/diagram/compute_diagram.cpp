@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "base/parallel_chunks.hpp"
@@ -94,18 +95,13 @@ Traced trace_marched(const WorkingMesh& working, const FastMarchingResult& march
   return {trace_connected(working, std::move(labels), tracer, options.progress), {.symbolic = marched.offset}};
 }
 
-/// Throws Error{precondition} if another generator is nearer to a generator's own vertex by their weights.
-void check_cells_exist(const WorkingMesh& working, const WindowField& field) {
+/// The first generator with a vertex that another one is nearer to by their weights.
+std::optional<HiddenGenerator> find_hidden(const WorkingMesh& working, const WindowField& field) {
   for (const GeneratorId g : working.generator_vertices().ids()) {
     const GeneratorId owner = field.label[working.vertex(g)];
-    if (owner == g) continue;
-    throw Error(
-        ErrorCode::precondition,
-        fmt::format("generator {} has no cell: by their weights, generator {} is nearer even there; weights of two "
-                    "generators must differ by less than their distance",
-                    g.value(), owner.value()),
-        g.value());
+    if (owner != g) return HiddenGenerator{g, owner};
   }
+  return std::nullopt;
 }
 
 WindowField propagate(const WorkingMesh& working, const DiagramOptions& options, KeepWindows keep) {
@@ -114,9 +110,7 @@ WindowField propagate(const WorkingMesh& working, const DiagramOptions& options,
   propagation.departures = keep == KeepWindows::all;
   propagation.offsets = from_zero(options.weights);
   propagation.threads = options.threads;
-  WindowField field = propagate_windows(working, propagation, options.progress);
-  if (!options.weights.empty()) check_cells_exist(working, field);
-  return field;
+  return propagate_windows(working, propagation, options.progress);
 }
 
 Traced trace_windows(const WorkingMesh& working, const WindowField& field, const DiagramOptions& options,
@@ -185,14 +179,18 @@ Diagram compute_by_tables(const Mesh& mesh, const std::vector<SurfacePoint>& gen
   return diagram;
 }
 
-/// All steps of the exact solver, after the working mesh.
-void trace_and_read(const WorkingMesh& working, const DiagramOptions& options, KeepWindows keep,
-                    const WindowReader& read, Diagram& diagram) {
+/// All steps of the exact solver, after the working mesh; up to the windows if they tell that a generator has no cell.
+std::optional<HiddenGenerator> trace_and_read(const WorkingMesh& working, const DiagramOptions& options,
+                                              KeepWindows keep, const WindowReader& read, Diagram& diagram) {
   const ParallelChunks parallel(options.threads, options.progress);
   const WindowField field = propagate(working, options, keep);
+  if (!options.weights.empty()) {
+    if (const auto hidden = find_hidden(working, field)) return hidden;
+  }
   const Traced traced = trace_windows(working, field, options, parallel, diagram.report);
   finish(working, traced.diagram, traced.added, parallel, diagram);
   if (read) read(working, field, diagram);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -267,12 +265,30 @@ Diagram trace_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generat
 
 Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                  const DiagramOptions& options, KeepWindows keep, const WindowReader& read) {
+  auto computed = try_to_compute_and_read(mesh, generators, options, keep, read);
+  if (Diagram* const diagram = std::get_if<Diagram>(&computed)) return std::move(*diagram);
+  throw std::get<HiddenGenerator>(computed).error();
+}
+
+Error HiddenGenerator::error() const {
+  return Error(ErrorCode::precondition,
+               fmt::format("generator {} has no cell: by their weights, generator {} is nearer even there; weights of "
+                           "two generators must differ by less than their distance",
+                           generator.value(), nearer.value()),
+               generator.value());
+}
+
+std::variant<Diagram, HiddenGenerator> try_to_compute_and_read(const Mesh& mesh,
+                                                               const std::vector<SurfacePoint>& generators,
+                                                               const DiagramOptions& options, KeepWindows keep,
+                                                               const WindowReader& read) {
   check_diagram_options(options);
   check_weights(options.weights, generators.size());
   Diagram diagram;
   diagram.generators = generators;
   diagram.weights = options.weights;
-  trace_and_read(WorkingMesh(mesh, generators, options.progress), options, keep, read, diagram);
+  const WorkingMesh working(mesh, generators, options.progress);
+  if (const auto hidden = trace_and_read(working, options, keep, read, diagram)) return *hidden;
   return diagram;
 }
 

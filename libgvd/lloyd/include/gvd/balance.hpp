@@ -32,9 +32,6 @@ struct BalancedDiagram {
   bool converged = false;  ///< every cell, or set of tied cells, has its target to `tolerance`
 };
 
-/// Integrals of the density over the cells of a diagram, exactly for what is linear in each face. Cost: O(n).
-std::vector<double> compute_cell_masses(const Mesh& mesh, const Diagram& diagram, const Density& density);
-
 /// Finds additive weights of the generators by which each cell has its share of the mass.
 ///
 /// The weights maximise a concave function whose gradient is the excess of the masses over the targets, and whose

@@ -14,7 +14,7 @@ namespace gvd {
 /// The usual angle of creases that are preferred, degrees. All creases of CAD models are sharper, few edges of scans.
 inline constexpr double kUsualCreaseAngle = 40;
 
-/// What restricts generators before and while they are relaxed.
+/// Restrictions of generators before and while they are relaxed.
 struct StartOptions {
   /// The points were listed, and stay where they are. Otherwise they were sampled, and make room for those on features.
   bool are_listed = false;

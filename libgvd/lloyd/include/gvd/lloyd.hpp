@@ -45,23 +45,11 @@ struct LloydOptions {
   /// Stop if no centroid is farther from its generator than this fraction of the mean cell radius,
   /// sqrt(area / (pi cells)). >= 0.
   double move_tolerance = 1e-3;
-  /// Stop where the way to the centroids promises to lower the energy by less than this fraction of it, if all cells
-  /// kept their borders. >= 0.
-  double least_promise = 0;
   /// Move generators from cells with little energy to distant cells with much, where that lowers the energy at once:
   /// this evens out clustered starts. Without a value, accelerated runs do.
   std::optional<bool> relocate;
-  /// Move generators to the extremities of their cells at the end, and relax the others once more: see
-  /// relax_generators.
-  bool keeps_extremities = false;
-  /// Begin without diagrams, face by face, and end with those of `diagram`. Only accelerated runs with Method::exact
-  /// do.
-  bool early_approximation = true;
-  /// Relax on this decimated copy of the mesh first (see relax_generators); null: on none. It has to outlive the call.
-  const CoarseCopy* copy = nullptr;
-  bool ends_on_copy = false;  ///< where there is a copy, no iteration on the mesh follows
-  DiagramOptions diagram;     ///< for every iteration; its progress callback is not used
-  Progress progress;          ///< may be empty
+  DiagramOptions diagram;  ///< for every iteration; its progress callback is not used
+  Progress progress;       ///< may be empty
   /// Called with the number of iterations so far, the energy and the generators after them, at first for the given
   /// generators; may be empty. Called again when the energy is measured anew, with better diagrams: then, iterations
   /// that count as one with those before are fewer.
@@ -69,6 +57,19 @@ struct LloydOptions {
   /// Asked before each iteration; the relaxation ends where it returns true. May be empty. The library reads no clock:
   /// with a predicate that does, for a limit of time, the result is not the same in every run.
   std::function<bool()> is_time_over;
+};
+
+/// The stages of a relaxation beside its iterations on the mesh, for remeshes and comparisons.
+struct LloydStages {
+  /// Begin without diagrams, face by face, and end with those of the options. Only accelerated runs with Method::exact
+  /// do.
+  bool early_approximation = true;
+  /// Relax on this decimated copy of the mesh first (see relax_generators); null: on none. It has to outlive the call.
+  const CoarseCopy* copy = nullptr;
+  bool ends_on_copy = false;  ///< where there is a copy, no iteration on the mesh follows
+  /// Move generators to the extremities of their cells at the end, and relax the others once more: see
+  /// relax_generators.
+  bool keeps_extremities = false;
 };
 
 /// The default end of accelerated relaxations: the decrease of the energy that the next five iterations are predicted
@@ -89,9 +90,10 @@ inline bool relocates(const LloydOptions& options) {
   return options.relocate.value_or(options.acceleration != Acceleration::none);
 }
 
-/// After the relaxation on a copy, the most iterations on the mesh, and what each has to promise (`least_promise`).
-/// Measured with 50 to 1,000 generators on 278,000 to 1.7 million faces: three more iterations lower the energy by .06
-/// % at most, or by .15 % after ten iterations on the copy. The promise is .002 to .08 %, and about what they gain.
+/// After the relaxation on a copy, the most iterations on the mesh, and what each has to promise: the fall of the
+/// energy, as a fraction of it, if every generator went to its centroid and all cells kept their borders. Measured with
+/// 50 to 1,000 generators on 278,000 to 1.7 million faces: three more iterations lower the energy by .06 % at most, or
+/// by .15 % after ten iterations on the copy. The promise is .002 to .08 %, and about what they gain.
 inline constexpr std::int32_t kFinishIterations = 3;
 inline constexpr double kFinishPromise = 5e-4;
 
@@ -102,7 +104,7 @@ enum class LloydStop {
   no_descent,  ///< no step towards the centroids lowers the energy
   /// The next five iterations would lower the energy by less than kSettledFall, as the last steps predict; twice that
   /// counts as less once the diagrams are those of the options. After a copy, the next iteration promises less than
-  /// least_promise, or kFinishIterations were made.
+  /// kFinishPromise, or kFinishIterations were made.
   prediction,
   max_iterations,  ///< the number of iterations is max_iterations
   time_limit,      ///< is_time_over returned true
@@ -180,6 +182,6 @@ struct LloydResult {
 /// Throws Error{precondition} where `compute_diagram` does, without generators, and if the energy is no finite number.
 /// Cost: the windows of a diagram and O(n log n) for an early iteration, a diagram and O(n log n) for others.
 LloydResult relax_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
-                             const LloydOptions& options = {});
+                             const LloydOptions& options = {}, const LloydStages& stages = {});
 
 }  // namespace gvd

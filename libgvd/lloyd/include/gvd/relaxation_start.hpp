@@ -64,7 +64,8 @@ inline constexpr std::int64_t kCopyFacesPerGenerator = 2;
 /// make_coarse_copy and constrain_start throw. Cost: the sum of theirs.
 RelaxationStart start_relaxation(const Mesh& mesh, const RelaxationStartOptions& options);
 
-/// relax_generators from a start: its constraints, density and copy take the place of those of the options.
-LloydResult relax_generators(const Mesh& mesh, const RelaxationStart& start, LloydOptions options = {});
+/// relax_generators from a start: its constraints, density and copy take the place of those given.
+LloydResult relax_generators(const Mesh& mesh, const RelaxationStart& start, LloydOptions options = {},
+                             LloydStages stages = {});
 
 }  // namespace gvd

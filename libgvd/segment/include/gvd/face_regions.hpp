@@ -2,8 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,14 +42,8 @@ void mask_regions(const Mesh& mesh, const SoupProperty& mask, FaceRegions& regio
 /// Replaces what was given for the faces that are in a region by their region: a mask may have changed it.
 void update_numbers(const FaceRegions& regions, FaceRegions& given);
 
-/// The numbers that `name` stands for (see `read_element_values`), for each vertex or face of `input.mesh`. Where both
-/// have a property of that name, it is that of the faces; nothing where there is neither a file nor a property. The
-/// midpoint of a split edge, which the file does not know, takes the least number of its neighbours. Throws what
-/// `read_element_values` throws.
-std::optional<SoupProperty> read_region_numbers(const CheckedMesh& input, const std::string& name,
-                                                const std::filesystem::path& mesh_file);
-
-/// Numbers of the elements of the input, or of its mesh, for those of its mesh: see `read_region_numbers`.
+/// Numbers of the elements of the input, or of its mesh, for those of its mesh. The midpoint of a split edge, which the
+/// file does not know, takes the least number of its neighbours.
 SoupProperty to_region_numbers(const CheckedMesh& input, const ElementValues& given);
 
 /// A mesh whose regions do not touch.

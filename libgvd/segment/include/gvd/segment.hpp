@@ -85,7 +85,7 @@ struct CutMesh {
 /// manifold, Error{interrupted} if `progress` cancels. Cost: O(n log n), and O(k^2) in a face with k corners of pieces.
 CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& progress = {});
 
-/// What the vertices of a cut mesh carry.
+/// Labels and distances of the vertices of a cut mesh.
 struct CutVertices {
   IdVector<VertexId, GeneratorId> label;  ///< a nearest generator; invalid where none reaches
   IdVector<VertexId, double> distance;    ///< mesh units; infinity where no generator reaches

@@ -5,6 +5,7 @@
 
 #include "face_shares.hpp"
 #include "gvd/segment.hpp"
+#include "region_topology.hpp"
 
 namespace gvd {
 
@@ -19,7 +20,7 @@ struct LabelComponents {
 };
 
 /// Finds the components. Cost: O(n).
-LabelComponents find_label_components(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label);
+LabelComponents find_label_components(const Mesh& mesh, const FaceLabelling& label);
 
 /// Gives a face to each generator whose label no face has, in the order of the generators.
 ///

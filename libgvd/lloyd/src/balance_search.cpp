@@ -12,22 +12,20 @@
 //
 // Source: Kitagawa, Merigot and Thibert (2019). Tied cells are not in it: costs there have no ties of positive area.
 // Invariant: the state is always that of a computed diagram. No bit depends on the number of threads.
-#include "gvd/balance.hpp"
+#include "balance_search.hpp"
 
 #include <fmt/format.h>
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
+#include "balance_rates.hpp"
 #include "base/barycentric.hpp"
 #include "base/parallel_chunks.hpp"
 #include "base/union_find.hpp"
-#include "cell_integrals.hpp"
 #include "diagram/cell_parts.hpp"
-#include "diagram/diagram_windows.hpp"
 #include "gvd/error.hpp"
 
 namespace gvd {
@@ -120,12 +118,19 @@ double find_variation(const std::vector<double>& masses, const std::vector<doubl
 class Balancer {
  public:
   Balancer(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const BalanceOptions& options)
-      : mesh_(mesh), generators_(generators), options_(options), tied_(generators.size()) {}
+      : mesh_(mesh),
+        generators_(generators),
+        options_(options),
+        tied_(generators.size()),
+        weights_(options.diagram.weights) {
+    if (weights_.empty()) weights_.assign(generators.size(), 0);
+  }
 
-  BalancedDiagram run() {
-    weights_ = options_.diagram.weights;
-    if (weights_.empty()) weights_.assign(generators_.size(), 0);
-    state_ = compute(weights_);
+  /// The generator without a cell if the weights at the start leave one.
+  std::variant<BalancedDiagram, HiddenGenerator> run() {
+    auto start = compute(weights_);
+    if (const auto* const hidden = std::get_if<HiddenGenerator>(&start)) return *hidden;
+    state_ = std::get<State>(std::move(start));
     targets_ = find_targets(mesh_, state_, options_.shares);
     variation_ = find_variation(state_.masses, targets_, tied_);
     least_share_ = kLeastShare * std::min(1.0, least_share(state_));
@@ -141,7 +146,7 @@ class Balancer {
  private:
   bool converged() const { return variation_ <= options_.tolerance; }
 
-  State compute(const std::vector<double>& weights) {
+  std::variant<State, HiddenGenerator> compute(const std::vector<double>& weights) {
     ++diagrams_;
     State state;
     DiagramOptions options = options_.diagram;
@@ -150,7 +155,9 @@ class Balancer {
     const auto read = [&](const WorkingMesh& working, const WindowField& field, const Diagram& diagram) {
       state.rates = integrate_balance_rates(working, field, diagram, options_.density, parallel);
     };
-    state.diagram = compute_diagram_and_read(mesh_, generators_, options, KeepWindows::near_bisectors, read);
+    auto computed = try_to_compute_and_read(mesh_, generators_, options, KeepWindows::near_bisectors, read);
+    if (const auto* const hidden = std::get_if<HiddenGenerator>(&computed)) return *hidden;
+    state.diagram = std::get<Diagram>(std::move(computed));
     state.masses = compute_cell_masses(mesh_, state.diagram, options_.density);
     return state;
   }
@@ -195,23 +202,18 @@ class Balancer {
     for (; diagrams_ < options_.max_diagrams; length /= 2) {
       std::vector<double> weights = weights_;
       for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += length * step[i];
-      std::optional<GeneratorId> vanished;
-      State next;
-      try {
-        next = compute(weights);
-      } catch (const Error& error) {  // from a valid start, only a weight beyond its bound is possible
-        if (error.code() != ErrorCode::precondition || error.element() < 0) throw;
-        vanished = GeneratorId(error.element());
-      }
-      if (!vanished && accepts(next, length)) {
+      auto computed = compute(weights);
+      State* const next = std::get_if<State>(&computed);
+      if (next && accepts(*next, length)) {
         weights_ = std::move(weights);
-        state_ = std::move(next);
+        state_ = std::move(*next);
         variation_ = find_variation(state_.masses, targets_, tied_);
         return true;
       }
-      if (length > (vanished ? kShortestStep : kShortStep)) continue;
+      if (length > (next ? kShortStep : kShortestStep)) continue;
       length = longest;
-      const auto [a, b] = vanished ? find_neighbour(*vanished, step) : find_jump(next, step, length);
+      const auto [a, b] =
+          next ? find_jump(*next, step, length) : find_neighbour(std::get<HiddenGenerator>(computed).generator, step);
       if (!tied_.tie(a, b)) return false;
       variation_ = find_variation(state_.masses, targets_, tied_);
       return true;
@@ -310,6 +312,14 @@ std::vector<double> compute_cell_masses(const Mesh& mesh, const Diagram& diagram
 
 BalancedDiagram balance_cells(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                               const BalanceOptions& options) {
+  auto balanced = try_to_balance(mesh, generators, options);
+  if (const auto* const hidden = std::get_if<HiddenGenerator>(&balanced)) throw hidden->error();
+  return std::get<BalancedDiagram>(std::move(balanced));
+}
+
+std::variant<BalancedDiagram, HiddenGenerator> try_to_balance(const Mesh& mesh,
+                                                              const std::vector<SurfacePoint>& generators,
+                                                              const BalanceOptions& options) {
   check_options(mesh, generators, options);
   return Balancer(mesh, generators, options).run();
 }

@@ -1,0 +1,147 @@
+// Which creases and boundary loops generators keep to.
+//
+// Curves that are preferred are counted before they are chosen, with those generators that a remesh has to add where
+// two curves are closer to each other than their generators. Boundary loops that are too short for their share are left
+// out, and creases that are noise. Where there are too many creases none is followed, and a number of generators is
+// advised by which they would be.
+#include "chosen_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "close_curves.hpp"
+#include "crease_generators.hpp"
+#include "gvd/vec.hpp"
+#include "mesh/creases.hpp"
+
+namespace gvd {
+namespace {
+
+/// Least distance of turns of a crease, relative to the spacing of evenly spread generators.
+constexpr double kCornerDistance = 0.5;
+
+std::vector<EdgeId> join_edges(const std::vector<EdgeId>& a, const std::vector<EdgeId>& b) {
+  std::vector<EdgeId> all;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+  return all;
+}
+
+/// Side of the triangles of an even triangulation with `count` vertices. By Euler's formula, a mesh of F faces and B
+/// boundary edges has F / 2 + B / 2 vertices, but for its topology: count = 2 area / (sqrt(3) h^2) + boundary / (2 h).
+double spacing_beside(double area, double boundary, std::int64_t count) {
+  const double n = static_cast<double>(count), half = boundary / 4;
+  return (half + std::sqrt(half * half + n * 2 * area / std::numbers::sqrt3)) / n;
+}
+
+/// The fewest generators that can follow the creases: on corners, and three on a closed crease.
+std::size_t count_least(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing) {
+  return place_on_creases(mesh, creases, mesh.bbox_diagonal(), kCornerDistance * spacing).points.size();
+}
+
+/// Least share of the creases that has to be in long groups (CreaseGroup): noise makes some closed rings, too. It is
+/// .76 or more on CAD models, and at most .25 on scans and other smooth models.
+constexpr double kLongShare = 0.5;
+
+/// The least number of generators of which the share that may be on curves suffices for these.
+std::int64_t find_enough(const Mesh& mesh, const std::vector<EdgeId>& curves, double boundary, std::int64_t count) {
+  while (true) {
+    const double spacing = spacing_beside(compute_area(mesh), boundary, count);
+    const double need = std::ceil(static_cast<double>(count_least(mesh, curves, spacing)) / kFeatureShare);
+    if (!(need > static_cast<double>(count))) return count;
+    count = static_cast<std::int64_t>(need);
+  }
+}
+
+/// Leaves out loops of the boundary that would take too many generators. `others`: creases that are followed anyway.
+void choose_loops(const Mesh& mesh, double spacing, const std::vector<EdgeId>& others, std::vector<EdgeId>& boundary,
+                  ConstrainedStart& start) {
+  const auto fits = [&](const std::vector<EdgeId>& loops) {
+    return !exceeds_share(count_least(mesh, join_edges(loops, others), spacing), start.points.size());
+  };
+  const std::vector<CreaseGroup> loops = group_creases(mesh, boundary);
+  start.loops = std::ssize(loops);
+  if (boundary.empty() || fits(boundary)) return;
+  start.enough_for_loops =
+      find_enough(mesh, join_edges(boundary, others), total_length(mesh, boundary), std::ssize(start.points));
+  boundary = keep_long(loops, spacing);
+  if (!fits(boundary)) boundary.clear();
+  const auto is_followed = [&](const CreaseGroup& loop) { return !boundary.empty() && loop.is_long(spacing); };
+  start.unfollowed_loops = start.loops - std::ranges::count_if(loops, is_followed);
+}
+
+/// How many times as many generators as may be are needed on curves, if `count` are asked for.
+double find_excess(const Mesh& mesh, const std::vector<EdgeId>& curves, double boundary, std::int64_t count) {
+  const double spacing = spacing_beside(compute_area(mesh), boundary, count), asked = static_cast<double>(count);
+  if (surely_exceeds_share(mesh, curves, spacing, static_cast<std::size_t>(count))) return kInfinity;
+  const double corner_distance = kCornerDistance * spacing;
+  const auto opposite = static_cast<double>(expect_opposite_generators(mesh, curves, spacing, corner_distance).size());
+  const double all = static_cast<double>(place_on_creases(mesh, curves, spacing, corner_distance).points.size());
+  return std::max((all + opposite) / (kFeatureShare * asked), opposite / (kOppositeShare * asked));
+}
+
+/// Most generators to advise for creases, by those asked for; users who ask for 100 do not want 100,000.
+constexpr double kMostAdvised = 10;
+
+/// Trials of a number to advise. Where corners are few, the first or second one fits.
+constexpr int kAdviceTrials = 6;
+
+/// A number of generators that can follow creases, up to kMostAdvised times as many as asked for; 0 if none is found.
+/// The number on curves grows with the square root of that of all generators, but for corners.
+template <class Excess>
+std::int64_t find_enough_for_creases(std::int64_t asked, double excess, const Excess& excess_of) {
+  double count = static_cast<double>(asked);
+  for (int trial = 0; trial < kAdviceTrials && excess > 1; ++trial) {
+    count = std::ceil(count * excess * excess);
+    if (!(count <= kMostAdvised * static_cast<double>(asked))) return 0;
+    excess = excess_of(static_cast<std::int64_t>(count));
+  }
+  return excess > 1 ? 0 : static_cast<std::int64_t>(count);
+}
+
+/// Leaves out creases that are noise, and all if they would take too many generators.
+void choose_creases(const Mesh& mesh, double spacing, const std::vector<EdgeId>& boundary, std::vector<EdgeId>& creases,
+                    ConstrainedStart& start) {
+  const double length = total_length(mesh, creases);
+  creases = keep_long(group_creases(mesh, creases), spacing);
+  if (total_length(mesh, creases) < kLongShare * length) creases.clear();
+  if (creases.empty()) return;
+  const std::vector<EdgeId> curves = join_edges(boundary, creases);
+  const auto excess_of = [&, border = total_length(mesh, boundary)](std::int64_t count) {
+    return find_excess(mesh, curves, border, count);
+  };
+  const double excess = excess_of(std::ssize(start.points));
+  if (excess <= 1) return;
+  creases.clear();
+  start.leaves_creases = true;
+  start.enough_for_creases = find_enough_for_creases(std::ssize(start.points), excess, excess_of);
+}
+
+/// A curve of length l has at least l / spacing - 1.5 generators between its ends: the quotient is rounded, and each
+/// part but the last one ends at a generator.
+constexpr double kLostToRounding = 1.5;
+
+}  // namespace
+
+bool surely_exceeds_share(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing, std::size_t asked) {
+  const double least = total_length(mesh, creases) / spacing - kLostToRounding * double(creases.size());
+  return least > kFeatureShare * double(asked);
+}
+
+double choose_curves(const Mesh& mesh, const StartOptions& options, ConstrainedStart& start) {
+  const bool prefers_boundary = options.prefers_boundary && !options.keep_boundary && !options.are_listed;
+  std::vector<EdgeId> boundary, creases;
+  if (options.keep_boundary || prefers_boundary) boundary = find_creases(mesh, {180, true});
+  if (options.crease_angle) creases = find_creases(mesh, {*options.crease_angle, false});
+  const double spacing = spacing_beside(compute_area(mesh), total_length(mesh, boundary), std::ssize(start.points));
+  start.corner_distance = kCornerDistance * spacing;
+  if (prefers_boundary) {
+    choose_loops(mesh, spacing, options.prefers_creases ? std::vector<EdgeId>() : creases, boundary, start);
+  }
+  if (options.prefers_creases) choose_creases(mesh, spacing, boundary, creases, start);
+  start.creases = join_edges(boundary, creases);
+  return spacing;
+}
+
+}  // namespace gvd

@@ -1,0 +1,105 @@
+// The ways of points and densities between a mesh and its decimated copy.
+//
+// A point goes from one mesh to the other by the vertices of the copy, which are vertices of both: to the closest point
+// of the faces that are connected with them near by. No search through space could tell two sheets of a thin body
+// apart.
+#include "copy_points.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "gvd/closest_point.hpp"
+#include "gvd/generator_list.hpp"
+
+namespace gvd {
+namespace {
+
+constexpr std::string_view kSamplingStep = "sampling";
+
+/// The point closest to `query` among the faces connected with the vertices within twice its distance from the nearest
+/// of them.
+SurfacePoint find_closest(const Mesh& mesh, std::span<const VertexId> vertices, const Vec3& query) {
+  const auto distance = [&](VertexId v) { return (mesh.position(v) - query).norm(); };
+  const VertexId nearest = *std::ranges::min_element(vertices, {}, distance);
+  ClosestPoint best{vertex_point(mesh, nearest), distance(nearest)};
+  for (const FaceId f : faces_within(mesh, best.point, 2 * distance(nearest))) {
+    const ClosestPoint found = closest_point_on_face(mesh, f, query);
+    if (found.distance < best.distance) best = found;
+  }
+  return best.point;
+}
+
+/// Points between two reports.
+constexpr std::size_t kPointsPerReport = 64;
+
+/// move(point) for each of the points, one after the other.
+template <class Move>
+std::vector<SurfacePoint> move_points(const std::vector<SurfacePoint>& points, const Progress& progress,
+                                      const StepPart& part, const Move& move) {
+  std::vector<SurfacePoint> moved;
+  for (const SurfacePoint& p : points) {
+    if (moved.size() % kPointsPerReport == 0) {
+      report_progress(progress, part, static_cast<double>(moved.size()) / static_cast<double>(points.size()));
+    }
+    moved.push_back(move(p));
+  }
+  return moved;
+}
+
+}  // namespace
+
+bool are_apart(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  const std::vector<std::int32_t> first = find_coincident(mesh, points);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (static_cast<std::size_t>(first[i]) != i) return false;
+  }
+  return true;
+}
+
+SurfacePoint to_input(const Mesh& input, const CoarseCopy& copy, const SurfacePoint& point) {
+  std::vector<VertexId> corners;
+  for (const VertexId v : copy.mesh.vertices(point.face)) corners.push_back(copy.input_vertex[v]);
+  return find_closest(input, corners, position(copy.mesh, point));
+}
+
+SurfacePoint to_copy(const Mesh& input, const CoarseCopy& copy, const SurfacePoint& point) {
+  std::vector<VertexId> corners;
+  for (const VertexId v : input.vertices(point.face)) corners.push_back(copy.copy_vertex[v]);
+  return find_closest(copy.mesh, corners, position(input, point));
+}
+
+std::vector<SurfacePoint> to_input(const Mesh& input, const CoarseCopy& copy, const std::vector<SurfacePoint>& points,
+                                   const Progress& progress, const StepPart& part) {
+  return move_points(points, progress, part, [&](const SurfacePoint& p) { return to_input(input, copy, p); });
+}
+
+std::vector<SurfacePoint> to_copy(const Mesh& input, const CoarseCopy& copy, const std::vector<SurfacePoint>& points,
+                                  const Progress& progress, const StepPart& part) {
+  return move_points(points, progress, part, [&](const SurfacePoint& p) { return to_copy(input, copy, p); });
+}
+
+std::vector<SurfacePoint> sample_on_copy(const Mesh& input, const CoarseCopy& copy, const SamplingOptions& options) {
+  const std::vector<SurfacePoint> points =
+      to_input(input, copy, sample_generators(copy.mesh, options), options.progress, {kSamplingStep, 1, 1});
+  return are_apart(input, points) ? points : sample_generators(input, options);
+}
+
+Density to_copy(const Mesh& input, const CoarseCopy& copy, const Density& density) {
+  if (density.is_uniform()) return {};
+  IdVector<VertexId, double> mass(copy.mesh.vertex_count(), 0), area(copy.mesh.vertex_count(), 0);
+  for (const FaceId f : input.faces()) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexId v = copy.copy_vertex[input.vertices(f)[i]];
+      // Where all faces have no area, the mean is that of the corners.
+      const double weight = std::max(input.area(f), std::numeric_limits<double>::min());
+      mass[v] += weight * density.corners[f][i];
+      area[v] += weight;
+    }
+  }
+  for (const VertexId v : copy.mesh.vertices()) mass[v] /= area[v];
+  return make_vertex_density(copy.mesh, mass.raw());
+}
+
+}  // namespace gvd
