@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "gvd/closest_point.hpp"
-#include "gvd/generator_list.hpp"
+#include "mesh/find_coincident.hpp"
 
 namespace gvd {
 namespace {
