@@ -44,7 +44,8 @@ const std::map<std::string, std::string> kCompanions{{"front", "method=gbgvd"},
                                                      {"region_materials", "output=a.obj"},
                                                      {"carry", "output=a.ply"},
                                                      {"output_format", "output=-"},
-                                                     {"paths", "to=3"}};
+                                                     {"paths", "to=3"},
+                                                     {"gradation", "density=curvature"}};
 
 /// A value that an option takes; empty for a flag.
 std::string good_value(const Json& option) {

@@ -85,7 +85,7 @@ TEST_CASE("a refusal writes entries with the separator of the list") {
   };
   CHECK_THAT(refused({"3", "17", "99"}),
              Contains("'3,17,99' could be a position or three vertices; write 'p,3,17,99'"));
-  CHECK_THAT(refused({"1", "2"}), Contains("'F,b0,b1,b2' or a position 'x,y,z' or 'p,x,y,z'"));
+  CHECK_THAT(refused({"1", "2"}), Contains("'F,b0,b1,b2', or a position 'x,y,z' or 'p,x,y,z'"));
 }
 
 TEST_CASE("a refused entry says what was expected") {

@@ -233,6 +233,42 @@ TEST_CASE("the paper's queue handles triangles by the sum of their three distanc
   CHECK(in_buckets > 0.5);
 }
 
+/// A prism over a regular polygon whose caps are zigzags of needles, as ear clipping leaves them.
+Mesh make_zigzag_prism(int sides) {
+  std::vector<Vec3> positions;
+  for (const double z : {0.0, 0.2}) {
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * std::acos(-1.0) * i / sides;
+      positions.emplace_back(std::cos(angle), std::sin(angle), z);
+    }
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  const auto add = [&](int a, int b, int c) { faces.push_back({VertexId(a), VertexId(b), VertexId(c)}); };
+  for (int i = 0; i < sides; ++i) {
+    const int next = (i + 1) % sides;
+    add(i, next, sides + next);
+    add(i, sides + next, sides + i);
+  }
+  for (int first = 0, last = sides - 1; last - first > 1;) {
+    add(sides + first, sides + first + 1, sides + last);
+    add(first, last, first + 1);
+    ++first;
+    if (last - first < 2) break;
+    add(sides + first, sides + last - 1, sides + last);
+    add(first, last, last - 1);
+    --last;
+  }
+  return {std::move(positions), std::move(faces)};
+}
+
+TEST_CASE("the work of both queues is bounded by the mesh where thousands of needles meet") {
+  const Mesh prism = make_zigzag_prism(600);
+  const WorkingMesh working(prism, test::random_generators(prism, 30, 3));
+  for (const auto& marcher : {march, march_in_order}) {
+    CHECK(marcher(working, Front::planar, {}).events < 100 * std::int64_t{working.mesh().face_count()});
+  }
+}
+
 TEST_CASE("both queues give nearly the same nearest distances, but not the same tables") {
   std::size_t different = 0;
   for (const auto& [name, mesh] : test::small_family()) {

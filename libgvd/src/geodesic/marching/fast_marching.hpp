@@ -27,7 +27,8 @@ struct FastMarchingResult {
 FastMarchingResult march(const WorkingMesh& working, Front front, const Progress& progress);
 
 /// The same with the paper's priority queue: the event with the least sum is always the next one. Which generators are
-/// stopped, and where, may differ. Cost: O(n log n).
+/// stopped, and where, may differ. An improvement of a distance by less than a millionth is ignored: without a least
+/// one marching over fans of needles does not end in a reasonable time. Cost: O(n log n) on average.
 FastMarchingResult march_in_order(const WorkingMesh& working, Front front, const Progress& progress);
 
 }  // namespace gvd
