@@ -216,28 +216,33 @@ void DecimatedComponents::decimate(const Progress& progress) {
     all.insert(all.end(), part.faces.begin(), part.faces.end());
   }
   FaceGuard guard(surface_, all);
-  std::int32_t first = 0;
-  std::size_t done = 0;
-  for (auto& [component, part] : parts_) {
-    const auto count = std::int32_t(part.faces.size());
+  std::size_t first = 0, done = 0;
+  for (auto& entry : parts_) {
+    Part& part = entry.second;
+    const std::size_t count = part.faces.size();
     if (std::exchange(part.is_stale, false)) {
       const Submesh own = make_submesh(surface_, part.surface);
-      std::vector<FaceId> faces(own.mesh.faces().begin(), own.mesh.faces().end());
-      IdVector<FaceId, PartPlace> places;
-      for (const FaceId f : faces) places.push_back({0, f.value()});
-      PartGuard of_part(guard, own, first);
-      PartDecimator decimator(own.mesh, faces, places);
-      decimator.guard(of_part);
-      decimator.keep(
-          [&](VertexId v) { return part.refinements >= kMostRefinements || is_kept_[own.whole_vertex[v]] != 0; });
-      decimator.decimate(share_of_faces(own.mesh, part.vertices), [&](double share) {
-        report_progress(progress, "decimation", (double(done) + share * count) / double(stale));
+      PartGuard of_part(guard, own, std::int32_t(first));
+      decimate(own, of_part, part, [&](double share) {
+        report_progress(progress, "decimation", (double(done) + share * double(count)) / double(stale));
       });
-      take(own, decimator, part);
-      done += std::size_t(count);
+      done += count;
     }
     first += count;
   }
+}
+
+void DecimatedComponents::decimate(const Submesh& own, CollapseGuard& guard, Part& part,
+                                   const std::function<void(double)>& report) {
+  const std::vector<FaceId> faces(own.mesh.faces().begin(), own.mesh.faces().end());
+  IdVector<FaceId, PartPlace> places;
+  for (const FaceId f : faces) places.push_back({0, f.value()});
+  PartDecimator decimator(own.mesh, faces, places);
+  decimator.guard(guard);
+  decimator.keep(
+      [&](VertexId v) { return part.refinements >= kMostRefinements || is_kept_[own.whole_vertex[v]] != 0; });
+  decimator.decimate(share_of_faces(own.mesh, part.vertices), report);
+  take(own, decimator, part);
 }
 
 void DecimatedComponents::take(const Submesh& own, const PartDecimator& decimator, Part& part) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -70,6 +71,9 @@ class DecimatedComponents {
     bool is_stale = true;  // new, or refined
   };
 
+  /// Decimates one component. `own`: its faces.
+  void decimate(const Submesh& own, CollapseGuard& guard, Part& part, const std::function<void(double)>& report);
+  /// Takes what is left, and who collapsed to whom.
   void take(const Submesh& own, const PartDecimator& decimator, Part& part);
 
   const Mesh& surface_;

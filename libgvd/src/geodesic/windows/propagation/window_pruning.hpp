@@ -138,12 +138,12 @@ class WindowPruning {
   /// Takes the oldest block and calls visit(HalfedgeId, std::span<const Window>) for each run of windows on one edge.
   template <class Visit>
   void visit_edges(BlockQueue<Window>& windows, const Visit& visit) const {
-    constexpr std::size_t kAhead = 8;
+    constexpr std::size_t kWindowsAhead = 8;
     windows.take_block([&](std::span<const Window> block) {
       for (std::size_t begin = 0, end = 0; begin < block.size(); begin = end) {
         const HalfedgeId h = block[begin].halfedge;
         while (end < block.size() && block[end].halfedge == h) ++end;
-        prefetch_face(Mesh::face(block[std::min(end + kAhead, block.size() - 1)].halfedge));
+        prefetch_face(Mesh::face(block[std::min(end + kWindowsAhead, block.size() - 1)].halfedge));
         visit(h, block.subspan(begin, end - begin));
       }
     });
