@@ -96,6 +96,22 @@ TEST_CASE("of the windows that cover an apex, one continues to both sides") {
   CHECK(exits(2, 0.5) == std::array{true, false});
 }
 
+/// Points of the left side of the triangle, from the apex to the edge's start, or of the right side, to its end, are
+/// nearer to the first image, with its offset, than to the second one. `path`: the offset, and where the path of the
+/// first image crosses the edge.
+void require_beaten(const Vec2& apex, const Vec2& first, const Vec2& second, const ApexPath& path, bool left) {
+  const double ax = apex.x();
+  for (int i = 0; i <= 8; ++i) {
+    const double t = i / 8.0, py = apex.y() * (1 - t);
+    const double px = left ? ax * (1 - t) : ax + t * (1 - ax);
+    const double at = second.x() + (px - second.x()) * second.y() / (second.y() + py);
+    // The proof holds for rays on this side of the other path's crossing; rays beyond it may pass its image.
+    if (left ? at < path.crossing : at > path.crossing) continue;
+    REQUIRE(path.distance + std::hypot(px - first.x(), py + first.y()) <=
+            std::hypot(px - second.x(), py + second.y()) + 1e-12);
+  }
+}
+
 TEST_CASE("what one angle, one split drops is beaten by the path that it is dropped for") {
   std::mt19937 random(8);
   const auto unit = [&] { return double(random()) / double(std::mt19937::max()); };
@@ -111,16 +127,9 @@ TEST_CASE("what one angle, one split drops is beaten by the path that it is drop
     if (!(offset + d1 <= d2)) continue;
     const Exits exits = exits_beside(path, {d2, crossing(x2, y2)}, 1e-12);
     REQUIRE((exits.left || exits.right));
-    for (int i = 0; i <= 8; ++i) {
-      // Points of the left side, from the apex to the edge's start, and of the right side, to its end.
-      const double t = i / 8.0, py = ay * (1 - t);
-      for (const bool left : {true, false}) {
-        if (left ? exits.left : exits.right) continue;
-        const double px = left ? ax * (1 - t) : ax + t * (1 - ax), at = x2 + (px - x2) * y2 / (y2 + py);
-        // The proof holds for rays on this side of the other path's crossing; rays beyond it may pass its image.
-        if (left ? at < path.crossing : at > path.crossing) continue;
-        REQUIRE(offset + std::hypot(px - x1, py + y1) <= std::hypot(px - x2, py + y2) + 1e-12);
-      }
+    for (const bool left : {true, false}) {
+      if (!(left ? exits.left : exits.right))
+        require_beaten({ax, ay}, {x1, y1}, {x2, y2}, {offset, path.crossing}, left);
     }
     dropped_left += !exits.left;
     dropped_right += !exits.right;
