@@ -51,6 +51,24 @@ TEST_CASE("remesh_surface: an exact number of vertices, though generators are ad
   }
 }
 
+TEST_CASE("remesh_surface: where an exact number fails, the error names one that works") {
+  const Mesh mesh = test::make_torus(24, 12);
+  SurfaceRemeshOptions options = sampled(4);  // no torus has so few
+  options.exact_count = true;
+  std::string message;
+  try {
+    remesh_surface(mesh, options);
+  } catch (const Error& error) {
+    message = error.what();
+  }
+  CAPTURE(message);
+  CHECK_THAT(message, Catch::Matchers::Contains("no valid mesh of 4 vertices was found"));
+  const std::size_t end = message.rfind(" would do");
+  REQUIRE(end != message.npos);
+  options.start.sampling.count = std::stoi(message.substr(message.rfind(' ', end - 1)));
+  CHECK(remesh_surface(mesh, options).result.mesh.vertex_count() == options.start.sampling.count);
+}
+
 TEST_CASE("find_remesh_count: the remesh of the number found is within the distance") {
   const Mesh mesh = test::make_torus(60, 30);
   const double distance = 0.02 * mesh.bbox_diagonal();

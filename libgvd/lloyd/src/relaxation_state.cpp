@@ -1,8 +1,7 @@
 // States of a relaxation: generators with their cells, the energy, and the ways to the centroids.
 //
-// A way leads to the centroid, projected to where the generator may go. Sums run in ascending order of the generators.
-// At a vertex
-// the way is the steepest one instead (vertex_rests.hpp).
+// A way leads to the centroid, projected to where the generator may go; at a vertex it is the steepest one instead
+// (vertex_rests.hpp). Sums run in ascending order of the generators.
 #include "relaxation_state.hpp"
 
 #include <algorithm>

@@ -358,7 +358,7 @@ class Remesher {
     const std::vector<SurfacePoint> before = result_.generators;
     const std::int64_t given = given_count(), count = *options_.vertex_count;
     exchange_generators(mesh_, result_.diagram, search(options_.kept, kExchangeShare));
-    if (missing() < 0) refuse_count(count, fmt::format("{} would do", result_.generators.size()));
+    if (missing() < 0) refuse_count(count, fmt::format("the search ended at {}", result_.generators.size()));
     const std::vector<SurfacePoint> first(before.begin(), before.begin() + given);
     const std::int64_t left = std::ssize(find_in_order(result_.generators, first));
     result_.left_out = given - left;

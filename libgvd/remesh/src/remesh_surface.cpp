@@ -214,6 +214,48 @@ Attempt attempt_with_fewer(const Mesh& mesh, const SurfaceRemeshOptions& options
   return attempt(mesh, other, first.vertex_count);
 }
 
+/// The better one of the attempts with all generators and with fewer.
+Attempt attempt_both(const Mesh& mesh, const SurfaceRemeshOptions& options) {
+  Attempt first = attempt(mesh, options);
+  Attempt second = attempt_with_fewer(mesh, options, first);
+  const bool is_better = second.made && (!first.made || rms(second.made->result) < rms(first.made->result));
+  return is_better ? std::move(second) : std::move(first);
+}
+
+/// Numbers of vertices that are tried in place of one that has failed: each costs up to three remeshes.
+constexpr int kTriedCounts = 3;
+
+/// A number of vertices with which an exact number works, since it was tried: as many as the mesh gets without that
+/// wish. Nothing where none of a few works.
+std::optional<std::int32_t> find_exact_count(const Mesh& mesh, const SurfaceRemeshOptions& options) {
+  if (options.start.sampling.kind == Sampling::covering_radius) return std::nullopt;
+  SurfaceRemeshOptions tried = options;
+  tried.on_step = {};
+  tried.on_iteration = {};
+  for (int i = 0; i < kTriedCounts; ++i) {
+    tried.exact_count = false;
+    const Attempt any = attempt(mesh, tried);
+    if (!any.made || any.made->result.decimated.components > 0) return std::nullopt;
+    tried.start.sampling.count = any.made->result.mesh.vertex_count();
+    tried.exact_count = true;
+    if (attempt_both(mesh, tried).made) return tried.start.sampling.count;
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void refuse(const Mesh& mesh, const SurfaceRemeshOptions& options, const Attempt& failed) {
+  try {
+    std::rethrow_exception(failed.failure);
+  } catch (const Error& error) {
+    const bool is_sampled = options.start.listed.empty();
+    if (!options.exact_count || !is_sampled || error.code() != ErrorCode::no_valid_result) throw;
+    const auto count = find_exact_count(mesh, options);
+    const std::string advice =
+        count ? fmt::format("; {} would do", *count) : "; leave \1exact_count\2 out, and there are as many as it takes";
+    throw Error(error.code(), error.text() + advice, error.element());
+  }
+}
+
 /// Tries numbers of generators for a bound on the distance.
 class CountSearch {
  public:
@@ -289,11 +331,8 @@ SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& optio
     throw Error(ErrorCode::precondition,
                 "no triangle has an area, so there is nothing to remesh; give a surface with area");
   }
-  Attempt first = attempt(mesh, options);
-  Attempt second = attempt_with_fewer(mesh, options, first);
-  const bool is_better = second.made && (!first.made || rms(second.made->result) < rms(first.made->result));
-  Attempt& best = is_better ? second : first;
-  if (!best.made) std::rethrow_exception(best.failure);
+  Attempt best = attempt_both(mesh, options);
+  if (!best.made) refuse(mesh, options, best);
   return std::move(*best.made);
 }
 

@@ -85,7 +85,7 @@ TracedDiagram trace_connected(const WorkingMesh& working, NearestLabels labels, 
   const auto cross_at_most_once = [&](const std::vector<EdgeId>& edges) {
     if (edges.empty()) return;
     std::vector<EdgeId> all;
-    std::ranges::set_union(edges, crossed_once, std::back_inserter(all));
+    std::set_union(edges.begin(), edges.end(), crossed_once.begin(), crossed_once.end(), std::back_inserter(all));
     crossed_once = std::move(all);
     if (!crossings_before) crossings_before = crossings;
     tracer.cross_at_most_once(crossed_once, labels, crossings);

@@ -1,4 +1,4 @@
-// The bytes of a file, as its reader takes them: gzip is unpacked, and UTF-16 decoded.
+// The bytes of a file, as its reader takes them.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -10,11 +10,6 @@
 #include "mesh/reading/unpack.hpp"
 
 namespace gvd {
-
-void unpack(std::string& bytes, std::string_view name) {
-  if (is_gzip(bytes)) bytes = unpack_gzip(bytes, name);
-  if (is_utf16(bytes)) bytes = to_utf8(bytes);
-}
 
 std::string read_file_bytes(const std::filesystem::path& path) {
   const std::string name = path.string();

@@ -182,9 +182,6 @@ bool is_xml_of(std::string_view bytes, std::string_view element);
 /// The first word of the first line that is neither blank nor a comment, within the first megabyte.
 std::string first_word(std::string_view bytes);
 
-/// Unpacks the bytes of a gzip file, and decodes text in UTF-16; leaves others as they are.
-void unpack(std::string& bytes, std::string_view name);
-
 /// All bytes of a file, unpacked if gzip packed them, and in UTF-8 if they are text in UTF-16. Throws
 /// Error{unreadable_input} where that is not possible.
 std::string read_file_bytes(const std::filesystem::path& path);

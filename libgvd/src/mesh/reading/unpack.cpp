@@ -1,4 +1,4 @@
-// Recognizes what a file is wrapped in: contents are named, by the marks of the formats' specifications.
+// Unpacks what a file is wrapped in, and recognizes what is no mesh: contents are named, by the marks of the formats' specifications.
 #include "mesh/reading/unpack.hpp"
 
 #include <fmt/format.h>
@@ -118,6 +118,11 @@ std::string to_utf8(std::string_view utf16) {
     }
   }
   return text;
+}
+
+void unpack(std::string& bytes, std::string_view name) {
+  if (is_gzip(bytes)) bytes = unpack_gzip(bytes, name);
+  if (is_utf16(bytes)) bytes = to_utf8(bytes);
 }
 
 std::string describe_content(std::string_view bytes) {

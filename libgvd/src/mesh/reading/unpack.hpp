@@ -30,6 +30,9 @@ class ExpansionLimit {
   std::string name_;
 };
 
+/// Unpacks the bytes of a gzip file, and decodes text in UTF-16; leaves others as they are.
+void unpack(std::string& bytes, std::string_view name);
+
 /// Whether the file begins as gzip's do. A binary STL may begin in the same way, and counts as none.
 bool is_gzip(std::string_view bytes);
 

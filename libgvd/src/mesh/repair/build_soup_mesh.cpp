@@ -151,10 +151,6 @@ void add_remarks(CheckedMesh& checked, const PolygonSoup& soup) {
   examine_open_edges(checked, soup.weld_tolerance);
 }
 
-}  // namespace
-
-namespace {
-
 CheckedMesh build_repaired(const PolygonSoup& soup, DefectPolicy policy) {
   examine_polygons(soup);
   examine_positions(soup);
