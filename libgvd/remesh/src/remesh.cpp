@@ -50,16 +50,19 @@ constexpr double kGapTolerance = 1e-9;
 
 /// A placement of all vertices costs several times as much as the other steps of a round. After so many, triangles that
 /// still intersect are not repaired by more generators, where their component can be decimated.
-constexpr std::int32_t kMaxPlacements = 12;
+constexpr std::int32_t kMaxPlacements = 20;
 
 /// Windows that a repair may propagate before components with defects are decimated: those of so many diagrams like the
 /// first one, some for each face, since the diagram of few generators says little of others, and what takes a fraction
 /// of a second, whatever the mesh.
-constexpr std::int64_t kRepairDiagrams = 30, kRepairEventsPerFace = 200, kRepairEvents = 200'000;
+constexpr std::int64_t kRepairDiagrams = 60, kRepairEventsPerFace = 300, kRepairEvents = 200'000;
 
-/// Where defects are as many for each of so many generators, the surface is finer than their spacing nearly everywhere.
-constexpr std::size_t kManyGenerators = 50;
-constexpr double kManyDefects = 1.5;
+/// From this round on, a repair is given up whose defects are half as many again as at first, and one for two
+/// generators: the surface is finer than their spacing nearly everywhere. The first round of few generators has few
+/// defects.
+constexpr std::int32_t kGrowthRound = 3;
+/// That holds once components have so many generators on average: the first four of a sphere have defects, too.
+constexpr std::size_t kGrowthGenerators = 8;
 
 void check_options(const RemeshOptions& options, std::size_t generators) {
   if (options.max_added && *options.max_added < 0) {
@@ -115,6 +118,7 @@ class Remesher {
                  even_spacing(compute_area(mesh), std::ssize(generators))) {
     result_.generators = generators;
     stays_ = fixed_;
+    components_ = std::size_t(compute_mesh_summary(mesh).components);
   }
 
   /// `first`: the diagram of the given generators.
@@ -192,7 +196,7 @@ class Remesher {
     const std::int64_t room = decimated_ ? 0 : max_added_ - result_.added;
     const std::vector<SurfacePoint> points = creases_.propose(result_.diagram, room);
     result_.crease_gap_length = creases_.gap_length();
-    result_.creases_lack_added = creases_.is_held_back();
+    result_.creases_lack_added = !decimated_ && creases_.is_held_back();
     stays_.insert(stays_.end(), points.begin(), points.end());
     append(points);
     return !points.empty();
@@ -220,7 +224,8 @@ class Remesher {
     if (result_.added >= max_added_) raise_limit();
     const std::int64_t may_add = max_added_ - result_.added;
     const bool is_over = may_add <= 0 || result_.rounds >= kMaxRemeshRounds;
-    if (may_decimate() && (is_over || is_hopeless(defects.size()))) return decimate(defects);
+    gives_up_ = gives_up_ || is_over || is_hopeless(defects);
+    if (may_decimate() && gives_up_) return decimate(defects);
     if (is_over) {
       const MeshSummary summary = compute_mesh_summary(mesh_);
       refuse(defects, fmt::format("{} added in {}{}", counted(result_.added, "generator was", "generators were"),
@@ -230,7 +235,8 @@ class Remesher {
     }
     const auto [points, narrow] =
         propose_generators(mesh_, result_.diagram, defects, may_add, options_.diagram.progress);
-    if ((narrow || points.empty()) && may_decimate()) return decimate(defects);
+    if (narrow && may_decimate()) return decimate_around(narrow->tip, defects);
+    if (points.empty() && may_decimate()) return decimate(defects);
     if (narrow) refuse(defects, describe(mesh_, *narrow));
     if (points.empty()) {
       refuse(defects, "every point for a new generator is too close to another one; move or remove generators there");
@@ -242,16 +248,21 @@ class Remesher {
   }
 
   /// Whether more generators are no way to a right dual, or take too long.
-  bool is_hopeless(std::size_t defects) const {
-    const std::size_t generators = result_.generators.size();
+  bool is_hopeless(const std::vector<DualDefect>& defects) const {
     const std::int64_t most_events =
         kRepairDiagrams * first_events_ + kRepairEventsPerFace * mesh_.face_count() + kRepairEvents;
-    return placements_ >= kMaxPlacements || events_ - earlier_events_ > most_events ||
-           (generators >= kManyGenerators && double(defects) > kManyDefects * double(generators));
+    if (placements_ >= kMaxPlacements || events_ - earlier_events_ > most_events) return true;
+    // Triangles that intersect are looked for only where nothing else is wrong: they say nothing of growth.
+    const bool is_topology = defects.front().property < DualProperty::not_flipped;
+    const bool has_grown = result_.rounds >= kGrowthRound && 2 * defects.size() > 3 * history_.front().second;
+    const std::size_t generators = result_.generators.size();
+    return is_topology && has_grown && 2 * defects.size() > generators && generators >= kGrowthGenerators * components_;
   }
 
   /// Who asks for an exact number of vertices, for the given generators alone or for a limit may be refused.
-  bool may_decimate() const { return options_.refine && !options_.vertex_count && !options_.max_added; }
+  bool may_decimate() const {
+    return options_.may_decimate && options_.refine && !options_.vertex_count && !options_.max_added;
+  }
 
   /// Gives up the dual of the components with these defects: their own triangles, decimated, take its place.
   void decimate(const std::vector<DualDefect>& defects) {
@@ -272,6 +283,16 @@ class Remesher {
     }
     decimated_->add(vertices_of);
     replace_decimated();
+  }
+
+  /// The same for the component of a vertex alone.
+  void decimate_around(VertexId vertex, std::vector<DualDefect> defects) {
+    const auto component = compute_face_components(mesh_);
+    const std::int32_t chosen = component[Mesh::face(mesh_.halfedge(vertex))];
+    std::erase_if(defects, [&](const DualDefect& d) {
+      return d.cells.empty() || component[result_.generators[d.cells.front().index()].face] != chosen;
+    });
+    decimate(defects);
   }
 
   std::int32_t component_of(const SurfacePoint& point) const { return decimated_->component()[point.face]; }
@@ -416,7 +437,7 @@ class Remesher {
                               result_.certificate.first_failure()));
     }
     result_.max_added = max_added_;
-    result_.added_on_creases = creases_.added();
+    result_.added_on_creases = std::ssize(stays_) - std::ssize(fixed_);
     result_.crease_length = creases_.length();
     result_.input_quality = compute_triangle_quality(mesh_);
     result_.output_quality = compute_triangle_quality(result_.mesh);
@@ -432,6 +453,8 @@ class Remesher {
   CreaseFollower creases_;
   RemeshResult result_;
   RepairHistory history_;
+  std::size_t components_ = 0;                          // of the surface
+  bool gives_up_ = false;                               // decimates each component that still has defects
   std::int32_t placements_ = 0;                         // of all vertices, in rounds
   std::int64_t first_events_ = 0, earlier_events_ = 0;  // of the first diagram, and of all until then
   std::int64_t events_ = 0;                             // windows propagated in all diagrams but those of searches

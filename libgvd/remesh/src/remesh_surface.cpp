@@ -150,6 +150,7 @@ class SurfaceRemesher {
     RemeshOptions options = options_.remesh;
     options.creases = trace_creases(mesh_, start.creases, start.corner_distance);
     options.placement.method = options_.chosen_placement();
+    options.may_decimate = !is_listed() && options_.start.constraints.fixed.empty();
     const std::vector<Freedom> freedom = freedom_of_vertices();
     for (std::size_t i = 0; i < freedom.size(); ++i) {
       if (freedom[i] == Freedom::fixed) options.placement.fixed.emplace_back(i);

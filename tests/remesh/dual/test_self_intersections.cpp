@@ -224,7 +224,6 @@ TEST_CASE("an intersection beside one of the input is not inherited: it is repai
   const auto component = compute_face_components(surface);
   RemeshOptions options;
   options.placement.method = Placement::generator;
-  options.max_added = default_max_added(compute_mesh_summary(surface), 24);  // and nothing else repairs it
   std::size_t inherited = 0;
   for (unsigned seed = 0; seed < 4; ++seed) {
     CAPTURE(seed);

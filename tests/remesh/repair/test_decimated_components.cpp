@@ -1,5 +1,6 @@
 // Components that are their own triangles, decimated, where the dual of generators is no proper mesh.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -85,13 +86,44 @@ TEST_CASE("decimated components: two spheres, one close inside the other, keep a
 TEST_CASE("remesh: a spike too narrow for generators keeps its own triangles, decimated") {
   const Mesh spike = test::make_pyramid(1e-3, 5);
   const SurfacePoint near_tip = make_surface_point(FaceId(0), {0.9, 0.03, 0.07});
+  RemeshOptions options;
+  options.may_decimate = true;
   const RemeshResult result =
-      remesh(spike, {vertex_point(spike, VertexId(0)), near_tip, vertex_point(spike, VertexId(6))});
+      remesh(spike, {vertex_point(spike, VertexId(0)), near_tip, vertex_point(spike, VertexId(6))}, options);
   CHECK(result.certificate.ok());
   CHECK(result.decimated.components == 1);
   CHECK(result.decimated.generators == 3);
   CHECK(result.decimated.vertices == result.mesh.vertex_count());
   CHECK_THAT(result.decimated.reason, Catch::Matchers::Contains("near ("));
+}
+
+/// A closed hose round the z axis, whose cells are rings until there are many.
+Mesh make_hose(int around, int across, double width) {
+  std::vector<Vec3> positions;
+  std::vector<std::array<VertexId, 3>> faces;
+  const auto at = [&](int i, int j) { return VertexId((i % around) * across + j % across); };
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      const double u = 2 * std::acos(-1.0) * i / around, v = 2 * std::acos(-1.0) * j / across;
+      const double radius = 1 + width * std::cos(v);
+      positions.emplace_back(radius * std::cos(u), radius * std::sin(u), width * std::sin(v));
+      faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return {std::move(positions), std::move(faces)};
+}
+
+TEST_CASE("remesh: what a few rounds repair is not decimated, however many defects it has") {
+  const Mesh hose = make_hose(1200, 10, 0.005);
+  std::vector<SurfacePoint> along;
+  for (int i = 0; i < 60; ++i) along.push_back(vertex_point(hose, VertexId(200 * i + i % 10)));
+  RemeshOptions options;
+  options.may_decimate = true;
+  const RemeshResult result = remesh(hose, along, options);
+  CHECK(result.given_defects.size() > 90);
+  CHECK(result.decimated.components == 0);
+  CHECK(result.added > 60);
 }
 
 }  // namespace gvd::test_decimated_components

@@ -42,6 +42,10 @@ struct RemeshOptions {
   /// Number of diagrams that a relaxation has computed before. The work of searches is limited in proportion to that of
   /// the other diagrams, these included.
   std::int64_t earlier_diagrams = 0;
+  /// Where more generators don't repair the dual of a component, or take too long, its own triangles, decimated, take
+  /// its place: given generators there are no vertices then. Only with `refine`, and without `max_added` and
+  /// `vertex_count`.
+  bool may_decimate = false;
   /// Accept faces that intersect each other. Without it, generators are added near them as near other defects; faces
   /// that inherit their intersection from the input (find_inherited) are always accepted.
   bool allow_intersections = false;
@@ -104,8 +108,8 @@ struct RemeshResult {
 /// says where they go. The vertices are moved off their generators as `placement` says. A search follows where more
 /// than a tenth of the given generators was added, those on creases not counted. Added generators that the mesh can do
 /// without are left out again, but none on creases. One is put in the place of two where that will do. No given
-/// generator is moved, and none is removed without `vertex_count`. At last, generators are added where that leaves
-/// fewer slivers.
+/// generator is moved, and none is removed without `vertex_count` or `may_decimate`. At last, generators are added
+/// where that leaves fewer slivers.
 ///
 /// A bisector that ends on the boundary of the mesh becomes a boundary edge. The coarse boundary therefore passes
 /// through the generators whose cells touch the boundary. It lies inside the surface unless these are on the boundary,

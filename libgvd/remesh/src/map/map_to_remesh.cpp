@@ -5,6 +5,7 @@
 // of two, which agree. If a check fails anywhere, all points are nearest points instead, so that a map is always one of
 // the two kinds. At last the images of all faces are measured.
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "base/parallel_chunks.hpp"
@@ -128,13 +129,20 @@ RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int thr
     throw Error(ErrorCode::precondition, "the remesh is not one of this surface");
   }
   RemeshMap map;
-  try {
-    map = OneToOneMapper(surface, result, progress).run(threads, progress);
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::no_valid_result) throw;
-    map.obstacle = error.what();
+  const auto map_to_nearest = [&](const std::string& obstacle) {
+    map.obstacle = obstacle;
     map.points = nearest_points(surface, result, threads, progress);
     map.origins = IdVector<VertexId, SurfacePoint>(result.generators);
+  };
+  if (result.decimated.components > 0) {
+    map_to_nearest("a connected part is decimated, and not the dual of its cells");
+  } else {
+    try {
+      map = OneToOneMapper(surface, result, progress).run(threads, progress);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::no_valid_result) throw;
+      map_to_nearest(error.what());
+    }
   }
   measure_images(surface, result.mesh, map);
   return map;

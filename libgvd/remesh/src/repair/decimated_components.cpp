@@ -28,6 +28,9 @@ namespace {
 constexpr std::size_t kFirstKept = 2;
 constexpr int kMostRefinements = 12;
 
+/// Faces that a collapse may move: each two of them are compared. A vertex with more stays, and others collapse to it.
+constexpr std::size_t kMostMoved = 64;
+
 /// The faces of all decimated components in a tree of their boxes. A face keeps its place in the tree: what it has
 /// grown to lies near the face of the surface that it was.
 class FaceGuard {
@@ -49,6 +52,7 @@ class FaceGuard {
   /// Whether faces may have other corners, given by place, where others are gone: none is then flipped, and none
   /// intersects another one, but those that the changed faces have intersected before, no more often than they did.
   bool allows(const std::vector<MovedFace>& moved, const std::vector<std::int32_t>& removed) {
+    if (moved.size() > kMostMoved) return false;
     const auto is_changed = [&](std::int32_t place) {
       return std::any_of(moved.begin(), moved.end(), [&](const MovedFace& m) { return m.place == place; }) ||
              std::find(removed.begin(), removed.end(), place) != removed.end();

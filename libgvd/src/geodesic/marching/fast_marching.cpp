@@ -19,6 +19,7 @@
 #include <functional>
 #include <queue>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,8 +43,7 @@ constexpr double kMostMarchBuckets = 1 << 16;
 /// Least improvement of a distance that is propagated, relative to the distance. In buckets, less than rounding. In the
 /// paper's order, faces round a vertex improve each other by less and less without end where thousands of needles meet,
 /// and each improvement queues all of them again: a millionth is far below what a linear front is wrong by, and bounds
-/// the improvements of a distance from a to b by 1e6 ln(a / b). On 6,000 needles it takes a thousandth of the events
-/// that 1e-10 takes.
+/// the improvements of a distance from a to b by 1e6 ln(a / b).
 constexpr double kImprovement = 1e-13, kImprovementInOrder = 1e-6;
 
 /// The corners after and before corner i of a face.
@@ -74,12 +74,11 @@ BucketQueue<std::int32_t> make_buckets(const Mesh& mesh) {
 template <class Queue>
 class Marcher {
  public:
-  Marcher(const WorkingMesh& working, Front front, const Progress& progress, Queue queue, double improvement)
+  Marcher(const WorkingMesh& working, Front front, const Progress& progress, Queue queue)
       : working_(working),
         mesh_(working.mesh()),
         front_(front),
         progress_(progress),
-        improvement_(improvement),
         table_(mesh_.vertex_count(), mesh_.face_count()),
         queue_(std::move(queue)),
         offset_(SymbolicOffset::of_marching(mesh_.mean_edge_length(), working.generator_vertices().size())) {
@@ -189,8 +188,9 @@ class Marcher {
   }
 
   /// Replaces a vertex's distance by a shorter one. False where it is not shorter by more than a least improvement.
-  bool improve(VertexDistance& at_vertex, double distance, HalfedgeId via) const {
-    if (!(distance < at_vertex.distance * (1 - improvement_))) return false;
+  static bool improve(VertexDistance& at_vertex, double distance, HalfedgeId via) {
+    constexpr double kLeast = std::is_same_v<Queue, PriorityQueue> ? kImprovementInOrder : kImprovement;
+    if (!(distance < at_vertex.distance * (1 - kLeast))) return false;
     at_vertex.distance = distance;
     at_vertex.via = via;
     return true;
@@ -221,7 +221,6 @@ class Marcher {
   const Mesh& mesh_;
   Front front_;
   const Progress& progress_;
-  double improvement_;  // the least one, relative
   GeneratorTable table_;
   Queue queue_;
   SymbolicOffset offset_;
@@ -232,12 +231,12 @@ class Marcher {
 
 FastMarchingResult march(const WorkingMesh& working, Front front, const Progress& progress) {
   report_progress(progress, steps::kDistances, 0);
-  return Marcher(working, front, progress, make_buckets(working.mesh()), kImprovement).run();
+  return Marcher(working, front, progress, make_buckets(working.mesh())).run();
 }
 
 FastMarchingResult march_in_order(const WorkingMesh& working, Front front, const Progress& progress) {
   report_progress(progress, steps::kDistances, 0);
-  return Marcher(working, front, progress, PriorityQueue(), kImprovementInOrder).run();
+  return Marcher(working, front, progress, PriorityQueue()).run();
 }
 
 const VertexDistance& MarchedDistances::nearest(VertexId v) const {
