@@ -1,4 +1,4 @@
-// Unpacks what a file is wrapped in, and recognizes what is no mesh: contents are named, by the marks of the formats' specifications.
+// Unpacks what a file is wrapped in, and names contents that are no mesh, by the marks of the formats' specifications.
 #include "mesh/reading/unpack.hpp"
 
 #include <fmt/format.h>
