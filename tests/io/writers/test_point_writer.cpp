@@ -15,8 +15,8 @@ namespace gvd::test_point_writer {
 using Catch::Matchers::StartsWith;
 
 const Mesh& sphere() {
-  static const Mesh mesh = test::make_sphere(1);
-  return mesh;
+  static const Mesh kMesh = test::make_sphere(1);
+  return kMesh;
 }
 
 /// Points inside faces, on an edge and at a vertex, with areas that no short decimal number is.
