@@ -17,23 +17,6 @@ Mesh make_box(int n) { return test::make_plate(n, 0.5); }
 
 std::vector<EdgeId> all_boundary(const Mesh& mesh) { return find_creases(mesh, {180, true}); }
 
-TEST_CASE("creases: the edges of a box, none of a sphere, and the boundary on demand") {
-  const Mesh box = make_box(4);
-  for (const EdgeId e : find_creases(box, {30})) {
-    const HalfedgeId h = box.halfedge(e);
-    const Vec3 way = (box.position(box.to(h)) - box.position(box.from(h))).cwiseAbs();
-    CHECK(way.maxCoeff() == Approx(way.sum()));  // along an axis
-  }
-  CHECK_FALSE(find_creases(box, {30}).empty());
-  CHECK(find_creases(box, {95}).empty());
-  CHECK(find_creases(test::make_sphere(3), {30}).empty());
-  const Mesh grid = test::make_grid(3, 2);
-  CHECK(find_creases(grid, {30}).empty());
-  CHECK(all_boundary(grid).size() == 10);
-  CHECK_THROWS_AS(find_creases(grid, {0}), Error);
-  CHECK_THROWS_AS(find_creases(grid, {181}), Error);
-}
-
 TEST_CASE("creases: points near them are snapped to their vertices and edges, others stay") {
   const Mesh box = make_box(4);
   const std::vector<EdgeId> creases = find_creases(box, {30});

@@ -83,6 +83,25 @@ TEST_CASE("decimated components: two spheres, one close inside the other, keep a
   CHECK(made.mesh.vertex_count() > 16);
 }
 
+TEST_CASE("decimated components: a component that is refined has more vertices each time, in the end its own") {
+  const Mesh sphere = test::make_sphere(3);
+  DecimatedComponents components(sphere);
+  components.add({{0, 8}});
+  components.decimate({});
+  CHECK(components.vertices().size() == 8);
+  std::size_t before = 8;
+  for (int times = 0; times < 12; ++times) {
+    // Any face of the surface tells the distances; the corners are those of a face as it is now.
+    components.refine(sphere, FaceId(0), components.faces().front().corners);
+    components.decimate({});
+    CHECK(components.vertices().size() >= before);
+    before = components.vertices().size();
+    if (times == 0) CHECK(before < 100);
+  }
+  CHECK(std::ssize(components.vertices()) == sphere.vertex_count());
+  for (const DecimatedFace& face : components.faces()) CHECK(face.corners == sphere.vertices(face.origin));
+}
+
 TEST_CASE("remesh: a spike too narrow for generators keeps its own triangles, decimated") {
   const Mesh spike = test::make_pyramid(1e-3, 5);
   const SurfacePoint near_tip = make_surface_point(FaceId(0), {0.9, 0.03, 0.07});

@@ -29,7 +29,8 @@ struct SurfaceRemeshOptions {
   /// Where the vertices are; nothing: fitted to the surface for sampled generators, at the generators for listed ones.
   std::optional<Placement> placement;
   bool exact_count = false;  ///< as many vertices as generators, or Error{no_valid_result}
-  RemeshOptions remesh;      ///< its creases, its fixed and kept vertices and the above are set by remesh_surface
+  /// Its creases, its fixed and kept vertices, `may_decimate` and the above are set by remesh_surface.
+  RemeshOptions remesh;
   /// Called with the iterations and the energy (LloydOptions::on_iteration); may be empty.
   std::function<void(std::int64_t iterations, double energy)> on_iteration;
   /// Called at the beginning of every step with its name, so that a caller can time them; may be empty.

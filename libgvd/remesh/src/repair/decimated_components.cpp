@@ -1,10 +1,9 @@
 // Components that keep their own triangles, decimated, where the dual of generators is no proper mesh.
 //
 // A collapse is made only if the faces that it moves are not flipped and meet no other face that they have not met
-// before, by exact tests: so whatever is left after any number of collapses is as right as the surface was. Faces of
-// components that have a dual are found on the whole remesh. Each face that meets one of those gets back some of the
-// vertices that collapsed to its corners, twice as many each time, and all is decimated again. This ends at the latest
-// with the component as it is.
+// before, by exact tests: so whatever is left after any number of collapses is as right as the surface was. The guard
+// does not know the duals of other components. A face that meets one gets back some of the vertices that collapsed to
+// its corners, twice as many each time, and its component is decimated again: in the end it is as the surface has it.
 #include "repair/decimated_components.hpp"
 
 #include <algorithm>
@@ -23,8 +22,8 @@
 namespace gvd {
 namespace {
 
-/// Vertices that a wrong face gets back at first; then twice as many each time. Whatever the mesh, all are back after
-/// kMostRefinements.
+/// Vertices that a face gets back at first where it meets others; then twice as many each time. After kMostRefinements,
+/// the component gets all back.
 constexpr std::size_t kFirstKept = 2;
 constexpr int kMostRefinements = 12;
 
@@ -51,7 +50,7 @@ class FaceGuard {
 
   /// Whether faces may have other corners, given by place, where others are gone: none is then flipped, and none
   /// intersects another one, but those that the changed faces have intersected before, no more often than they did.
-  bool allows(const std::vector<MovedFace>& moved, const std::vector<std::int32_t>& removed) {
+  bool allows(const std::vector<MovedFace>& moved, const std::vector<std::int32_t>& removed) const {
     if (moved.size() > kMostMoved) return false;
     const auto is_changed = [&](std::int32_t place) {
       return std::any_of(moved.begin(), moved.end(), [&](const MovedFace& m) { return m.place == place; }) ||

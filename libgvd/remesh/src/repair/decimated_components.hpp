@@ -18,8 +18,8 @@ namespace gvd {
 /// A triangle of a decimated component, by vertices of the surface.
 struct DecimatedFace {
   std::array<VertexId, 3> corners;
-  FaceId
-      origin;  ///< the face of the surface that it was; each corner of it has collapsed to one of `corners`, or is it
+  /// The face of the surface that it was: each corner of that has collapsed to one of `corners`, or is it.
+  FaceId origin;
 
   /// The middle of its origin. It stands for the face on the surface, as a branch point does for a triangle of a dual.
   SurfacePoint point() const { return {origin, {1.0 / 3, 1.0 / 3, 1.0 / 3}}; }
@@ -39,7 +39,6 @@ class DecimatedComponents {
   /// The surface must outlive this. Cost: O(n).
   explicit DecimatedComponents(const Mesh& surface);
 
-  bool empty() const { return parts_.empty(); }
   std::int32_t count() const { return std::int32_t(parts_.size()); }
   bool has(std::int32_t component) const { return parts_.contains(component); }
   bool has(const SurfacePoint& point) const { return has(component_[point.face]); }
