@@ -30,6 +30,31 @@ TEST_CASE("gvd-remesh: sampled generators are relaxed, --relax none moves none")
   CHECK(quality(relaxed) > quality(plain) + 0.03);
 }
 
+TEST_CASE(
+    "gvd-remesh: a spike that no generators fit round is its own triangles, and the report, the map and stderr say "
+    "so") {
+  // A pyramid over a pentagon whose apex has a total angle of a thousandth of a degree.
+  const ScratchFolder scratch;
+  std::string spike = "OFF\n7 10 0\n0 0 1\n";
+  const double turn = 2 * std::acos(-1.0) / 5, radius = 1.484e-6;
+  for (int i = 0; i < 5; ++i) {
+    spike += fmt::format("{} {} 0\n", radius * std::cos(turn * i), radius * std::sin(turn * i));
+  }
+  spike += "0 0 0\n";
+  for (int i = 1; i <= 5; ++i) spike += fmt::format("3 0 {} {}\n3 6 {} {}\n", i, i % 5 + 1, i % 5 + 1, i);
+  write_text(scratch / "spike.off", spike);
+  const std::string run = scratch / "spike.off" + " -n 10";
+  const auto results = report_of(run + " --map " + scratch / "map.json")["results"];
+  CHECK(results["decimated_components"] == 1);
+  CHECK(results["decimated_vertices"] == results["output"]["vertices"]);
+  CHECK(results["certificate"]["manifold"] == true);
+  CHECK(results["map"]["obstacle"] == "a connected part is decimated, and not the dual of its cells");
+  const CommandResult plain = run_command("gvd-remesh", run + " -o " + scratch / "coarse.obj");
+  CHECK(plain.exit_code == 0);
+  CHECK_THAT(plain.err, Contains("the surface is the input's own triangles, decimated to 7 vertices, since"));
+  CHECK(run_command("gvd-remesh", run + " --no-refine -o " + scratch / "none.obj").exit_code == 5);
+}
+
 TEST_CASE("gvd-remesh: listed generators stay where they are, unless --relax asks to move them") {
   const ScratchFolder scratch;
   const std::string run = data_file("figure.obj") + " --generators " + scratch / "list.json";
