@@ -33,11 +33,11 @@ constexpr const char* kExamples =
 
 const std::vector<std::string> kFormats = output_extensions(DistancesOutcome::kContent);
 
-struct OwnOptions : Options {
+struct DistanceCommandOptions : Options {
   DistancesCall call;
 };
 
-void describe_own(OptionList& list, OwnOptions& own) {
+void describe_own(OptionList& list, DistanceCommandOptions& own) {
   own.has_diagram = false;
   own.output.prints = true;
   describe_input(list, own.input);
@@ -49,7 +49,7 @@ void describe_own(OptionList& list, OwnOptions& own) {
 
 /// Where no file is named, standard output has a text that a script reads as it is, or else the simplest format that
 /// holds all.
-void complete(OwnOptions& own, const Given& given) {
+void complete(DistanceCommandOptions& own, const Given& given) {
   if (names_file(own.output)) return;
   if (!given.has("output_format")) own.output.formats = {own.call.isolines ? "json" : own.call.paths ? "csv" : "txt"};
   own.output.files = {"-"};
@@ -86,7 +86,7 @@ void note_targets(Run& run, const DistancesOutcome& made) {
   for (const std::string& line : describe_targets(made)) run.note(line);
 }
 
-void measure(Run& run, OwnOptions& own) {
+void measure(Run& run, DistanceCommandOptions& own) {
   check_written(run.options().output, own.call);
   const MeshPtr input = load_input(run);
   own.call.most_bytes = most_table_bytes(own.compute);
@@ -110,7 +110,7 @@ void measure(Run& run, OwnOptions& own) {
 }  // namespace
 
 Command distance_command() {
-  return make_command<OwnOptions>(
+  return make_command<DistanceCommandOptions>(
       {"gvd-distance",
        "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
        kExamples,

@@ -35,7 +35,7 @@ constexpr GeneratorCost kGeneratorCost{760, 9.6};
 
 const std::vector<std::string> kFormats = output_extensions(LloydOutcome::kContent);
 
-struct OwnOptions : Options {
+struct LloydCommandOptions : Options {
   LloydCall call;
   std::optional<double> time_limit;  ///< of the relaxation, seconds, >= 0
   std::string points, trace;         ///< files; empty: none
@@ -50,7 +50,7 @@ constexpr const char* kExamples =
     "    gvd-remesh bunny.obj --generators relaxed.txt -o coarse.obj\n"
     "  gvd-lloyd scans/*.stl -n 30 --output-dir relaxed --output-format json\n";
 
-void describe_own(OptionList& list, OwnOptions& own) {
+void describe_own(OptionList& list, LloydCommandOptions& own) {
   describe_input(list, own.input);
   describe(list, own.call);
   describe_generators_format(list, own.input);
@@ -177,7 +177,7 @@ class TimedObserver : public RunObserver {
   bool relaxes_ = false;
 };
 
-void lloyd(Run& run, OwnOptions& own) {
+void lloyd(Run& run, LloydCommandOptions& own) {
   const MeshPtr input = load_input(run);
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   check_material_files(run, input->appearance);
@@ -212,11 +212,12 @@ void lloyd(Run& run, OwnOptions& own) {
 }  // namespace
 
 Command lloyd_command() {
-  return make_command<OwnOptions>({"gvd-lloyd",
-                                   "Moves generators to the geodesic centroids of their cells until they stop moving.",
-                                   kExamples,
-                                   {kFormats}},
-                                  {describe_own, lloyd});
+  return make_command<LloydCommandOptions>(
+      {"gvd-lloyd",
+       "Moves generators to the geodesic centroids of their cells until they stop moving.",
+       kExamples,
+       {kFormats}},
+      {describe_own, lloyd});
 }
 
 }  // namespace gvd::app

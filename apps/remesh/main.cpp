@@ -38,12 +38,12 @@ constexpr GeneratorCost kGeneratorCost{460, 14.7};
 
 const std::vector<std::string> kFormats = output_extensions(RemeshOutcome::kContent);
 
-struct OwnOptions : Options {
+struct RemeshCommandOptions : Options {
   RemeshCall call;
   std::string map;  ///< a file; empty: none
 };
 
-void describe_own(OptionList& list, OwnOptions& own) {
+void describe_own(OptionList& list, RemeshCommandOptions& own) {
   describe_input(list, own.input);
   describe(list, own.call);
   describe_generators_format(list, own.input);
@@ -67,7 +67,7 @@ void describe_own(OptionList& list, OwnOptions& own) {
                            "each input vertex"});
 }
 
-void complete(OwnOptions& own, const Given&) { own.call.map = !own.map.empty(); }
+void complete(RemeshCommandOptions& own, const Given&) { own.call.map = !own.map.empty(); }
 
 std::vector<MeshProperty> read_properties(const InputOptions& input, const PipedInput& piped) {
   if (piped.bytes.empty()) return read_mesh_properties(input.path, input.format);
@@ -92,7 +92,7 @@ void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
   });
 }
 
-void run_remesh(Run& run, OwnOptions& own) {
+void run_remesh(Run& run, RemeshCommandOptions& own) {
   PipedInput piped;
   const bool carries = own.call.carry;
   const MeshPtr input = load_input(run, carries ? &piped : nullptr);
@@ -118,7 +118,7 @@ void run_remesh(Run& run, OwnOptions& own) {
 }  // namespace
 
 Command remesh_command() {
-  return make_command<OwnOptions>(
+  return make_command<RemeshCommandOptions>(
       {"gvd-remesh",
        "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
        kExamples,

@@ -50,12 +50,12 @@ std::vector<std::string> array_formats(Content numbers) {
   return found;
 }
 
-struct OwnOptions : Options {
+struct SegmentCommandOptions : Options {
   SegmentCall call;
   std::string face_labels, vertex_labels, vertex_distances, stats, adjacency;  ///< files; empty: none
 };
 
-void describe_targets(OptionList& list, OwnOptions& own) {
+void describe_targets(OptionList& list, SegmentCommandOptions& own) {
   const auto add = [&](const char* name, std::string& file, std::vector<std::string> extensions, Spec spec) {
     describe_target(list, own.output, name, file, extensions, std::move(spec));
   };
@@ -72,7 +72,7 @@ void describe_targets(OptionList& list, OwnOptions& own) {
       {.help = "Write the graph of the regions: their areas, and the length of each border (GraphML)"});
 }
 
-void describe_own(OptionList& list, OwnOptions& own) {
+void describe_own(OptionList& list, SegmentCommandOptions& own) {
   describe_input(list, own.input);
   describe(list, own.call);
   describe_generators_format(list, own.input);
@@ -102,7 +102,7 @@ void describe_own(OptionList& list, OwnOptions& own) {
                                     only_formats(Content::materials))));
 }
 
-void complete(OwnOptions& own, const Given&) { own.call.complete(); }
+void complete(SegmentCommandOptions& own, const Given&) { own.call.complete(); }
 
 /// The labels of the faces and vertices, and the distances of the vertices: each as an array, as a table, or in a
 /// format of meshes that holds nothing else. With levels, each face has the labels of all.
@@ -150,7 +150,7 @@ void write_files(Run& run, const SegmentOutcome& made) {
 }
 
 /// Notes, once for all inputs, that the page and a mesh of whole faces show different borders.
-void note_whole_faces(Run& run, const OwnOptions& own) {
+void note_whole_faces(Run& run, const SegmentCommandOptions& own) {
   const OutputOptions& output = run.options().output;
   const InputOptions& input = run.options().input;
   if (own.call.cut || run.options().given->has("labels") || output.view.empty() || input.path != input.paths.front())
@@ -163,7 +163,7 @@ void note_whole_faces(Run& run, const OwnOptions& own) {
   }
 }
 
-void segment(Run& run, OwnOptions& own) {
+void segment(Run& run, SegmentCommandOptions& own) {
   const MeshPtr input = load_input(run);
   check_material_files(run, input->appearance, own.call.uv.has_value());
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
@@ -188,7 +188,7 @@ void segment(Run& run, OwnOptions& own) {
 }  // namespace
 
 Command segment_command() {
-  return make_command<OwnOptions>(
+  return make_command<SegmentCommandOptions>(
       {"gvd-segment",
        "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
        kExamples,

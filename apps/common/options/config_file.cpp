@@ -49,20 +49,20 @@ std::string place_in_file(const std::string& file, const toml::source_region& re
 }
 
 /// A key of the file and its value.
-struct Entry {
+struct ConfigEntry {
   std::string key;
   std::string place;  ///< of the key
   const toml::node* node;
 };
 
 /// The entries in the order of the file: a table of the library is sorted by its keys.
-std::vector<Entry> list_entries(const toml::table& table, const std::string& file) {
-  std::vector<Entry> entries;
+std::vector<ConfigEntry> list_entries(const toml::table& table, const std::string& file) {
+  std::vector<ConfigEntry> entries;
   for (const auto& [key, node] : table) {
     entries.push_back({std::string(key.str()), place_in_file(file, key.source()), &node});
   }
   std::sort(entries.begin(), entries.end(),
-            [](const Entry& a, const Entry& b) { return a.node->source().begin < b.node->source().begin; });
+            [](const ConfigEntry& a, const ConfigEntry& b) { return a.node->source().begin < b.node->source().begin; });
   return entries;
 }
 
@@ -150,7 +150,7 @@ TakenTypes taken_types(const Field& field) {
       field);
 }
 
-std::vector<std::string> read_texts(const Entry& entry, const Option& option, const std::string& file) {
+std::vector<std::string> read_texts(const ConfigEntry& entry, const Option& option, const std::string& file) {
   const TakenTypes taken = taken_types(option.field);
   const bool is_list = is_repeatable(option.field) && takes_value(option.field);
   std::vector<std::string> texts;
@@ -171,7 +171,7 @@ std::vector<std::string> read_texts(const Entry& entry, const Option& option, co
   return texts;
 }
 
-const Option& find_option(const Entry& entry, const OptionList& list) {
+const Option& find_option(const ConfigEntry& entry, const OptionList& list) {
   std::vector<std::string> all;
   for (const Option* const option : list.options()) {
     if (option->name == "config") continue;
@@ -215,7 +215,7 @@ std::vector<GivenTexts> read_config_file(const OptionList& list, std::istream& i
     refuse_file(file, "the file is text in UTF-16; save it as UTF-8");
   const toml::table table = parse_toml(content, file);
   std::vector<GivenTexts> given;
-  for (const Entry& entry : list_entries(table, file)) {
+  for (const ConfigEntry& entry : list_entries(table, file)) {
     const Option& option = find_option(entry, list);
     const auto earlier = std::find_if(given.begin(), given.end(), [&](const auto& g) { return g.option == &option; });
     if (earlier != given.end()) {

@@ -55,7 +55,7 @@ constexpr std::array<Bary, 7> kProbes{{{1.0 / 3, 1.0 / 3, 1.0 / 3},
 constexpr double kMostStretch = 1.1;
 
 /// The input of all threads.
-struct Field {
+struct MeasuredField {
   const WorkingMesh& working;
   const WindowField& windows;
   const Departures& departures;
@@ -73,7 +73,7 @@ constexpr double kShort = 0.1;
 /// Measures the parts of cells in faces of the working mesh, one face after the other.
 class FaceMeasurer {
  public:
-  explicit FaceMeasurer(const Field& field)
+  explicit FaceMeasurer(const MeasuredField& field)
       : sums(field.integrand.watched),
         field_(field),
         mesh_(field.working.mesh()),
@@ -250,7 +250,7 @@ class FaceMeasurer {
     segments.push_back(segment);
   }
 
-  const Field& field_;
+  const MeasuredField& field_;
   const Mesh& mesh_;
   NearestPaths paths_;
   std::vector<std::size_t> images_;            // from which the parts of the face are seen
@@ -273,7 +273,7 @@ IdVector<VertexId, Vec2> vertex_logs(const WindowField& field, const Departures&
 /// Runs measure(measurer, face) for all faces of the working mesh, in parts that do not depend on the threads.
 /// Returns the sums of the parts, and adds their segments to the geometry.
 template <class Measure>
-std::vector<CellSums> measure_faces(const Field& field, const ParallelChunks& parallel, const Measure& measure,
+std::vector<CellSums> measure_faces(const MeasuredField& field, const ParallelChunks& parallel, const Measure& measure,
                                     CellGeometry& geometry) {
   const auto faces = cut_into_chunks(field.working.mesh().face_count(), kScanChunk);
   std::vector<CellSums> sums(faces.size(), CellSums(field.integrand.watched));

@@ -27,7 +27,7 @@
 namespace gvd {
 namespace {
 
-using Triangle = std::array<Bary, 3>;
+using BaryTriangle = std::array<Bary, 3>;
 
 /// The quadrature points of a triangle, in its own barycentric coordinates.
 std::vector<Bary> quadrature_points(int divisions) {
@@ -82,7 +82,7 @@ class FaceIntegrator {
     }
   }
   /// Adds a triangle of the face, which belongs to generator g.
-  void add(const Triangle& triangle, GeneratorId g) {
+  void add(const BaryTriangle& triangle, GeneratorId g) {
     const double area = input_.area(face_) * twice_signed_area(affine_point(triangle[0]), affine_point(triangle[1]),
                                                                affine_point(triangle[2]));
     const double weight = area / double(points_.size());
@@ -107,7 +107,7 @@ class FaceIntegrator {
   NearestPath find(const Bary& point, GeneratorId g) {
     SurfacePoint place{face_, point};
     if (!parts_.empty()) {
-      place = locate_in_parts(parts_, [&](const Triangle& corners) { return place_in_triangle(corners, point); });
+      place = locate_in_parts(parts_, [&](const BaryTriangle& corners) { return place_in_triangle(corners, point); });
       paths_.enter(place.face);
     }
     const Vec2 at = paths_.position(place.bary);

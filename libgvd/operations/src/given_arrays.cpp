@@ -113,15 +113,15 @@ void for_each_number(const ArrayView& view, std::size_t place, const Take& take)
 }
 
 /// Numbers in rows: of an array, or of a list of numbers or lists.
-struct Rows {
+struct NumberRows {
   std::vector<GivenNumber> numbers;
   std::int64_t columns;
 };
 
-Rows read_rows(const Json& value, const Arrays& arrays) {
+NumberRows read_rows(const Json& value, const Arrays& arrays) {
   if (is_array_reference(value) || is_mesh_reference(value)) {
     const std::size_t place = find_array(value, arrays);
-    Rows rows{{}, columns_of(arrays.views[place])};
+    NumberRows rows{{}, columns_of(arrays.views[place])};
     for_each_number(arrays.views[place], place, [&](const GivenNumber& number) { rows.numbers.push_back(number); });
     return rows;
   }
@@ -129,7 +129,7 @@ Rows read_rows(const Json& value, const Arrays& arrays) {
     refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", shown(value)));
   }
   const bool has_rows = !value.empty() && value.front().is_array();
-  Rows rows{{}, has_rows ? std::ssize(value.front()) : 1};
+  NumberRows rows{{}, has_rows ? std::ssize(value.front()) : 1};
   for (const Json& row : value) {
     if (has_rows && (!row.is_array() || std::ssize(row) != rows.columns)) {
       refuse_array(fmt::format("{} is no row of {} numbers, as the first point is", shown(row), rows.columns));
@@ -141,13 +141,13 @@ Rows read_rows(const Json& value, const Arrays& arrays) {
 }
 
 std::vector<GivenNumber> read_column(const Json& value, const Arrays& arrays) {
-  Rows rows = read_rows(value, arrays);
+  NumberRows rows = read_rows(value, arrays);
   if (rows.columns == 1) return std::move(rows.numbers);
   refuse_array(fmt::format("the array has {} columns; give one number each", rows.columns));
 }
 
 /// Points of vertices alone, of positions, or of faces and barycentric coordinates.
-GeneratorList to_list(const Rows& rows, const std::string& name) {
+GeneratorList to_list(const NumberRows& rows, const std::string& name) {
   using Kind = GeneratorEntry::Kind;
   const auto& [numbers, columns] = rows;
   if (columns != 1 && columns != 3 && columns != 4) {

@@ -65,14 +65,14 @@ void check_options(const FileOptions& options, const Format* format) {
 }
 
 /// A file of an object in memory, or at a path.
-struct Target {
+struct ObjectFile {
   std::string name;       ///< for messages
   std::string extension;  ///< without the dot
   std::function<void(const std::function<void(std::ostream&)>&)> write;
   std::function<void(const LabelledMesh&, const Format&)> write_surface;
 };
 
-void write_to(const Target& target, const Object& object, const FileOptions& options) {
+void write_to(const ObjectFile& target, const Object& object, const FileOptions& options) {
   const auto& [name, extension, write, write_surface] = target;
   const Format* const format = options.part.empty() ? find_output(extension) : nullptr;
   if (!options.part.empty()) {

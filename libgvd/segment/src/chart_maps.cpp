@@ -187,7 +187,7 @@ void make_convex(const std::vector<double>& angle, std::vector<double>& radius) 
 }
 
 /// Lays the border; nothing where it does not go round the origin once, turning left.
-std::vector<BorderPoint> lay_border(const IslandBorder& border, const FlatMap& map) {
+std::vector<DiscBorderPoint> lay_border(const IslandBorder& border, const FlatMap& map) {
   const std::size_t n = border.vertices.size();
   std::vector<double> radius(n, 1);
   if (map.border != Border::circle) radius = border.distance;
@@ -199,7 +199,7 @@ std::vector<BorderPoint> lay_border(const IslandBorder& border, const FlatMap& m
   }
   if (map.border == Border::convex) make_convex(angles, radius);
   const std::vector<Vec2> points = lay_round(angles, radius);
-  std::vector<BorderPoint> laid;
+  std::vector<DiscBorderPoint> laid;
   for (std::size_t i = 0; i < n; ++i) laid.push_back({border.vertices[i], points[i]});
   return laid;
 }
@@ -208,13 +208,13 @@ std::vector<BorderPoint> lay_border(const IslandBorder& border, const FlatMap& m
 constexpr int kTurns = 32;
 
 /// The matrix that gives the points the area `area`, and turns them so that their box is small and lies wide.
-Eigen::Matrix2d fit(const std::vector<BorderPoint>& border, double area, double laid_area) {
+Eigen::Matrix2d fit(const std::vector<DiscBorderPoint>& border, double area, double laid_area) {
   Eigen::Matrix2d best = Eigen::Matrix2d::Identity();
   double least = kInfinity;
   for (int k = 0; k < 2 * kTurns; ++k) {
     const Eigen::Matrix2d turn = Eigen::Rotation2Dd(std::numbers::pi / 2 * k / kTurns).toRotationMatrix();
     Box2 box;
-    for (const BorderPoint& b : border) box.extend(turn * b.point);
+    for (const DiscBorderPoint& b : border) box.extend(turn * b.point);
     const Vec2 size = box.sizes();
     if (size.x() < size.y() || !(size.prod() < least)) continue;
     least = size.prod();
@@ -240,7 +240,7 @@ IslandBorder measure_border(const ChartSurface& surface, const Island& island) {
 bool map_flat(const Mesh& mesh, const Island& island, const IslandBorder& measured, int attempt,
               std::vector<PlaneCorners>& corners) {
   const FlatMap& map = kMaps[std::size_t(attempt)];
-  const std::vector<BorderPoint> border = lay_border(measured, map);
+  const std::vector<DiscBorderPoint> border = lay_border(measured, map);
   if (border.empty()) return false;
   const PlaneDisc disc = flatten_disc(mesh, island.faces, border, map.weights);
   double area = 0;

@@ -38,14 +38,14 @@ bool RegionSearch::connects(std::span<const FaceId> targets) {
 namespace {
 
 /// The sides of a face behind which a label lies.
-struct Sides {
+struct LabelSides {
   int count = 0;
   int with = 0;     // the last side with the label
   int without = 0;  // the last side without it
 };
 
-Sides find_sides(const Mesh& mesh, const FaceLabelling& label, FaceId f, GeneratorId g) {
-  Sides sides;
+LabelSides find_sides(const Mesh& mesh, const FaceLabelling& label, FaceId f, GeneratorId g) {
+  LabelSides sides;
   for (int corner = 0; corner < 3; ++corner) {
     const HalfedgeId twin = mesh.twin(Mesh::halfedge(f, corner));
     const bool same = twin.valid() && label[Mesh::face(twin)] == g;
@@ -99,7 +99,7 @@ RegionTopology::Fan RegionTopology::count_faces_round(VertexId v, GeneratorId g)
 bool RegionTopology::allows(FaceId f, GeneratorId to) {
   const GeneratorId from = label_[f];
   const auto opposite = [&](int side) { return mesh_.opposite(Mesh::halfedge(f, side)); };
-  const Sides left = find_sides(mesh_, label_, f, from), joined = find_sides(mesh_, label_, f, to);
+  const LabelSides left = find_sides(mesh_, label_, f, from), joined = find_sides(mesh_, label_, f, to);
   if (left.count == 0 || left.count == 3 || joined.count == 0) return false;
   if (left.count == 2) {
     const VertexId v = opposite(left.without);

@@ -16,7 +16,7 @@
 namespace gvd {
 namespace {
 
-using Triangle = std::array<std::size_t, 3>;
+using CornerTriple = std::array<std::size_t, 3>;
 
 /// Three corners count as collinear where twice their signed area is below this fraction of the square of the
 /// triangle's longest side: far above the rounding of collinear points with coordinates in [0, 1]. Dimensionless.
@@ -56,8 +56,8 @@ class EarClipper {
     for (std::size_t i = 0; i < corners.size(); ++i) enqueue(i);
   }
 
-  std::vector<Triangle> run() {
-    std::vector<Triangle> triangles;
+  std::vector<CornerTriple> run() {
+    std::vector<CornerTriple> triangles;
     while (ring_.left_count() > 3) {
       const std::size_t ear = take_ear();
       triangles.push_back(ring_.triangle(ear));
@@ -117,7 +117,7 @@ class EarClipper {
   /// The first corner from `from` on in the triangle of corner i. A corner at the position of one of the triangle's own
   /// is a point where the polygon touches itself, and does not count.
   std::size_t find_inside(std::size_t i, std::size_t from) const {
-    const Triangle own = ring_.triangle(i);
+    const CornerTriple own = ring_.triangle(i);
     const ThickTriangle triangle(corners_[own[0]], corners_[own[1]], corners_[own[2]]);
     const auto may_contain = [&triangle](const Box2& box) { return triangle.may_contain(box); };
     const auto is_corner = [&](std::size_t k) {

@@ -30,7 +30,7 @@ struct Panel {
 };
 
 /// A point with its two distances, which come from two queries.
-struct Sample {
+struct SampledPoint {
   SurfacePoint point;
   BisectorId bisector;
   double left = 0;
@@ -43,7 +43,7 @@ struct Sample {
 
 /// The samples along all bisectors. Neighbouring panels share the sample between them.
 struct BisectorSamples {
-  std::vector<Sample> samples;
+  std::vector<SampledPoint> samples;
   std::vector<Panel> panels;
 
   std::size_t add(BisectorId id, const SurfacePoint& point) {
@@ -89,7 +89,7 @@ void sample_bisector(const Mesh& mesh, BisectorId id, const Bisector& bisector, 
 }
 
 /// Queries and stores the distances of all samples with their weights, in one query for each generator.
-void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sample>& samples) {
+void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<SampledPoint>& samples) {
   struct Wanted {
     std::vector<SurfacePoint> points;
     std::vector<double*> slots;
@@ -99,7 +99,7 @@ void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sa
     by_generator[g].points.push_back(point);
     by_generator[g].slots.push_back(&slot);
   };
-  for (Sample& sample : samples) {
+  for (SampledPoint& sample : samples) {
     want(diagram.bisectors[sample.bisector].left, sample.point, sample.left);
     want(diagram.bisectors[sample.bisector].right, sample.point, sample.right);
   }
@@ -118,12 +118,12 @@ void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sa
 }
 
 /// d_left - d_right; infinite if either is, since infinity - infinity has no value.
-double difference(const Sample& sample) {
+double difference(const SampledPoint& sample) {
   const double d = sample.left - sample.right;
   return std::isfinite(d) ? d : kInfinity;
 }
 
-double integrate(const Panel& panel, const std::vector<Sample>& samples) {
+double integrate(const Panel& panel, const std::vector<SampledPoint>& samples) {
   std::array<double, 4> values{};
   for (std::size_t i = 0; i < 4; ++i) {
     values[i] = difference(samples[panel.samples[i]]);
@@ -149,7 +149,7 @@ ErrorMeasure compute_error_measure(const Mesh& mesh, const Diagram& diagram, con
     result.error_integral += integrate(panel, sampled.samples);
     result.length += panel.length;
   }
-  for (const Sample& sample : sampled.samples) {
+  for (const SampledPoint& sample : sampled.samples) {
     result.error_max = std::max(result.error_max, std::abs(difference(sample)));
   }
   if (result.length > 0) result.error_mean = result.error_integral / result.length;

@@ -24,26 +24,26 @@
 namespace gvd {
 namespace {
 
-using Corners = std::array<double, 3>;
+using CornerDistances = std::array<double, 3>;
 
 /// The least distance of a generator at another one's vertex, in lengths of the shortest edge there. What is nearer
 /// would win the vertex that the other one owns; the bisector moves by half of this.
 constexpr double kLeastSeparation = 1e-3;
 
 /// Whether the first generator is nearer at all corners of a face.
-bool beats(const Corners& a, const Corners& b) { return a[0] < b[0] && a[1] < b[1] && a[2] < b[2]; }
+bool beats(const CornerDistances& a, const CornerDistances& b) { return a[0] < b[0] && a[1] < b[1] && a[2] < b[2]; }
 
 /// A generator that may be the nearest one of points of a face, with its distances at the corners.
-struct Candidate {
+struct Contender {
   GeneratorId generator;
-  Corners distance{};
+  CornerDistances distance{};
 };
 
 /// Adds a generator to those of a face, unless one of them beats it; removes those that it beats.
-void merge(std::vector<Candidate>& candidates, const Candidate& added) {
-  const auto beats_added = [&](const Candidate& c) { return beats(c.distance, added.distance); };
+void merge(std::vector<Contender>& candidates, const Contender& added) {
+  const auto beats_added = [&](const Contender& c) { return beats(c.distance, added.distance); };
   if (std::ranges::any_of(candidates, beats_added)) return;
-  std::erase_if(candidates, [&](const Candidate& c) { return beats(added.distance, c.distance); });
+  std::erase_if(candidates, [&](const Contender& c) { return beats(added.distance, c.distance); });
   candidates.push_back(added);
 }
 
@@ -89,7 +89,7 @@ void check_distance(GeneratorId g, VertexId v, double d) {
               v.value());
 }
 
-GeneratorTable make_table(const Mesh& mesh, const IdVector<FaceId, std::vector<Candidate>>& candidates) {
+GeneratorTable make_table(const Mesh& mesh, const IdVector<FaceId, std::vector<Contender>>& candidates) {
   GeneratorTable table(mesh.vertex_count(), mesh.face_count());
   for (const FaceId f : mesh.faces()) {
     for (const auto& [generator, distance] : candidates[f]) {
@@ -115,7 +115,7 @@ FastMarchingResult tabulate_distances(const WorkingMesh& working, const std::vec
     for_each_neighbour(mesh, v, [&](VertexId, HalfedgeId h) { shortest = std::min(shortest, mesh.length(h)); });
     separation.push_back(kLeastSeparation * shortest);
   }
-  IdVector<FaceId, std::vector<Candidate>> candidates(mesh.face_count());
+  IdVector<FaceId, std::vector<Contender>> candidates(mesh.face_count());
   DistanceRow row;
   for (const GeneratorId g : working.generator_vertices().ids()) {
     report_progress(progress, steps::kDistances, double(g.value()) / double(generators.size()));

@@ -25,22 +25,22 @@ constexpr std::int32_t kLeafFaces = 4;
 /// above the rounding of the two distances (about ten units in the last place), so that no closer face is ever skipped.
 constexpr double kPruneSlack = 1e-12;
 
-struct Candidate {
+struct ClosestOnFace {
   Bary bary{1, 0, 0};
   double distance = kInfinity;
 };
 
-Candidate closest_on_edge(const std::array<Vec3, 3>& corners, int from, const Vec3& query) {
+ClosestOnFace closest_on_edge(const std::array<Vec3, 3>& corners, int from, const Vec3& query) {
   const int to = (from + 1) % 3;
   const double t = std::clamp(foot_on_line(corners[from], corners[to], query), 0.0, 1.0);
-  Candidate candidate{{0, 0, 0}, (corners[from] + t * (corners[to] - corners[from]) - query).norm()};
+  ClosestOnFace candidate{{0, 0, 0}, (corners[from] + t * (corners[to] - corners[from]) - query).norm()};
   candidate.bary[from] = 1 - t;
   candidate.bary[to] = t;
   return candidate;
 }
 
 /// The foot of the perpendicular if it lies inside the triangle; otherwise a candidate at infinite distance.
-Candidate closest_inside(const std::array<Vec3, 3>& corners, const Vec3& query) {
+ClosestOnFace closest_inside(const std::array<Vec3, 3>& corners, const Vec3& query) {
   const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double square = normal.squaredNorm();
   if (!(square > 0)) return {};
@@ -87,9 +87,9 @@ std::vector<FaceId> faces_within(const Mesh& mesh, const SurfacePoint& point, do
 ClosestPoint closest_point_on_face(const Mesh& mesh, FaceId f, const Vec3& query) {
   const auto& [a, b, c] = mesh.vertices(f);
   const std::array<Vec3, 3> corners{mesh.position(a), mesh.position(b), mesh.position(c)};
-  Candidate best = closest_inside(corners, query);
+  ClosestOnFace best = closest_inside(corners, query);
   for (int i = 0; i < 3; ++i) {
-    const Candidate other = closest_on_edge(corners, i, query);
+    const ClosestOnFace other = closest_on_edge(corners, i, query);
     if (other.distance < best.distance) best = other;
   }
   return {make_surface_point(f, best.bary), best.distance};

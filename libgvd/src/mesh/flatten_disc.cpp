@@ -30,7 +30,7 @@ double half_tangent(const Vec3& at, const Vec3& a, const Vec3& b) {
 }
 
 /// The vertices of the faces, ascending, with the border's points.
-PlaneDisc number_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border) {
+PlaneDisc number_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<DiscBorderPoint>& border) {
   PlaneDisc disc;
   for (const FaceId f : faces) {
     for (const VertexId v : mesh.vertices(f)) disc.vertices.push_back(v);
@@ -38,7 +38,7 @@ PlaneDisc number_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const 
   std::sort(disc.vertices.begin(), disc.vertices.end());
   disc.vertices.erase(std::unique(disc.vertices.begin(), disc.vertices.end()), disc.vertices.end());
   disc.points.assign(disc.vertices.size(), Vec2::Zero());
-  for (const BorderPoint& b : border) disc.points[disc.number(b.vertex)] = b.point;
+  for (const DiscBorderPoint& b : border) disc.points[disc.number(b.vertex)] = b.point;
   return disc;
 }
 
@@ -101,11 +101,11 @@ std::vector<Vec2> lay_round(const std::vector<double>& angles, const std::vector
   return points;
 }
 
-PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border,
+PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<DiscBorderPoint>& border,
                        DiscWeights weights) {
   PlaneDisc disc = number_disc(mesh, faces, border);
   std::vector<int> row(disc.vertices.size(), 0);  // of the matrix, -1 on the border
-  for (const BorderPoint& b : border) row[disc.number(b.vertex)] = -1;
+  for (const DiscBorderPoint& b : border) row[disc.number(b.vertex)] = -1;
   int rows = 0;
   for (int& r : row) {
     if (r == 0) r = rows++;

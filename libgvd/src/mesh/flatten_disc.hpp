@@ -13,7 +13,7 @@
 namespace gvd {
 
 /// A vertex of the border of a disc, and where it is put.
-struct BorderPoint {
+struct DiscBorderPoint {
   VertexId vertex;
   Vec2 point;
 };
@@ -55,7 +55,7 @@ enum class DiscWeights {
 /// convex polygon, and no inner edge joins two vertices of one side of it. `is_oriented` tells whether the map is
 /// one-to-one with rounding, too.
 /// Throws Error{no_valid_result} where the system can't be solved. Cost: a sparse system of the inner vertices.
-PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border,
+PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<DiscBorderPoint>& border,
                        DiscWeights weights);
 
 /// Whether every face is counter-clockwise in the plane, for certain. Cost: O(n log n).

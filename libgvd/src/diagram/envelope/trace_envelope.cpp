@@ -32,10 +32,10 @@ constexpr std::size_t kChunkEdges = 128, kChunkWork = 512;
 /// Samples of a segment in a face whose error is measured.
 constexpr int kErrorSamples = 16;
 
-/// Assembles faces one after the other.
-class FaceAssembler {
+/// Traces faces one after the other: assembles each one, refines its arcs, and keeps these apart.
+class EnvelopeFaceTracer {
  public:
-  explicit FaceAssembler(const EnvelopeFaces& input)
+  explicit EnvelopeFaceTracer(const EnvelopeFaces& input)
       : input_(input), plain_(input.field), with_offsets_(input.field), refiner_(input.tolerance) {}
 
   /// Appends face f to the result.
@@ -186,7 +186,7 @@ AssembledFaces EnvelopeTracer::assemble(const std::vector<FaceId>& faces, const 
 }
 
 AssembledFaces assemble_envelope(const EnvelopeFaces& input, std::span<const FaceId> faces) {
-  FaceAssembler assembler(input);
+  EnvelopeFaceTracer assembler(input);
   for (const FaceId f : faces) assembler.assemble(f);
   return assembler.take_result();
 }

@@ -43,7 +43,7 @@ constexpr double kSeam = 1e-12;
 constexpr double kCoordinateRounding = 0x1p-50;
 
 /// Where a curve crosses an edge.
-struct Crossing {
+struct LevelCrossing {
   EdgeId edge;
   std::int32_t level;  // index
   double t;            // from the start of the edge, mesh units
@@ -88,7 +88,7 @@ struct LevelSets {
   const Mesh& mesh;
   const WindowField& field;
   const std::vector<double>& levels;
-  std::vector<Crossing> crossings = {};
+  std::vector<LevelCrossing> crossings = {};
   std::vector<std::int32_t> first = {};  // [edge] of its crossings, and one for the end
 };
 
@@ -108,7 +108,7 @@ void merge(std::vector<Reach>& reaches, double seam) {
 
 /// Appends the crossings of an edge. `sources` and `reaches` are memory that is used for one edge after the other.
 void cross_edge(const LevelSets& sets, EdgeId e, std::vector<EdgeSource>& sources, std::vector<Reach>& reaches,
-                std::vector<Crossing>& found) {
+                std::vector<LevelCrossing>& found) {
   const Mesh& mesh = sets.mesh;
   const HalfedgeId h = mesh.halfedge(e);
   const double length = mesh.length(h), start = sets.field.distance[mesh.from(h)],
@@ -161,14 +161,14 @@ void check_crossings(const LevelSets& sets) {
 void find_crossings(LevelSets& sets, const ParallelChunks& parallel) {
   const std::int32_t edges = sets.mesh.edge_count();
   sets.crossings = parallel.collect(cut_into_chunks(edges, kChunk), kEdgePart, [&](const Chunk& chunk) {
-    std::vector<Crossing> found;
+    std::vector<LevelCrossing> found;
     std::vector<EdgeSource> sources;
     std::vector<Reach> reaches;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) cross_edge(sets, EdgeId(i), sources, reaches, found);
     return found;
   });
   sets.first.assign(edges + 1, 0);
-  for (const Crossing& crossing : sets.crossings) ++sets.first[crossing.edge.index() + 1];
+  for (const LevelCrossing& crossing : sets.crossings) ++sets.first[crossing.edge.index() + 1];
   for (std::size_t e = 1; e < sets.first.size(); ++e) sets.first[e] += sets.first[e - 1];
 }
 
@@ -243,7 +243,7 @@ class FaceTracer {
     const Mesh& mesh = sets_.mesh;
     sides_.clear();
     for (const Seen& c : seen) {
-      const Crossing& crossing = sets_.crossings[c.crossing];
+      const LevelCrossing& crossing = sets_.crossings[c.crossing];
       const double t = std::min(1.0, crossing.t / mesh.length(crossing.edge));
       const Vec2 &from = layout.corner[c.side], &to = layout.corner[(c.side + 1) % 3];
       sides_.push_back({std::int32_t(sides_.size()), c.side, from + (c.is_own ? t : 1 - t) * (to - from),

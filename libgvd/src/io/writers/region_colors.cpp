@@ -25,10 +25,10 @@ void add_pair(std::vector<RegionPair>& pairs, GeneratorId a, GeneratorId b) {
   if (a.valid() && b.valid() && a != b) pairs.emplace_back(std::min(a, b), std::max(a, b));
 }
 
-using Neighbours = std::vector<std::vector<std::size_t>>;
+using RegionNeighbours = std::vector<std::vector<std::size_t>>;
 
-Neighbours list_neighbours(std::size_t count, const std::vector<RegionPair>& adjacent) {
-  Neighbours neighbours(count);
+RegionNeighbours list_neighbours(std::size_t count, const std::vector<RegionPair>& adjacent) {
+  RegionNeighbours neighbours(count);
   for (const auto& [a, b] : adjacent) {
     neighbours[a.index()].push_back(b.index());
     neighbours[b.index()].push_back(a.index());
@@ -57,7 +57,7 @@ std::size_t find_cheapest(std::size_t count, const Cost& cost) {
 
 /// Orders the labels such that each comes before those that were removed from the graph earlier, the one of least
 /// degree first.
-std::vector<std::size_t> order_smallest_last(const Neighbours& neighbours) {
+std::vector<std::size_t> order_smallest_last(const RegionNeighbours& neighbours) {
   std::vector<std::size_t> degree(neighbours.size()), order;
   std::set<std::pair<std::size_t, std::size_t>> left;
   for (std::size_t i = 0; i < neighbours.size(); ++i) left.emplace(degree[i] = neighbours[i].size(), i);
@@ -119,7 +119,7 @@ void sort_pairs(std::vector<RegionPair>& pairs) {
 }
 
 std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<RegionPair>& adjacent) {
-  const Neighbours neighbours = list_neighbours(count, adjacent);
+  const RegionNeighbours neighbours = list_neighbours(count, adjacent);
   std::vector<std::size_t> choice(count, kUncoloured);
   Uses uses{};
   for (const std::size_t label : order_smallest_last(neighbours)) {
@@ -133,7 +133,7 @@ std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<Regio
 
 std::vector<Rgb> adapt_region_colors(const std::vector<Rgb>& before, std::size_t count,
                                      const std::vector<RegionPair>& adjacent) {
-  const Neighbours neighbours = list_neighbours(count, adjacent);
+  const RegionNeighbours neighbours = list_neighbours(count, adjacent);
   std::vector<std::size_t> choice(count, kUncoloured);
   std::vector<std::array<std::size_t, kUsualColors>> tries(count);  // how often each label has taken each colour
   Uses uses{};

@@ -71,14 +71,14 @@ std::int64_t count_closable_edges(const CheckedMesh& checked, const std::vector<
 constexpr std::size_t kMostComparisons = 64;
 
 /// The distance of two vertices, mesh units.
-struct Gap {
+struct VertexGap {
   double length = kInfinity;
   double squared = kInfinity;  // with the rounding of `weld_soup`, which compares squares
 };
 
 /// The least distance of two `placed` vertices that no edge joins. Nothing where there are no two, or where finding out
 /// takes too long. Cost: O(n log n).
-std::optional<Gap> find_least_gap(const CheckedMesh& checked, const std::vector<PlacedVertex>& placed) {
+std::optional<VertexGap> find_least_gap(const CheckedMesh& checked, const std::vector<PlacedVertex>& placed) {
   const Mesh& mesh = checked.mesh;
   std::vector<Ends> joined;
   for (const EdgeId e : mesh.edges()) {
@@ -92,14 +92,14 @@ std::optional<Gap> find_least_gap(const CheckedMesh& checked, const std::vector<
   std::vector<std::pair<double, std::size_t>> along;
   for (std::size_t i = 0; i < placed.size(); ++i) along.emplace_back(direction.dot(at(i)), i);
   std::sort(along.begin(), along.end());
-  Gap least;
+  VertexGap least;
   std::size_t comparisons = 0;
   for (std::size_t i = 0; i < along.size(); ++i) {
     for (std::size_t j = i + 1; j < along.size() && along[j].first - along[i].first < least.length; ++j) {
       if (++comparisons > kMostComparisons * placed.size()) return std::nullopt;
       const std::size_t a = along[i].second, b = along[j].second;
       const Vec3 between = at(a) - at(b);
-      const Gap gap{between.stableNorm(), between.squaredNorm()};
+      const VertexGap gap{between.stableNorm(), between.squaredNorm()};
       const Ends ends = std::minmax({placed[a].second, placed[b].second});
       if (gap.length < least.length && !std::binary_search(joined.begin(), joined.end(), ends)) least = gap;
     }
@@ -108,7 +108,7 @@ std::optional<Gap> find_least_gap(const CheckedMesh& checked, const std::vector<
 }
 
 /// A tolerance that joins the two vertices, which users copy from the message: the length rounded up to six digits.
-std::string format_joining(const Gap& gap) {
+std::string format_joining(const VertexGap& gap) {
   const std::string digits = fmt::format("{:.5e}", gap.length);
   const std::int64_t exponent = parse_integer(digits.substr(digits.find('e') + 1)).value_or(0);
   const double half_step = 0.5 * parse_double(fmt::format("1e{}", exponent - 5)).value_or(0);
@@ -125,7 +125,7 @@ std::string describe_vain_weld(const CheckedMesh& checked, const std::vector<Pla
       tolerance == 0 ? "welding joins nothing: no two vertices are at the same coordinates"
                      : fmt::format("welding within {:g} joins nothing: no two vertices are so near", tolerance);
   if (placed.empty()) return what + ", and no edge is open";
-  const std::optional<Gap> gap = find_least_gap(checked, placed);
+  const std::optional<VertexGap> gap = find_least_gap(checked, placed);
   if (!gap) return what;
   return fmt::format("{}; on open edges, the nearest two that no edge joins are {} apart", what, format_joining(*gap));
 }
