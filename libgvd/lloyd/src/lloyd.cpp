@@ -92,10 +92,16 @@ LloydOptions options_on_copy(const Mesh& mesh, const LloydOptions& options, cons
   return of_copy;
 }
 
+/// The iterations that are left for the mesh. Those on extremities of the copy come on top of the others.
+std::int32_t iterations_left(const LloydOptions& options, const LloydResult& on_copy) {
+  return std::max(0, max_iterations(options) - static_cast<std::int32_t>(on_copy.iterations.size()));
+}
+
 /// The options of the iterations on the mesh. The copy's diagram has told which generators are on extremities.
 LloydOptions options_on_mesh(const LloydOptions& options, const LloydResult& on_copy) {
   LloydOptions of_mesh = options;
-  if (!options.energy_tolerance) of_mesh.max_iterations = std::min(max_iterations(options), kFinishIterations);
+  of_mesh.max_iterations = iterations_left(options, on_copy);
+  if (!options.energy_tolerance) of_mesh.max_iterations = std::min(*of_mesh.max_iterations, kFinishIterations);
   if (!on_copy.extremities.empty()) of_mesh.freedom.resize(on_copy.generators.size(), Freedom::free);
   for (const GeneratorId g : on_copy.extremities) of_mesh.freedom[g.index()] = Freedom::fixed;
   of_mesh.progress = part_of(options.progress, kCopyShare, 1);
@@ -236,7 +242,7 @@ LloydResult finish_on_mesh(const Mesh& mesh, const std::vector<SurfacePoint>& ge
   const double least_promise = options.energy_tolerance ? 0 : kFinishPromise;
   LloydResult result = relax_on_mesh(mesh, moved, options_on_mesh(options, on_copy),
                                      {.starts_by_faces = false, .least_promise = least_promise});
-  const bool ends_early = !options.energy_tolerance && max_iterations(options) > kFinishIterations;
+  const bool ends_early = !options.energy_tolerance && iterations_left(options, on_copy) > kFinishIterations;
   if (ends_early && result.stop == LloydStop::max_iterations) result.stop = LloydStop::prediction;
   result.extremities = std::move(on_copy.extremities);
   result.copy = sum_up(copy, on_copy);

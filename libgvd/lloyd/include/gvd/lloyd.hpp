@@ -37,7 +37,8 @@ struct LloydOptions {
   std::vector<EdgeId> creases;  ///< of the generators that stay on creases (see creases.hpp)
   Density density;              ///< weight of the surface in the energy; of the mesh's faces, or uniform
   Acceleration acceleration = Acceleration::lbfgs;
-  std::optional<std::int32_t> max_iterations;  ///< >= 0; without a value 300, or 100 without acceleration
+  /// >= 0; without a value 300, or 100 without acceleration. Iterations on a copy count.
+  std::optional<std::int32_t> max_iterations;
   /// Stop after an iteration that lowers the energy by less than this fraction of it, on the average of five iterations
   /// if they are accelerated. >= 0; 1e-8 is near the limit. Without a value, an accelerated relaxation ends where
   /// little is left (LloydStop::prediction), and another one by 1e-5.
