@@ -67,7 +67,7 @@ class Mesh {
   /// The corner of h's face that h does not touch.
   VertexId opposite(HalfedgeId h) const { return from(previous(h)); }
 
-  /// The edge's first halfedge; the edge's own direction is this one's.
+  /// The edge's first halfedge, whose direction is that of the edge.
   HalfedgeId halfedge(EdgeId e) const { return edge_halfedge_[e]; }
   /// A halfedge that leaves v. At a boundary vertex it is the boundary halfedge, so that `h = twin(previous(h))`,
   /// repeated until it is invalid, visits every face of v.
@@ -90,7 +90,7 @@ class Mesh {
   double largest_coordinate() const { return largest_coordinate_; }
 
  private:
-  friend class MeshEditor;  // splits faces and edges and flips edges of the library's own working copy
+  friend class MeshEditor;  // splits faces and edges and flips edges of the library's working mesh
 
   void link_twins();
   void number_edges();

@@ -37,7 +37,7 @@ struct Valences {
   double percent_regular = 0;  ///< of the vertices, in [0, 100]
 };
 
-/// All zero for a mesh without vertices. Cost: O(n).
+/// Computes the valences of a mesh; all are zero for a mesh without vertices. Cost: O(n).
 Valences compute_valences(const Mesh& mesh);
 
 }  // namespace gvd
