@@ -195,8 +195,8 @@ enum class Shown {
 
 /// The texts about an option that users read. They name other options by placeholders (gvd/placeholders.hpp).
 struct Spec {
-  /// One line without a full stop that says what the option does; for a flag that is on by default, what giving it
-  /// turns off.
+  /// One line without a full stop that says what the option does; for a flag that is on by default, what happens when
+  /// it is turned off.
   std::string help;
   std::string more = {};        ///< continues `help`, and begins with a comma or semicolon
   std::string arrays = {};      ///< replaces both texts for callers that give arrays instead of files
