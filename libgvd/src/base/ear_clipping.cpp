@@ -145,7 +145,7 @@ class EarClipper {
   const std::vector<Vec2>& corners_;
   PolygonRing ring_;
   std::vector<Search> searches_;  ///< per corner
-  BoxTree boxes_;                 ///< of the remaining corners
+  BoxTree boxes_;                 ///< holds the remaining corners
   std::vector<Waiting> waiting_;
   std::priority_queue<EarCandidate> queue_;
 };

@@ -23,7 +23,7 @@ std::vector<std::array<std::size_t, 3>> triangulate_plane_polygon(const std::vec
 struct EarCandidate {
   double quality;
   std::size_t corner;
-  int version;  ///< of the corner's triangle; the candidate is outdated once the triangle has changed
+  int version;  ///< the version of the corner's triangle; the candidate is outdated once the triangle has changed
 
   /// Orders candidates by quality. Of equally good ones the first corner counts as the largest, so that a
   /// std::priority_queue returns it first.
