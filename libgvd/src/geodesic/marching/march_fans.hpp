@@ -25,9 +25,9 @@ class MarchFans {
   /// An edge of a vertex, and the face on its left as seen from that vertex.
   struct Spoke {
     PlaceId end;        ///< the edge's other vertex
-    double length;      ///< of the edge, mesh units
+    double length;      ///< the edge's length, mesh units
     double rim;         ///< length of the face's side opposite the vertex
-    double twice_area;  ///< of the face; negative where there is none, at the end of an open fan
+    double twice_area;  ///< twice the face's area; negative at the end of an open fan, which has no face there
     bool has_face() const { return twice_area >= 0; }
   };
 

@@ -22,7 +22,7 @@ struct Carrier {
   enum class Kind { none, circle, line } kind = Kind::none;
   Vec2 at = Vec2::Zero();     ///< centre, or a point of the line
   Vec2 along = Vec2::Zero();  ///< unit vector of the line
-  double radius = 0;          ///< of the circle, mesh units
+  double radius = 0;          ///< the circle's radius, mesh units
 
   static Carrier circle(const Vec2& centre, double radius) {
     return {radius > 0 ? Kind::circle : Kind::none, centre, Vec2::Zero(), radius};
@@ -188,7 +188,7 @@ class StretchOfWay {
   }
 
  private:
-  /// An arc of which half the angle is larger than this, in radians, is not enclosed in a triangle.
+  /// An arc is enclosed in a triangle only if half its angle is at most this many radians.
   static constexpr double kShort = 1;
 
   Vec2 middle_, along_ = Vec2::Zero(), outwards_ = Vec2::Zero();

@@ -25,13 +25,13 @@ using SharedCopyId = Id<struct SharedCopyTag>;
 inline VertexCopyId first_copy(VertexId v) { return VertexCopyId(v.value()); }
 
 /// A face as window propagation sees it: all that it takes to carry an image across the face without dividing by a
-/// length or computing an angle. 96 bytes, one and a half lines of the cache.
+/// length or computing an angle. It takes 96 bytes, one and a half cache lines.
 struct FaceFrame {
-  std::array<double, 3> length;        ///< of halfedge i, mesh units
-  std::array<double, 3> cosine;        ///< of the angle at corner i
-  std::array<double, 3> sine;          ///< of the angle at corner i, >= 0
+  std::array<double, 3> length;        ///< the length of halfedge i, mesh units
+  std::array<double, 3> cosine;        ///< the cosine of the angle at corner i
+  std::array<double, 3> sine;          ///< the sine of the angle at corner i, >= 0
   std::array<VertexCopyId, 3> vertex;  ///< at corner i; the first copies, until the mesh is cut into partitions
-  std::array<HalfedgeId, 3> twin;      ///< of halfedge i; invalid on the boundary
+  std::array<HalfedgeId, 3> twin;      ///< the twin of halfedge i; invalid on the boundary
 };
 static_assert(sizeof(FaceFrame) == 96);
 

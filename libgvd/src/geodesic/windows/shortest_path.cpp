@@ -1,8 +1,8 @@
 // Traces a shortest path back to its generator.
 //
 // Idea: the best source of the point's faces shows where the path enters the face, and its image. The line towards the
-// image crosses face after face until it meets the vertex of which this is the image. From a pseudo-source the path
-// continues in the same way, so that only the windows at its bends are read.
+// image crosses face after face until it meets the vertex that has this image. From a pseudo-source the path continues
+// in the same way, so that only the windows at its bends are read.
 // Source: the paths of Mitchell, Mount and Papadimitriou (1987).
 // Invariant: each vertex of a path is nearer to the generator than the one before, so that the path ends.
 #include "geodesic/windows/shortest_path.hpp"

@@ -105,7 +105,7 @@ struct StartDistances {
   double operator[](GeneratorId g) const { return of_generator.empty() ? 0 : of_generator[g.index()]; }
 };
 
-/// What the propagation has to know about the way that a window's paths have come.
+/// Tells the propagation which way a window's paths have come.
 ///
 /// Bit fields make a waiting window fit into one cache line (waiting_windows.hpp). A mesh has fewer than 2^30 faces.
 struct WindowHistory {

@@ -18,7 +18,7 @@ namespace gvd {
 /// through u intersects the side at distance u depth / (depth cos + (u_image - u) sin) from `near`. This takes one
 /// division, and loses no digits unless the ray runs along the side.
 struct SideView {
-  double cosine, sine;  ///< of the angle at `near`
+  double cosine, sine;  ///< the cosine and sine of the angle at `near`
   double along;         ///< position of the image's foot on the side, from `near`
   double depth;         ///< distance of the image behind the side
   double image, below;  ///< u_image and depth on the window's edge
@@ -106,7 +106,7 @@ inline bool is_in_gap(const Window& w, const ApexView& apex, double drift) {
 
 /// A side by which windows leave a face, as seen from the corner that it shares with the edge by which they enter.
 struct ExitSide {
-  double cosine, sine;  ///< of the angle at that corner
+  double cosine, sine;  ///< the cosine and sine of the angle at that corner
   double length;
   HalfedgeId twin;
 };

@@ -18,7 +18,7 @@
 
 namespace gvd {
 
-/// What is known about the distances in a face.
+/// The state of a face's distances.
 enum class FaceState : std::uint8_t {
   open,
   single_label,  ///< the distances are settled and have one label

@@ -29,7 +29,7 @@ struct CurveSector {
 /// directions in which arriving shortest paths can continue (VertexFan).
 class PseudoSources {
  public:
-  /// All have to outlive this.
+  /// All arguments must outlive this object.
   PseudoSources(const Mesh& mesh, const FaceFrames& frames, const MeshPartitions& partitions,
                 const CornerAngles& angles, PartitionId own)
       : mesh_(mesh), frames_(frames), partitions_(partitions), angles_(angles), own_(own), fan_(frames) {}
