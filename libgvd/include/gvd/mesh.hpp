@@ -11,7 +11,7 @@ namespace gvd {
 
 /// Lengths and area of a face, stored together because they are read together.
 struct FaceShape {
-  std::array<double, 3> length{};  ///< of the halfedges of corners 0, 1 and 2, mesh units
+  std::array<double, 3> length{};  ///< lengths of the halfedges of corners 0, 1 and 2, mesh units
   double twice_area = 0;           ///< square mesh units
 };
 

@@ -20,8 +20,8 @@ struct MeshProperty {
   NumberType type = NumberType::float64;
   bool of_vertices = true;                 ///< if false, of polygons
   std::vector<double> values;              ///< a double can hold the values of all types
-  std::optional<NumberType> count_type{};  ///< of lists: how their lengths are stored
-  std::vector<std::size_t> first_value{};  ///< of lists: first value of each element, and the number of values
+  std::optional<NumberType> count_type{};  ///< only for lists: how their lengths are stored
+  std::vector<std::size_t> first_value{};  ///< where each list begins in `values`, then the size of `values`
 
   /// The number of vertices or polygons that have a value or a list.
   std::size_t element_count() const {

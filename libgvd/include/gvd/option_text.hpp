@@ -15,7 +15,7 @@ namespace gvd {
 /// nevertheless.
 std::string read_option(const Option& option, const std::vector<std::string>& texts);
 
-/// What an option takes, as help shows it: "N", "FILE.csv", "exact|gbgvd|paper"; empty for a flag.
+/// The placeholder of an option's value, as help shows it: "N", "FILE.csv", "exact|gbgvd|paper"; empty for a flag.
 std::string value_name(const Field& field);
 
 /// Says what a number has to be: "a whole number from 1 to 4096", "a finite number above 0 or 'none'".

@@ -38,7 +38,7 @@ struct ElementValues {
   bool of_mesh = false;  ///< if true, the elements are those of the mesh, after triangulation and repair
 };
 
-/// What to do with a file that has several numbers for each element, such as labels at several levels.
+/// Decides how a file is read that has several numbers for each element, such as labels at several levels.
 enum class ValueColumns {
   one,   ///< refuse it
   last,  ///< use the last numbers, which are those of the finest level

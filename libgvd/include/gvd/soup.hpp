@@ -13,7 +13,7 @@
 
 namespace gvd {
 
-/// What `build_mesh` does with a defect.
+/// How `build_mesh` treats a defect.
 enum class DefectPolicy {
   error,    ///< refuses any defect
   repair,   ///< repairs defects where that loses no part of the surface, refuses the others
@@ -23,7 +23,7 @@ inline const Choices<DefectPolicy> kDefectPolicyNames{
     {"error", DefectPolicy::error}, {"repair", DefectPolicy::repair}, {"largest", DefectPolicy::largest}};
 
 enum class DefectKind {
-  unwelded_vertices,         ///< of an STL, a GLB or `weld_soup`: welded where coordinates are equal (-0 equals 0)
+  unwelded_vertices,         ///< in STL and GLB files and for `weld_soup`: welded where coordinates are equal (-0 is 0)
   zero_length_edges,         ///< a polygon edge between two vertices at one position: the two are welded
   degenerate_faces,          ///< fewer than three corners without the repeated ones: removed
   duplicate_faces,           ///< the corners of an earlier face, in either direction: removed

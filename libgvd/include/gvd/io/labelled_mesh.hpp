@@ -61,7 +61,7 @@ inline LabelledMesh label_mesh(const Mesh& mesh, const Diagram& diagram, const I
   return {mesh, &faces, nullptr, &diagram.vertex_label, &diagram.vertex_distance, &diagram};
 }
 
-/// What the positions of a mesh lose in the numbers of a file format.
+/// The loss of a mesh's positions when they are rounded to the numbers of a file format.
 struct PositionLoss {
   double farthest_move = 0;          ///< the largest distance by which rounding moves a vertex, mesh units
   std::int64_t collapsed_faces = 0;  ///< faces with area that have none after rounding
