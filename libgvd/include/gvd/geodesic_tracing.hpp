@@ -17,7 +17,7 @@ namespace gvd {
 
 /// A straight line on the surface.
 struct GeodesicTrace {
-  /// From start to end; consecutive points share a face. Only the start for a zero tangent.
+  /// From start to end; consecutive points share a face. For a zero tangent there is only the start.
   std::vector<SurfacePoint> points;
   Vec2 direction = Vec2::Zero();  ///< unit tangent vector of the line at its end; zero for a zero tangent
   double length = 0;              ///< mesh units

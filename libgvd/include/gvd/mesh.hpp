@@ -17,9 +17,9 @@ struct FaceShape {
 
 /// An oriented manifold triangle mesh, with or without boundary, of one or several components.
 ///
-/// Flat arrays; immutable once built. Halfedge 3 f + i of face f runs from its corner i to its corner
-/// i + 1 (modulo 3), so faces, corners and halfedges need no table. Edges are numbered in the order of
-/// their first halfedge. Memory: about 100 bytes a face.
+/// A mesh consists of flat arrays and is immutable once built. Halfedge 3 f + i of face f runs from its corner i to its
+/// corner i + 1 (modulo 3), so faces, corners and halfedges need no table. Edges are numbered in the order of their
+/// first halfedge. Memory: about 100 bytes a face.
 ///
 /// Properties: (1) every face has three different vertices; (2) every edge has one or two faces, which
 /// run through it in opposite directions; (3) the faces round a vertex form one fan, closed or open;

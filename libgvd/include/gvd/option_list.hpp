@@ -189,7 +189,7 @@ Choice choice(std::optional<T>& field, const Choices<T>& choices) {
 enum class Shown {
   usual,
   main,      ///< in the short help, too
-  answered,  ///< not a setting but a question, such as --help, that only command lines take and answer
+  answered,  ///< a question such as --help, which only command lines take and answer, not a setting
   hidden,    ///< like `answered`, but not shown in any help
 };
 

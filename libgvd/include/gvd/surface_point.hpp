@@ -27,7 +27,8 @@ struct SurfacePoint {
 };
 
 /// A barycentric coordinate at or below this becomes 0. Dimensionless: a fraction of the triangle's height. It is ten
-/// thousand units in the last place of 1: far above the rounding of the coordinates, far below any length that matters.
+/// thousand units in the last place of 1, which is far above the rounding of the coordinates and far below any length
+/// that matters.
 inline constexpr double kBarycentricSnap = 1e-12;
 
 /// The point of face f with these coordinates, scaled to sum 1; those at or below kBarycentricSnap become exactly 0.
@@ -41,7 +42,7 @@ SurfacePoint restore_surface_point(FaceId face, const std::array<double, 3>& bar
 /// The vertex v, in the face of `mesh.halfedge(v)`.
 SurfacePoint vertex_point(const Mesh& mesh, VertexId v);
 
-/// The point (1 - t) from(h) + t to(h), in h's face. t in [0, 1].
+/// The point (1 - t) from(h) + t to(h), in h's face. t must be in [0, 1].
 SurfacePoint edge_point(HalfedgeId h, double t);
 
 /// Surface points closer than this fraction of the bounding box's diagonal coincide. Dimensionless. This is a thousand

@@ -25,8 +25,8 @@ struct SurfaceSample {
 /// Writes samples in their order, each with its position, the unit normal of the surface there (see
 /// surface_point.hpp), its face, its barycentric coordinates, and area and energy of its cell.
 ///
-/// PLY: binary, with the properties of docs/guide/lloyd.md. XYZ: text, a line of position and normal each. NPY: a
-/// little-endian array of doubles of the shape (samples, 12), with the columns x y z nx ny nz face b0 b1 b2 area
+/// PLY: binary, with the properties of docs/guide/lloyd.md. XYZ: text, with one line of position and normal per sample.
+/// NPY: a little-endian array of doubles of the shape (samples, 12), with the columns x y z nx ny nz face b0 b1 b2 area
 /// energy. Numbers have enough digits to read back as the same doubles. The stream is flushed and checked.
 /// Throws Error{unwritable_output} if the stream fails. Cost: O(samples).
 void write_points(std::ostream& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples, PointFormat format);

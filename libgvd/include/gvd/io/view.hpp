@@ -105,7 +105,8 @@ ViewScene make_view_scene(std::string name, const LabelledMesh& shown);
 /// make_view_scene.
 std::vector<ViewScene> make_region_scenes(const LabelledMesh& shown);
 
-/// The number of points that all paths of `make_distance_scene` for clicks have at most; they take 2 MB of the page.
+/// The largest number of points that the paths of `make_distance_scene` for clicks have together. They take 2 MB of the
+/// page.
 inline constexpr std::size_t kMostPathPoints = 300'000;
 
 /// Makes the scene of distances from the nearest of several sources: the distances of the vertices, the table's
