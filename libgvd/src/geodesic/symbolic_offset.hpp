@@ -21,15 +21,15 @@ struct SymbolicOffset {
 
   double of(GeneratorId g) const { return (g.value() + first) * step; }
 
-  /// Largest offset of a marched distance, in mean edge lengths. It stays in the distances until they are returned. Far
-  /// above rounding, which is 1e-16 times a distance of up to 1e5 edges; far below any visible length.
+  /// Largest offset of a marched distance, in mean edge lengths. It stays in the distances until they are returned. It
+  /// is far above rounding, which is 1e-16 times a distance of up to 1e5 edges, and far below any visible length.
   static constexpr double kOfMeanEdge = 1e-9;
   static SymbolicOffset of_marching(double mean_edge_length, std::size_t generators) {
     return {kOfMeanEdge * mean_edge_length / double(generators), 1};
   }
 
-  /// Largest offset of a source in an envelope, as a fraction of the bounding box's diagonal. A tenth of the error
-  /// allowed to a crossing (1e-12 of the diagonal); far above rounding where generators are few.
+  /// Largest offset of a source in an envelope, as a fraction of the bounding box's diagonal. It is a tenth of the
+  /// error that a crossing may have (1e-12 of the diagonal) and, where generators are few, far above rounding.
   static constexpr double kOfDiagonal = 1e-13;
   /// The step is the same for all numbers of generators up to the next power of two, so that adding a generator mostly
   /// leaves the crossings of the others as they are.

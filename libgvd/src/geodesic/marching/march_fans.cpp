@@ -1,6 +1,6 @@
 // A copy of the mesh's fans for marches, in the order of a space-filling curve.
 //
-// Idea: a grid of 1024 cells along each axis parts the bounding box. Vertices are sorted by the Morton code of their
+// Idea: a grid of 1024 cells along each axis divides the bounding box. Vertices are sorted by the Morton code of their
 // cell, and by id in a cell.
 // Source: Morton, A computer oriented geodetic data base, 1966.
 // Invariant: the order only decides where a vertex lies in memory. Marches break ties by vertex ids.

@@ -4,8 +4,8 @@
 // as far as the opening lets straight paths through, and discs round the opening's ends beside it; behind a segment of
 // a curve, a half-plane. The points within the level form the union of these regions. A curve of equal distance
 // therefore follows the boundary of one region until it enters another region, at a corner, or leaves the face. It can
-// turn only where the
-// circles and lines of two boundaries intersect; between two such places, one point tells what happens.
+// turn only where the circles and lines of two boundaries intersect; between two such places, one point tells what
+// happens.
 // Most sources can't come near an arc, as the tangent plane of their distance at the arc's middle shows; the remaining
 // sources are the arc's rivals. On fine meshes, few arcs have rivals other than the source of the next arc.
 // The crossings of the sides are given. If rounding keeps a curve from ending at one of them, the face is cut in two,

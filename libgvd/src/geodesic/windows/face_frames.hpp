@@ -91,8 +91,8 @@ class CornerAngles {
   bool empty() const { return corner_.empty(); }
   /// The angle of the corner that a halfedge leaves.
   Departure corner(HalfedgeId h) const { return corner_[h]; }
-  /// The angle of a halfedge round the vertex that it leaves, counter-clockwise from `mesh.halfedge` of that vertex.
-  /// Used for generators.
+  /// The angle of a halfedge round the vertex that it leaves, counter-clockwise from `mesh.halfedge` of that vertex. It
+  /// is used for generators.
   Departure side(HalfedgeId h) const { return side_[h]; }
 
  private:

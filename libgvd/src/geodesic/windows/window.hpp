@@ -66,8 +66,8 @@ static_assert(sizeof(Departure) == 4);
 /// pseudo-source at which they bend. Paths from a segment of a curve are parallel (parallel_windows.hpp).
 ///
 /// The same type serves a window on its way, in a message to another partition, and on the edge where it is kept.
-/// Tracers see windows as EdgeSource and FaceSource (distance_field.hpp), which fast marching provides as well. Those
-/// use one frame for both sides of an edge, and include the paths through vertices.
+/// Tracers see windows as EdgeSource and FaceSource (distance_field.hpp), which fast marching provides as well. These
+/// two types use one frame for both sides of an edge, and include the paths through vertices.
 ///
 /// Source: Mitchell, Mount and Papadimitriou (1987); Chen and Han (1990).
 /// Frame: the edge lies on the x axis and the paths come from below. The origin is the start of `halfedge`, x runs

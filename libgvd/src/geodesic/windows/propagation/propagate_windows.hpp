@@ -27,7 +27,7 @@ struct PropagationOptions {
   /// time. Smaller partitions exchange more windows; with larger ones, threads wait longer at the end of a round.
   /// Distances are exact for any value; the number of windows on edges between partitions may differ.
   std::int32_t partition_faces = 8192;
-  /// Record where all paths leave their generators. Only with KeepWindows::all.
+  /// Record where all paths leave their generators. This needs KeepWindows::all.
   bool departures = false;
   /// Points farther than this from all generators are not reached; mesh units, >= 0. Distances up to it are exact, and
   /// every window that holds one of them is kept. The propagation goes on for a few edges beyond it.
@@ -44,8 +44,8 @@ struct PropagationOptions {
 /// windows that matter are never dropped.
 ///
 /// Source: Chen and Han (1990), with the filters of Xin and Wang (2009), for many generators at once.
-/// Inputs: the generators' vertices, each once. Error: 1e-14 of the distance over 200 faces,
-/// 6e-14 over 1000 (kSameImage in window.hpp), 1e-13 with thin faces.
+/// Inputs: the generators' vertices, each once.
+/// Error: 1e-14 of the distance over 200 faces, 6e-14 over 1000 (kSameImage in window.hpp), 1e-13 with thin faces.
 /// Properties: (1) every distance is the length of a path; (2) none is shorter; (3) the order in which windows are
 /// propagated changes distances by rounding at most, and it is the same for any number of threads
 /// (propagation_rounds.hpp); (4) if generators tie at a vertex, within 2e-14 of the distance, its label is the first of
