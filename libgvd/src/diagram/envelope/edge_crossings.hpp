@@ -64,7 +64,7 @@ std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeS
 /// Improves such a position by steps of Newton's method, inside (begin, end).
 double refine_equidistant(const EdgeSource& first, const EdgeSource& second, double begin, double end, double position);
 
-/// The lower envelope of the sources' distances along one edge, which tells where which source is the nearest. The
+/// The lower envelope of the sources' distances along one edge, which gives the nearest source at each position. The
 /// sources of the edge's ends reach all of it, so that there is no gap.
 /// Cost: O(k^2) for k sources at worst; k is seldom above 8.
 class EdgeEnvelope {

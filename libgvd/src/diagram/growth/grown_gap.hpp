@@ -29,7 +29,7 @@ struct GapNode {
   Kind kind;
   CrossingId rim;                ///< for a rim node: the existing crossing
   Crossing crossing{};           ///< for a new crossing, inside the gap or on the mesh's boundary
-  FaceId face;                   ///< branch
+  FaceId face;                   ///< for a branch point: its face
   std::array<double, 3> bary{};  ///< for a branch point: barycentric coordinates in `face`
   double distance = 0;           ///< for a branch point: predicted distance to its generators, mesh units
 };
