@@ -9,14 +9,14 @@
 
 namespace gvd {
 
-/// Distances from one generator to several points: one run of a single-source solver answers them all.
+/// Asks for the distances from one generator to several points, which one run of a single-source solver answers.
 struct DistanceQuery {
   SurfacePoint generator;
   std::vector<SurfacePoint> points;
 };
 
-/// Computes exact geodesic distances, in mesh units: for each query one distance for each of its points, infinity if
-/// there is no path. `compute_exact_distances` of gvd::verify is one; any other exact solver can be used.
+/// A function that computes exact geodesic distances, in mesh units: for each query one distance per point, infinity if
+/// there is no path. `compute_exact_distances` of gvd::verify is such a function; any other exact solver can be used.
 using ExactDistances = std::function<std::vector<std::vector<double>>(const std::vector<DistanceQuery>&)>;
 
 struct ErrorMeasureOptions {
@@ -33,7 +33,7 @@ struct ErrorMeasure {
 };
 
 /// The error measure E: the sum over the bisectors of the integral of |d_left(p) - d_right(p)| dp, where d_left and
-/// d_right are the exact geodesic distances from p to the bisector's two generators.
+/// d_right are the exact geodesic distances from p to the two generators of the bisector.
 ///
 /// Source:  section 5.2 of the paper
 /// Quadrature: every panel is sampled at the four Gauss-Lobatto points, which include its ends. If the samples do not

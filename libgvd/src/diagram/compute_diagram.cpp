@@ -1,12 +1,12 @@
 // The whole pipeline: a working mesh, in which every generator is a vertex; distances by the solver; bisectors by the
 // tracer, in rounds that connect every cell; and the cells.
 //
-// Any solver works with any tracer. The envelope tracer reads a `DistanceField`, the tracers of the paper read the
-// generator tables of the faces: each solver provides both. What follows the tracer is the same for all methods.
+// Any solver works with any tracer. The envelope tracer reads a `DistanceField`, and the tracers of the paper read the
+// generator tables of the faces. Each solver provides both. The steps after the tracer are the same for all methods.
 // Source: section 4 of the paper, whose steps `Method::paper` keeps one by one. The paper's complexity is O((n + m) log
 // (n + m)); marching in buckets is linear in its events, and everything after it is linear in the faces.
-// Invariant: a run throws before it begins, or says in its report what it could not do. Symbolic offsets decide ties in
-// every step and are taken out of the distances at the end.
+// Invariant: a run throws before it begins, or its report says what it could not do. Symbolic offsets decide ties in
+// every step, and are taken out of the distances at the end.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,17 +43,17 @@ double least_weight(const std::vector<double>& weights) {
   return weights.empty() ? 0 : *std::ranges::min_element(weights);
 }
 
-/// How much longer the distances of each generator are made before they are compared: by their weights, which must not
-/// be negative for that, and by the symbolic offsets of marching.
+/// How much is added to the distances of each generator before they are compared: the weights, made non-negative, and
+/// the symbolic offsets of marching.
 struct AddedLengths {
-  std::vector<double> weights = {};  ///< >= 0, the least is 0; empty without
+  std::vector<double> weights = {};  ///< >= 0, the least is 0; empty if there are none
   SymbolicOffset symbolic = {};
 
   double of(GeneratorId g) const { return symbolic.of(g) + (weights.empty() || !g.valid() ? 0 : weights[g.index()]); }
 };
 
-/// Labels and distances of the input's own vertices, without what was added to them. A vertex that was relabelled keeps
-/// the distance from its nearest generator.
+/// Takes the labels and distances of the input's own vertices, and subtracts the added lengths. A vertex that was
+/// relabelled keeps the distance from its nearest generator.
 void take_vertex_labels(const WorkingMesh& working, const TracedDiagram& traced, const AddedLengths& added,
                         Diagram& diagram) {
   const NearestLabels& nearest = traced.nearest();
@@ -79,7 +79,7 @@ TracedDiagram trace_tables(const WorkingMesh& working, const GeneratorTable& tab
 /// The result of solver and tracer, for the steps that all methods share.
 struct Traced {
   TracedDiagram diagram;
-  AddedLengths added;  ///< contained in the distances of the labels
+  AddedLengths added;  ///< lengths that the distances of the labels contain
 };
 
 Traced trace_marched(const WorkingMesh& working, const FastMarchingResult& marched, const DiagramOptions& options,
@@ -95,7 +95,7 @@ Traced trace_marched(const WorkingMesh& working, const FastMarchingResult& march
   return {trace_connected(working, std::move(labels), tracer, options.progress), {.symbolic = marched.offset}};
 }
 
-/// The first generator with a vertex that another one is nearer to by their weights.
+/// The first generator to whose own vertex another generator is nearer, by their weights.
 std::optional<HiddenGenerator> find_hidden(const WorkingMesh& working, const WindowField& field) {
   for (const GeneratorId g : working.generator_vertices().ids()) {
     const GeneratorId owner = field.label[working.vertex(g)];
@@ -128,7 +128,7 @@ Traced trace_windows(const WorkingMesh& working, const WindowField& field, const
   return {trace_connected(working, std::move(labels), tracer, options.progress), {from_zero(options.weights)}};
 }
 
-/// How many faces have each class: n1, n2 and n3 of section 4.4 of the paper.
+/// The number of faces in each class: n1, n2 and n3 of section 4.4 of the paper.
 FaceClassCounts count_face_classes(const Mesh& mesh, const IdVector<VertexId, GeneratorId>& label) {
   FaceClassCounts counts;
   for (const FaceId f : mesh.faces()) {
@@ -179,7 +179,8 @@ Diagram compute_by_tables(const Mesh& mesh, const std::vector<SurfacePoint>& gen
   return diagram;
 }
 
-/// All steps of the exact solver, after the working mesh; up to the windows if they tell that a generator has no cell.
+/// Runs all steps of the exact solver after the working mesh. Stops after the windows if a generator has no cell, and
+/// returns that generator.
 std::optional<HiddenGenerator> trace_and_read(const WorkingMesh& working, const DiagramOptions& options,
                                               KeepWindows keep, const WindowReader& read, Diagram& diagram) {
   const ParallelChunks parallel(options.threads, options.progress);

@@ -1,4 +1,4 @@
-// The options of a diagram, for users.
+// Describes the options of a diagram for users.
 
 #include "gvd/diagram_options.hpp"
 

@@ -2,9 +2,9 @@
 //
 // Every segment of a bisector is cut into panels with four Gauss-Lobatto samples each. Neighbouring panels share the
 // sample between them.
-// Source: equations (11) and (12); the paper names no quadrature. The points of a bisector between two vertices of it
-// are taken to lie on the straight segment, as they are drawn and written.
-// Invariant: each generator is asked for its distances once, and the sums run in the order of the bisectors.
+// Source: equations (11) and (12); the paper names no quadrature. Between two vertices of a bisector, its points are
+// taken to lie on the straight segment, as it is drawn and written.
+// Invariant: there is one query for each generator, and the sums run in the order of the bisectors.
 #include "gvd/error_measure.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ struct Panel {
   double length;
 };
 
-/// A point with its two distances, which come from two queries.
+/// A point with its two distances, which two queries answer.
 struct SampledPoint {
   SurfacePoint point;
   BisectorId bisector;
@@ -88,7 +88,7 @@ void sample_bisector(const Mesh& mesh, BisectorId id, const Bisector& bisector, 
   }
 }
 
-/// Queries and stores the distances of all samples with their weights, in one query for each generator.
+/// Queries and stores the distances of all samples, weights included, with one query for each generator.
 void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<SampledPoint>& samples) {
   struct Wanted {
     std::vector<SurfacePoint> points;
@@ -117,7 +117,7 @@ void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sa
   }
 }
 
-/// d_left - d_right; infinite if either is, since infinity - infinity has no value.
+/// d_left - d_right; infinite if either is, because infinity - infinity has no value.
 double difference(const SampledPoint& sample) {
   const double d = sample.left - sample.right;
   return std::isfinite(d) ? d : kInfinity;

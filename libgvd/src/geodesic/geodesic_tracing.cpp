@@ -54,8 +54,8 @@ class GeodesicWalker {
     if (walking_) enter(next->point, next->direction);
   }
 
-  /// Continues in the face of `point`. The line does not leave through a side that contains the point: only rounding
-  /// makes the direction point out of it.
+  /// Continues in the face of `point`. The line does not leave through a side that contains the point; if the direction
+  /// points out of such a side, this is only by rounding.
   void enter(const SurfacePoint& point, const Vec2& direction) {
     point_ = point;
     direction_ = direction;

@@ -5,8 +5,8 @@
 // more a point of the face. Points that coincide within rounding are drawn again. Vertices are the beginning of a
 // shuffle. Blue noise is in sampling_poisson.cpp, farthest points are in sampling_farthest.cpp.
 // Source: G. Turk, Generating random points in triangles, 1990; the shuffle of Fisher and Yates.
-// Invariant: a sampler gets options in their ranges, so that it throws only where the mesh has no room. All numbers
-// come from one engine, in an order that depends on the mesh and the count alone. So the same seed gives the same
+// Invariant: a sampler gets options in their ranges, so that it throws only if the mesh has no room. All random numbers
+// come from one engine, in an order that depends on the mesh and the count alone, so that the same seed gives the same
 // points on every platform.
 #include "gvd/sampling.hpp"
 
@@ -45,7 +45,7 @@ void check_options(const Mesh& mesh, const SamplingOptions& options) {
   }
 }
 
-/// Points closer than kMinSampleSpacing to others are drawn again, at most this often. Nearly always no point is.
+/// Points closer than kMinSampleSpacing to others are drawn again, at most this often. Usually no point has to be.
 constexpr int kMaxRedraws = 64;
 
 /// Points drawn between two reports of progress.

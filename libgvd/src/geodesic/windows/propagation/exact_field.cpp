@@ -1,4 +1,4 @@
-// Exact distances and shortest paths for users: propagates all windows once, then answers from those that are kept.
+// Exact distances and shortest paths for users: propagates all windows once, then answers queries from the windows.
 //
 // Idea: generators become vertices of a working mesh. A query is translated into that mesh, answered by the window
 // field, and translated back.
@@ -50,8 +50,8 @@ const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t g
 }
 
 /// The point of a triangle that is nearest to p. The corners and p are given in barycentric coordinates of one face. In
-/// a thin triangle, areas tell only the distance of p from the longest side. The position along that side is measured
-/// on the side itself. So the point is right up to rounding although its coordinates may not be.
+/// a thin triangle, areas only determine the distance of p from the longest side, so the position along that side is
+/// measured on the side itself. The point is then accurate up to rounding, although its coordinates may not be.
 PlacedInTriangle nearest_inside(const std::array<Bary, 3>& corners, const Bary& p) {
   const auto way = [](const Bary& a, const Bary& b) { return Vec2(b[0] - a[0], b[1] - a[1]); };
   const auto side = [&](std::size_t k) { return way(corners[(k + 1) % 3], corners[(k + 2) % 3]); };
@@ -79,7 +79,7 @@ VertexDistances compute_from(const Mesh& mesh, const Sources& sources, const Exa
                                          .threads = options.threads,
                                          .max_distance = options.max_distance},
                                         options.progress);
-  // The vertices of the input come first; those of generators inside faces follow.
+  // The vertices of the input come first, then those of generators inside faces.
   field.distance.resize(mesh.vertex_count());
   field.label.resize(mesh.vertex_count());
   return {std::move(field.distance), std::move(field.label)};
@@ -112,7 +112,7 @@ struct ExactField::State {
     if (!working.is_split(point.face)) return point;
     return make_surface_point(working.parent(point.face), working.parent_bary(point.face, point.bary));
   }
-  /// The tangent plane of a generator. All are made for the first one that is asked for.
+  /// The tangent plane of a generator. The first call makes the planes of all generators.
   const TangentFan& fan(GeneratorId g) {
     std::call_once(fans_made, [this] {
       for (const SurfacePoint& generator : generators) fans.emplace_back(working.input(), generator);
@@ -165,7 +165,7 @@ ExactField::Nearest ExactField::nearest(const SurfacePoint& point) const {
     const Vec2 at = FaceLayout(mesh, p.face).at(p.bary);
     if (const FaceSource* best = nearest_source(sources, at, nearest.distance)) nearest.generator = best->generator;
   }
-  // Sources within the limit see points beyond it, though not on shortest paths.
+  // Sources within the limit also see points beyond it, though not on shortest paths.
   return nearest.distance > state_->max_distance ? Nearest{kInfinity, GeneratorId()} : nearest;
 }
 
@@ -200,8 +200,8 @@ Vec2 ExactField::departure(const GeodesicPath& path) const {
   const Mesh& mesh = state_->working.input();
   if (!path.complete || path.points.size() < 2 || state_->generators.empty()) return Vec2::Zero();
   const TangentFan& fan = state_->fan(path.generator);
-  // The last piece of the path lies in one face, mostly that of its end. The fan knows the generator in each of its
-  // faces.
+  // The last piece of the path lies in one face, mostly in the face that its end names. The fan has the generator as a
+  // point of each of its faces.
   const SurfacePoint& before = path.points[path.points.size() - 2];
   const auto holds_piece = [&](const TangentSector& s) {
     return locate_in_face(mesh, s.point.face, before).has_value();
