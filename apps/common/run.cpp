@@ -85,7 +85,8 @@ void RunReport::set_error_measure(const ErrorMeasure& error) {
   at("diagram")["verify"] = {{"error_integral", error.error_integral},
                              {"error_mean", error.error_mean},
                              {"error_max", error.error_max},
-                             {"length", error.length}};
+                             {"length", error.length},
+                             {"corrected", error.corrected}};
 }
 
 void RunReport::write(std::ostream& out) const {

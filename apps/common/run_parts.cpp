@@ -41,6 +41,11 @@ void verify(Run& run, const Mesh& mesh, const Diagram& diagram) {
       fmt::format("error against exact distances: E {:.6g} mesh units^2 (the difference of a bisector's two distances, "
                   "integrated along all bisectors), mean {:.6g}, largest {:.6g} mesh units",
                   error.error_integral, error.error_mean, error.error_max));
+  if (error.corrected == 0) return;
+  run.console().note(fmt::format(
+      "{} of {} of CGAL's distances were longer than a path on the surface, whose length was taken: on thin "
+      "triangles it can miss the shortest path",
+      error.corrected, error.distances));
 }
 #else
 // check_options has refused --verify.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -26,10 +27,12 @@ struct ErrorMeasureOptions {
 
 /// The difference of the two distances along the bisectors of a diagram (section 5.2 of the paper).
 struct ErrorMeasure {
-  double error_integral = 0;  ///< E: the integral of |d_left - d_right| along the bisectors, square mesh units
-  double error_mean = 0;      ///< error_integral / length, mesh units; 0 without bisectors
-  double error_max = 0;       ///< largest |d_left - d_right| among the samples, mesh units
-  double length = 0;          ///< total length of the integrated bisectors, mesh units
+  double error_integral = 0;   ///< E: the integral of |d_left - d_right| along the bisectors, square mesh units
+  double error_mean = 0;       ///< error_integral / length, mesh units; 0 without bisectors
+  double error_max = 0;        ///< largest |d_left - d_right| among the samples, mesh units
+  double length = 0;           ///< total length of the integrated bisectors, mesh units
+  std::int64_t distances = 0;  ///< that were asked for; 0 where `exact` was not `verify_diagram`'s
+  std::int64_t corrected = 0;  ///< of these, longer than a path on the surface, whose length was taken (verify.hpp)
 };
 
 /// The error measure E: the sum over the bisectors of the integral of |d_left(p) - d_right(p)| dp, where d_left and

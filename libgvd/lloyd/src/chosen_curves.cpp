@@ -74,7 +74,7 @@ void choose_loops(const Mesh& mesh, double spacing, const std::vector<EdgeId>& o
 /// How many times as many generators as may be are needed on curves, if `count` are asked for.
 double find_excess(const Mesh& mesh, const std::vector<EdgeId>& curves, double boundary, std::int64_t count) {
   const double spacing = spacing_beside(compute_area(mesh), boundary, count), asked = static_cast<double>(count);
-  if (surely_exceeds_share(mesh, curves, spacing, static_cast<std::size_t>(count))) return kInfinity;
+  if (surely_exceeds(mesh, curves, spacing, kFeatureShare * asked)) return kInfinity;
   const double corner_distance = kCornerDistance * spacing;
   const auto opposite = static_cast<double>(expect_opposite_generators(mesh, curves, spacing, corner_distance).size());
   const double all = static_cast<double>(place_on_creases(mesh, curves, spacing, corner_distance).points.size());
@@ -124,9 +124,9 @@ constexpr double kLostToRounding = 1.5;
 
 }  // namespace
 
-bool surely_exceeds_share(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing, std::size_t asked) {
+bool surely_exceeds(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing, double most) {
   const double least = total_length(mesh, creases) / spacing - kLostToRounding * double(creases.size());
-  return least > kFeatureShare * double(asked);
+  return least > most;
 }
 
 double choose_curves(const Mesh& mesh, const StartOptions& options, ConstrainedStart& start) {

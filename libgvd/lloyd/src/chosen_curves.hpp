@@ -20,9 +20,9 @@ inline bool exceeds_share(std::size_t placed, std::size_t asked) {
 /// With more, distances improve and the triangles become worse.
 inline constexpr double kOppositeShare = 0.12;
 
-/// Whether the generators that these creases have at least are too many. Creases may be longer than the spacing by many
-/// orders of magnitude, so that their generators would not fit into memory.
-bool surely_exceeds_share(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing, std::size_t asked);
+/// Whether the generators that these creases have at least are more than `most`. Creases may be longer than the spacing
+/// by many orders of magnitude, so that their generators would not fit into memory.
+bool surely_exceeds(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing, double most);
 
 /// Chooses the creases and the boundary loops that generators keep to, as far as the options ask for them, or prefer
 /// them and it is possible (see constrain_start). Sets `creases` of a start that has all `points`, and what follows it.

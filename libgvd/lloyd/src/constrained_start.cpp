@@ -3,7 +3,7 @@
 // Sampled generators keep their number: each one that is placed on a curve takes the place of the nearest sample, and
 // so the others stay evenly spread. Listed generators stay where they are; those on creases are kept there. Generators
 // on curves are as far apart as in an even triangulation, or farther, so that enough are left for the faces:
-// kFeatureShare.
+// most_on_features.
 // Invariant: no generator that is placed or kept coincides with one before it. Cost: a search along x for each
 // generator that is placed.
 #include "gvd/constrained_start.hpp"
@@ -22,6 +22,7 @@
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
 #include "gvd/vec.hpp"
+#include "mesh/creases.hpp"
 #include "mesh/find_coincident.hpp"
 
 namespace gvd {
@@ -100,14 +101,25 @@ void append_listed(const Mesh& mesh, const ConstrainedStart& start, FeatureGener
 /// Factor of their spacing from one attempt to the next.
 constexpr double kWiderSpacing = 1.1;
 
-/// Generators on the creases as far apart as in an even triangulation, or farther, so that they are no more than
-/// kFeatureShare of all.
+/// How many generators may be placed on the creases: kFeatureShare of all. If these are boundaries alone, as many as an
+/// even triangulation has there, where that is more: on a small piece of a plane, most of its vertices. With fewer, the
+/// cells of others meet the boundary, and a remesh adds what is missing.
+std::size_t most_on_features(const Mesh& mesh, const ConstrainedStart& start, double spacing) {
+  const double asked = double(start.points.size());
+  const bool is_boundary = std::ranges::all_of(start.creases, [&](EdgeId e) { return mesh.is_boundary(e); });
+  const double even = is_boundary ? total_length(mesh, start.creases) / spacing : 0;
+  return static_cast<std::size_t>(std::clamp(even, kFeatureShare * asked, asked));
+}
+
+/// Generators on the creases as far apart as in an even triangulation, or farther, so that they are no more than may
+/// be.
 FeatureGenerators place_features(const Mesh& mesh, const ConstrainedStart& start, double spacing) {
-  while (surely_exceeds_share(mesh, start.creases, spacing, start.points.size()) && spacing < mesh.bbox_diagonal()) {
+  const std::size_t most = most_on_features(mesh, start, spacing);
+  while (surely_exceeds(mesh, start.creases, spacing, double(most)) && spacing < mesh.bbox_diagonal()) {
     spacing *= kWiderSpacing;
   }
   FeatureGenerators placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
-  while (exceeds_share(placed.points.size(), start.points.size()) && spacing < mesh.bbox_diagonal()) {
+  while (placed.points.size() > most && spacing < mesh.bbox_diagonal()) {
     spacing *= kWiderSpacing;
     placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
   }

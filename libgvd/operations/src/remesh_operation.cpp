@@ -26,6 +26,7 @@
 #include "gvd/remesh_options.hpp"
 #include "gvd/remesh_scenes.hpp"
 #include "gvd/sampling.hpp"
+#include "gvd/surface_distance.hpp"
 #include "gvd/text.hpp"
 
 namespace gvd {
@@ -308,9 +309,16 @@ void describe_distance(const RemeshResult& result, std::vector<std::string>& lin
                     "vertices, where at most {} is usual; {}",
                     nearness.hausdorff / nearness.spacing, kFarSpacings, advice));
   }
-  lines.push_back(fmt::format("distance from the input, in % of the diagonal: {:.3g} at most, {:.3g} RMS",
-                              100 * std::max(there.hausdorff, back.hausdorff) / diagonal,
-                              100 * std::max(there.rms, back.rms) / diagonal));
+  const double found = std::max(there.hausdorff, back.hausdorff);
+  const double bound = std::max(there.hausdorff_bound, back.hausdorff_bound);
+  const double least_tolerance = kLeastHausdorffTolerance * std::max(diagonal, result.mesh.bbox_diagonal());
+  const double close = found + std::max(kHausdorffTolerance * found, least_tolerance);
+  lines.push_back(fmt::format(
+      "distance from the input, in % of the diagonal: {:.3g} at most{}, {:.3g} RMS", 100 * bound / diagonal,
+      bound <= close
+          ? ""
+          : fmt::format(" ({:.3g} found; the search for the largest ended at its limit)", 100 * found / diagonal),
+      100 * std::max(there.rms, back.rms) / diagonal));
 }
 
 void add_relaxation(ObjectVisitor& visitor, const SurfaceRemesh& made) {

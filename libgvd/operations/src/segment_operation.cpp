@@ -177,6 +177,12 @@ void tell_charts(Observer& observer, const Charts& charts, ChartMap map) {
                                       : " where shortest paths meet, or flat behind saddles; \1uv=flat\2 flips "
                                         "none"));
   }
+  if (is_flat && charts.flipped_by_floats > 0) {
+    observer.note(
+        fmt::format("{} flipped in .glb, which rounds texture coordinates to 32-bit floats; .ply and .obj "
+                    "keep doubles, and flip none",
+                    counted(charts.flipped_by_floats, "face is", "faces are")));
+  }
   if (has(&Chart::torn_area)) {
     observer.note(fmt::format("{} of the area is torn off its chart, where shortest paths come from two sides",
                               percent(&Chart::torn_area)));
@@ -297,6 +303,8 @@ void add_charts(ObjectVisitor& visitor, const SegmentOutcome& made) {
   figure("scale", "texture units per mesh unit", "of all charts", charts.scale);
   figure("covered_share", "", "of the texture", charts.covered);
   figure("flipped_share", "", "of the area: faces that are flipped", charts.share(&Chart::flipped_area));
+  figure("flipped_by_floats", "", "faces that are flipped in .glb alone, whose texture coordinates are 32-bit floats",
+         charts.flipped_by_floats);
   figure("torn_share", "", "of the area: faces that are torn off", charts.share(&Chart::torn_area));
   figure("unplaced_share", "", "of the area: faces without texture coordinates", charts.share(&Chart::unplaced_area));
   visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts.charts, made.chart_map));

@@ -40,6 +40,15 @@ int orientation_of(const Charts& charts, FaceId f) {
   return orientation(corner_in_square(charts, f, 0), corner_in_square(charts, f, 1), corner_in_square(charts, f, 2));
 }
 
+/// Whether a face that is counter-clockwise is not with u and 1 - v as 32-bit floats. In glTF v runs downwards.
+bool do_floats_flip(const Charts& charts, FaceId f) {
+  const auto at = [&](std::size_t c) {
+    const Vec2 p = corner_in_square(charts, f, c);
+    return Vec2(double(float(p.x())), double(float(1 - p.y())));
+  };
+  return orientation_of(charts, f) > 0 && orientation(at(0), at(1), at(2)) >= 0;
+}
+
 /// Packs the islands and sets the texture coordinates. `corners`: of all faces, mesh units, each island round an origin
 /// of its own.
 void place_islands(const std::vector<Island>& islands, const std::vector<PlaneCorners>& corners, Charts& charts) {
@@ -186,6 +195,8 @@ Charts make_charts(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
     measure_chart(surface.mesh(), islands[i], torn, charts, chart);
     charts.covered += chart.area * charts.scale * charts.scale;
   }
+  charts.flipped_by_floats =
+      std::ranges::count_if(surface.mesh().faces(), [&](FaceId f) { return do_floats_flip(charts, f); });
   return charts;
 }
 

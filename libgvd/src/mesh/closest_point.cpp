@@ -167,9 +167,10 @@ std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::i
   return both;
 }
 
-/// Looks for a better face below a node, in nearer boxes first. The distance of a NearestFace is a square here.
+/// Looks for a better face below a node, in nearer boxes first. The distance of a NearestFace is a square here, and so
+/// is `enough`, which is for it alone.
 template <class Best>
-void ClosestPointTree::visit(std::int32_t index, const Vec3& query, Best& best) const {
+void ClosestPointTree::visit(std::int32_t index, const Vec3& query, double enough, Best& best) const {
   constexpr bool kDecides = std::is_same_v<Best, ClosestPoint>;
   const Node& node = nodes_[index];
   for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
@@ -183,14 +184,15 @@ void ClosestPointTree::visit(std::int32_t index, const Vec3& query, Best& best) 
   }
   if (node.count > 0) return;
   for (const auto& [near, child] : children(index, query)) {
-    const bool may_hold = kDecides ? std::sqrt(near) <= best.distance * (1 + kPruneSlack) : near < best.distance;
-    if (may_hold) visit(child, query, best);
+    const bool may_hold = kDecides ? std::sqrt(near) <= best.distance * (1 + kPruneSlack)
+                                   : near < best.distance && best.distance > enough;
+    if (may_hold) visit(child, query, enough, best);
   }
 }
 
-NearestFace ClosestPointTree::nearest_face(const Vec3& query, FaceId guess) const {
+NearestFace ClosestPointTree::nearest_face(const Vec3& query, FaceId guess, double enough) const {
   NearestFace best{guess, square_distance(triangle(guess), query)};
-  visit(0, query, best);
+  visit(0, query, enough * enough, best);
   best.distance = std::sqrt(best.distance);
   return best;
 }
@@ -202,7 +204,7 @@ ClosestPoint ClosestPointTree::query(const Vec3& query) const {
   if (query.allFinite() && !nodes_.empty()) {
     const ClosestPoint guess = closest_point_on_face(*mesh_, nearest_face(query).face, query);
     if (std::isfinite(guess.distance)) best = guess;
-    visit(0, query, best);
+    visit(0, query, 0, best);
   }
   if (!best.point.face.valid()) {
     throw Error(ErrorCode::precondition,

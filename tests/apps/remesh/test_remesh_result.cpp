@@ -55,6 +55,21 @@ TEST_CASE("gvd-remesh: where all generators are in one corner, report and note s
   }
 }
 
+TEST_CASE("gvd-remesh: the line on the distance names the bound as the most, within 1 % of what was found") {
+  const ScratchFolder scratch;
+  const std::string report = scratch / "report.json";
+  const std::string err = run_remesh(data_file("figure.obj") + " -n 60 --report " + report);
+  const auto result = nlohmann::json::parse(read_text(report));
+  const auto& distance = result["results"]["distance"];
+  const auto larger = [&](const char* kind) {
+    return std::max(double(distance["input_to_output"][kind]), double(distance["output_to_input"][kind]));
+  };
+  const double bound = larger("hausdorff_bound"), diagonal = result["input"]["bbox_diagonal"];
+  CHECK(bound <= 1.01 * larger("hausdorff"));
+  CHECK_THAT(err, Contains(fmt::format("distance from the input, in % of the diagonal: {:.3g} at most, {:.3g} RMS",
+                                       100 * bound / diagonal, 100 * larger("rms") / diagonal)));
+}
+
 /// Distance of the nearest vertex from the end of a spindle that has the farther one.
 double farthest_tip(const std::string& coarse) {
   double farthest = 0;

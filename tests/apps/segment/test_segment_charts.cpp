@@ -12,6 +12,7 @@
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
+#include "base/plane.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
@@ -106,6 +107,30 @@ TEST_CASE("gvd-segment --uv flat: each face is counter-clockwise in the square, 
   }
   CHECK(area == Approx(charts["covered_share"].get<double>()).epsilon(1e-6));
   CHECK_THAT(read_text(scratch / "a.ply"), Contains("texcoord") || Contains("property double s"));
+}
+
+/// How many faces of a file are not counter-clockwise in the texture, for certain.
+std::int64_t count_flipped(const std::string& file) {
+  const std::vector<Uv> texture = read_soup(file).appearance.texture;
+  REQUIRE(!texture.empty());
+  const auto at = [&](std::size_t i) { return Vec2(texture[i][0], texture[i][1]); };
+  std::int64_t flipped = 0;
+  for (std::size_t i = 0; i < texture.size(); i += 3) flipped += orientation(at(i), at(i + 1), at(i + 2)) <= 0;
+  return flipped;
+}
+
+TEST_CASE("gvd-segment --uv flat: PLY and OBJ flip no face, and a note counts those that the floats of GLB flip") {
+  const ScratchFolder scratch;
+  const std::string notes = run(data_file("figure.obj") + " -n 12 --disc --uv flat -o " + scratch / "a.obj" + " -o " +
+                                scratch / "a.ply" + " -o " + scratch / "a.glb --report " + scratch / "r.json");
+  CHECK(count_flipped(scratch / "a.obj") == 0);
+  CHECK(count_flipped(scratch / "a.ply") == 0);
+  const std::int64_t flipped = count_flipped(scratch / "a.glb");
+  CHECK(flipped > 0);
+  CHECK(read_json(scratch / "r.json")["results"]["charts"]["flipped_by_floats"] == flipped);
+  CHECK_THAT(notes,
+             Contains(std::to_string(flipped) + " faces are flipped in .glb, which rounds texture coordinates to " +
+                      "32-bit floats; .ply and .obj keep doubles, and flip none"));
 }
 
 TEST_CASE("gvd-segment --uv logmap: the report has the generators' places, and distances in the texture are exact") {

@@ -57,7 +57,9 @@ struct Charts {
   std::vector<Uv> texture;
   std::vector<Chart> charts;  ///< ascending by their first face
   double scale = 0;           ///< texture units per mesh unit, the same for all charts
-  double covered = 0;         ///< area of the charts in the unit square, if they do not overlap themselves
+  /// Faces that are counter-clockwise, but not once u and 1 - v are rounded to 32-bit floats, as a .glb has them.
+  std::int64_t flipped_by_floats = 0;
+  double covered = 0;  ///< area of the charts in the unit square, if they do not overlap themselves
 
   /// Share of the area of all charts, in [0, 1], that `area_of` counts of each, such as &Chart::flipped_area.
   double share(double Chart::*area_of) const;
