@@ -463,7 +463,7 @@ def check_edits():
     check(again, points)
     release(added)
     assert refused("edit", removed, {"move": 50, "to": [0]}, status=PRECONDITION) == \
-        "there is no generator 50 among 50 generators"
+        "there is no generator 50; the diagram has 50 generators"
     assert refused("edit", removed, {"move": -1, "to": [0]}).startswith("\"move\": '-1' is not a whole number from 0")
     assert refused("edit", removed, {"move": 1, "to": [0, 1]}) == 'one point is needed in "to", and there are 2 points'
     assert refused("edit", removed, {}) == 'no change: give one of "move", "add" or "remove"'

@@ -145,7 +145,7 @@ TEST_CASE(
 TEST_CASE("an array of NumPy is no list, and named") {
   CHECK(
       refusal([] { parse_generators("\x93NUMPY\x01", GeneratorFormat::text, "list"); }, ErrorCode::unreadable_input) ==
-      "list: the file is an array of NumPy; write the points as .ply, .xyz or text");
+      "list: the file is a NumPy array; write the points as .ply, .xyz or text");
 }
 
 TEST_CASE("a list in UTF-16 is read in every format") {

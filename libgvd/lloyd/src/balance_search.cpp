@@ -278,7 +278,7 @@ void check_options(const Mesh& mesh, const std::vector<SurfacePoint>& generators
   const auto refuse = [](const std::string& message) { throw Error(ErrorCode::invalid_option, message); };
   if (!(options.tolerance > 0)) refuse("the tolerance of balancing must be above 0");
   if (options.max_diagrams < 1) refuse("balancing needs at least one diagram");
-  if (options.diagram.method != Method::exact) refuse("only the exact method takes weights");
+  if (options.diagram.method != Method::exact) refuse("weights need the exact method; choose it, or leave them out");
   if (!options.shares.empty() && options.shares.size() != generators.size()) {
     refuse(fmt::format("the shares are {} and the generators {}; give one for each", options.shares.size(),
                        generators.size()));

@@ -217,7 +217,7 @@ void check_diagram_options(const DiagramOptions& options) {
   }
   if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
   if (!options.weights.empty() && options.method != Method::exact) {
-    throw Error(ErrorCode::invalid_option, "only the exact method takes weights");
+    throw Error(ErrorCode::invalid_option, "weights need the exact method; choose it, or leave them out");
   }
 }
 
@@ -225,12 +225,12 @@ void check_weights(const std::vector<double>& weights, std::size_t generators) {
   if (weights.empty()) return;
   if (weights.size() != generators) {
     throw Error(ErrorCode::invalid_option,
-                fmt::format("the weights are {} and the generators {}; give one for each", weights.size(), generators));
+                fmt::format("there are {} weights for {} generators; give one for each", weights.size(), generators));
   }
   const auto bad = std::ranges::find_if(weights, [](double w) { return !std::isfinite(w); });
   if (bad == weights.end()) return;
-  throw Error(ErrorCode::invalid_option, fmt::format("weight {} is {}", bad - weights.begin(), *bad),
-              bad - weights.begin());
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("weight {} is {}; give a finite number", bad - weights.begin(), *bad), bad - weights.begin());
 }
 
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
@@ -272,11 +272,12 @@ Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoin
 }
 
 Error HiddenGenerator::error() const {
-  return Error(ErrorCode::precondition,
-               fmt::format("generator {} has no cell: by their weights, generator {} is nearer even there; weights of "
-                           "two generators must differ by less than their distance",
-                           generator.value(), nearer.value()),
-               generator.value());
+  return Error(
+      ErrorCode::precondition,
+      fmt::format("generator {} has no cell, because with these weights generator {} is nearer even at its place; "
+                  "weights of two generators must differ by less than their distance",
+                  generator.value(), nearer.value()),
+      generator.value());
 }
 
 std::variant<Diagram, HiddenGenerator> try_to_compute_and_read(const Mesh& mesh,
@@ -295,8 +296,10 @@ std::variant<Diagram, HiddenGenerator> try_to_compute_and_read(const Mesh& mesh,
 
 Diagram compute_diagram(const Mesh& mesh, const std::vector<GeneratorCurve>& curves, const DiagramOptions& options) {
   check_diagram_options(options);
-  if (options.method != Method::exact) throw Error(ErrorCode::invalid_option, "only the exact method takes curves");
-  if (!options.weights.empty()) throw Error(ErrorCode::invalid_option, "curves have no weights");
+  if (options.method != Method::exact)
+    throw Error(ErrorCode::invalid_option, "curves need the exact method; choose it, or give points");
+  if (!options.weights.empty())
+    throw Error(ErrorCode::invalid_option, "diagrams of curves take no weights; leave them out");
   Diagram diagram;
   const WorkingMesh working(mesh, curves, options.progress);
   diagram.curves = curves;

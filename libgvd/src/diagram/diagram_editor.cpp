@@ -80,7 +80,7 @@ void DiagramEditor::State::check(GeneratorId g) const {
   const std::vector<SurfacePoint>& points = diagram.generators;
   if (g.valid() && g.index() < points.size()) return;
   throw Error(ErrorCode::precondition,
-              fmt::format("there is no generator {} among {}", g.value(),
+              fmt::format("there is no generator {}; the diagram has {}", g.value(),
                           counted(std::ssize(points), "generator", "generators")),
               g.value());
 }

@@ -55,10 +55,12 @@ struct BisectorSamples {
 void check_bisector(const Mesh& mesh, const Diagram& diagram, BisectorId id) {
   const Bisector& bisector = diagram.bisectors[id];
   const auto check_point = [&](const SurfacePoint& p) {
-    if (!p.face.valid() || p.face.value() >= mesh.face_count()) refuse(id, "refers to no face of the mesh");
+    if (!p.face.valid() || p.face.value() >= mesh.face_count())
+      refuse(id, "refers to a face that the mesh does not have");
   };
   for (const GeneratorId g : {bisector.left, bisector.right}) {
-    if (!g.valid() || g.index() >= diagram.generators.size()) refuse(id, "refers to no generator of the diagram");
+    if (!g.valid() || g.index() >= diagram.generators.size())
+      refuse(id, "refers to a generator that the diagram does not have");
     check_point(diagram.generators[g.index()]);
   }
   std::ranges::for_each(bisector.points, check_point);
@@ -72,7 +74,7 @@ void sample_bisector(const Mesh& mesh, BisectorId id, const Bisector& bisector, 
   const std::size_t segments = bisector.closed ? count : count - 1;
   for (std::size_t i = 0; i < segments; ++i) {
     const auto view = find_common_view(mesh, bisector.points[i], bisector.points[(i + 1) % count]);
-    if (!view) refuse(id, fmt::format("has no face in common for its points {} and {}", i, (i + 1) % count));
+    if (!view) refuse(id, fmt::format("has two points, {} and {}, that no face contains", i, (i + 1) % count));
     const auto& [a, b] = *view;
     const double length = (position(mesh, b) - position(mesh, a)).norm();
     if (length == 0) continue;

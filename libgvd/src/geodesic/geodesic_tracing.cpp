@@ -139,7 +139,7 @@ class GeodesicWalker {
 GeodesicTrace trace_geodesic(const Mesh& mesh, const SurfacePoint& start, const Vec2& tangent) {
   if (!start.face.valid() || start.face.value() >= mesh.face_count()) {
     throw Error(ErrorCode::precondition,
-                fmt::format("a geodesic can't start in face {}: the mesh has {}", start.face.value(),
+                fmt::format("there is no face {} to start a geodesic in; the mesh has {}", start.face.value(),
                             counted(mesh.face_count(), "face", "faces")),
                 start.face.value());
   }

@@ -37,7 +37,7 @@ namespace {
 void refuse_foreign(std::string_view content, const std::string& name) {
   if (content.starts_with("\x93NUMPY")) {
     throw Error(ErrorCode::unreadable_input,
-                name + ": the file is an array of NumPy; write the points as .ply, .xyz or text");
+                name + ": the file is a NumPy array; write the points as .ply, .xyz or text");
   }
   const std::string_view program = find_compression(content);
   if (program.empty()) return;

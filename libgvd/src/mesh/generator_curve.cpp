@@ -46,7 +46,7 @@ void check_curve(const Mesh& mesh, const GeneratorCurve& curve, std::size_t numb
     sets.unite(a, b);
     --parts;
   }
-  if (parts > 1) refuse(number, fmt::format("has {} parts; make each one a curve of its own", parts));
+  if (parts > 1) refuse(number, fmt::format("consists of {} separate parts; make each part a curve of its own", parts));
 }
 
 /// The connected groups of some edges, each with its vertices in their order. So the first point of a curve is the

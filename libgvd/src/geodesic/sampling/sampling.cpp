@@ -41,7 +41,7 @@ void check_options(const Mesh& mesh, const SamplingOptions& options) {
   const std::int64_t maximum = std::int64_t{kMaxSamplingVertices} + mesh.vertex_count();
   if (options.count > maximum) {
     throw Error(ErrorCode::precondition,
-                fmt::format("{} generators asked for; on this mesh ask for at most {}", options.count, maximum));
+                fmt::format("{} generators were asked for; on this mesh, ask for at most {}", options.count, maximum));
   }
 }
 
@@ -78,8 +78,8 @@ std::vector<SurfacePoint> sample_vertices(const Mesh& mesh, std::int64_t count, 
   if (count > mesh.vertex_count()) {
     throw Error(
         ErrorCode::precondition,
-        fmt::format("{} different vertices asked for, and the mesh has {}; ask for fewer, or take random points", count,
-                    mesh.vertex_count()));
+        fmt::format("{} different vertices were asked for, but the mesh has {}; ask for fewer, or take random points",
+                    count, mesh.vertex_count()));
   }
   std::vector<SurfacePoint> points;
   for (const VertexId v : draw_vertices(mesh, count, seed)) points.push_back(vertex_point(mesh, v));
@@ -132,9 +132,10 @@ std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, co
     if (too_close.empty()) return points;
     for (const std::size_t i : too_close) draw(i);
   }
-  throw Error(ErrorCode::precondition, fmt::format("the surface is too small beside its bounding box for {} different "
-                                                   "points; ask for fewer, or remove far parts",
-                                                   count));
+  throw Error(ErrorCode::precondition,
+              fmt::format("the surface is too small compared with its bounding box for {} different "
+                          "points; ask for fewer, or remove far parts",
+                          count));
 }
 
 std::vector<VertexId> draw_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed) {

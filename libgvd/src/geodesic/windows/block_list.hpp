@@ -23,7 +23,7 @@ inline constexpr std::size_t kMostWindows = std::numeric_limits<std::int32_t>::m
 inline void check_window_count(std::size_t count, std::size_t more) {
   if (count <= kMostWindows - more) return;
   throw Error(ErrorCode::precondition,
-              "the exact distances on this mesh take more than 2147483647 windows; make it coarser, or use the "
+              "exact distances on this mesh need more than 2147483647 windows; make the mesh coarser, or use the "
               "distances of fast marching");
 }
 

@@ -40,11 +40,12 @@ const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t g
   if (!offsets.empty() && offsets.size() != generators) {
     throw Error(
         ErrorCode::precondition,
-        fmt::format("the offsets are {} and the generators {}; give one for each or none", offsets.size(), generators));
+        fmt::format("there are {} offsets for {} generators; give one for each or none", offsets.size(), generators));
   }
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     if (offsets[i] >= 0 && std::isfinite(offsets[i])) continue;
-    throw Error(ErrorCode::invalid_option, fmt::format("offset {} is negative or not finite", i), std::int64_t(i));
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("offset {} is negative or not finite; give a number of 0 or more", i), std::int64_t(i));
   }
   return options;
 }
@@ -179,7 +180,8 @@ GeodesicPath ExactField::path(const SurfacePoint& point, GeneratorId only) const
 }
 
 std::vector<Isoline> ExactField::isolines(const std::vector<double>& levels, const IsolineOptions& options) const {
-  if (!(options.chord_tolerance > 0)) throw Error(ErrorCode::invalid_option, "the chord tolerance must be above 0");
+  if (!(options.chord_tolerance > 0))
+    throw Error(ErrorCode::invalid_option, "the chord tolerance must be a number above 0");
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (levels[i] > (i > 0 ? levels[i - 1] : 0) && levels[i] <= state_->max_distance && std::isfinite(levels[i]))
       continue;
@@ -230,10 +232,12 @@ void compute_distance_rows(const Mesh& mesh, const std::vector<SurfacePoint>& so
                            const std::vector<SurfacePoint>* at, std::span<double> rows,
                            const ExactFieldOptions& options) {
   const std::size_t columns = at != nullptr ? at->size() : std::size_t(mesh.vertex_count());
-  if (!options.offsets.empty()) throw Error(ErrorCode::invalid_option, "rows of distances have no offsets");
+  if (!options.offsets.empty())
+    throw Error(ErrorCode::invalid_option, "rows of distances take no offsets; leave them out");
   if (rows.size() != sources.size() * columns) {
     throw Error(ErrorCode::invalid_option,
-                fmt::format("{} numbers are given for {} rows of {} distances", rows.size(), sources.size(), columns));
+                fmt::format("the array has room for {} numbers, and {} rows of {} distances need {}", rows.size(),
+                            sources.size(), columns, sources.size() * columns));
   }
   ExactFieldOptions alone = options;
   alone.threads = 1;

@@ -27,7 +27,8 @@ std::vector<SurfacePoint> join_points(const Mesh& mesh, const SurfacePoint& a, c
     const GeodesicPath path = ExactField(mesh, {b}, {.threads = 1, .max_distance = radius}).path(a);
     if (path.complete) return {path.points.begin() + 1, path.points.end() - 1};
     if (radius == kInfinity) {
-      throw Error(ErrorCode::precondition, "no path joins two points of a curve: they lie on two components; part it");
+      throw Error(ErrorCode::precondition,
+                  "two points of a curve lie on different components, so no path joins them; split the curve");
     }
     radius = 2 * radius < last && radius > 0 ? 2 * radius : kInfinity;
   }

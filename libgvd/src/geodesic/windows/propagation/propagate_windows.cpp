@@ -120,7 +120,7 @@ WindowField propagate_windows(const WorkingMesh& working, const PropagationOptio
     return propagate_from_points(working.mesh(), before, working.generator_vertices().raw(), options, progress);
   }
   if (!options.offsets.empty() || options.departures) {
-    throw Error(ErrorCode::invalid_option, "curves have neither offsets nor directions of departure");
+    throw Error(ErrorCode::invalid_option, "curves take no offsets and no directions of departure; leave them out");
   }
   report_progress(progress, steps::kDistances, 0);
   const Progress silent;
