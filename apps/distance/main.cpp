@@ -1,7 +1,7 @@
 // gvd-distance: exact distances on the surface from points of a list, shortest paths, and isolines.
 //
-// The library measures (gvd/distances_operation.hpp). Files hold the table of distances, or the mesh with those of its
-// vertices; paths and isolines go where curves fit.
+// The library measures (gvd/distances_operation.hpp). Files hold the table of distances, or the mesh with the distances
+// of its vertices; paths and isolines go into formats that can hold curves.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -47,15 +47,15 @@ void describe_own(OptionList& list, DistanceCommandOptions& own) {
   list.excludes("each", {"view"}, "the page shows the nearest source");
 }
 
-/// Where no file is named, standard output has a text that a script reads as it is, or else the simplest format that
-/// holds all.
+/// If no file is named, chooses the format of standard output: plain text for scripts, or otherwise the simplest format
+/// that holds all results.
 void complete(DistanceCommandOptions& own, const Given& given) {
   if (names_file(own.output)) return;
   if (!given.has("output_format")) own.output.formats = {own.call.isolines ? "json" : own.call.paths ? "csv" : "txt"};
   own.output.files = {"-"};
 }
 
-/// The files of -o, and what else is written. A file is called by the option that decides on its format.
+/// Checks that the outputs together hold all results. Messages call a file by the option that decides on its format.
 void check_written(const OutputOptions& output, const DistancesCall& call) {
   std::vector<WrittenFile> files;
   for (const std::string& format : written_formats(output)) {
@@ -68,7 +68,7 @@ void check_written(const OutputOptions& output, const DistancesCall& call) {
   check_files(asked_of(call), files, {"\1view\2", "\1report\2"}, !output.report.empty() || !output.view.empty());
 }
 
-/// The part of the machine's memory that a table may take: it is computed and written beside other things.
+/// The share of the machine's memory that a table may take, because there are other data beside it.
 constexpr double kMemoryShare = 0.5;
 
 double most_table_bytes(const ComputeOptions& compute) {
@@ -76,7 +76,7 @@ double most_table_bytes(const ComputeOptions& compute) {
   return std::min(machine, double(compute.max_memory.value_or(INT64_MAX)));
 }
 
-/// Notes the first distances to the points of --to, unless standard output has them, and why others are infinite.
+/// Notes the first distances to the points of --to, unless they go to standard output, and why distances are infinite.
 void note_targets(Run& run, const DistancesOutcome& made) {
   const std::size_t all = made.table.rows.size() * made.table.targets.size();
   if (contains(run.options().output.files, "-")) {

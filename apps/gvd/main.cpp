@@ -1,7 +1,8 @@
-// gvd: all commands in one program. `gvd segment ...` is `gvd-segment ...`, which is a link to this program.
+// gvd: all commands in one program. `gvd segment ...` does the same as `gvd-segment ...`, which is a link to this
+// program.
 //
-// The name by which the program was called says which command it is. Where that name is of no command, the first word
-// says it. Either way a command calls itself gvd-segment, in its messages, its help and the report, so that they have
+// The name by which the program was called selects the command; if it is not the name of a command, the first word
+// does. In both cases a command calls itself gvd-segment in its messages, its help and the report, so that these have
 // the same bytes, and agree with the man pages and the documents.
 
 #include <fmt/format.h>
@@ -29,7 +30,7 @@
 
 namespace gvd::app {
 
-// Each in the main.cpp of its folder.
+// Each is defined in the main.cpp of its folder.
 Command segment_command();
 Command lloyd_command();
 Command remesh_command();
@@ -47,14 +48,14 @@ struct NamedCommand {
 constexpr std::array kCommands{NamedCommand{"segment", segment_command}, NamedCommand{"lloyd", lloyd_command},
                                NamedCommand{"remesh", remesh_command}, NamedCommand{"distance", distance_command}};
 
-/// As many links as Linux follows from a name to a program.
+/// The number of links that Linux follows from a name to a program.
 constexpr int kMostLinks = 40;
 
 constexpr const char* kHint = " (see gvd --help)";
 
 constexpr std::string_view kPrefix = "gvd-";
 
-/// The command that a word names: segment, or gvd-segment. Null where there is none.
+/// The command that a word names, as segment or gvd-segment; null if there is none.
 const NamedCommand* find_command(const std::string& word) {
   const std::string name = word.substr(word.starts_with(kPrefix) ? kPrefix.size() : 0);
   const auto found =
@@ -72,8 +73,8 @@ fs::path called_path(const char* called) {
   return path;
 }
 
-/// The command as which the program was called: by the name `called`, or by that of a link on the way to the program,
-/// as with a user's own link to gvd-segment. Null where the program was called as gvd, or as nothing that it knows.
+/// The command as which the program was called: by the name `called`, or by a link on the way to the program, such as a
+/// user's own link to gvd-segment. Null if it was called as gvd or by an unknown name.
 const NamedCommand* find_called(const char* called) {
   const auto find = [](const fs::path& path) {
     const std::string name = path.filename().string();
@@ -91,7 +92,7 @@ const NamedCommand* find_called(const char* called) {
   return nullptr;
 }
 
-/// What `gvd --help` says.
+/// The text of `gvd --help`.
 std::string make_overview() {
   constexpr std::size_t kWidth = 80, kColumn = 12;
   std::string commands, examples;
@@ -160,7 +161,7 @@ std::string read_shell(const std::vector<std::string>& words) {
 
 bool asks_for_help(const std::string& word) { return word == "help" || word == "--help" || word == "-h"; }
 
-/// What gvd itself says to words that call no command.
+/// The answer of gvd itself to words that call no command.
 std::string answer(const std::vector<std::string>& words) {
   if (words.empty()) return make_overview();
   const std::string& first = words[0];

@@ -1,7 +1,7 @@
 // gvd-remesh: builds the coarse mesh that is dual to a diagram.
 //
-// The library makes it (gvd/remesh_operation.hpp). Here are the files, and the properties of INPUT that are carried
-// over.
+// The library makes the mesh (gvd/remesh_operation.hpp). This file has the outputs, and the properties of INPUT that
+// are carried over.
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ const std::vector<std::string> kFormats = output_extensions(RemeshOutcome::kCont
 
 struct RemeshCommandOptions : Options {
   RemeshCall call;
-  std::string map;  ///< a file; empty: none
+  std::string map;  ///< the file of --map; empty: none
 };
 
 void describe_own(OptionList& list, RemeshCommandOptions& own) {
@@ -74,7 +74,7 @@ std::vector<MeshProperty> read_properties(const InputOptions& input, const Piped
   return parse_mesh_properties(piped.bytes, piped.format, input.path == "-" ? kStandardInput : input.path);
 }
 
-/// Notes where there was nothing to carry over, and what no output holds.
+/// Notes if there was nothing to carry over, and which carried properties no output holds.
 void note_carried(Run& run, const RemeshOutcome& made) {
   if (made.properties.empty() && made.appearance.empty()) {
     note_on_input(run, "no properties, texture coordinates or materials to carry over");
@@ -85,7 +85,7 @@ void note_carried(Run& run, const RemeshOutcome& made) {
 }
 
 void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
-  Mesh unplaced;  // the scenes refer to it
+  Mesh unplaced;  // the scenes refer to this mesh
   write_view_file(run, "gvd-remesh", [&] {
     unplaced = make_unplaced(mesh, result);
     return make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads, run.progress());

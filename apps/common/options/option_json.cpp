@@ -1,4 +1,5 @@
-// Options as JSON: their values for reports, and their description for whatever else shows options; and the formats.
+// Writes options as JSON, with their values for reports and with descriptions for other programs that show options; and
+// the table of formats.
 
 #include "common/options/option_json.hpp"
 

@@ -1,4 +1,4 @@
-// The options of a relaxation and of its start, for users.
+// Describes the options of a relaxation and of its start.
 
 #include "gvd/lloyd_options.hpp"
 

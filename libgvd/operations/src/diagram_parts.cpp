@@ -1,9 +1,9 @@
-// What the operations that make diagrams share: their options and steps, and words and figures of the result.
+// Options, steps, notes and figures that the operations that make diagrams share.
 //
-// Weights of generators are given ones, or those by which the cells are balanced (gvd/balance.hpp). Inside regions, the
-// mesh of the diagram has a component for each connected part of one, and the cells of a component share out its own
-// area. A density is that of the input: it has a number for each corner of each face, and the faces of both meshes are
-// the same.
+// Weights of generators are given, or found by balancing the cells (gvd/balance.hpp). Inside regions, the mesh of the
+// diagram has a component for each connected part of a region, and the cells of a component divide up its own area. The
+// density of the input also serves for the diagram's mesh, because it has a number for each corner of each face, and
+// both meshes have the same faces.
 
 #include "gvd/diagram_parts.hpp"
 
@@ -26,7 +26,7 @@
 namespace gvd {
 namespace {
 
-/// A note names this many cells.
+/// A note names at most this many cells.
 constexpr std::size_t kNamedCells = 8;
 
 double largest_error(const BalancedDiagram& balanced) {
@@ -37,7 +37,7 @@ double largest_error(const BalancedDiagram& balanced) {
   return largest;
 }
 
-/// Notes what keeps cells from their shares.
+/// Notes which cells missed their share, and why.
 void note_misses(Observer& observer, const BalancedDiagram& balanced) {
   std::vector<std::int32_t> cells;
   for (const auto& set : balanced.tied) {
@@ -57,24 +57,24 @@ void note_misses(Observer& observer, const BalancedDiagram& balanced) {
   }
 }
 
-/// What there is for each generator, and which numbers may be.
+/// A kind of numbers that generators have, and the range of these numbers.
 struct NumberKind {
   const char* option;
   const char* name;
   const char* range;
-  double above;  ///< all numbers are finite and greater
+  double above;  ///< numbers must be finite and greater than this
 };
 constexpr NumberKind kWeights{"\1weights\2", "weight", "finite numbers", -kInfinity};
 constexpr NumberKind kShares{"\1shares\2", "share", "finite numbers above 0", 0};
 
-/// A number for each generator; none where none is given.
+/// The given number of each generator; empty if none is given.
 std::vector<double> numbers_of(const NumberKind& kind, const GivenNumbers& given, std::size_t generators) {
   if (!given.values) return {};
   const std::vector<double>& values = given.values->soup.values;
   const std::string& title = given.values->title;
   if (values.size() != generators) {
     throw Error(
-        given.name.empty() ? ErrorCode::invalid_option : ErrorCode::unreadable_input,  // an array, or a file
+        given.name.empty() ? ErrorCode::invalid_option : ErrorCode::unreadable_input,  // an array or a file
         fmt::format("{}: {} for {}; {} takes one for each", title, counted(std::ssize(values), "number", "numbers"),
                     counted(std::ptrdiff_t(generators), "generator", "generators"), kind.option));
   }

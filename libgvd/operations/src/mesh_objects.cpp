@@ -1,4 +1,4 @@
-// Meshes and diagrams as objects.
+// Objects that are meshes and diagrams.
 #include "gvd/mesh_objects.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 std::int64_t count_disc_cells(const Diagram& diagram) { return std::ranges::count_if(diagram.cells, &Cell::is_disc); }
 
-/// The faces that bisectors cut, in triangles.
+/// Makes an object of the triangles of the faces that bisectors cut.
 std::shared_ptr<const Object> make_pieces(const Mesh& mesh, const Diagram& diagram) {
   std::vector<Vec3> positions;
   std::vector<FaceId> faces;
@@ -110,7 +110,7 @@ std::unique_ptr<DiagramEditor> DiagramObject::take_editor(Observer& observer) co
 }
 
 void DiagramObject::keep(std::unique_ptr<DiagramEditor> editor) const {
-  editor->run_with(0, {});  // an observer lives as long as its call
+  editor->run_with(0, {});  // the observer does not outlive its call
   const std::lock_guard lock(kept_->mutex);
   kept_->editor = std::move(editor);
 }

@@ -1,7 +1,7 @@
-// Meshes out of arrays and files, numbers of files, curves, and the check of a diagram.
+// The operations for programs: meshes from arrays and files, numbers of files, curves, and the check of a diagram.
 //
-// Arrays pass the same checks as files: they become a polygon soup, which build_mesh examines. A saved mesh does so,
-// too; it has no defect any more, and gets back the places that its elements had in the input.
+// Arrays pass the same checks as files: they become a polygon soup, which build_mesh examines. So does a saved mesh,
+// which has no defects any more; then its elements get back the places that they had in the input.
 #include "gvd/program_operations.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@
 namespace gvd {
 namespace {
 
-/// A soup of positions and corners.
+/// Makes a soup of arrays of positions and corners.
 PolygonSoup soup_of(std::span<const ArrayView> arrays) {
   if (arrays.size() < 2) {
     throw Error(ErrorCode::invalid_option,
@@ -41,7 +41,7 @@ PolygonSoup soup_of(std::span<const ArrayView> arrays) {
   return make_soup(at, corners, std::size_t(columns(1)));
 }
 
-/// Whole numbers between -1 and `end`, one for each of `count` elements.
+/// Reads `count` whole numbers from -1 up to below `end`, and passes each to `make`.
 template <class T, class Make>
 std::vector<T> places(const ArrayView& view, std::size_t place, std::int64_t count, double end, const Make& make) {
   const std::vector<double> numbers = read_array(view, place);
@@ -153,7 +153,7 @@ std::shared_ptr<const NumbersObject> run(PropertiesCall& call, Observer&) {
     properties = parse_mesh_properties(call.bytes(), *format, call.file);
   }
   for (MeshProperty& property : properties) {
-    if (property.count_type) continue;  // a list for each element
+    if (property.count_type) continue;  // properties that are lists are left out
     made->numbers.emplace_back((property.of_vertices ? "vertex " : "face ") + property.name,
                                std::move(property.values));
   }

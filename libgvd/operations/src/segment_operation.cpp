@@ -1,9 +1,10 @@
-// The operation `segment`: regions to keep to, a diagram inside them, and its cells as labels of faces or as pieces.
+// The operations `label` and `segment`: find regions, compute a diagram inside them, and label or cut the faces by its
+// cells.
 //
-// Whole faces get the label of the generator whose cell has them, so that borders run along edges; or the faces are
-// split along the bisectors, and each new face knows its parent (gvd/segment.hpp). Each level but the last labels whole
-// faces, and its labels are the regions of the next one. Given regions are the first level's; a mask takes faces out of
-// them, or out of the whole surface. All results have the input's faces or pieces of them, and its vertices.
+// Either whole faces get the label of a cell, so that borders run along edges, or the faces are split along the
+// bisectors, and each new face knows its parent (gvd/segment.hpp). Each level except the last labels whole faces, and
+// its labels are the regions of the next level. The first level keeps to the given regions; a mask takes faces out of
+// the regions or out of the whole surface. All results have the input's faces or pieces of them, and its vertices.
 
 #include "gvd/segment_operation.hpp"
 
@@ -28,14 +29,14 @@
 namespace gvd {
 namespace {
 
-/// A note names this many generators or regions.
+/// A note names at most this many generators or regions.
 constexpr std::size_t kNamed = 8;
 
-/// Borders of a greater multiple of the bisectors' length get a note. Of 509 runs on 77 meshes with 50 or more faces
-/// for each generator, 491 stay below it; with fewer the mesh is too coarse.
+/// Borders longer than this multiple of the bisectors' length get a note, because the mesh is probably too coarse. 491
+/// of 509 runs with at least 50 faces for each generator stay below it (docs/developer/segment-borders.md).
 constexpr double kUsualBorderRatio = 1.14;
 
-/// The first ids, and "..." where there are more.
+/// The first ids, followed by "..." if there are more.
 std::string name_some(const std::vector<GeneratorId>& ids) {
   std::vector<std::int32_t> named;
   for (std::size_t i = 0; i < std::min(kNamed, ids.size()); ++i) named.push_back(ids[i].value());
@@ -44,7 +45,7 @@ std::string name_some(const std::vector<GeneratorId>& ids) {
 
 // ---- the regions
 
-// A level needs no figures of its own: a segmentation with its number of generators has the same ones.
+// A level needs no figures of its own, because a segmentation with its number of generators has the same figures.
 void label_levels(const Mesh& mesh, const SegmentCall& call, Observer& observer, PartedMesh& parted) {
   LevelOptions level;
   level.generators.sampling = make_sampling_options(call.generators, call.diagram, observer);
@@ -117,7 +118,8 @@ std::int64_t note_unreached(Observer& observer, const SegmentOutcome& outcome) {
   return std::ssize(unreached);
 }
 
-/// Notes generators without a face. Returns the length of the borders by that of the bisectors; 0 without bisectors.
+/// Notes generators without a face. Returns the length of the borders divided by the length of the bisectors; 0 without
+/// bisectors.
 double tell_segmentation(Observer& observer, const SegmentOutcome& outcome) {
   const std::vector<GeneratorId>& without = outcome.whole->without_face;
   if (!without.empty()) {
@@ -143,7 +145,7 @@ void note_long_borders(Observer& observer, double ratio) {
                   ratio, kUsualBorderRatio));
 }
 
-/// With levels, adds the labels of the last one.
+/// With levels, adds the labels of the last level.
 void add_labels(const PartedMesh& parted, const IdVector<FaceId, GeneratorId>& labels,
                 std::vector<FaceNumbers>& numbers) {
   if (parted.levels > 0) numbers.push_back({level_name(parted.levels), to_regions(labels)});
@@ -201,7 +203,7 @@ Charts chart(const SegmentCall& call, Observer& observer, const SegmentOutcome& 
   return charts;
 }
 
-/// Cuts the input and not the diagram's surface: both sides of a border keep their vertices in common.
+/// Cuts the input and not the diagram's surface, so that both sides of a border share their vertices.
 void cut_along_bisectors(const SegmentCall& call, Observer& observer, SegmentOutcome& outcome) {
   const Mesh& input = outcome.input().mesh;
   auto cut = std::make_shared<CutMesh>(
@@ -222,7 +224,7 @@ void cut_along_bisectors(const SegmentCall& call, Observer& observer, SegmentOut
   replace_texture(std::exchange(outcome.charts->texture, {}), outcome.appearance);
 }
 
-/// Throws Error{invalid_option} where generators can't be added to the diagram until its cells are discs.
+/// Throws Error{invalid_option} if generators can't be added to the diagram until its cells are discs.
 void check_discs(const DiagramObject& on) {
   const char* const why = !on.options()                   ? "the diagram keeps to regions"
                           : !on.diagram().curves.empty()  ? "the generators are curves"
@@ -233,7 +235,7 @@ void check_discs(const DiagramObject& on) {
               fmt::format("\1disc\2: {}, so that no generators can be added; leave it out", why));
 }
 
-// ---- words for users
+// ---- descriptions for users
 
 void describe_regions(OptionList& list, SegmentCall& call) {
   describe(list, call.regions, "regions and distances");
@@ -248,9 +250,9 @@ void describe_regions(OptionList& list, SegmentCall& call) {
   list.needs("per_region", "within");
 }
 
-// ---- what it consists of
+// ---- the parts of the result
 
-/// The figures of whole faces.
+/// Adds the figures of labelled whole faces.
 void add_whole(const Figures& figure, const SegmentOutcome& made) {
   const Segmentation& whole = or_none(made.whole);
   figure("generators_without_face", "", "whose cells lie inside faces of others", each_of(whole.without_face));
@@ -310,7 +312,7 @@ void add_charts(ObjectVisitor& visitor, const SegmentOutcome& made) {
   visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts.charts, made.chart_map));
 }
 
-/// Colours in sRGB, 0 to 255; that of no label is the last.
+/// Makes an object of the labels' colours in sRGB, 0 to 255; the last one is the colour of no label.
 std::shared_ptr<const Object> make_colors(const LabelledMesh& mesh) {
   std::vector<Rgb> colors = region_colors(mesh);
   colors.push_back(kUnlabelledColor);
@@ -365,7 +367,7 @@ std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& ca
                 "\1uv\2: the generators are curves, and charts are laid around points; leave it out, or take a diagram "
                 "of points");
   }
-  SegmentCall whole;  // regions and levels are those of the diagram
+  SegmentCall whole;  // without regions and levels, which the diagram has already
   static_cast<LabelCall&>(whole) = call;
   whole.complete();
   call.cut = whole.cut;

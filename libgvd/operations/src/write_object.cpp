@@ -1,4 +1,4 @@
-// Files of objects: as the commands write them, by the extension.
+// Writes objects to files, as the commands do, by the extension.
 
 #include <fmt/format.h>
 
@@ -24,7 +24,8 @@ std::string Object::page(const FileOptions& options) const {
   plain.mesh = &mesh->mesh;
   std::vector<ViewScene> scenes{plain};
   if (const Diagram* const diagram = mesh->diagram; diagram != nullptr) {
-    const bool is_diagram = mesh->face_label == &diagram->face_label;  // its cut faces have pieces, not labels
+    // With the diagram's own labels, cut faces are drawn as pieces.
+    const bool is_diagram = mesh->face_label == &diagram->face_label;
     scenes =
         is_diagram ? std::vector{make_view_scene("Regions", mesh->surface(), *diagram)} : make_region_scenes(*mesh);
   }
@@ -46,7 +47,7 @@ void describe(OptionList& list, FileOptions& options) {
 
 namespace {
 
-/// Refuses what does nothing in a file of this format.
+/// Refuses options that have no effect in a file of this format.
 void check_options(const FileOptions& options, const Format* format) {
   const auto needs = [format](bool is_given, const char* option, bool (*serves)(const Format&),
                               const std::string& why) {

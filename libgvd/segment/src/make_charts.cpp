@@ -1,11 +1,12 @@
-// Texture coordinates for regions: islands of the cut mesh, laid into the plane and packed into the unit square.
+// Makes texture coordinates for regions: maps the islands of the cut mesh to the plane, and packs them into the unit
+// square.
 //
-// The cut mesh is taken apart along the borders of its labels, so that each island has vertices of its own and a border
-// without a vertex twice. Islands keep their size in mesh units until all are packed; then one scale takes them into
-// the square. Faces are judged by their final coordinates, rounding included. A flat map that turns a face round there
-// is replaced by its next one, and all islands are packed again.
-// The stretch is measured there, too, and divided by the scale. It is a mean of lengths and not of their squares: a
-// face as thin as rounding adds its small area times a large factor, and squares of that would outweigh all others.
+// The cut mesh is separated along the borders of its labels, so that each island has vertices of its own and no vertex
+// occurs twice on a border. Islands keep their size in mesh units until all are packed; then a single scale takes them
+// into the square. Faces are judged by their final coordinates, including rounding. If a flat map flips a face there,
+// the next map replaces it, and all islands are packed again. The stretch is measured in the square, too, and divided
+// by the scale. It is a mean of lengths and not of squared lengths, because the square of a very large stretch, in a
+// face as thin as rounding, would outweigh all other faces.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,18 +30,19 @@ namespace {
 
 constexpr StepPart kFlatMapping{"charts", 0, 0.9};
 
-/// A corner of a face in the square.
+/// A corner of a face, in the square.
 Vec2 corner_in_square(const Charts& charts, FaceId f, std::size_t c) {
   const auto& [u, v] = charts.texture[3 * f.index() + c];
   return Vec2(u, v);
 }
 
-/// 1 if the face is counter-clockwise in the square, for certain.
+/// The orientation of a face in the square; 1 if the face is certainly counter-clockwise.
 int orientation_of(const Charts& charts, FaceId f) {
   return orientation(corner_in_square(charts, f, 0), corner_in_square(charts, f, 1), corner_in_square(charts, f, 2));
 }
 
-/// Whether a face that is counter-clockwise is not with u and 1 - v as 32-bit floats. In glTF v runs downwards.
+/// Whether a counter-clockwise face is no longer counter-clockwise if u and 1 - v are rounded to 32-bit floats, as in
+/// glTF, where v runs downwards.
 bool do_floats_flip(const Charts& charts, FaceId f) {
   const auto at = [&](std::size_t c) {
     const Vec2 p = corner_in_square(charts, f, c);
@@ -49,8 +51,8 @@ bool do_floats_flip(const Charts& charts, FaceId f) {
   return orientation_of(charts, f) > 0 && orientation(at(0), at(1), at(2)) >= 0;
 }
 
-/// Packs the islands and sets the texture coordinates. `corners`: of all faces, mesh units, each island round an origin
-/// of its own.
+/// Packs the islands and sets the texture coordinates. `corners`: the corners of all faces in mesh units, with an
+/// origin for each island.
 void place_islands(const std::vector<Island>& islands, const std::vector<PlaneCorners>& corners, Charts& charts) {
   std::vector<Box2> boxes;
   std::vector<Vec2> sizes;
@@ -80,7 +82,7 @@ void place_islands(const std::vector<Island>& islands, const std::vector<PlaneCo
   }
 }
 
-/// Lays all islands flat, each by its first map that turns no face round in the square, or by the last one.
+/// Maps all islands by flat maps: each by the first map that flips no face in the square, or by the last map.
 void lay_flat(const ChartSurface& surface, Charts& charts) {
   const std::vector<Island>& islands = surface.islands();
   for (const Island& island : islands) {
@@ -114,7 +116,7 @@ void lay_flat(const ChartSurface& surface, Charts& charts) {
   }
 }
 
-/// Measures a chart whose faces are placed. `torn`: marks faces; empty for none.
+/// Measures a chart after its faces were placed. `torn` marks torn faces, and is empty if there are none.
 void measure_chart(const Mesh& mesh, const Island& island, const IdVector<FaceId, char>& torn, const Charts& charts,
                    Chart& chart) {
   chart.generator = island.generator;
@@ -129,7 +131,7 @@ void measure_chart(const Mesh& mesh, const Island& island, const IdVector<FaceId
       chart.flipped_area += area;
     }
     if (!is_finite(charts.texture[3 * f.index()])) continue;
-    // The root mean square of the singular values of the face's map, by its area.
+    // Adds the root mean square of the singular values of the face's map, weighted by its area.
     const FaceLayout layout(mesh, f);
     Eigen::Matrix2d sides, laid;
     sides << layout.corner[1] - layout.corner[0], layout.corner[2] - layout.corner[0];
@@ -141,9 +143,9 @@ void measure_chart(const Mesh& mesh, const Island& island, const IdVector<FaceId
   if (const double placed = chart.area - chart.unplaced_area; placed > 0) chart.stretch /= placed;
 }
 
-/// Whether an island has two vertices that are copies of one.
+/// Whether an island has two copies of the same vertex.
 bool touches_itself(const SeparatedMesh& separated, const Island& island) {
-  std::vector<std::pair<VertexId, VertexId>> vertices;  // of the input, and of the separated mesh
+  std::vector<std::pair<VertexId, VertexId>> vertices;  // in the input, and in the separated mesh
   for (const FaceId f : island.faces) {
     for (const VertexId v : separated.mesh.vertices(f)) vertices.emplace_back(separated.input_vertex[v], v);
   }
@@ -162,7 +164,7 @@ double Charts::share(double Chart::*area_of) const {
 
 std::vector<GeneratorId> find_non_disc_regions(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label) {
   const SeparatedMesh separated = separate_regions(mesh, to_regions(face_label));
-  std::map<GeneratorId, std::int64_t> parts;  // 2 for a region that can't be a disc
+  std::map<GeneratorId, std::int64_t> parts;  // number of parts; 2 for a region that can't be a disc
   for (const Island& island : find_islands(separated.mesh, face_label)) {
     const bool is_disc = island.euler_characteristic == 1 && !touches_itself(separated, island);
     parts[island.generator] += is_disc ? 1 : 2;

@@ -1,12 +1,14 @@
-// The points of a surface that are closest to points in space.
+// Finds the point of a surface that is closest to a point in space.
 //
-// They come from a tree of bounding boxes. It halves the faces at the median of their centres along the longest axis of
-// their box. Its leaves have at most four faces. A search goes to the nearer box first, with the nearest face as a
-// first bound.
-// Source: the tree's quick distance from a triangle is that of C. Ericson, Real-time collision detection, 2005, section
-// 5.1.5: the region of the plane, then the projection. `closest_point_on_face` is slower and decides.
-// Invariant: `query` skips a box only where it is farther than the best face by more than rounding. So its result does
-// not depend on the shape of the tree: the least distance wins, then the smallest face.
+// The search uses a tree of bounding boxes, which halves the faces at the median of their centres along the longest
+// axis of their box. Its leaves have at most four faces. A search visits the nearer box first, with the nearest face as
+// a first bound.
+// Source: C. Ericson, Real-time collision detection, 2005, section 5.1.5, for the tree's quick distance from a
+// triangle: first the region of the plane, then the projection. `closest_point_on_face` is slower, and has the last
+// word.
+// Invariant: `query` skips a box only if it is farther away than the best face by more than rounding. So the result
+// does not depend on the shape of the tree: the least distance wins, and among equal distances the face with the
+// smallest id.
 #include "gvd/closest_point.hpp"
 
 #include <algorithm>
@@ -21,8 +23,9 @@ namespace gvd {
 namespace {
 
 constexpr std::int32_t kLeafFaces = 4;
-/// A box is skipped if it is farther than the best face by more than this fraction of the distance. Dimensionless. Far
-/// above the rounding of the two distances (about ten units in the last place), so that no closer face is ever skipped.
+/// A box is skipped if it is farther away than the best face by more than this fraction of the distance. Dimensionless.
+/// It is far above the rounding of the two distances (about ten units in the last place), so that no closer face is
+/// ever skipped.
 constexpr double kPruneSlack = 1e-12;
 
 struct ClosestOnFace {
@@ -59,7 +62,7 @@ double square_distance_to_box(const Eigen::AlignedBox3d& box, const Vec3& query)
   return (box.min() - query).cwiseMax(query - box.max()).cwiseMax(0.0).squaredNorm();
 }
 
-/// The parameter in [0, 1] of the point of a segment that is nearest: its projection, from the products.
+/// The parameter in [0, 1] of the nearest point of a segment, as the clamped quotient of two scalar products.
 double clamp_ratio(double numerator, double denominator) {
   return denominator > 0 ? std::clamp(numerator / denominator, 0.0, 1.0) : 0;
 }
@@ -96,7 +99,7 @@ ClosestPoint closest_point_on_face(const Mesh& mesh, FaceId f, const Vec3& query
 }
 
 ClosestPointTree::ClosestPointTree(const Mesh& mesh) : mesh_(&mesh) {
-  std::vector<Vec3> centres;  // times three
+  std::vector<Vec3> centres;  // three times the centre of each face
   for (const FaceId f : mesh.faces()) {
     const Triangle t = make_triangle(f);
     centres.push_back(3 * t.origin + t.u + t.v);
@@ -157,7 +160,7 @@ double ClosestPointTree::square_distance(const Triangle& t, const Vec3& query) {
   return least;
 }
 
-/// The two children of an inner node by the square distances of their boxes, the nearer first.
+/// The two children of an inner node with the squared distances of their boxes, the nearer child first.
 std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::int32_t index, const Vec3& query) const {
   const auto square = [&](std::int32_t child) {
     return std::pair(square_distance_to_box(nodes_[child].box, query), child);
@@ -167,8 +170,8 @@ std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::i
   return both;
 }
 
-/// Looks for a better face below a node, in nearer boxes first. The distance of a NearestFace is a square here, and so
-/// is `enough`, which is for it alone.
+/// Looks for a better face below a node, in nearer boxes first. The distance of a NearestFace is squared here, and so
+/// is `enough`, which only counts for it.
 template <class Best>
 void ClosestPointTree::visit(std::int32_t index, const Vec3& query, double enough, Best& best) const {
   constexpr bool kDecides = std::is_same_v<Best, ClosestPoint>;
@@ -197,7 +200,7 @@ NearestFace ClosestPointTree::nearest_face(const Vec3& query, FaceId guess, doub
   return best;
 }
 
-/// The nearest face bounds the search from the start; it may not be the one that wins.
+/// The quick search gives a first bound. Its face need not be the final one.
 ClosestPoint ClosestPointTree::query(const Vec3& query) const {
   ClosestPoint best;
   best.distance = kInfinity;

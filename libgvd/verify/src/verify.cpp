@@ -1,4 +1,5 @@
-// Exact distances by CGAL, independent of the library's own solvers. The only file that includes CGAL.
+// Computes exact distances by CGAL, independently of the library's own solvers. This is the only file that includes
+// CGAL.
 //
 // Idea: one query for each generator, on the part of the mesh that its shortest paths can visit, on several threads.
 // CGAL constructs windows in doubles. On needles it can lose one, and then takes a longer way. What it says is no
@@ -7,7 +8,7 @@
 // length of a path that is there.
 // Source: Xin and Wang, Improving Chen and Han's algorithm on the discrete geodesic problem, 2009, as CGAL's
 // Surface_mesh_shortest_path implements it.
-// Invariant: a query reads and writes nothing of another one, so the results are the same for any number of threads.
+// Invariant: queries share no data, so the results are the same for any number of threads.
 #include "gvd/verify.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -53,11 +54,12 @@ SurfaceMesh build_surface(const PathSubmesh& submesh) {
   return surface;
 }
 
-/// CGAL's distance; infinity for a negative one, which means "no path", and for NaN, which degenerate faces can give.
+/// CGAL's distance, with infinity in place of a negative number, which means "no path", and of NaN, which degenerate
+/// faces can give.
 double checked(double distance) { return distance >= 0 ? distance : kInfinity; }
 
-/// The minimum of CGAL's distance in the target's face and of the paths through the face's corners. The latter matter
-/// where a path passes very close to a corner: by rounding it can miss the windows on both sides.
+/// The minimum of CGAL's distance in the target's face and the lengths of paths through the face's corners. The latter
+/// matter if a path passes very close to a corner, because rounding can make it miss the windows on both sides.
 double solve_target(ShortestPath& paths, const PathSubmesh& submesh, const PathSubmesh::Target& target) {
   const std::array<VertexId, 3>& corners = submesh.faces[target.face.index()];
   Vec3 at = Vec3::Zero();
@@ -165,7 +167,7 @@ namespace {
 std::vector<Answer> solve_queries(const Mesh& mesh, const std::vector<DistanceQuery>& queries,
                                   const VerifyOptions& options) {
   if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
-  // CGAL's predicates need a processor that rounds upwards on demand. Valgrind's does not.
+  // CGAL's predicates need a processor that rounds upwards on demand, which valgrind's simulated processor does not.
   if ((CGAL::Interval_nt<>(1) / 3).is_point()) {
     throw Error(ErrorCode::no_valid_result, "no exact distances: this processor only rounds to nearest");
   }

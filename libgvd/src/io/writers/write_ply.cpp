@@ -1,8 +1,8 @@
-// PLY, binary or text, with labels, distances, colours and the further properties of the input.
+// Writes PLY, binary or text, with labels, distances, colours and the further properties of the input.
 //
-// VTK's reader drops every property but coordinates, normals, texture coordinates, colours and a face's `intensity`,
-// one byte: the label's low byte goes there. Blender shows the colours of vertices only. meshio reads the properties of
-// faces in text only: in binary it takes the lists of all faces to lie behind each other.
+// VTK's reader drops every property except coordinates, normals, texture coordinates, colours and a face's `intensity`,
+// which is one byte and gets the low byte of the label. Blender shows only the colours of vertices. meshio reads the
+// properties of faces only from text; in a binary file it assumes that the lists of all faces are contiguous.
 // Source: G. Turk, The PLY polygon file format, 1994. Integers of further properties are rounded and clamped to their
 // types; distances are floats unless a float would turn one into infinity or 0, and texture coordinates unless floats
 // would turn a face round in the texture: not all programs read doubles.
@@ -63,7 +63,7 @@ void print_label_properties(ByteWriter& out) {
   out.text("property int label\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n");
 }
 
-/// Properties of vertices, or of faces.
+/// The further properties of vertices, or of faces.
 std::vector<const MeshProperty*> further_properties(const LabelledMesh& mesh, bool of_vertices) {
   std::vector<const MeshProperty*> found;
   if (mesh.properties == nullptr) return found;
@@ -100,8 +100,9 @@ void print_face_properties(ByteWriter& out, const LabelledMesh& mesh, NumberType
   for (const FaceNumbers& numbers : *mesh.face_numbers) out.print("property int {}\n", numbers.name);
 }
 
-/// The further properties and, behind them, texture coordinates as the numbers `s` and `t` of vertices, which more
-/// programs read than those of corners. None where a vertex has several, or a corner has none.
+/// The further properties followed by the texture coordinates as the properties `s` and `t` of vertices, which more
+/// programs read than coordinates of corners. Returns nothing if a vertex has several coordinates, a corner has none,
+/// or the names are taken.
 std::optional<std::vector<MeshProperty>> list_with_texture(const LabelledMesh& mesh, NumberType type) {
   if (!mesh.has_texture()) return std::nullopt;
   const std::size_t count = mesh.mesh.positions().size();
@@ -122,7 +123,7 @@ std::optional<std::vector<MeshProperty>> list_with_texture(const LabelledMesh& m
   return all;
 }
 
-/// The nearest number of the type; for integers 0 for what is no number.
+/// The nearest number of the type. For integers, NaN becomes 0.
 template <class T>
 T nearest(double value) {
   if constexpr (std::is_floating_point_v<T>) return static_cast<T>(value);
@@ -131,7 +132,7 @@ T nearest(double value) {
   return static_cast<T>(std::clamp(std::round(value), double(Limits::min()), double(Limits::max())));
 }
 
-/// Numbers of one element after the other, as bytes or as a line of text.
+/// Writes the numbers of one element after the other, as bytes or as a line of text.
 class Rows {
  public:
   Rows(ByteWriter& out, const ColoredMesh& mesh) : out_(out), mesh_(mesh), text_(mesh.ascii_ply) {}
@@ -160,7 +161,7 @@ class Rows {
     (this->*kPut[static_cast<std::size_t>(type)])(value);
   }
 
-  /// The number of element i, or its list.
+  /// Writes the number of element i, or its list.
   void put_property(const MeshProperty& property, std::size_t i) {
     if (!property.count_type) return put_number(property.type, property.values[i]);
     const std::size_t first = property.first_value[i], last = property.first_value[i + 1];
@@ -168,7 +169,7 @@ class Rows {
     for (std::size_t k = first; k < last; ++k) put_number(property.type, property.values[k]);
   }
 
-  /// The coordinates of a face's corners, or none where one is no number.
+  /// Writes the texture coordinates of a face's corners, or an empty list if one of them does not fit into floats.
   void put_texture(const Uv* corners, NumberType type) {
     const bool has = std::all_of(corners, corners + 3, fits_floats);
     put(std::uint8_t(has ? 6 : 0));

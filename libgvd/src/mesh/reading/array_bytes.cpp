@@ -1,7 +1,7 @@
-// Arrays of numbers inside XML, for VTK's files and GIFTI: zlib and text.
+// Decodes arrays of numbers inside XML, for VTK's files and GIFTI, from zlib's format and from text.
 //
 // Source: zlib, Technical Details, for the limit of deflate.
-// Invariant: no size that a file gives takes memory that its bytes could not fill.
+// Invariant: memory is never allocated for a size in the file that the file's bytes could not fill.
 #include "mesh/reading/array_bytes.hpp"
 
 #include <fmt/format.h>

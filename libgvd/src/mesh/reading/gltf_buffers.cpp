@@ -1,8 +1,8 @@
-// The buffers of glTF that are not in its binary chunk: data URIs, and files beside the mesh.
+// Reads the buffers of glTF that are not in its binary chunk: data URIs, and files beside the mesh.
 //
-// A mesh from the Internet must not lead a program to other files, whose bytes would come out as coordinates. So the
-// decoded name is checked part by part, and what it leads to through links must be a regular file below the folder of
-// the mesh. A name is decoded once, before it is checked: "%2e%2e" is "..", and "%252e" is the name "%2e".
+// A mesh from the Internet must not make a program read other files, whose bytes would end up as coordinates. So each
+// part of the decoded name is checked, and after following links it must lead to a regular file below the folder of the
+// mesh. A name is decoded once, before it is checked: "%2e%2e" is "..", and "%252e" is the name "%2e".
 // Source: RFC 3986 for addresses, RFC 2397 for data URIs; Khronos, glTF 2.0, sections 2.8 and 3.6.1.1.
 #include "mesh/reading/gltf_buffers.hpp"
 
@@ -24,7 +24,7 @@ constexpr std::string_view kData = "data:";
 
 bool is_data_uri(std::string_view uri) { return to_lower(uri.substr(0, kData.size())) == kData; }
 
-/// The address with its percent-encoded bytes decoded; nothing where a '%' lacks its two digits.
+/// Decodes the percent-encoded bytes of an address; returns nothing if a '%' lacks its two digits.
 std::optional<std::string> decode_percents(std::string_view uri) {
   std::string path;
   for (std::size_t at = 0; at < uri.size(); ++at) {
@@ -42,8 +42,8 @@ std::optional<std::string> decode_percents(std::string_view uri) {
   return path;
 }
 
-/// Sets the path that an address stands for, down from the folder of the mesh. Returns why it stands for none; nothing
-/// where it does.
+/// Sets `relative` to the path of an address, relative to the folder of the mesh. If the address has no such path,
+/// returns the reason.
 std::string_view find_relative_path(std::string_view uri, std::filesystem::path& relative) {
   const std::optional<std::string> path = decode_percents(uri);
   if (!path) return "has a '%' without two digits behind it";
