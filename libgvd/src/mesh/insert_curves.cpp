@@ -93,7 +93,7 @@ void divide_at_crossings(CurvePoints& all) {
         if (!crossing) continue;
         if (a.generator != b.generator) {
           throw Error(ErrorCode::precondition,
-                      fmt::format("curves {} and {} cross in face {}; make them one curve, or part them there",
+                      fmt::format("curves {} and {} cross in face {}; make them one curve, or separate them there",
                                   a.generator.value(), b.generator.value(), face.value()),
                       b.generator.value());
         }
@@ -160,12 +160,11 @@ class CurveInsertion {
   const Mesh& mesh() const { return working_.mesh(); }
 
   [[noreturn]] static void fail(const Segment& segment) {
-    throw Error(
-        ErrorCode::precondition,
-        fmt::format("curve {} can't be drawn in face {}: it runs beside itself too near for doubles, or the face "
-                    "is too thin; leave out points there",
-                    segment.generator.value(), segment.face.value()),
-        segment.generator.value());
+    throw Error(ErrorCode::precondition,
+                fmt::format("curve {} can't be drawn in face {}: it runs too close to itself for double precision, or "
+                            "the face is too thin; leave out points there",
+                            segment.generator.value(), segment.face.value()),
+                segment.generator.value());
   }
 
   /// A halfedge that joins two vertices, in either direction.

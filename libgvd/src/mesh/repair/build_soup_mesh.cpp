@@ -38,7 +38,7 @@ void examine_positions(const PolygonSoup& soup) {
     box.extend(p);
   }
   const double extent = box.sizes().maxCoeff();
-  if (extent == 0) refuse_soup("all vertices are at one position, that of vertex 0: there is no surface", 0);
+  if (extent == 0) refuse_soup("all vertices are at the same position, that of vertex 0: there is no surface", 0);
   if (extent < kSmallestExtent) {
     refuse_soup(fmt::format("the whole mesh is smaller than {:g}; scale it up", kSmallestExtent), 0);
   }
@@ -131,7 +131,7 @@ void require_shapes(const Mesh& mesh) {
   for (const EdgeId e : mesh.edges()) shortest = std::min(shortest, mesh.length(e));
   throw Error(
       ErrorCode::precondition,
-      fmt::format("rounding hides the shape of {} of {}: heights are below {:.1g} of the longest sides, and edges "
+      fmt::format("rounding decides the shape of {} of {}: heights are below {:.1g} of the longest sides, and edges "
                   "from {:.3g} to {:.3g} long; scale the axes until they have similar extents",
                   without, counted(mesh.face_count(), "triangle", "triangles"), kHeightWithoutShape, shortest,
                   longest_edge(mesh)));
@@ -145,8 +145,9 @@ void add_remarks(CheckedMesh& checked, const PolygonSoup& soup) {
                                           counted(report.split_edges, "edge", "edges")));
   }
   if (report.zero_area_faces > 0) {
-    report.messages.push_back(fmt::format("{} no area (three points on a line): kept, they hold the surface together",
-                                          counted(report.zero_area_faces, "triangle has", "triangles have")));
+    report.messages.push_back(
+        fmt::format("{} no area (three points on a line): kept, because they hold the surface together",
+                    counted(report.zero_area_faces, "triangle has", "triangles have")));
   }
   examine_open_edges(checked, soup.weld_tolerance);
 }

@@ -123,8 +123,8 @@ void append_polygon(const PolygonSoup& soup, const std::vector<std::int32_t>& we
 
 std::string action_of(const CleanedPolygons& counts) {
   if (counts.shortened == 0) return "removed";
-  if (counts.dropped == 0) return "repeated corners taken out";
-  return fmt::format("{} removed, repeated corners taken out of {}", counts.dropped, counts.shortened);
+  if (counts.dropped == 0) return "repeated corners removed";
+  return fmt::format("{} removed, repeated corners removed from {}", counts.dropped, counts.shortened);
 }
 
 /// Hashes a vertex to 64 bits (the finalizer of splitmix64).

@@ -156,7 +156,7 @@ std::vector<std::int32_t> cut_twists(WorkFaces& work, DefectLog& log) {
                       counted(std::ssize(cuts), "edge between faces of opposite orientations makes",
                               "edges between faces of opposite orientations make"),
                       low, high, face),
-          "cut, the surface has a boundary there");
+          "cut open there");
   return ends;
 }
 

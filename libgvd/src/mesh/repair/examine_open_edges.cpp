@@ -127,7 +127,7 @@ std::string format_joining(const VertexGap& gap) {
 std::string describe_vain_weld(const CheckedMesh& checked, const std::vector<PlacedVertex>& placed, double tolerance) {
   const std::string what =
       tolerance == 0 ? "welding joins nothing: no two vertices are at the same coordinates"
-                     : fmt::format("welding within {:g} joins nothing: no two vertices are so near", tolerance);
+                     : fmt::format("welding within {:g} joins nothing: no two vertices are that close", tolerance);
   if (placed.empty()) return what + ", and no edge is open";
   const std::optional<VertexGap> gap = find_least_gap(checked, placed);
   if (!gap) return what;

@@ -177,8 +177,8 @@ std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, De
   }
   log.add(DefectKind::inconsistent_orientation, count, first,
           fmt::format("{}, first face {}",
-                      counted(count, "face is against the orientation of most of its component",
-                              "faces are against the orientation of most of their component"),
+                      counted(count, "face is oriented against most of its component",
+                              "faces are oriented against most of their component"),
                       first),
           "flipped");
   return one_sided;

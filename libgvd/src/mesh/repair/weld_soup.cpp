@@ -144,10 +144,10 @@ void move_to_staying(PolygonSoup& soup, const std::vector<char>& used, double to
     soup.positions[v] = Vec3(soup.positions[nearest.vertex]);
   }
   if (between == 0) return;
-  soup.notes.push_back(fmt::format(
-      "welding within {:g}: {} between others that stay apart, and moved to the nearest; a smaller tolerance "
-      "joins copies only",
-      tolerance, counted(between, "vertex was", "vertices were")));
+  soup.notes.push_back(
+      fmt::format("welding within {:g}: {} several others within the tolerance, and {} joined only to the nearest. "
+                  "Choose a smaller tolerance to join copies only",
+                  tolerance, counted(between, "vertex had", "vertices had"), between == 1 ? "was" : "were"));
 }
 
 }  // namespace
