@@ -97,7 +97,7 @@ void note_coarse_coordinates(Run& run, const Mesh& mesh) {
   if (!(coarse_area > kCoarseShare * area)) return;
   note_on_input(run,
                 fmt::format("coordinates are multiples of {:.2g} so far from the origin, and edges there are {:.2g} "
-                            "long: results are no more exact; move the model to the origin",
+                            "long: results are no more accurate than that; move the model to the origin",
                             grid, edge));
 }
 
@@ -156,7 +156,7 @@ std::string property_file(Run& run) {
                       name_of(run.options().input));
   }
   if (std::filesystem::is_directory(name, ignored)) why = "is a directory; give a file";
-  if (name == "-") why = "takes a file or a property; standard input is the file /dev/stdin";
+  if (name == "-") why = "takes a file or a property; for standard input, give /dev/stdin";
   throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", placeholder(option, name), why));
 }
 

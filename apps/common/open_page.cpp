@@ -92,7 +92,7 @@ std::string open_page(const std::string& file) {
   std::error_code failed;
   const std::string path = std::filesystem::absolute(file, failed).string();
   Words call = find_call(failed ? file : path);
-  if (call.empty()) return fmt::format("$BROWSER names no program, and there is no {}", kOpener);
+  if (call.empty()) return fmt::format("$BROWSER names no installed program, and {} is not installed", kOpener);
   const pid_t child = ::fork();
   if (child == 0) execute(call);
   if (child < 0) return "no process could be started";

@@ -47,7 +47,7 @@ static_assert(static_cast<std::size_t>(ErrorCode::interrupted) + 1 == kCodes.siz
 struct MemoryAdvice {
   bool is_limited = false;
   std::string limit = "--max-memory";  ///< with its value, if it is given
-  std::string advice = "take a mesh of fewer or rounder triangles";
+  std::string advice = "use a mesh with fewer or better-shaped triangles";
   std::string one_thread = "--threads 1";
 };
 MemoryAdvice g_memory;
@@ -56,7 +56,7 @@ Outcome out_of_memory() {
   const auto& [is_limited, limit, advice, one_thread] = g_memory;
   std::string message = is_limited
                             ? fmt::format("out of memory: the run needs more than {}; raise it, or {}", limit, advice)
-                            : fmt::format("out of memory: up to {} in use; {}; {} ends such a run sooner",
+                            : fmt::format("out of memory: up to {} in use; {}; use {} to stop such a run earlier",
                                           format_bytes(peak_memory_bytes()), advice, limit);
   return {kNoResult, std::move(message), "out of memory"};
 }
@@ -115,7 +115,7 @@ constinit thread_local bool t_ending = false;
 
 [[noreturn]] void end_with_fixed_text() {
   constexpr std::string_view kText =
-      ": error: out of memory, even for a message; take a mesh of fewer or rounder triangles\n";
+      ": error: out of memory, even for a message; use a mesh with fewer or better-shaped triangles\n";
   for (const std::string_view text : {std::string_view(g_command), kText}) {
     if (::write(STDERR_FILENO, text.data(), text.size()) < 0) break;
   }
@@ -178,7 +178,8 @@ void limit_memory_of(const Options& options) {
   // faces.
   const Option* const chords = list.find("chord_tolerance");
   if (chords != nullptr && list.why_idle(*chords, given).empty()) {
-    g_memory.advice = spell(list, given, "take a coarser \1chord_tolerance\2, or a mesh of fewer or rounder triangles");
+    g_memory.advice =
+        spell(list, given, "use a coarser \1chord_tolerance\2, or a mesh with fewer or better-shaped triangles");
   }
   g_memory.limit = spell(list, given, placeholder("max_memory", limit ? format_bytes(*limit) : ""));
   g_memory.one_thread = spell(list, given, "\1threads=1\2");

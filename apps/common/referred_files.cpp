@@ -140,8 +140,9 @@ void note_material_files(Run& run, const std::string& path, const Appearance& ap
     return one_name(fs::absolute(file, ignored).parent_path().string());
   };
   if (appearance.material_files.empty() || input == "-" || folder_of(path) == folder_of(input)) return;
-  run.console().note(fmt::format("{} names the materials of {}, which is beside {}: copy it, with its images", path,
-                                 user_text(fmt::format("{}", fmt::join(appearance.material_files, ", "))), input));
+  run.console().note(fmt::format("{} names the materials of {}, which is beside {}: copy it together with its images",
+                                 path, user_text(fmt::format("{}", fmt::join(appearance.material_files, ", "))),
+                                 input));
 }
 
 }  // namespace gvd::app

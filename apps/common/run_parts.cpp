@@ -158,7 +158,7 @@ void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const 
   const double seconds = cost.microseconds * 1e-6 * double(count);
   if (count <= mesh.face_count() || seconds < kLongRun) return;
   run.note(fmt::format(
-      "\1count={}\2 is more than the mesh has faces ({}): this may take about {} and {:.2g} GB of memory, at {:.2g} ms "
+      "\1count={}\2 exceeds the number of faces ({}): this may take about {} and {:.2g} GB of memory, at {:.2g} ms "
       "and {:.2g} kB a generator as measured on two cores",
       count, mesh.face_count(), format_duration(seconds), cost.kilobytes * 1e-6 * double(count),
       cost.microseconds * 1e-3, cost.kilobytes));

@@ -143,7 +143,7 @@ void append_sampled(const Mesh& mesh, const ConstrainedStart& start, const Start
   if (std::ssize(placed.points) > asked) {
     throw Error(
         ErrorCode::precondition,
-        fmt::format("{} asked for, and {} fixed or on features; ask for more generators",
+        fmt::format("{} requested, but {} fixed or on features; ask for more generators",
                     counted(asked, "generator is", "generators are"), counted(std::ssize(placed.points), "is", "are")));
   }
   NearestRemover remover(mesh, start.points);

@@ -119,7 +119,7 @@ void add_json_curve(CurveList& list, const nlohmann::json& curve, const std::str
   }
   std::vector<GeneratorEntry> points;
   for (const nlohmann::json& point : curve["points"]) {
-    if (!point.is_object()) location.refuse(fmt::format("a point of {} is no object", place));
+    if (!point.is_object()) location.refuse(fmt::format("a point of {} is not an object", place));
     points.push_back(detail::read_object(point, location));
   }
   if (curve.contains("segments")) {

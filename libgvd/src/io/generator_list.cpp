@@ -295,7 +295,7 @@ std::vector<double> parse_numbers(std::string_view content, const std::string& n
   for (const auto& [text, line] : detail::split_lines(content)) {
     for (const std::string_view field : detail::split_fields(text, ',')) {
       const auto number = parse_number<double>(field);
-      if (!number) detail::ListLocation{name, line}.refuse(fmt::format("{} is no number", quoted(field)));
+      if (!number) detail::ListLocation{name, line}.refuse(fmt::format("{} is not a number", quoted(field)));
       numbers.push_back(*number);
     }
   }

@@ -37,7 +37,7 @@ std::string_view trim(std::string_view text, std::string_view blanks = kBlanks) 
 std::int64_t parse_index(std::string_view field, std::string_view what, const ListLocation& location) {
   const auto index = parse_number<std::int64_t>(field);
   if (!index || *index < 0) {
-    location.refuse(fmt::format("{} is no index of a {}; indices are whole numbers from 0", quoted(field), what));
+    location.refuse(fmt::format("{} is not an index of a {}; indices are whole numbers from 0", quoted(field), what));
   }
   return *index;
 }
@@ -47,7 +47,7 @@ std::array<double, 3> parse_values(const std::array<std::string_view, 3>& fields
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto value = parse_number<double>(fields[i]);
-    if (!value || !std::isfinite(*value)) location.refuse(fmt::format("{} is no finite number", quoted(fields[i])));
+    if (!value || !std::isfinite(*value)) location.refuse(fmt::format("{} is not a finite number", quoted(fields[i])));
     values[i] = *value;
   }
   return values;
@@ -73,7 +73,7 @@ std::string spell(std::string fields, char separator) {
 /// Parses the first of four fields, which is not `p`, as a face.
 std::int64_t parse_face(std::string_view field, const ListLocation& location, char separator) {
   if (!parse_number<double>(field)) {
-    location.refuse(fmt::format("{} is no index of a face; write '{}' or, for a position, '{}'", quoted(field),
+    location.refuse(fmt::format("{} is not an index of a face; write '{}' or, for a position, '{}'", quoted(field),
                                 spell("F b0 b1 b2", separator), spell("p x y z", separator)));
   }
   return parse_index(field, "face", location);
@@ -235,7 +235,7 @@ std::vector<GeneratorEntry> parse_text(std::string_view content, const std::stri
   for (const auto& [text, number] : split_lines(content)) {
     if (text.find(',') != text.npos) {
       ListLocation{name, number}.refuse(
-          "has a comma; part the fields by blanks, or give the list as CSV with \1generators_format=csv\2");
+          "has a comma; separate the fields by blanks, or give the list as CSV with \1generators_format=csv\2");
     }
     rows.push_back({split_fields(text), number});
   }
@@ -286,7 +286,7 @@ std::vector<GeneratorEntry> parse_ply_points(std::string_view content, const std
     const double index = has_faces ? (*face)[i] : 0;
     constexpr double kMostFaces = 2147483647;
     if (!is_finite || !(index >= 0 && index <= kMostFaces) || index != std::floor(index)) {
-      ListLocation{name, 0}.refuse(fmt::format("point {} of the PLY has numbers that are no {}", i,
+      ListLocation{name, 0}.refuse(fmt::format("point {} of the PLY has numbers that are not a {}", i,
                                                has_faces ? "face and coordinates in it" : "position"));
     }
     entry.index = static_cast<std::int64_t>(index);
@@ -316,8 +316,8 @@ void refuse_other_table(std::string_view content, const std::string& name) {
   const bool is_title = is_word && lines.size() > 1 && parse_number<double>(lines[1].text).has_value();
   if (!has_separators && !is_title) return;
   ListLocation{name, first.number}.refuse(
-      "the header has no column vertex or face, with commas between columns; name the column of indices so, or give "
-      "the numbers alone, in order and without a header");
+      "the header has no column vertex or face, with commas between columns; name the column of indices 'vertex' or "
+      "'face', or give the numbers alone, in order and without a header");
 }
 
 ElementTable parse_element_table(std::string_view content, const std::string& name) {
@@ -349,7 +349,7 @@ ElementTable parse_element_table(std::string_view content, const std::string& na
     }
     if (std::exchange(is_known[index], 1) != 0) location.refuse(fmt::format("{} {} has a second row", kind, index));
     const auto number = parse_number<double>(fields[last]);
-    if (!number) location.refuse(fmt::format("{} is no number", quoted(fields[last])));
+    if (!number) location.refuse(fmt::format("{} is not a number", quoted(fields[last])));
     table.numbers[index] = *number;
   }
   return table;

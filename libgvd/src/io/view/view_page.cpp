@@ -102,7 +102,7 @@ void check_surface_distance(const ViewScene& scene) {
   const DistanceSamples& samples = scene.surface_distance->samples;
   if (!scene.pieces.empty()) refuse("the view has distances of cut faces from another surface; give whole faces");
   if (samples.at_vertex.count() != mesh.vertex_count() || samples.steps.count() != mesh.face_count()) {
-    refuse("the view has distances from another surface that are not of its mesh; give one for each vertex and face");
+    refuse("the view has distances from another surface that do not match its mesh; give one for each vertex and face");
   }
   std::int64_t size = 0;
   for (const std::int32_t k : samples.steps) {

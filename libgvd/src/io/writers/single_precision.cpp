@@ -70,7 +70,7 @@ std::string why_not_floats(const Mesh& mesh, const Vec3& origin) {
   const double local = origin.isZero(0) ? largest : largest_local_coordinate(mesh, origin);
   const double step = std::max<double>(local * SingleLimits::epsilon(), SingleLimits::min());
   if (mesh.bbox_diagonal() > step) return "";
-  return fmt::format("a mesh of size {} at the coordinate {} is smaller than the step between two of them",
+  return fmt::format("a mesh of size {} at the coordinate {} is smaller than the distance between neighbouring floats",
                      mesh.bbox_diagonal(), largest);
 }
 

@@ -76,7 +76,7 @@ std::vector<double> parse_array_text(std::string_view text, std::string_view wha
     const auto number = parse_double(token);
     if (!number) {
       throw Error(ErrorCode::unreadable_input,
-                  fmt::format("{}: {} is no number in an array of {}", name, quoted(token), what));
+                  fmt::format("{}: {} is not a number in an array of {}", name, quoted(token), what));
     }
     numbers.push_back(*number);
     at += token.size();

@@ -46,12 +46,12 @@ std::optional<std::string> decode_percents(std::string_view uri) {
 /// returns the reason.
 std::string_view find_relative_path(std::string_view uri, std::filesystem::path& relative) {
   const std::optional<std::string> path = decode_percents(uri);
-  if (!path) return "has a '%' without two digits behind it";
+  if (!path) return "has a '%' without two digits after it";
   if (path->find(':') != path->npos) {
     return "is an address, and only files in the folder of the mesh are read; put it there, or export one .glb";
   }
   const bool is_plain = std::ranges::none_of(*path, [](char c) { return std::uint8_t(c) < ' ' || c == '\\'; });
-  if (path->empty() || !is_plain) return "is no name of a file";
+  if (path->empty() || !is_plain) return "is not the name of a file";
   relative = *path;
   if (path->front() == '/' || std::find(relative.begin(), relative.end(), "..") != relative.end()) {
     return "is not in the folder of the mesh; put it there, or export one .glb";
@@ -90,7 +90,7 @@ std::string read_gltf_buffer(std::string_view uri, std::size_t b, const std::opt
   if (error) refuse("is not there; put it beside the mesh, or export one .glb");
   const auto [end, below] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
   if (end != root.end()) refuse("leads out of the folder of the mesh by a symbolic link; put the file itself there");
-  if (!fs::is_regular_file(file, error)) refuse("is no file");
+  if (!fs::is_regular_file(file, error)) refuse("is not a file");
   std::ifstream in(file, std::ios::binary);
   if (!in) refuse("can't be opened; check its permissions");
   const std::uintmax_t size = fs::file_size(file, error);

@@ -48,7 +48,7 @@ GltfFile::GltfFile(std::string_view bytes, std::string_view name, const std::opt
   is_binary_ = bytes.starts_with(kMark);
   if (!is_binary_ && !is_json(bytes)) refuse("the file begins neither with 'glTF' nor, as JSON, with '{'");
   gltf_ = Json::parse(is_binary_ ? read_chunks() : bytes);
-  if (!gltf_.is_object()) refuse("the scene's description is no JSON object");
+  if (!gltf_.is_object()) refuse("the scene's description is not a JSON object");
   check_version();
 }
 
@@ -67,12 +67,12 @@ const Json& GltfFile::item(const char* key, std::size_t i) const {
 std::size_t GltfFile::number(const Json& object, const char* key, std::optional<std::size_t> otherwise) const {
   const auto found = object.find(key);
   if (found == object.end() && otherwise) return *otherwise;
-  if (found == object.end() || !found->is_number_unsigned()) refuse(fmt::format("'{}' is no index or count", key));
+  if (found == object.end() || !found->is_number_unsigned()) refuse(fmt::format("'{}' is not an index or count", key));
   return as_size(*found);
 }
 
 std::size_t GltfFile::index(const Json& value, const char* what) const {
-  if (!value.is_number_unsigned()) refuse(fmt::format("an index of {} is no whole number", what));
+  if (!value.is_number_unsigned()) refuse(fmt::format("an index of {} is not a whole number", what));
   return as_size(value);
 }
 

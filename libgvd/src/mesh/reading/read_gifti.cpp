@@ -134,8 +134,9 @@ class GiftiParser {
   std::vector<double> read_array(pugi::xml_node array, const Shape& shape) {
     const char* const text = array.child("Data").child_value();
     if (is_one_of(array, "Encoding", "ExternalFileBinary", "GIFTI_ENCODING_EXTBIN")) {
-      refuse(fmt::format("the numbers are in another file, {}; write all into one, with another encoding",
-                         quoted(array.attribute("ExternalFileName").value())));
+      refuse(fmt::format(
+          "the numbers are in another file, {}; write one file, with an encoding other than ExternalFileBinary",
+          quoted(array.attribute("ExternalFileName").value())));
     }
     if (!is_one_of(array, "Encoding", "ASCII", "GIFTI_ENCODING_ASCII")) {
       return decode(array, ArrayBytes(text, true), shape.numbers);
@@ -151,7 +152,7 @@ class GiftiParser {
     const StoredNumber type = find_type(array, is_packed);
     std::string bytes = data.take(data.most());
     if (data.most() > 0) {
-      refuse(fmt::format("the Base64 of an array {} is damaged behind byte {}; {}", quoted(intent_of(array)),
+      refuse(fmt::format("the Base64 of an array {} is damaged after byte {}; {}", quoted(intent_of(array)),
                          bytes.size(), kExportAgain));
     }
     if (is_packed) bytes = unpack(array, bytes, count, type);
@@ -165,7 +166,7 @@ class GiftiParser {
     std::uint64_t unused = 0;
     if (append_inflated(bytes, packed, count * type.size, limit_, &unused)) {
       if (unused == 0) return bytes;
-      refuse(fmt::format("the packed data of an array {} end after its numbers, and {} behind them; {}",
+      refuse(fmt::format("the packed data of an array {} end after its numbers, but {} them; {}",
                          quoted(intent_of(array)), counted(std::int64_t(unused), "byte follows", "bytes follow"),
                          kExportAgain));
     }
@@ -213,7 +214,7 @@ class GiftiParser {
       if (name.size() != 4 || !name.starts_with("Dim")) continue;
       dimensions += fmt::format("{}{} {}", dimensions.empty() ? "" : ", ", name, quoted(attribute.value()));
     }
-    refuse(fmt::format("an array {} should have {} ({}), and its data hold {}; {}", quoted(intent_of(array)),
+    refuse(fmt::format("an array {} should have {} ({}), but its data hold {}; {}", quoted(intent_of(array)),
                        number_count(declared), dimensions, found, kExportAgain));
   }
 

@@ -126,7 +126,7 @@ class GltfParser {
       const Transform made(matrix->get<std::array<double, 16>>().data());
       if (matrix->size() > 16 || !((made.row(3) - Transform::Identity().row(3)).cwiseAbs().maxCoeff() <= kAffine)) {
         file_.refuse(
-            fmt::format("node {} has a matrix of {} that is no affine transform: it needs 16, and the "
+            fmt::format("node {} has a matrix of {} that is not an affine transform: it needs 16, and the "
                         "last row 0 0 0 1; {}",
                         n, counted(std::int64_t(matrix->size()), "number", "numbers"), kExportAgain));
       }

@@ -99,8 +99,8 @@ PolygonSoup parse_mni(std::string_view bytes, std::string_view name) {
     if (soup.polygon_count() == 0) {
       text.refuse(fmt::format("an object of MNI should begin with P, and not with {}", quoted(kind)));
     }
-    soup.notes.push_back(
-        fmt::format("line {}: {} is no polygons; left out, with what follows", text.line_number(), quoted(kind)));
+    soup.notes.push_back(fmt::format("line {}: {} is not an object of polygons; it and everything after it are skipped",
+                                     text.line_number(), quoted(kind)));
     break;
   }
   return soup;

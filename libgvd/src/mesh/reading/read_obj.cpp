@@ -131,7 +131,8 @@ class ObjParser {
     const std::optional<std::int64_t> given = parse_integer(token.substr(0, slash));
     const bool tail_fits =
         slash == std::string_view::npos || token.find_first_not_of("0123456789+-/", slash) == std::string_view::npos;
-    if (!given || !tail_fits) text_.refuse(fmt::format("{} is no corner of a {}", quoted(token), element()), polygon);
+    if (!given || !tail_fits)
+      text_.refuse(fmt::format("{} is not a corner of a {}", quoted(token), element()), polygon);
     const std::int64_t count = std::ssize(soup_.positions);
     const std::int64_t index = *given > 0 ? *given - 1 : count + *given;
     if (*given == 0 || index < 0 || index >= kMostVertices) refuse_index(*given, count, polygon);

@@ -79,7 +79,7 @@ class HeaderParser {
     } else if (word == "comment") {
       header_.has_images |= text_.token() == "TextureFile";
     } else if (word != "obj_info" && !word.empty()) {
-      text_.refuse(fmt::format("{} is no statement of a PLY header", quoted(word)));
+      text_.refuse(fmt::format("{} is not a statement of a PLY header", quoted(word)));
     }
     return false;
   }
@@ -121,7 +121,7 @@ class HeaderParser {
 
   NumberType require_type(std::string_view word) const {
     const std::optional<NumberType> type = parse_type(word);
-    if (!type) text_.refuse(fmt::format("{} is no type of a PLY property", quoted(word)));
+    if (!type) text_.refuse(fmt::format("{} is not a type of a PLY property", quoted(word)));
     return *type;
   }
 

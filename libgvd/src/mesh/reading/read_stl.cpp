@@ -135,7 +135,8 @@ PolygonSoup parse_text_stl(std::string_view bytes, std::string_view name) {
     }
     const auto is_named = [&](const StlStatement& s) { return same_word(word, s.word); };
     const auto statement = std::ranges::find_if(kStlStatements, is_named);
-    if (statement == kStlStatements.end()) text.refuse(fmt::format("{} is no statement of a text STL", quoted(word)));
+    if (statement == kStlStatements.end())
+      text.refuse(fmt::format("{} is not a statement of a text STL", quoted(word)));
     if (level != statement->from) text.refuse(fmt::format("'{}' is out of place", statement->name));
     level = statement->to;
     if (statement->from != 3) continue;

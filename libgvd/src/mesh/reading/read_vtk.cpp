@@ -77,7 +77,7 @@ class VtkParser {
     } else if (word == "metadata") {
       for (line(); at_ < bytes_.size() && line().find_first_not_of(kWhitespace) != std::string_view::npos;) continue;
     } else {
-      refuse(fmt::format("{} is no section of a surface", gvd::quoted(word)));
+      refuse(fmt::format("{} is not a section of a surface", gvd::quoted(word)));
     }
   }
 
@@ -96,9 +96,9 @@ class VtkParser {
     for (std::size_t i = 0; i < mixed.size();) {
       const double length = mixed[i++];
       if (!(length >= 0 && length <= double(mixed.size() - i))) {
-        refuse(fmt::format("cell {} should have {} {}, and the list has {} behind it; {}", cells.ends.size(), length,
+        refuse(fmt::format("cell {} should have {} {}, but {}; {}", cells.ends.size(), length,
                            length == 1 ? "corner" : "corners",
-                           counted(std::int64_t(mixed.size() - i), "number", "numbers"), kExportAgain));
+                           counted(std::int64_t(mixed.size() - i), "number follows", "numbers follow"), kExportAgain));
       }
       cells.corners.insert(cells.corners.end(), mixed.begin() + std::ptrdiff_t(i),
                            mixed.begin() + std::ptrdiff_t(i + std::size_t(length)));
@@ -114,7 +114,7 @@ class VtkParser {
 
   StoredNumber offsets_type(std::string_view wanted) {
     const std::string word = keyword();
-    if (word != wanted) refuse(fmt::format("{} stands where {} should", gvd::quoted(word), gvd::quoted(wanted)));
+    if (word != wanted) refuse(fmt::format("expected {}, found {}", gvd::quoted(wanted), gvd::quoted(word)));
     return type();
   }
 
@@ -152,7 +152,7 @@ class VtkParser {
   std::uint64_t count() {
     const std::string_view text = token();
     const auto value = parse_number<std::uint64_t>(text);
-    if (!value) refuse(fmt::format("{} stands where a count should", quoted(text)));
+    if (!value) refuse(fmt::format("expected a count, found {}", quoted(text)));
     if (*value > bytes_.size()) refuse_count(*value);
     return *value;
   }
@@ -160,7 +160,7 @@ class VtkParser {
   StoredNumber type() {
     const std::string_view word = token();
     auto found = find_vtk_type(word);
-    if (!found) refuse(fmt::format("{} is no type of numbers that is read", quoted(word)));
+    if (!found) refuse(fmt::format("{} is not a type of numbers that is read", quoted(word)));
     found->big_endian = true;
     end_keywords();
     return *found;
@@ -190,7 +190,7 @@ class VtkParser {
     for (double& value : values) {
       const std::string_view text = token();
       const auto number = parse_double(text);
-      if (!number) refuse(fmt::format("{} stands where a number should", quoted(text)));
+      if (!number) refuse(fmt::format("expected a number, found {}", quoted(text)));
       value = *number;
     }
     return values;

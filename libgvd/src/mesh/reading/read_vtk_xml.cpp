@@ -283,7 +283,7 @@ class VtkXmlParser {
   }
 
   [[noreturn]] void refuse_short(std::string_view what) const {
-    soup_.refuse(fmt::format("an array of {} ends before its last byte, or is no Base64", what));
+    soup_.refuse(fmt::format("an array of {} ends before its last byte, or is not Base64", what));
   }
 
   std::string name_;

@@ -87,7 +87,7 @@ std::string_view root_element(std::string_view xml) {
 void ExpansionLimit::spend(std::uint64_t bytes) {
   if (bytes > left_) {
     throw Error(ErrorCode::unreadable_input,
-                fmt::format("{}: the file unfolds to more than {} times its size; unpack it first, or convert it",
+                fmt::format("{}: the file expands to more than {} times its size; unpack it first, or convert it",
                             name_, kMostExpansion));
   }
   left_ -= bytes;
@@ -142,7 +142,7 @@ std::string describe_content(std::string_view bytes) {
   const auto* mark = std::ranges::find_if(kMarks, [&](const Mark& m) { return bytes.starts_with(m.bytes); });
   if (mark != kMarks.end()) return std::string(mark->meaning);
   if (is_json(bytes) && bytes.find("\"asset\"") == bytes.npos) {
-    return "JSON, and no glTF, which has a member 'asset'; give the mesh";
+    return "JSON but not glTF (no member 'asset'); give the mesh";
   }
   const std::string begin = to_lower(bytes.substr(0, kSearchedBytes));
   if (begin.starts_with("<!doctype html") || begin.starts_with("<html")) {

@@ -72,9 +72,9 @@ class GzipReader {
   }
 
   [[noreturn]] void refuse_rest() const {
-    throw Error(ErrorCode::unreadable_input,
-                fmt::format("{}: {} no gzip; remove them, or get the file again", name_,
-                            counted(std::ssize(bytes_), "byte behind gzip's data is", "bytes behind gzip's data are")));
+    throw Error(ErrorCode::unreadable_input, fmt::format("{}: {} not gzip; remove them, or get the file again", name_,
+                                                         counted(std::ssize(bytes_), "byte after the gzip data is",
+                                                                 "bytes after the gzip data are")));
   }
 
   std::string_view bytes_;  // not read yet
