@@ -363,7 +363,7 @@ TEST_CASE("balance: options out of their range are refused in one line") {
   const auto message = [&](const BalanceOptions& options) {
     return refusal([&] { balance_cells(mesh, generators, options); });
   };
-  CHECK(message({.shares = {1, 2}}) == "the shares are 2 and the generators 3; give one for each");
+  CHECK(message({.shares = {1, 2}}) == "there are 2 shares for 3 generators; give one for each");
   CHECK(message({.shares = {1, 0, 2}}) == "share 1 is 0; give finite numbers above 0");
   CHECK(message({.tolerance = std::nan("")}) == "the tolerance of balancing must be above 0");
   CHECK(message({.max_diagrams = 0}) == "balancing needs at least one diagram");

@@ -39,7 +39,7 @@ std::string describe_stray(const std::string& word, bool follows, const Options&
   std::error_code ignored;
   if (word.starts_with('-')) {
     return parse_number<double>(word) ? "is not a file; a value follows the name of its option"
-                                      : "is not a file; options go before --";
+                                      : "is not a file; put options before --";
   }
   if (fs::is_directory(word, ignored))
     return fmt::format("is a directory; did you mean {}?", placeholder("output_dir", word));

@@ -52,7 +52,7 @@ Json describe_options(const OptionList& list) {
 std::string print_description(const OptionList& list) {
   const std::vector<std::string> unknown = list.find_unknown_names();
   if (!unknown.empty()) {
-    throw std::logic_error(fmt::format("no option is called {}, as rules or texts do", fmt::join(unknown, " or ")));
+    throw std::logic_error(fmt::format("rules or texts name the unknown option {}", fmt::join(unknown, " or ")));
   }
   return Json{{"options", describe_options(list)}, {"formats", Json::parse(formats_json())}}.dump(1) + "\n";
 }

@@ -65,7 +65,7 @@ std::string why_no_format(const OutputOptions& output) {
   const auto is_chosen = [&](const std::string& file) { return file == "-" || format_of(output, file) == kFreeSurfer; };
   if (!output.folder.empty() || std::any_of(output.files.begin(), output.files.end(), is_chosen)) return "";
   if (output.prints && !names_file(output)) return "";
-  return "\1output_format\2 does nothing here: add \1output=-\2 or \1output_dir\2, or leave "
+  return "\1output_format\2 has no effect here: add \1output=-\2 or \1output_dir\2, or leave "
          "\1output_format\2 out";
 }
 
@@ -182,7 +182,7 @@ void describe_target(OptionList& list, OutputOptions& output, const std::string&
   if (extensions.size() > 1) {
     list.rule({name, {}, [name, &file, extensions](const Given&) -> std::string {
                  if (contains(extensions, file_extension(file))) return "";
-                 return fmt::format("\1{}\2: {} does not tell the format; give a file that ends in {}", name,
+                 return fmt::format("\1{}\2: {} has no known extension; give a file that ends in {}", name,
                                     user_text(file), list_extensions(extensions, "or"));
                }});
   }

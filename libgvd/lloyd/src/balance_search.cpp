@@ -69,8 +69,7 @@ std::vector<double> find_targets(const Mesh& mesh, const State& state, const std
     const std::int32_t c = component[generators[g].face];
     targets.push_back(mass[c] * (own_share(g) / share[c]));
     if (targets.back() > 0 && std::isfinite(targets.back())) continue;
-    throw Error(ErrorCode::precondition,
-                fmt::format("generator {} has nothing to share: its part of the mesh has no area", g), std::int64_t(g));
+    throw Error(ErrorCode::precondition, fmt::format("generator {}: its component has no area", g), std::int64_t(g));
   }
   return targets;
 }
@@ -281,7 +280,7 @@ void check_options(const Mesh& mesh, const std::vector<SurfacePoint>& generators
   if (options.max_diagrams < 1) refuse("balancing needs at least one diagram");
   if (options.diagram.method != Method::exact) refuse("weights need the exact method; choose it, or leave them out");
   if (!options.shares.empty() && options.shares.size() != generators.size()) {
-    refuse(fmt::format("the shares are {} and the generators {}; give one for each", options.shares.size(),
+    refuse(fmt::format("there are {} shares for {} generators; give one for each", options.shares.size(),
                        generators.size()));
   }
   for (std::size_t i = 0; i < options.shares.size(); ++i) {

@@ -64,7 +64,7 @@ std::optional<Density> read_density(const CheckedMesh& input, const std::string&
 
 void check_density(const Mesh& mesh, const Density& density) {
   if (density.is_uniform() || std::ssize(density.corners) == mesh.face_count()) return;
-  throw Error(ErrorCode::precondition, "the density is not of this mesh: the number of faces differs");
+  throw Error(ErrorCode::precondition, "the density belongs to another mesh: the number of faces differs");
 }
 
 Density make_vertex_density(const Mesh& mesh, const std::vector<double>& values) {

@@ -52,11 +52,11 @@ class Describer : public ObjectVisitor {
     array({name + "_bary", "", text + ": barycentric coordinates"}, points.bary());
   }
   void curves(const Meaning& meaning, const PointLists&) override {
-    offsets(meaning, "the place of each list's first point, and the number of all");
+    offsets(meaning, "index of each list's first point, and the total number of points");
     points(meaning, std::vector<SurfacePoint>());
   }
   void lists(const Meaning& meaning, const GeneratorLists&) override {
-    offsets(meaning, "the place of each list's first number, and the number of all");
+    offsets(meaning, "index of each list's first number, and the total count");
     array(meaning, view(std::vector<GeneratorId>()));
   }
   void table(const Meaning& meaning, const Table& table) override {

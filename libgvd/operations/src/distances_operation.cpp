@@ -299,8 +299,7 @@ void measure_nearest(const DistancesCall& call, Observer& observer, DistancesOut
   if (call.paths) as_step(observer, "paths", [&] { add_paths(made, *made.field, GeneratorId()); });
   if (call.logarithm) {
     if (made.table.sources.size() != 1) {
-      refuse_call(
-          fmt::format("\1logarithm\2 is that at one source, and {} are given; give one", made.table.sources.size()));
+      refuse_call(fmt::format("\1logarithm\2 needs exactly one source; {} are given", made.table.sources.size()));
     }
     made.logarithms = as_step(observer, "logarithms", [&] { return find_logarithms(observer, made); });
   }
@@ -359,7 +358,7 @@ void describe(OptionList& list, DistancesCall& call) {
   list.option("max_snap", Number{&call.sources.max_snap, {.least = 0}},
               {.help = "Refuse a point of a list that is farther than this from the surface", .unit = "mesh units"});
   list.option("merge_coincident", Flag{&call.sources.merge_coincident},
-              {.help = "Merge points of \1from\2 that are in the same place instead of refusing them"});
+              {.help = "Merge points of \1from\2 that coincide instead of refusing them"});
   list.group("Distances");
   describe_curves(list, call.sources);
   list.option("each", Flag{&call.each}, {.help = "Measure from each source alone, instead of from the nearest one"});
@@ -368,7 +367,7 @@ void describe(OptionList& list, DistancesCall& call) {
                .more = "; .csv then holds the points of the paths",
                .shown = Shown::main});
   list.option("max_distance", Number{&call.max_distance, {.least = 0}},
-              {.help = "Leave out what is farther than this", .more = "; the work ends there", .unit = "mesh units"});
+              {.help = "Stop at this distance", .more = "; farther points are left out", .unit = "mesh units"});
   list.option("isolines", Number{&call.isolines, above(0)},
               {.help = "Trace the curves of equal distance at every multiple of this",
                .unit = "mesh units",
@@ -380,7 +379,7 @@ void describe(OptionList& list, DistancesCall& call) {
   list.excludes("each", {"isolines"}, "isolines are of the nearest source");
   list.rule({"paths", {"to"}, [](const Given& given) -> std::string {
                return given.has("to") ? ""
-                                      : "\1paths\2 does nothing here: add \1to\2, where the paths begin, or "
+                                      : "\1paths\2 has no effect here: add \1to\2, where the paths begin, or "
                                         "leave \1paths\2 out";
              }});
 }
@@ -392,11 +391,11 @@ void describe_for_programs(OptionList& list, DistancesCall& call) {
       "levels", ValueSource{&call.levels, {}, ValueSource::Of::generators},
       {.help = "Trace the curves of equal distance at these distances, ascending and above 0", .unit = "mesh units"});
   list.excludes("levels", {"isolines", "each"});
-  list.option("keep_coincident", Flag{&call.keep_coincident},
-              {.help = "With \1each\2, sources may be in the same place"});
+  list.option("keep_coincident", Flag{&call.keep_coincident}, {.help = "With \1each\2, sources may coincide"});
   list.excludes("keep_coincident", {"merge_coincident"});
-  list.option("mesh_vertices", Flag{&call.mesh_vertices},
-              {.help = "With \1each\2, rows of the mesh's vertices, where repairs made others than the input's"});
+  list.option(
+      "mesh_vertices", Flag{&call.mesh_vertices},
+      {.help = "With \1each\2, distances for the mesh's vertices instead of the input's, if repairs changed them"});
   list.excludes("logarithm", {"each", "curves"});
 }
 

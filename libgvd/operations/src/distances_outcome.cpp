@@ -198,8 +198,8 @@ void DistancesOutcome::visit(ObjectVisitor& visitor) const {
   const std::int64_t stride = sizeof(double);
   visitor.array(
       {"rows", "mesh units",
-       "distances: a row for the nearest source, or for each one; of the targets, or else of the vertices of the "
-       "input, by its numbers"},
+       "distances of the targets, or of the input's vertices in their order: one row for the nearest source, or one "
+       "for each source"},
       {table.rows.values().data(),
        ArrayType::float64,
        2,

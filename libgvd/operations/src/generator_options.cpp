@@ -91,16 +91,16 @@ void describe(OptionList& list, GeneratorOptions& generators, const std::vector<
       "generators", PointList{&generators.points, PointList::Named::file},
       {.help = fmt::format("File that lists the generators ({})", list_extensions(generator_extensions(), "or")),
        .more = ", or - for standard input",
-       .arrays = "Points that are the generators",
+       .arrays = "The generators, as points",
        .shown = Shown::main});
   list.option("vertices", PointList{&generators.vertices, PointList::Named::vertices},
               {.help = "Use these vertices of the input file, counted from 0, as in 3,17,99",
-               .arrays = "Vertices that are the generators"});
+               .arrays = "The generators, as vertices"});
   list.option(
       "max_snap", Number{&generators.max_snap, {.least = 0}},
       {.help = "Refuse a point of \1generators\2 that is farther than this from the surface", .unit = "mesh units"});
   list.option("merge_coincident", Flag{&generators.merge_coincident},
-              {.help = "Merge generators that are in the same place instead of refusing them"});
+              {.help = "Merge generators that coincide instead of refusing them"});
   OneOf sources{{"count", "generators", "vertices", "radius"}, "no generators"};
   sources.options.insert(sources.options.end(), others.begin(), others.end());
   list.one_of(std::move(sources));

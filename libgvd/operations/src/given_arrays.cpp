@@ -96,7 +96,7 @@ GivenNumber to_number(const Json& value) {
   if (value.is_number_integer()) return {value.get<double>(), value.get<std::int64_t>()};
   if (value.is_number()) return {value.get<double>()};
   const auto parsed = value.is_string() ? parse_number<double>(value.get_ref<const std::string&>()) : std::nullopt;
-  if (!parsed) refuse_array(fmt::format("{} is no number", shown(value)));
+  if (!parsed) refuse_array(fmt::format("{} is not a number", shown(value)));
   return {*parsed};
 }
 
@@ -126,13 +126,13 @@ NumberRows read_rows(const Json& value, const Arrays& arrays) {
     return rows;
   }
   if (!value.is_array()) {
-    refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", shown(value)));
+    refuse_array(fmt::format("{} is not a list of numbers; give one, or {{\"array\": 0}}", shown(value)));
   }
   const bool has_rows = !value.empty() && value.front().is_array();
   NumberRows rows{{}, has_rows ? std::ssize(value.front()) : 1};
   for (const Json& row : value) {
     if (has_rows && (!row.is_array() || std::ssize(row) != rows.columns)) {
-      refuse_array(fmt::format("{} is no row of {} numbers, as the first point is", shown(row), rows.columns));
+      refuse_array(fmt::format("{} is not a row of {} numbers like the first point", shown(row), rows.columns));
     }
     if (!has_rows) rows.numbers.push_back(to_number(row));
     for (std::int64_t i = 0; has_rows && i < rows.columns; ++i) rows.numbers.push_back(to_number(row[std::size_t(i)]));
@@ -198,8 +198,9 @@ GeneratorList to_list_of_mesh(const std::vector<GivenNumber>& vertices, const Ch
 GeneratorList parse_objects(const Json& value, const std::string& name) {
   const auto odd = std::ranges::find_if(value, [](const Json& one) { return !one.is_object(); });
   if (odd != value.end()) {
-    refuse_array(fmt::format(
-        "{} is no object, as the first point is; write {{\"vertex\": 3}} or {{\"position\": [x, y, z]}}", shown(*odd)));
+    refuse_array(
+        fmt::format("{} is not an object like the first point; write {{\"vertex\": 3}} or {{\"position\": [x, y, z]}}",
+                    shown(*odd)));
   }
   try {
     GeneratorList list = parse_generators(Json{{"generators", value}}.dump(), GeneratorFormat::json, name);
@@ -231,7 +232,8 @@ std::string_view bytes_of(const ArrayView& view, std::size_t place) {
   check_array(view, place);
   const bool is_right =
       view.type == ArrayType::uint8 && columns_of(view) == 1 && (view.shape[0] < 2 || view.strides[0] == 1);
-  if (!is_right) refuse_array(fmt::format("array {} has no bytes; give uint8, one column, without gaps", place));
+  if (!is_right)
+    refuse_array(fmt::format("array {} does not contain bytes; give uint8, one column, without gaps", place));
   return {static_cast<const char*>(view.data), std::size_t(view.shape[0])};
 }
 
@@ -253,7 +255,7 @@ GeneratorList read_points(const Json& value, const Arrays& arrays, const std::st
   if (is_array_reference(value)) return to_list(read_rows(value, arrays), name);
   if (is_mesh_reference(value)) return to_list_of_mesh(read_column(value, arrays), arrays.input, name);
   if (!value.is_array() || value.empty()) {
-    refuse_array(fmt::format("{} is no list of points; give one, or {{\"array\": 0}}", shown(value)));
+    refuse_array(fmt::format("{} is not a list of points; give one, or {{\"array\": 0}}", shown(value)));
   }
   const bool has_numbers = std::ranges::all_of(value, [](const Json& one) { return one.is_number(); });
   if (has_numbers || value.front().is_array()) return to_list(read_rows(value, arrays), name);

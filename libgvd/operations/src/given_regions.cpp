@@ -103,7 +103,7 @@ FoundRegions find_regions(const CheckedMesh& input, const GivenRegions& given, O
     name_errors(given.within, [&] { found.regions = make_face_regions(mesh, numbers); });
     if (std::ranges::all_of(found.regions, [](std::int32_t region) { return region < 0; })) {
       throw Error(ErrorCode::precondition,
-                  fmt::format("{}: no face is left, since all numbers are negative; give numbers from 0 for the faces "
+                  fmt::format("{}: all numbers are negative, so no face remains; give numbers from 0 for the faces "
                               "of regions",
                               name));
     }

@@ -25,8 +25,8 @@ namespace {
 const char* describe(LloydStop stop) {
   constexpr std::array<const char*, 6> kSentences{
       "every generator is at its centroid", "the energy falls by less than the tolerance",
-      "no step lowers the energy any more", "hardly any decrease of the energy is left",
-      "the iterations are used up",         "the time is over"};
+      "no step lowers the energy any more", "converged",
+      "the iteration limit was reached",    "the time limit was reached"};
   return kSentences[static_cast<std::size_t>(stop)];
 }
 

@@ -37,7 +37,7 @@ std::shared_ptr<const Object> make_pieces(const Mesh& mesh, const Diagram& diagr
   return std::make_shared<PlainObject>("pieces", [positions = std::move(positions), faces = std::move(faces),
                                                   labels = std::move(labels)](ObjectVisitor& visitor) {
     visitor.array({"positions", "mesh units", "of three corners each"}, view(positions));
-    visitor.array({"faces", "", "that the triangles are parts of"}, view(faces));
+    visitor.array({"faces", "", "face of each triangle"}, view(faces));
     visitor.array({"labels", "", "the generator of each triangle"}, view(labels));
   });
 }
@@ -125,7 +125,7 @@ void MeshObject::visit(ObjectVisitor& visitor) const {
   figure("repairs", "", "what was repaired, a line each", mesh_->defects.messages);
   const Appearance& look = mesh_->appearance;
   figure("materials", "", "names of materials", look.materials);
-  figure("material_files", "", "that the materials are in", look.material_files);
+  figure("material_files", "", "files with the materials", look.material_files);
   visitor.array({"vertex_positions", "mesh units", "x, y and z of each vertex"}, view(mesh.positions()));
   visitor.array({"face_vertices", "", "the vertices of each face"}, view(mesh.face_vertices()));
   visitor.array({"vertex_of_input", "", "the vertex that each vertex of the input became; -1: none"},
@@ -136,8 +136,7 @@ void MeshObject::visit(ObjectVisitor& visitor) const {
                 view(mesh_->input_polygon));
   visitor.array({"texture", "", "u and v of the three corners of each face; not a number where there are none"},
                 view(look.texture));
-  visitor.array({"face_materials", "", "the place of each face's material among the names; -1: none"},
-                view(look.material));
+  visitor.array({"face_materials", "", "index of each face's material among the names; -1: none"}, view(look.material));
 }
 
 const Mesh& DiagramObject::surface() const { return parted_->surface(mesh_->mesh); }

@@ -90,7 +90,7 @@ const std::vector<Operation>& operations() {
                                                 "Spreads points over the surface, or moves those of a list to it"),
       make_operation<DiagramCall, DiagramOutcome>("diagram", "Computes the Voronoi diagram of points or curves"),
       make_operation<EditCall, EditOutcome, DiagramObject>(
-          "edit", "Moves, adds or removes a generator of a diagram, and computes what changes with it"),
+          "edit", "Moves, adds or removes a generator of a diagram, and updates only what changed"),
       make_operation<LabelCall, SegmentOutcome, DiagramObject>(
           "label", "Labels the faces of a mesh by the cells of its diagram, or cuts them along the bisectors"),
       make_operation<SegmentCall, SegmentOutcome>(

@@ -55,7 +55,7 @@ std::string describe_place(std::string_view text, std::size_t byte) {
 Json parse(std::string_view text) {
   try {
     const Json parsed = Json::parse(text, CheckedWhileRead());
-    if (!parsed.is_object()) refuse_json("options: the JSON is no object; write one, such as {\"count\": 30}");
+    if (!parsed.is_object()) refuse_json("options: the JSON is not an object; write one, such as {\"count\": 30}");
     return parsed;
   } catch (const Json::parse_error& error) {
     refuse_json(fmt::format("options: not valid JSON at {}", describe_place(text, error.byte)));
@@ -95,7 +95,7 @@ CurveList read_curve_file(const Json& value, const Arrays& arrays) {
   const std::string path = is_text ? file.get<std::string>() : read_bytes(file, arrays);
   if (value.size() == 1) return gvd::read_curves(path);
   const bool has_content = value.size() == 2 && value.contains("content") && is_array_reference(value["content"]);
-  if (!has_content) refuse_json("beside \"file\" there is \"content\" only, an array of the file's bytes");
+  if (!has_content) refuse_json("only \"content\", an array of the file's bytes, may accompany \"file\"");
   return parse_curves(read_bytes(value["content"], arrays), path);
 }
 
@@ -146,7 +146,7 @@ class OptionReader {
     const bool is_text =
         value_.is_string() ||
         (value_.is_array() && std::ranges::all_of(value_, [](const Json& one) { return one.is_string(); }));
-    return is_text ? read_option(option_, to_texts(value_)) : gvd::quoted(value_.dump()) + " is no text";
+    return is_text ? read_option(option_, to_texts(value_)) : gvd::quoted(value_.dump()) + " is not text";
   }
 
   std::string operator()(const Counts&) const {

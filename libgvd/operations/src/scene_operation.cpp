@@ -71,16 +71,16 @@ ViewScene scene_of(const DistancesOutcome& made, std::int32_t levels) {
 void describe(OptionList& list, SceneCall& call) {
   list.group("Scene");
   list.option("colors", ValueSource{&call.colors, {}, ValueSource::Of::generators},
-              {.help = "Colours of the regions of the scene before: red, green and blue of each, 0 to 255"});
+              {.help = "Colours of the regions in the previous scene: red, green and blue of each, 0 to 255"});
   list.option("isolines", Number{&call.isolines, {.least = 0}},
-              {.help = "Levels of isolines up to the largest distance; 0: those that the distances have"});
+              {.help = "Levels of isolines up to the largest distance; 0: the isolines of the distances"});
 }
 
 void SceneObject::visit(ObjectVisitor& visitor) const {
   visitor.figure({"manifest", "", "what the page holds of the scene, as JSON"}, manifest);
   visitor.array({"bytes", "", "of all arrays that the manifest refers to by their numbers"},
                 {bytes.data(), ArrayType::uint8, 1, {std::ssize(bytes), 1}, {1, 0}});
-  visitor.array({"offsets", "", "the place of each array's first byte, and the number of all"}, view(offsets));
+  visitor.array({"offsets", "", "index of each array's first byte, and the total number of bytes"}, view(offsets));
   visitor.array({"colors", "", "red, green and blue of the regions"},
                 {colors.data(), ArrayType::uint8, 2, {std::ssize(colors), 3}, {sizeof(Rgb), 1}});
 }

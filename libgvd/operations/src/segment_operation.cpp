@@ -82,7 +82,7 @@ Diagram make_cells_discs(const SegmentCall& call, Observer& observer, const Mesh
     outcome.snap_distance.resize(made.diagram.generators.size());
     observer.note(fmt::format("{} added, so that every cell is a disc{}",
                               counted(made.added, "generator was", "generators were"),
-                              made.search_cut_short ? "; fewer may do" : ""));
+                              made.search_cut_short ? "; fewer may be enough" : ""));
     tell_diagram(observer, made.diagram);
   }
   return std::move(made.diagram);
@@ -94,8 +94,8 @@ void note_non_discs(Observer& observer, const Mesh& mesh, const IdVector<FaceId,
   const std::vector<GeneratorId> regions = find_non_disc_regions(mesh, label);
   if (regions.empty()) return;
   observer.note(fmt::format("{}: {}; {}",
-                            counted(std::ssize(regions), "region is no disc although its cell is",
-                                    "regions are no discs although their cells are"),
+                            counted(std::ssize(regions), "region is not a disc, although its cell is",
+                                    "regions are not discs, although their cells are"),
                             name_some(regions), why));
 }
 
@@ -140,8 +140,8 @@ double tell_segmentation(Observer& observer, const SegmentOutcome& outcome) {
 void note_long_borders(Observer& observer, double ratio) {
   if (ratio <= kUsualBorderRatio) return;
   observer.note(
-      fmt::format("borders are {:.2f} times as long as the bisectors (usually at most {}): no shorter ones were found "
-                  "along edges near these; \1cut\2 follows the bisectors",
+      fmt::format("borders are {:.2f} times as long as the bisectors (usually at most {}): no shorter borders "
+                  "were found along nearby edges; \1cut\2 follows the bisectors",
                   ratio, kUsualBorderRatio));
 }
 
@@ -243,10 +243,11 @@ void describe_regions(OptionList& list, SegmentCall& call) {
               {.help = "Number of generators to sample in each region of \1within\2"});
   list.option(
       "levels", Counts{&call.levels},
-      {.help = "Segment several times, each inside the regions of the time before",
+      {.help = "Segment several times, each time inside the regions of the previous level",
        .more = ": the numbers of generators, as in 10,100,1000; \1cut\2 cuts along those of the last level",
-       .arrays = "Segment several times, each inside the regions of the time before: the numbers of generators, "
-                 "ascending; \1cut\2 cuts along those of the last level"});
+       .arrays =
+           "Segment several times, each time inside the regions of the previous level: the numbers of generators, "
+           "ascending; \1cut\2 cuts along those of the last level"});
   list.needs("per_region", "within");
 }
 
@@ -356,16 +357,16 @@ void describe(OptionList& list, SegmentCall& call) {
   describe(list, call.weights, call.diagram);
   describe_curves(list, call.generators);
   list.excludes("disc", {"balance", "weights"}, "a generator that is added has no weight");
-  list.excludes("curves", {"disc"}, "the cell of a closed curve is no disc, however many generators are added");
-  list.excludes("curves", {"uv"}, "charts are laid around points");
+  list.excludes("curves", {"disc"}, "the cell of a closed curve is not a disc, however many generators are added");
+  list.excludes("curves", {"uv"}, "charts need points as generators");
   describe_curve_rules(list, call.diagram);
 }
 
 std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& call, Observer& observer) {
   if (call.uv && !on.diagram().curves.empty()) {
     throw Error(ErrorCode::invalid_option,
-                "\1uv\2: the generators are curves, and charts are laid around points; leave it out, or take a diagram "
-                "of points");
+                "\1uv\2: the generators are curves, and charts need points; leave it out, or take a diagram of "
+                "points");
   }
   SegmentCall whole;  // without regions and levels, which the diagram has already
   static_cast<LabelCall&>(whole) = call;
@@ -458,7 +459,7 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
          on_input.weights.empty() ? Figure() : Figure(on_input.weights));
   disc("added", "", "generators, so that every cell is a disc", or_none(discs).added);
   disc("rounds", "", "diagrams to which generators were added", or_none(discs).rounds);
-  disc("search_cut_short", "", "whether fewer may do", or_none(discs).search_cut_short);
+  disc("search_cut_short", "", "whether fewer may be enough", or_none(discs).search_cut_short);
   figure("uncut_faces", "", "that could not be cut", cut ? Figure(plain(cut->uncut_faces)) : Figure());
   add_whole(Figures(visitor, "", whole.has_value()), *this);
   figure("faces", "", "of the labelled mesh", mesh.face_count());
@@ -469,7 +470,7 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
   visitor.points({"generators", "", "by their labels"}, on_input.generators);
   visitor.array({"face_labels", "", "the region of each face, or of each piece; -1: none"}, view(face_labels()));
   const IdVector<FaceId, FaceId> no_parents;
-  visitor.array({"face_parents", "", "the face of the input that each piece is of; empty without cut"},
+  visitor.array({"face_parents", "", "parent face of each piece, in the input; empty without cut"},
                 view(cut ? cut->parent : no_parents));
   visitor.array({"vertex_labels", "", "the nearest generator of each vertex; -1: none"},
                 view(cut ? cut_vertices.label : on_input.vertex_label));

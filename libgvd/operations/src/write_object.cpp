@@ -92,8 +92,9 @@ void write_to(const ObjectFile& target, const Object& object, const FileOptions&
   }
   const Content content = object.content();
   if (content == Content::nothing) {
-    throw Error(ErrorCode::invalid_option,
-                fmt::format("{}: a {} has no file; write what it consists of", name, object.kind()));
+    throw Error(
+        ErrorCode::invalid_option,
+        fmt::format("{}: a {} can't be written to a file; use its figures and arrays instead", name, object.kind()));
   }
   if (extension == "html") {
     check_options(options, nullptr);

@@ -99,7 +99,7 @@ Appearance carry_to_cut_faces(const Mesh& mesh, const Appearance& appearance, co
   };
   if (!fits(appearance.texture.size(), mesh.halfedge_count()) || !fits(appearance.material.size(), mesh.face_count()) ||
       cut.input_vertices != mesh.vertex_count()) {
-    throw Error(ErrorCode::precondition, "the appearance or the cut mesh is of another mesh");
+    throw Error(ErrorCode::precondition, "the appearance or the cut mesh belongs to another mesh");
   }
   Appearance carried{{}, {}, appearance.materials, appearance.material_files, appearance.unread};
   if (!appearance.texture.empty()) carried.texture = carry_texture(mesh, appearance.texture, cut);

@@ -88,7 +88,7 @@ void lay_flat(const ChartSurface& surface, Charts& charts) {
   for (const Island& island : islands) {
     if (island.euler_characteristic == 1) continue;
     throw Error(ErrorCode::no_valid_result,
-                fmt::format("region {} is no disc (Euler characteristic {}), and can't be laid flat; \1disc\2 adds "
+                fmt::format("region {} is not a disc (Euler characteristic {}) and can't be mapped flat; \1disc\2 adds "
                             "generators until every region is a disc",
                             island.generator.value(), island.euler_characteristic),
                 island.generator.value());
@@ -204,7 +204,7 @@ Charts make_charts(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
 
 void replace_texture(std::vector<Uv> charts, Appearance& appearance) {
   if (!appearance.texture.empty()) {
-    appearance.unread.emplace_back("texture coordinates of the input, for those of \1uv\2");
+    appearance.unread.emplace_back("texture coordinates of the input (replaced by \1uv\2)");
   }
   if (!appearance.material.empty()) {
     appearance.unread.emplace_back("materials of the input, whose images do not fit those of \1uv\2");
