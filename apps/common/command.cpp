@@ -1,5 +1,5 @@
-// The frame of every command: options in, an exit code out. Whatever goes wrong on the way, in the options or in the
-// body, ends in one line on standard error and in the exit code of its kind.
+// The frame of every command: reads the options, runs the body, and returns an exit code. Every failure, in the options
+// or in the body, ends in one line on standard error and the exit code for its kind.
 
 #include "common/command.hpp"
 
@@ -20,7 +20,7 @@
 namespace gvd::app {
 namespace {
 
-/// The page that --open writes where --view names none.
+/// The page that --open writes if --view names none.
 std::string default_page(const std::string& input) {
   const std::filesystem::path name =
       input == "-" ? std::filesystem::path("stdin") : std::filesystem::path(input).filename();
@@ -32,7 +32,7 @@ std::string default_page(const std::string& input) {
 
 int run_command(const Command& command, int argc, const char* const* argv) {
   const CommandInfo& info = command.info;
-  report_termination(info.name);  // options may not find the memory that they need
+  report_termination(info.name);  // reading the options may run out of memory
   keep_freed_memory();
   const DescribedCommand made = command.make();
   Options& options = *made.options;

@@ -13,17 +13,17 @@
 
 namespace gvd::app {
 
-/// What a command is, of options in a struct that inherits Options.
+/// The steps of a command, with its options in a struct that inherits Options.
 template <class OwnOptions>
 struct CommandSteps {
   void (*describe)(OptionList& list, OwnOptions& options);
-  /// What one run does. The options are its own: what it changes of them is what the report tells.
+  /// Does a run. The options belong to this run, and the report shows them as the run leaves them.
   void (*run)(Run& run, OwnOptions& options);
-  /// Sets what follows from the options that were given, before they are checked. May be null.
+  /// Sets options that follow from the given ones, before they are checked. May be null.
   void (*complete)(OwnOptions& options, const Given& given) = nullptr;
 };
 
-/// The options of a command, which have their defaults before they are read, and its steps on them.
+/// The options of a command, initially with their defaults, and the steps that work on them.
 struct DescribedCommand {
   std::shared_ptr<Options> options;
   std::function<void(OptionList&)> describe;
@@ -31,20 +31,20 @@ struct DescribedCommand {
   std::function<void(Run&)> run;
 };
 
-/// A command as the program gvd knows it, whatever its options are.
+/// A command of the program gvd, independent of the type of its options.
 struct Command {
   CommandInfo info;
   std::function<DescribedCommand()> make;
 };
 
-/// Reads the options and runs the command, with --output-dir once for each input: see `run_several`. Returns the exit
-/// code: 0 where all goes well, or else that of `run_guarded`, with its message in one line on standard error.
+/// Reads the options and runs the command, with --output-dir once for each input (see `run_several`). Returns 0 on
+/// success, and otherwise the exit code of `run_guarded`, with its message in one line on standard error.
 int run_command(const Command& command, int argc, const char* const* argv);
 
-/// The script that completes a command in bash, zsh or fish.
+/// Makes the script that completes a command in bash, zsh or fish.
 std::string make_completion(const Command& command, const std::string& shell);
 
-/// The command of these options and steps, for the table of gvd.
+/// Makes a command with these options and steps, for the table of gvd.
 ///
 ///     struct OwnOptions : Options { bool cut = false; };
 ///     Command segment_command() {
@@ -55,7 +55,8 @@ template <class OwnOptions>
 Command make_command(const CommandInfo& info, const CommandSteps<OwnOptions>& steps) {
   return {info, [steps] {
             const auto own = std::make_shared<OwnOptions>();
-            const auto given = std::make_shared<std::optional<OwnOptions>>();  // of all runs, before the first one
+            const auto given = std::make_shared<std::optional<OwnOptions>>();  // the options before the first run,
+                                                                               // which are the same for all runs
             return DescribedCommand{own, [=](OptionList& list) { steps.describe(list, *own); },
                                     [=](const Given& names) {
                                       if (steps.complete != nullptr) steps.complete(*own, names);

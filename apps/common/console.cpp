@@ -1,9 +1,9 @@
-// Standard error of a command: lines of messages, and a progress bar below them on a terminal.
+// Writes to a command's standard error: lines of messages and, on a terminal, a progress bar below them.
 //
-// A message clears the bar, which the next call of the progress callback draws again: at most ten times a second, or
-// fifty where steps change. Where no bar is drawn, a line of progress comes each ten seconds instead.
-// Every message is one line: control characters become blanks, so that no file name can change a terminal's state. The
-// time left is that of the step's rest at the speed of its part that is done.
+// A message clears the bar, and the next call of the progress callback draws it again: at most ten times a second, or
+// fifty times if steps change. Without a bar, a line of progress is printed every ten seconds. Every message is one
+// line: control characters become blanks, so that no file name can change the state of a terminal. The time left
+// assumes that the rest of the step is as fast as the part that is done.
 
 #include "common/console.hpp"
 
@@ -22,7 +22,8 @@
 namespace gvd::app {
 namespace {
 
-/// Least time from a drawing to that of a new step, which is not made to wait: it may then be silent for long.
+/// The least time before the bar of a new step is drawn. It is short, because the step may not report again for a long
+/// time.
 constexpr std::chrono::milliseconds kStepInterval{20};
 
 constexpr int kStepColumns = 24;
@@ -34,7 +35,8 @@ constexpr std::string_view kClearLine = "\r\x1b[K";
 
 constexpr double kLeastSeconds = 1;
 constexpr double kLeastShare = 0.01;
-/// A step whose fraction falls by more has begun again; by less, some of its work was in vain.
+/// If the fraction of a step falls by more than this, the step has begun again; if it falls by less, some of its work
+/// was discarded.
 constexpr double kFall = 0.1;
 
 bool is_set(const char* name) {
@@ -118,7 +120,7 @@ Console::~Console() { clear_bar(); }
 
 void Console::line(std::string_view kind, std::string_view message) {
   clear_bar();
-  // File names and messages of libraries may hold line breaks, and sequences that change a terminal's state.
+  // File names and messages of libraries may contain line breaks and sequences that change the state of a terminal.
   write_stderr(user_text(fmt::format("{}: {}{}", command_, kind, message), std::string::npos) + '\n');
 }
 

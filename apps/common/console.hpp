@@ -8,11 +8,12 @@
 
 namespace gvd::app {
 
-/// How long a step still takes, from the time that its first part took.
+/// Estimates how long a step still takes, from the time that its first part took.
 class TimeLeft {
  public:
-  /// Seconds, or nothing while too little is known: in the first second, and before a hundredth of the step is done.
-  /// `now`: seconds, from any start. A step of another name, or one that begins again, is measured anew.
+  /// Returns seconds, or nothing as long as too little is known: in the first second, and before a hundredth of the
+  /// step is done. `now`: seconds from any origin. Starts over if the name of the step changes or the step begins
+  /// again.
   std::optional<double> update(std::string_view step, double fraction, double now);
 
  private:
@@ -25,13 +26,13 @@ std::string format_time_left(double seconds);
 
 /// Capabilities of standard error.
 struct ConsoleStyle {
-  bool bars = false;                           ///< a terminal that can redraw a line
-  bool colours = false;                        ///< a terminal, and NO_COLOR is not set
+  bool bars = false;                           ///< standard error is a terminal that can redraw a line
+  bool colours = false;                        ///< standard error is a terminal, and NO_COLOR is not set
   int width = 80;                              ///< columns
-  std::chrono::milliseconds interval{10'000};  ///< between two lines of progress, or two drawings of a bar
+  std::chrono::milliseconds interval{10'000};  ///< between two lines of progress, or between two drawings of a bar
 };
 
-/// Asks the terminal and the environment (TERM, NO_COLOR). Bars are off on anything but a terminal.
+/// Queries the terminal and the environment (TERM, NO_COLOR). Bars are off if standard error is not a terminal.
 ConsoleStyle detect_console_style();
 
 /// Contents of a progress bar.
@@ -42,11 +43,11 @@ struct Bar {
   std::optional<double> seconds_left = {};
 };
 
-/// One line, without line break, of at most `style.width` - 1 columns: step and status, a bar, percents and, where the
-/// line has room, the time left.
+/// Returns a line, without line break, of at most `style.width` - 1 columns: step and status, a bar, percents and, if
+/// the line has room, the time left.
 std::string render_bar(const Bar& bar, const ConsoleStyle& style);
 
-/// The same in words, with as much as is known: "sampling: 45 %, 12 s left".
+/// Describes the same in words, as far as known: "sampling: 45 %, 12 s left".
 std::string describe_progress(const Bar& bar);
 
 /// Standard error: messages of one line each, and a progress bar below them.
@@ -58,15 +59,15 @@ class Console {
   Console& operator=(const Console&) = delete;
 
   void error(std::string_view message);
-  void note(std::string_view message);    ///< not printed where quiet
-  void detail(std::string_view message);  ///< printed only where verbose
-  /// Sets the text that bars show behind the name of their step, from now on.
+  void note(std::string_view message);    ///< not printed if quiet
+  void detail(std::string_view message);  ///< printed only if verbose
+  /// Sets the text that bars show after the name of their step from now on.
   void set_status(std::string status) { status_ = std::move(status); }
-  /// Redraws the bar, or prints a line of progress where there are no bars, once in each `interval` of the style. The
-  /// bar of a new step comes sooner. Nothing where the console is quiet.
+  /// Redraws the bar, or prints a line of progress if there are no bars, at most once in each `interval` of the style.
+  /// The bar of a new step is drawn sooner. Does nothing if the console is quiet.
   void bar(std::string_view step, double fraction);
   void clear_bar();
-  /// Clears the terminal's line, where another console may have drawn a bar.
+  /// Clears the terminal's line, on which another console may have drawn a bar.
   void clear_line() const;
 
  private:

@@ -1,6 +1,6 @@
-// INPUT: its mesh, what users should know of it, and the files that options name. Each kind of option is read in one
-// place, whatever the option is called. Output formats that can't hold the coordinates of the mesh are refused as soon
-// as the mesh is known.
+// Loads INPUT: its mesh with notes on it, and the files that options name. Each kind of option is read in one place,
+// whatever the option is called. Output formats that can't hold the coordinates of the mesh are refused as soon as the
+// mesh is known.
 
 #include "common/load_input.hpp"
 
@@ -33,7 +33,7 @@ namespace {
 
 std::string name_of(const InputOptions& input) { return input.path == "-" ? kStandardInput : input.path; }
 
-/// All bytes of a pipe.
+/// Reads all bytes of a pipe.
 std::string read_pipe(const std::string& path) {
   if (path == "-") return read_standard_input();
   std::ifstream file(path, std::ios::binary);
@@ -58,7 +58,7 @@ PolygonSoup read_mesh(const InputOptions& input, PipedInput* piped) {
   return soup;
 }
 
-/// Errors name the file, as those of `build_mesh`.
+/// Welds the soup. Errors name the file, as in `build_mesh`.
 void weld_input(PolygonSoup& soup, const InputOptions& input) {
   try {
     weld_soup(soup, *input.weld);
@@ -67,7 +67,7 @@ void weld_input(PolygonSoup& soup, const InputOptions& input) {
   }
 }
 
-/// Refuses, before the work starts, formats that can't hold the result: it lies in the bounding box of the input.
+/// Refuses, before the work starts, formats that can't hold the result, which lies in the bounding box of the input.
 void check_formats(const OutputOptions& output, const Mesh& mesh) {
   std::vector<std::string> formats = written_formats(output);
   for (const auto& [option, file] : output.own) formats.push_back(file_extension(*file));
@@ -76,11 +76,12 @@ void check_formats(const OutputOptions& output, const Mesh& mesh) {
   }
 }
 
-/// Where coordinates are multiples of more than this fraction of a face's mean edge, written points are that far off:
-/// farther than the default chord tolerance lets bisectors be. A smaller share of the area than the second is not told.
+/// Doubles are too coarse for a face if neighbouring ones differ by more than kCoarseGrid of its mean edge, because
+/// written points are then off by more than the default chord tolerance of bisectors. There is no note if such faces
+/// have less than kCoarseShare of the area.
 constexpr double kCoarseGrid = 1e-4, kCoarseShare = 1e-3;
 
-/// Notes that doubles are too coarse for the faces, which lie far from the origin.
+/// Notes that doubles are too coarse for faces far from the origin.
 void note_coarse_coordinates(Run& run, const Mesh& mesh) {
   double area = 0, coarse_area = 0, grid = 0, edge = 0;
   for (const FaceId f : mesh.faces()) {
@@ -96,22 +97,22 @@ void note_coarse_coordinates(Run& run, const Mesh& mesh) {
   if (!(coarse_area > kCoarseShare * area)) return;
   note_on_input(run,
                 fmt::format("coordinates are multiples of {:.2g} so far from the origin, and edges there are {:.2g} "
-                            "long: results are no more exact; move the model to the origin",
+                            "long: results are no more accurate than that; move the model to the origin",
                             grid, edge));
 }
 
-/// The median of numbers, which are reordered; of an even number, the upper one.
+/// The median of numbers, which are reordered; the upper one if their count is even.
 double take_median(std::vector<double>& numbers) {
   const auto middle = numbers.begin() + std::ssize(numbers) / 2;
   std::nth_element(numbers.begin(), middle, numbers.end());
   return *middle;
 }
 
-/// A vertex so many times as far from the middle as half of all vertices is rather a slip than a part of a model: a
-/// town of kilometres beside details of a metre has a thousand.
+/// A vertex this many times as far from the middle as half of all vertices is more likely a slip than part of the
+/// model. Even a town of several kilometres with details of a metre has only a factor of a thousand.
 constexpr double kFarVertex = 1e4;
 
-/// Notes vertices far outside of the others. The middle is that of the medians, which a few far ones do not move.
+/// Notes vertices far outside the others. The middle is the point of the medians, which a few far vertices do not move.
 void note_far_vertices(Run& run, const CheckedMesh& checked) {
   const Mesh& mesh = checked.mesh;
   Vec3 middle;
@@ -139,13 +140,13 @@ void note_far_vertices(Run& run, const CheckedMesh& checked) {
 
 // ---- the files that options name
 
-/// The file that properties of INPUT are read from: none for standard input and pipes, which can be read only once.
+/// The file from which properties of INPUT are read; empty for standard input and pipes, which can be read only once.
 std::string property_file(Run& run) {
   const std::string& path = run.options().input.path;
   return is_read_once(path) ? "" : path;
 }
 
-/// Refuses the name that `option` has, which is neither that of a file nor of a property of INPUT.
+/// Refuses the value of `option`, which names neither a file nor a property of INPUT.
 [[noreturn]] void refuse_name(Run& run, const std::string& option, const std::string& name) {
   const std::string file = property_file(run);
   std::error_code ignored;
@@ -155,7 +156,7 @@ std::string property_file(Run& run) {
                       name_of(run.options().input));
   }
   if (std::filesystem::is_directory(name, ignored)) why = "is a directory; give a file";
-  if (name == "-") why = "takes a file or a property; standard input is the file /dev/stdin";
+  if (name == "-") why = "takes a file or a property; for standard input, give /dev/stdin";
   throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", placeholder(option, name), why));
 }
 
@@ -166,7 +167,7 @@ bool is_there(const std::string& file) {
   return file == "-" || std::filesystem::exists(file, ignored);
 }
 
-/// `format`: where it is not told from extension and content.
+/// Reads a list of generators. `format`: the format, if extension and content should not decide.
 GeneratorList read_list(const std::string& file, const std::optional<GeneratorFormat>& format) {
   if (file != "-") {
     const WaitForInput wait(file);
@@ -176,7 +177,7 @@ GeneratorList read_list(const std::string& file, const std::optional<GeneratorFo
   return parse_generators(content, format.value_or(detect_generator_format(content)), kStandardInput);
 }
 
-/// A name that is no file may have been meant for vertices.
+/// Reads the list of points that an option names. A name that is no file may have been meant for vertices.
 void read(const std::string& option, const PointList& points, const std::optional<GeneratorFormat>& format) {
   GivenPoints& given = *points.value;
   if (given.file.empty()) return;
@@ -202,7 +203,7 @@ void read(const std::string& option, const Curves& curves) {
 void read(Run& run, const CheckedMesh& input, const std::string& option, const ValueSource& source) {
   const std::string& name = source.value->name;
   if (name.empty() || contains(source.words, name)) return;
-  const WaitForInput wait(name);  // which may be a pipe
+  const WaitForInput wait(name);  // it may be a pipe
   if (source.of == ValueSource::Of::generators) {
     const bool is_piped = name == "-";
     source.value->values = std::make_shared<ElementValues>(
@@ -218,8 +219,8 @@ void read(Run& run, const CheckedMesh& input, const std::string& option, const V
   source.value->values = std::make_shared<ElementValues>(*std::move(found));
 }
 
-/// Reads what options name: points, curves, and numbers out of files or of properties of INPUT, so that operations find
-/// values.
+/// Reads the points, curves and numbers that options name, from files or from properties of INPUT, so that operations
+/// find values.
 void read_given_files(Run& run, const CheckedMesh& input) {
   const Options& options = run.options();
   for (const Option* const option : options.list->options()) {

@@ -1,5 +1,5 @@
-// --open: a page in the browser. The program gets a session and streams of its own, so that it outlives the command,
-// its terminal and pipes: a reader of our standard error would otherwise wait for the browser's end.
+// Shows a page in the browser for --open. The browser gets a session and streams of its own, so that it outlives the
+// command, its terminal and its pipes. Otherwise a reader of our standard error would wait until the browser ends.
 
 #include "common/open_page.hpp"
 
@@ -24,7 +24,8 @@ constexpr const char* kOpener = "open";
 constexpr const char* kOpener = "xdg-open";
 #endif
 
-/// What tells that a page can't be shown, such as a missing display, takes milliseconds.
+/// How long to wait for a program to fail. A program that can't show a page, for example because there is no display,
+/// fails within milliseconds.
 constexpr std::chrono::milliseconds kLongestWait{500}, kStep{10};
 
 std::string variable(const char* name) {
@@ -32,7 +33,7 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// The path of a program, as a shell would find it; empty where there is none.
+/// The path of a program, as a shell would find it; empty if there is none.
 std::string find_program(const std::string& name) {
   if (name.find('/') != name.npos) return ::access(name.c_str(), X_OK) == 0 ? name : "";
   std::istringstream folders(variable("PATH"));
@@ -46,7 +47,7 @@ std::string find_program(const std::string& name) {
 
 using Words = std::vector<std::string>;
 
-/// A call of $BROWSER, in which %s stands for the file.
+/// Makes a call of an entry of $BROWSER, in which %s stands for the file.
 Words make_call(const std::string& command, const std::string& file) {
   Words call;
   bool has_file = false;
@@ -61,7 +62,7 @@ Words make_call(const std::string& command, const std::string& file) {
   return call;
 }
 
-/// The call that shows a file; empty where no program is found.
+/// The call that shows a file; empty if no program is found.
 Words find_call(const std::string& file) {
   std::istringstream browsers(variable("BROWSER"));
   for (std::string browser; std::getline(browsers, browser, ':');) {
@@ -91,7 +92,7 @@ std::string open_page(const std::string& file) {
   std::error_code failed;
   const std::string path = std::filesystem::absolute(file, failed).string();
   Words call = find_call(failed ? file : path);
-  if (call.empty()) return fmt::format("$BROWSER names no program, and there is no {}", kOpener);
+  if (call.empty()) return fmt::format("$BROWSER names no installed program, and {} is not installed", kOpener);
   const pid_t child = ::fork();
   if (child == 0) execute(call);
   if (child < 0) return "no process could be started";

@@ -1,9 +1,10 @@
-// The end of a run: every exception becomes an exit code and one line.
+// Ends a run: turns every exception into an exit code and one line.
 //
-// gvd::Error has a code, which selects the exit code. std::bad_alloc is a shortage of memory, by --max-memory or of the
-// system. oneTBB and std::thread throw where a thread can't be started. Any other exception is a bug. Where none can be
-// caught (destructors, threads of oneTBB), the handler of std::terminate prints the line and gives the exit code. The
-// limit of memory is lifted before a message is made; a fixed text replaces a message that finds no memory.
+// gvd::Error has a code, which selects the exit code. std::bad_alloc means that memory has run out, because of
+// --max-memory or in the system. oneTBB and std::thread throw if a thread can't be started. Any other exception is a
+// bug. If an exception can't be caught (in destructors and threads of oneTBB), the handler of std::terminate prints the
+// line and sets the exit code. The memory limit is lifted before a message is made, and a fixed text replaces a message
+// for which there is no memory.
 
 #include "common/outcome.hpp"
 
@@ -32,7 +33,7 @@ struct CodeWords {
   const char* words;
 };
 
-/// Of each ErrorCode, in their order.
+/// For each ErrorCode, in their order.
 constexpr std::array<CodeWords, 7> kCodes{{{kUsage, "usage"},
                                            {kUnreadableInput, "unreadable input"},
                                            {kPreconditionNotMet, "precondition not met"},
@@ -42,11 +43,11 @@ constexpr std::array<CodeWords, 7> kCodes{{{kUsage, "usage"},
                                            {kInterrupted, "interrupted"}}};
 static_assert(static_cast<std::size_t>(ErrorCode::interrupted) + 1 == kCodes.size());
 
-/// What the message of a shortage depends on, as the user writes options.
+/// Parts of the message about a lack of memory, with options as the user writes them.
 struct MemoryAdvice {
   bool is_limited = false;
-  std::string limit = "--max-memory";  ///< with its value, where it is given
-  std::string advice = "take a mesh of fewer or rounder triangles";
+  std::string limit = "--max-memory";  ///< with its value, if it is given
+  std::string advice = "use a mesh with fewer or better-shaped triangles";
   std::string one_thread = "--threads 1";
 };
 MemoryAdvice g_memory;
@@ -55,12 +56,13 @@ Outcome out_of_memory() {
   const auto& [is_limited, limit, advice, one_thread] = g_memory;
   std::string message = is_limited
                             ? fmt::format("out of memory: the run needs more than {}; raise it, or {}", limit, advice)
-                            : fmt::format("out of memory: up to {} in use; {}; {} ends such a run sooner",
+                            : fmt::format("out of memory: up to {} in use; {}; use {} to stop such a run earlier",
                                           format_bytes(peak_memory_bytes()), advice, limit);
   return {kNoResult, std::move(message), "out of memory"};
 }
 
-/// oneTBB throws a std::runtime_error with the name of the function that failed; std::thread a std::system_error.
+/// Whether an exception says that a thread can't be started. oneTBB throws a std::runtime_error with the name of the
+/// function that failed, and std::thread throws a std::system_error.
 bool tells_of_threads(const std::exception& error) {
   const auto* const system = dynamic_cast<const std::system_error*>(&error);
   return (system != nullptr && system->code() == std::errc::resource_unavailable_try_again) ||
@@ -71,15 +73,15 @@ Outcome describe_exception(const std::exception& error) {
   if (!tells_of_threads(error)) {
     return {kNoResult, fmt::format("unexpected: {}; please report it", error.what()), "unexpected error"};
   }
-  if (g_memory.is_limited) return out_of_memory();  // no memory for the thread's stack
+  if (g_memory.is_limited) return out_of_memory();  // there was no memory for the thread's stack
   return {kNoResult,
           "a thread could not be started: the system allows no more threads, or no memory for one; use " +
               g_memory.one_thread,
           "no thread"};
 }
 
-/// An error's text with options as the user of the command writes them, where they are known, and behind the place in
-/// the file of options of the one that it begins with.
+/// The text of an error, with options as the user writes them if they are known. If it begins with an option from a
+/// file, the place in the file comes first.
 std::string describe(const Error& error, const Options* options) {
   if (error.code() == ErrorCode::reader_gone) return "";
   if (options == nullptr) return error.what();
@@ -88,7 +90,8 @@ std::string describe(const Error& error, const Options* options) {
   return place + spell(*options->list, *options->given, error.text(), !place.empty());
 }
 
-/// The outcome of a run that ended with this exception. Null: it ended without one, as std::terminate may.
+/// The outcome of a run that ended with this exception; null if it ended without one, as can happen with
+/// std::terminate.
 Outcome describe_failure(const std::exception_ptr& failure, const Options* options) {
   if (!failure) return {kNoResult, "unexpected: ended without an exception; please report it", "unexpected error"};
   try {
@@ -112,7 +115,7 @@ constinit thread_local bool t_ending = false;
 
 [[noreturn]] void end_with_fixed_text() {
   constexpr std::string_view kText =
-      ": error: out of memory, even for a message; take a mesh of fewer or rounder triangles\n";
+      ": error: out of memory, even for a message; use a mesh with fewer or better-shaped triangles\n";
   for (const std::string_view text : {std::string_view(g_command), kText}) {
     if (::write(STDERR_FILENO, text.data(), text.size()) < 0) break;
   }
@@ -122,7 +125,7 @@ constinit thread_local bool t_ending = false;
 [[noreturn]] void end_with_message() {
   if (t_ending) end_with_fixed_text();
   t_ending = true;
-  while (g_ending.test_and_set()) ::pause();  // another thread ends the process
+  while (g_ending.test_and_set()) ::pause();  // another thread is ending the process
   limit_memory({});
   try {
     const Outcome outcome = describe_failure(std::current_exception(), nullptr);
@@ -135,7 +138,7 @@ constinit thread_local bool t_ending = false;
   }
 }
 
-/// What a function throws; null where it throws nothing.
+/// The exception that a function throws; null if it throws none.
 std::exception_ptr catch_all(const std::function<void()>& work) {
   try {
     work();
@@ -149,8 +152,8 @@ std::exception_ptr catch_all(const std::function<void()>& work) {
 
 Outcome run_guarded(const std::function<void()>& work, const Options* options) {
   std::exception_ptr failure = catch_all(work);
-  limit_memory({});  // the message needs some
-  // A signal can make a system call fail, such as the opening of a pipe that nobody reads: that is no error of its own.
+  limit_memory({});  // the message needs memory
+  // A signal can make a system call fail, such as opening a pipe that nobody reads. That is not an error of its own.
   if (failure && interrupt_requested()) failure = catch_all(check_interrupt);
   return failure ? describe_failure(failure, options) : Outcome();
 }
@@ -171,10 +174,12 @@ void limit_memory_of(const Options& options) {
   g_memory.is_limited = limit.has_value();
   const OptionList& list = *options.list;
   const Given& given = *options.given;
-  // The points of the bisectors are most of an exact diagram. A few long needles take as much memory as many faces.
+  // Most of an exact diagram's memory is the points of its bisectors. A few long needles take as much memory as many
+  // faces.
   const Option* const chords = list.find("chord_tolerance");
   if (chords != nullptr && list.why_idle(*chords, given).empty()) {
-    g_memory.advice = spell(list, given, "take a coarser \1chord_tolerance\2, or a mesh of fewer or rounder triangles");
+    g_memory.advice =
+        spell(list, given, "use a coarser \1chord_tolerance\2, or a mesh with fewer or better-shaped triangles");
   }
   g_memory.limit = spell(list, given, placeholder("max_memory", limit ? format_bytes(*limit) : ""));
   g_memory.one_thread = spell(list, given, "\1threads=1\2");

@@ -1,10 +1,12 @@
 // The process of a command: signals, standard streams and memory.
 //
-// A signal only sets a flag, which the progress callback and the steps ask for: so a run ends where it can clean up.
-// While it waits for input, there is nothing to clean up, and nobody to ask; the handler itself ends the process then.
-// --max-memory is the limit of the system for data (setrlimit, RLIMIT_DATA). It holds for every allocation of every
-// thread, C++ or not, and costs nothing. Beyond it malloc gives null and operator new throws std::bad_alloc. The system
-// counts what a thread's stack reserves, 8 MiB, and not what it holds; so these reserves come on top of the limit.
+// A signal only sets a flag, which the progress callback and the steps check, so that a run ends where it can clean up.
+// While a run waits for input, there is nothing to clean up and nothing checks the flag, so the handler itself ends the
+// process.
+// --max-memory is the system's limit for data (setrlimit, RLIMIT_DATA). It holds for every allocation of every thread,
+// in C++ or not, and costs nothing. Beyond the limit, malloc returns null and operator new throws std::bad_alloc. The
+// system counts the 8 MiB that a thread's stack reserves and not what it uses, so these reserves are added to the
+// limit.
 
 #include "common/process.hpp"
 
@@ -40,8 +42,8 @@ volatile std::sig_atomic_t interrupted = 0;
 
 constexpr const char* kInterruptedMessage = "interrupted; no file is left half-written";
 
-/// The line of a process that a signal ends while it waits for input. Made before, since a handler may allocate
-/// nothing.
+/// The line to print if a signal ends the process while it waits for input. It is made in advance, because a signal
+/// handler must not allocate.
 std::string g_interrupted_line;
 volatile std::sig_atomic_t waiting = 0;
 
@@ -52,7 +54,7 @@ extern "C" void raise_flag(int) {
   ::_exit(kInterrupted);
 }
 
-/// Bytes that the stacks of oneTBB's threads reserve, one for each core.
+/// The bytes that the stacks of oneTBB's threads reserve, one thread for each core.
 rlim_t stack_bytes() {
   pthread_attr_t attributes;
   std::size_t size = 0;
@@ -92,7 +94,7 @@ WaitForInput::WaitForInput(const std::string& file) {
   std::error_code ignored;
   if (file != "-" && std::filesystem::is_regular_file(file, ignored)) return;
   waiting = 1;
-  // A signal that came before only set the flag.
+  // An earlier signal has only set the flag.
   if (interrupt_requested()) {
     waiting = 0;
     check_interrupt();
@@ -102,7 +104,7 @@ WaitForInput::WaitForInput(const std::string& file) {
 WaitForInput::~WaitForInput() { waiting = 0; }
 
 void reserve_standard_streams() {
-  // open() takes the lowest free number. The wrong direction lets writes and reads fail as on the closed stream.
+  // open() takes the lowest free number. Opened in the wrong direction, reads and writes fail as on a closed stream.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
     if (::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
@@ -131,7 +133,7 @@ int end_by_broken_pipe() {
 
 void keep_freed_memory() noexcept {
 #ifdef __GLIBC__
-  // Setting one of the two ends glibc's own choice of the other. Where pointers have 32 bits, the first one is refused.
+  // Setting one of the two disables glibc's own choice of the other. With 32-bit pointers, the first one is refused.
   if (mallopt(M_MMAP_THRESHOLD, kKeptFreedBytes) == 1) mallopt(M_TRIM_THRESHOLD, kKeptFreedBytes);
 #endif
 }
@@ -154,7 +156,7 @@ void limit_memory(std::optional<std::int64_t> bytes) {
 }
 
 std::int64_t peak_memory_bytes() {
-  // On Linux, ru_maxrss of a new process begins with the peak of the process that started it; VmHWM is its own.
+  // On Linux, ru_maxrss of a new process starts with the peak of its parent; VmHWM is the process's own.
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
     std::int64_t kibibytes = 0;
@@ -162,7 +164,7 @@ std::int64_t peak_memory_bytes() {
   }
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss;  // bytes on macOS
+  return usage.ru_maxrss;  // in bytes on macOS
 }
 
 }  // namespace gvd::app

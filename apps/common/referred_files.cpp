@@ -1,6 +1,6 @@
-// Files that inputs refer to are compared with the outputs before anything is written: those of several inputs before
-// the first run, since an output of one run may be a file of a later one. They are compared as places, since a file
-// that is named need not be there yet, and as files, since links may lead to one.
+// Compares the files to which inputs refer with the outputs before anything is written. For several inputs that happens
+// before the first run, because an output of one run may be a file of a later run. The files are compared by path,
+// because a named file need not exist yet, and by identity, because links may lead to it.
 #include "common/referred_files.hpp"
 
 #include <fmt/format.h>
@@ -23,14 +23,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What tells a file from all others, whatever its names.
+/// The identity of a file, whatever its names; nothing if it does not exist.
 std::optional<std::pair<dev_t, ino_t>> identity_of(const fs::path& file) {
   struct stat found {};
   if (::stat(file.c_str(), &found) != 0) return std::nullopt;
   return std::pair(found.st_dev, found.st_ino);
 }
 
-/// All files that a run writes.
+/// All files that a run writes, including files of materials.
 std::vector<Target> list_written(const OutputOptions& output) {
   std::vector<Target> files;
   for (const Target& target : list_targets(output)) {
@@ -44,17 +44,17 @@ std::vector<Target> list_written(const OutputOptions& output) {
   return files;
 }
 
-/// The files that meshes refer to, and the meshes. Cost: O(log n) for each file.
+/// The files to which meshes refer, with the meshes. Cost: O(log n) for each file.
 class ReferredFiles {
  public:
-  /// `file`: as a path from the folder of the mesh.
+  /// `file`: the path relative to the folder of the mesh.
   void add(const std::string& mesh, const fs::path& file) {
     const fs::path path = fs::path(mesh).parent_path() / file;
     meshes_at_[one_name(path.string())].push_back(mesh);
     if (const auto identity = identity_of(path)) meshes_of_[*identity].push_back(mesh);
   }
 
-  /// Throws Error{invalid_option} where a mesh other than `excepted` refers to the target.
+  /// Throws Error{invalid_option} if a mesh other than `excepted` refers to the target.
   void check(const Target& target, const std::string& excepted = "") const {
     refuse_any(target, meshes_at_, one_name(target.path), excepted);
     if (const auto identity = identity_of(target.path)) refuse_any(target, meshes_of_, *identity, excepted);
@@ -75,22 +75,22 @@ class ReferredFiles {
     }
   }
 
-  Meshes<std::string> meshes_at_;              // by places
-  Meshes<std::pair<dev_t, ino_t>> meshes_of_;  // by identities, of files that are there
+  Meshes<std::string> meshes_at_;              // by path
+  Meshes<std::pair<dev_t, ino_t>> meshes_of_;  // by identity, for files that exist
 };
 
 }  // namespace
 
 void check_referred_files(const Options& options, const Appearance& input) {
   const std::string& mesh = options.input.path;
-  if (is_read_once(mesh)) return;  // and has no folder
+  if (is_read_once(mesh)) return;  // it has no folder
   std::vector<Target> written = list_written(options.output);
   ReferredFiles materials, others;
   for (const fs::path& file : list_material_files(mesh, input.material_files)) materials.add(mesh, file);
   for (const Target& file : written) {
     if (!file.has_materials) materials.check(file);
   }
-  // Buffers and images that are not there can't be lost.
+  // Buffers and images that do not exist can't be lost.
   std::error_code ignored;
   std::erase_if(written, [&](const Target& file) { return !fs::is_regular_file(file.path, ignored); });
   if (written.empty() || !input.material_files.empty()) return;
@@ -103,7 +103,7 @@ void check_referred_files(const std::vector<Options>& runs) {
   for (const Options& run : runs) {
     const std::string& mesh = run.input.path;
     if (is_read_once(mesh)) continue;
-    // The run of an input that can't be read says so.
+    // If an input can't be read, its own run reports that.
     run_guarded([&] {
       for (const fs::path& file : list_referred_files(mesh, run.input.format)) referred.add(mesh, file);
     });
@@ -140,8 +140,9 @@ void note_material_files(Run& run, const std::string& path, const Appearance& ap
     return one_name(fs::absolute(file, ignored).parent_path().string());
   };
   if (appearance.material_files.empty() || input == "-" || folder_of(path) == folder_of(input)) return;
-  run.console().note(fmt::format("{} names the materials of {}, which is beside {}: copy it, with its images", path,
-                                 user_text(fmt::format("{}", fmt::join(appearance.material_files, ", "))), input));
+  run.console().note(fmt::format("{} names the materials of {}, which is beside {}: copy it together with its images",
+                                 path, user_text(fmt::format("{}", fmt::join(appearance.material_files, ", "))),
+                                 input));
 }
 
 }  // namespace gvd::app

@@ -3,26 +3,26 @@
 #include "common/run.hpp"
 #include "gvd/appearance.hpp"
 
-// The files that inputs refer to: buffers and images of a glTF, descriptions of materials of an OBJ. They may be the
-// only copies, as the input itself.
+// Protects the files to which inputs refer: buffers and images of a glTF, and files of materials of an OBJ. Like the
+// input itself, they may be the only copies.
 namespace gvd::app {
 
-/// Throws Error{invalid_option} where an output of the run would replace a file that INPUT refers to. Materials of an
-/// OBJ need not be there yet; for those that an .obj gets see `check_material_files`.
-/// Cost: that of reading a glTF's description again, where an output is there already.
+/// Throws Error{invalid_option} if an output of the run would replace a file to which INPUT refers. An OBJ's file of
+/// materials need not exist yet; `check_material_files` checks the materials of an .obj that is written. Cost: reading
+/// a glTF's description again if an output already exists.
 void check_referred_files(const Options& options, const Appearance& input);
 
-/// The same for all runs of a call before the first one: where an output of any run would replace a file that any of
-/// the inputs refers to. What does not exist or can't be read is left to its own run. Whether the materials of an .obj
-/// replace those of its own input, too: see `check_material_files`.
-/// Cost: O(bytes) of each OBJ, glTF and packed file, and O(log n) for each file that is written or referred to.
+/// Checks all runs of a call before the first one: throws if an output of any run would replace a file to which any
+/// input refers. Inputs that do not exist or can't be read are left to their own run, and so is the question whether
+/// the materials of an .obj replace the materials of its own input (see `check_material_files`). Cost: O(bytes) for
+/// each OBJ, glTF and packed file, and O(log n) for each file that is written or referred to.
 void check_referred_files(const std::vector<Options>& runs);
 
-/// Throws Error{invalid_option} where the materials of the regions in an .obj would replace those that INPUT names.
-/// `drops_materials`: those of the faces are not written, as by --region-materials.
+/// Throws Error{invalid_option} if the regions' materials of an .obj would replace a file of materials that INPUT
+/// names. `drops_materials`: whether the materials of faces are not written, as with --region-materials.
 void check_material_files(Run& run, const Appearance& appearance, bool drops_materials = false);
 
-/// Notes that an OBJ at `path`, in another folder than INPUT, names files beside INPUT.
+/// Notes that an OBJ at `path`, in another folder than INPUT, refers to files beside INPUT.
 void note_material_files(Run& run, const std::string& path, const Appearance& appearance);
 
 }  // namespace gvd::app

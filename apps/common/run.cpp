@@ -1,10 +1,10 @@
-// A run of a command: its report, times and progress.
+// Keeps the report, the times and the progress of a command's run.
 //
-// The report is one JSON document (gvd-report/2), which the body of the run fills in and writes at its end. Members
-// stand in the order of the contract, each on a line of its own. The generators are kept apart, since a run may have a
-// million, and written one a line, in the form in which `parse_generators` reads them. The library reads no clock and
-// prints nothing. A step's time is reported when it ends. The progress callback draws the bar and cancels the library's
-// work once a signal has come.
+// The report is a JSON document (gvd-report/2), which the body of the run fills in and writes at its end. Members are
+// in the order of the contract, each on a line of its own. The generators are stored separately, because a run may have
+// a million, and are written one on each line in the form that `parse_generators` reads. The library reads no clock and
+// prints nothing. The time of a step is reported when it ends. The progress callback draws the bar, and cancels the
+// library's work after a signal.
 
 #include "common/run.hpp"
 
@@ -28,7 +28,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The shortest digits that bring the same double back.
+/// The fewest digits that read back to the same double; null for infinity and NaN.
 std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
 
 std::string format_generator(const ReportedGenerator& generator) {
@@ -85,7 +85,8 @@ void RunReport::set_error_measure(const ErrorMeasure& error) {
   at("diagram")["verify"] = {{"error_integral", error.error_integral},
                              {"error_mean", error.error_mean},
                              {"error_max", error.error_max},
-                             {"length", error.length}};
+                             {"length", error.length},
+                             {"corrected", error.corrected}};
 }
 
 void RunReport::write(std::ostream& out) const {
@@ -122,7 +123,7 @@ void Run::report_time(std::string_view step, double milliseconds) {
 
 RunObserver::RunObserver(Run& run) : run_(run) { threads = run.options().compute.threads; }
 
-// Nothing is reported while an exception is on its way: there may be no memory for it.
+// Nothing is reported while an exception is propagating, because there may be no memory for it.
 RunObserver::~RunObserver() {
   if (std::uncaught_exceptions() > 0) return;
   for (const Timed& timed : steps_) {

@@ -30,11 +30,11 @@ namespace gvd::app {
 struct ReportedGenerator {
   SurfacePoint point;
   Vec3 position = Vec3::Zero();         ///< mesh units
-  std::optional<double> snap_distance;  ///< mesh units; from the given position, where one was given
+  std::optional<double> snap_distance;  ///< distance from the given position, if there was one; mesh units
 };
 
-/// The record of a run: the document of `--report`, schema `gvd-report/2`. The body of the run fills it in, and it is
-/// written once, at the end. docs/guide/formats.md lists its members.
+/// The document of `--report`, schema `gvd-report/2`. The body of the run fills it in, and it is written once, at the
+/// end. docs/guide/formats.md lists its members.
 class RunReport {
  public:
   RunReport(const std::string& command, std::uint64_t seed);
@@ -42,58 +42,58 @@ class RunReport {
   RunReport(const RunReport&) = delete;
   RunReport& operator=(const RunReport&) = delete;
 
-  /// A member of the document, such as `results`; `generators` is null here.
+  /// A member of the document, such as `results`. `generators` is always null here.
   nlohmann::ordered_json& at(const char* member) const;
-  /// Member `generators`: those that the run used or leaves, in the order of their ids.
+  /// The member `generators`: the generators that the run used or produced, in the order of their ids.
   std::vector<ReportedGenerator>& generators() { return generators_; }
 
   void set_input(const MeshSummary& mesh, const DefectReport& defects);
-  /// The figures of a diagram. Replaces those of an earlier one and its error measure. Cost: O(cells).
+  /// Sets the figures of a diagram. Replaces the figures of an earlier diagram and its error measure. Cost: O(cells).
   void set_diagram(const Diagram& diagram);
-  /// The error of the diagram that was set.
+  /// Sets the error of the diagram.
   void set_error_measure(const ErrorMeasure& error);
 
-  /// Writes the document; the stream is flushed and checked. `parse_generators` reads its generators back.
-  /// Numbers that are not finite become null; bytes that are no UTF-8 become U+FFFD.
-  /// Throws Error{unwritable_output}. Cost: O(size).
+  /// Writes the document, and flushes and checks the stream. `parse_generators` can read its generators back. Numbers
+  /// that are not finite become null; bytes that are not valid UTF-8 become U+FFFD. Throws Error{unwritable_output}.
+  /// Cost: O(size).
   void write(std::ostream& out) const;
 
  private:
-  std::unique_ptr<nlohmann::ordered_json> document_;  ///< all members in their order; `generators` is left null
-  std::vector<ReportedGenerator> generators_;         ///< not in the document: a run may have very many
+  std::unique_ptr<nlohmann::ordered_json> document_;  ///< all members in order; `generators` stays null
+  std::vector<ReportedGenerator> generators_;         ///< not in the document, because there may be very many
 };
 
-/// One run of a command: its options, console and report. Only the body of the run holds it. Steps take values and
-/// return what the body reports.
+/// A run of a command: its options, console and report. Only the body of the run uses it; steps take values and return
+/// what the body reports.
 class Run {
  public:
   Run(const std::string& command, Options options, Console& console)
       : options_(std::move(options)), console_(console), report_(command, seed_of(options_)) {}
 
   const Options& options() const { return live_ != nullptr ? *live_ : options_; }
-  /// From now on the options are these, which the body of the run may complete. They must outlive the run.
+  /// Uses `live` as options from now on, which the body of the run may complete. They must outlive the run.
   void follow(const Options& live) { live_ = &live; }
   Console& console() { return console_; }
-  /// A text with its placeholders as the user writes options.
+  /// Replaces the placeholders of a text by options as the user writes them.
   std::string spelled(const std::string& text) const;
-  /// A note on the console, which may have placeholders.
+  /// Prints a note, which may contain placeholders.
   void note(const std::string& text) { console_.note(spelled(text)); }
   /// The document of `--report`.
   RunReport& report() { return report_; }
-  /// The files that are written so far, in their order; standard output is none.
+  /// The files written so far, in order; standard output does not count.
   const std::vector<std::string>& written() const { return written_; }
   void add_written(const std::string& file) { written_.push_back(file); }
 
-  /// Draws the bar of a step. False after a signal: the work is to end.
+  /// Draws the bar of a step. Returns false after a signal, when the work should end.
   bool advance(std::string_view step, double fraction);
-  /// The same for the `progress` fields of the library. Valid while the run lives.
+  /// The same for the `progress` fields of the library. Valid as long as the run exists.
   Progress progress();
 
-  /// Reports and, where verbose, prints the wall time of a step.
+  /// Reports the wall time of a step, and prints it if verbose.
   void report_time(std::string_view step, double milliseconds);
 
   /// Runs `work` and reports its wall time under the name `step`.
-  /// Throws Error{interrupted} where a signal came before.
+  /// Throws Error{interrupted} if a signal came before.
   template <class Work>
   decltype(auto) timed(std::string_view step, Work&& work);
 
@@ -105,12 +105,12 @@ class Run {
   std::vector<std::string> written_;
 };
 
-/// What an operation tells, for the console and the report of a run: bars, notes with the options as the user wrote
-/// them, and the time of each step. It is reported when the step ends, and in all when this ends, where the step began
-/// again. Nothing is reported while an exception is on its way.
+/// Passes the messages of an operation to the console and the report of a run: bars, notes with options as the user
+/// wrote them, and the time of each step. The time is reported when the step ends or, if the step begins again, as a
+/// sum when this object is destroyed. Nothing is reported while an exception is propagating.
 class RunObserver : public Observer {
  public:
-  /// `run` must outlive it.
+  /// `run` must outlive this object.
   explicit RunObserver(Run& run);
   ~RunObserver() override;
   RunObserver(const RunObserver&) = delete;
@@ -129,13 +129,13 @@ class RunObserver : public Observer {
     std::string step;
     Clock::duration sum{};
     Clock::time_point started{};
-    int times = 0;  ///< that it ended
+    int times = 0;  ///< how many times the step has ended
   };
   void report(const Timed& timed);
 
   Run& run_;
-  std::vector<Timed> steps_;          // in the order of their first starts
-  std::vector<std::size_t> entered_;  // of `steps_`
+  std::vector<Timed> steps_;          // in the order in which they first started
+  std::vector<std::size_t> entered_;  // indices into `steps_`
 };
 
 template <class Work>
@@ -144,11 +144,12 @@ decltype(auto) Run::timed(std::string_view step, Work&& work) {
   return as_step(observer, step, std::forward<Work>(work));
 }
 
-/// The result of an operation on INPUT with its options, which become what they stand for.
+/// Runs an operation on INPUT, and returns its result. Options such as `auto` in `call` are replaced by the values
+/// used.
 template <class Call>
 auto run_operation(Run& of, const MeshPtr& input, Call& call) {
   RunObserver observer(of);
-  return run(input, call, observer);  // that of the call's header
+  return run(input, call, observer);  // the function in the header of the call
 }
 
 }  // namespace gvd::app

@@ -1,7 +1,7 @@
-// The parts that the runs of the commands share, behind the input: generators, diagram, files, and the end.
+// The parts that the runs of the commands share after loading the input: generators, diagram, files, and the end.
 //
-// Each part calls a step on values within `timed`, notes its result on standard error, and fills in its members of the
-// report. Users see the order of notes and times, so it stays.
+// Each part calls a step within `timed`, notes its result on standard error, and fills in its members of the report.
+// Users see the order of notes and times, so it must not change.
 
 #include "common/run_parts.hpp"
 
@@ -41,13 +41,18 @@ void verify(Run& run, const Mesh& mesh, const Diagram& diagram) {
       fmt::format("error against exact distances: E {:.6g} mesh units^2 (the difference of a bisector's two distances, "
                   "integrated along all bisectors), mean {:.6g}, largest {:.6g} mesh units",
                   error.error_integral, error.error_mean, error.error_max));
+  if (error.corrected == 0) return;
+  run.console().note(fmt::format(
+      "{} of {} of CGAL's distances were longer than a path on the surface, whose length was taken: on thin "
+      "triangles it can miss the shortest path",
+      error.corrected, error.distances));
 }
 #else
-// check_options has refused --verify.
+// check_options has already refused --verify.
 void verify(Run&, const Mesh&, const Diagram&) {}
 #endif
 
-/// The mesh as the options want it.
+/// Chooses the content of the mesh by the options.
 LabelledMesh choose_content(const OutputOptions& output, LabelledMesh mesh) {
   mesh.no_bisectors = output.no_curves;
   mesh.ascii_ply = output.ascii_ply;
@@ -83,7 +88,7 @@ void write_one(Run& run, const std::string& path, const LabelledMesh& mesh, cons
   if (chosen.names_materials()) note_material_files(run, path, *chosen.appearance);
 }
 
-/// Writes the file of an option, which is empty where the option is not given.
+/// Writes the file of an option. Does nothing if the path is empty, because the option is not given.
 void write_timed(Run& run, const std::string& step, const std::string& path, const OutputWriter& write) {
   if (path.empty()) return;
   run.timed("write " + step, [&] { write_file(path, write, run.progress()); });
@@ -119,7 +124,7 @@ void note_left_out(Run& run, const Appearance& appearance) {
   if (!lost.empty()) note_on_input(run, fmt::format("left out: {}", fmt::join(lost, "; ")));
 }
 
-/// Notes for each format with 32-bit floats that they damage the surface.
+/// Notes for each format with 32-bit floats if they would damage the surface.
 void note_position_loss(Run& run, const Mesh& mesh) {
   for (const Format* const format : surface_formats(run.options().output)) {
     const PositionLoss loss = measure_position_loss(mesh, format->id);
@@ -137,14 +142,14 @@ void note_position_loss(Run& run, const Mesh& mesh) {
   }
 }
 
-/// "50 s", "11 min" or "2 h", with two digits at most: estimates have no more.
+/// Formats a duration as "50 s", "11 min" or "2 h", with at most two digits, which suffice for an estimate.
 std::string format_duration(double seconds) {
   constexpr double kMinute = 60, kHour = 3600;
   if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", std::round(seconds / 10) * 10);
   return seconds < 2 * kHour ? fmt::format("{:.0f} min", seconds / kMinute) : fmt::format("{:.0f} h", seconds / kHour);
 }
 
-/// Shorter runs need no warning.
+/// Shorter runs get no warning.
 constexpr double kLongRun = 10;  // seconds
 
 }  // namespace
@@ -153,7 +158,7 @@ void note_many_generators(Run& run, const Mesh& mesh, std::int64_t count, const 
   const double seconds = cost.microseconds * 1e-6 * double(count);
   if (count <= mesh.face_count() || seconds < kLongRun) return;
   run.note(fmt::format(
-      "\1count={}\2 is more than the mesh has faces ({}): this may take about {} and {:.2g} GB of memory, at {:.2g} ms "
+      "\1count={}\2 exceeds the number of faces ({}): this may take about {} and {:.2g} GB of memory, at {:.2g} ms "
       "and {:.2g} kB a generator as measured on two cores",
       count, mesh.face_count(), format_duration(seconds), cost.kilobytes * 1e-6 * double(count),
       cost.microseconds * 1e-3, cost.kilobytes));
@@ -169,7 +174,7 @@ void report_generators(Run& run, const Mesh& mesh, const std::vector<SurfacePoin
 
 void report_figures(Run& run, const Object& object) {
   const OutputOptions& output = run.options().output;
-  if (output.report.empty() && output.summary.empty()) return;  // figures of a million regions take time
+  if (output.report.empty() && output.summary.empty()) return;  // the figures of a million regions take time
   run.report().at("results").update(nlohmann::ordered_json::parse(figures_json(object)));
 }
 
@@ -208,7 +213,7 @@ void write_part_file(Run& run, const std::string& option, const Object& object) 
   write_own_file(run, option, [&](std::ostream& out) {
     const auto writers = object.part_writers(option);
     const auto found = writers.find(file_extension(*run.options().output.own.at(option)));
-    // Only a part of one format may go to a pipe without an extension (describe_target).
+    // Only a part with a single format may go to a pipe without an extension (describe_target).
     (found == writers.end() ? writers.begin() : found)->second(out);
   });
 }

@@ -1,8 +1,8 @@
-// Several inputs of one call (--output-dir): one run after the other in this process, and a table of them, as a note
-// and as CSV (--summary).
+// Processes several inputs in a call (--output-dir), one run after the other in this process, and tabulates them, as a
+// note and as CSV (--summary).
 //
-// Whatever a run throws is its own failure: a line with the name of its input, its exit code, and a row of the table.
-// A run keeps nothing for the next one, except memory that glibc holds ready.
+// An exception fails only its own run, with a line that names its input, an exit code, and a row in the table. A run
+// leaves nothing to the next one, except memory that glibc keeps.
 
 #include "common/run_several.hpp"
 
@@ -30,7 +30,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A figure of a run for the table: with few digits, where it is no whole number.
+/// A figure of a run for the table. Numbers that are not whole have few digits.
 std::string figure_of(const RunResult& run, const char* name) {
   const auto found = std::ranges::find(run.cells, name, &Cells::value_type::first);
   if (found == run.cells.end()) return "-";
@@ -38,7 +38,7 @@ std::string figure_of(const RunResult& run, const char* name) {
   return parse_number<std::int64_t>(text) ? text : fmt::format("{:.6g}", parse_number<double>(text).value_or(0));
 }
 
-/// Code points of UTF-8: what a terminal shows of most texts.
+/// The number of code points of UTF-8, which for most texts is the width on a terminal.
 std::int64_t displayed_width(const std::string& text) {
   return std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
 }
@@ -54,7 +54,7 @@ void append_column(std::vector<std::string>& lines, const std::vector<std::strin
   }
 }
 
-/// Errors of the input begin with its name already.
+/// Prints the error of a run. Errors about the input already begin with its name.
 void print_error(const std::string& command, const std::string& input, const std::string& message) {
   if (message.empty()) return;
   const bool has_name = message.starts_with(input + ":") || message.starts_with(input + ",");
@@ -88,7 +88,7 @@ RunResult run_one(const std::string& command, const Options& options, const std:
           run.written().size()};
 }
 
-/// A field of CSV (RFC 4180).
+/// Quotes a field of CSV if necessary (RFC 4180).
 std::string quote_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == text.npos) return text;
   std::string quoted = "\"";
@@ -106,7 +106,7 @@ void append_figures(const Json& value, const std::string& name, Cells& cells) {
   }
 }
 
-/// Names of all figures, in the order in which the runs tell them.
+/// The names of all figures, in the order in which they first occur in the runs.
 std::vector<std::string> list_columns(const std::vector<RunResult>& results) {
   std::vector<std::string> names;
   std::set<std::string> known;
@@ -118,7 +118,7 @@ std::vector<std::string> list_columns(const std::vector<RunResult>& results) {
   return names;
 }
 
-/// The rows of the results from `first` on, then those of the inputs that have none.
+/// Formats the rows of the results from `first` on, then the rows of inputs without a result.
 std::string format_rows(const std::vector<std::string>& inputs, const std::vector<RunResult>& results,
                         std::size_t first, const std::vector<std::string>& columns) {
   std::string rows;
@@ -138,19 +138,19 @@ std::string format_rows(const std::vector<std::string>& inputs, const std::vecto
   return rows;
 }
 
-/// The file of --summary. Rows are appended, so that a run's takes no longer the more runs came before; the file is
-/// written whole where the last run has a new column, or where it can't be appended to.
+/// The file of --summary. Rows are appended, so that the time for a row does not grow with the number of earlier runs.
+/// The file is rewritten completely if the last run has a new column, or if appending fails.
 class SummaryFile {
  public:
   explicit SummaryFile(std::string path) : path_(std::move(path)) {}
 
-  /// Writes the rows of the results that it lacks, and those of the `inputs` behind them.
+  /// Writes the rows of new results, and then rows for the remaining `inputs`.
   Outcome write(const std::vector<std::string>& inputs, const std::vector<RunResult>& results) {
     if (path_.empty()) return {};
     const auto is_known = [this](const auto& cell) { return contains(columns_, cell.first); };
     const bool fits = written_ > 0 && std::ranges::all_of(results.back().cells, is_known);
     std::fstream file;
-    if (fits) file.open(path_, std::ios::in | std::ios::out | std::ios::ate);  // fails where the file is gone
+    if (fits) file.open(path_, std::ios::in | std::ios::out | std::ios::ate);  // fails if the file is gone
     const bool is_appended = fits && (file << format_rows(inputs, results, written_, columns_)).flush();
     Outcome outcome;
     if (!is_appended) {
@@ -165,7 +165,7 @@ class SummaryFile {
  private:
   std::string path_;  // empty: none
   std::vector<std::string> columns_;
-  std::size_t written_ = 0;  // results; 0 before the first and after a failure
+  std::size_t written_ = 0;  // number of results written; 0 before the first and after a failure
 };
 
 }  // namespace
@@ -185,7 +185,7 @@ int run_several(const std::string& command, const std::vector<Options>& runs, co
   if (results.size() < runs.size()) summary = file.write(runs.front().input.paths, results);
   print_error(command, runs.front().output.summary, summary.message);
   if (exit_code == kDone) exit_code = summary.exit_code;
-  // The last run may have been done when the signal came.
+  // The signal may have come after the last run was done.
   if (exit_code == kDone && results.size() < runs.size()) exit_code = kInterrupted;
   Console console(command, {}, runs.front().general.quiet, false);
   for (const std::string& line : format_results(results)) console.note(line);

@@ -1,7 +1,7 @@
 // gvd-distance: exact distances on the surface from points of a list, shortest paths, and isolines.
 //
-// The library measures (gvd/distances_operation.hpp). Files hold the table of distances, or the mesh with those of its
-// vertices; paths and isolines go where curves fit.
+// The library measures (gvd/distances_operation.hpp). Files hold the table of distances, or the mesh with the distances
+// of its vertices; paths and isolines go into formats that can hold curves.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -33,11 +33,11 @@ constexpr const char* kExamples =
 
 const std::vector<std::string> kFormats = output_extensions(DistancesOutcome::kContent);
 
-struct OwnOptions : Options {
+struct DistanceCommandOptions : Options {
   DistancesCall call;
 };
 
-void describe_own(OptionList& list, OwnOptions& own) {
+void describe_own(OptionList& list, DistanceCommandOptions& own) {
   own.has_diagram = false;
   own.output.prints = true;
   describe_input(list, own.input);
@@ -47,15 +47,15 @@ void describe_own(OptionList& list, OwnOptions& own) {
   list.excludes("each", {"view"}, "the page shows the nearest source");
 }
 
-/// Where no file is named, standard output has a text that a script reads as it is, or else the simplest format that
-/// holds all.
-void complete(OwnOptions& own, const Given& given) {
+/// If no file is named, chooses the format of standard output: plain text for scripts, or otherwise the simplest format
+/// that holds all results.
+void complete(DistanceCommandOptions& own, const Given& given) {
   if (names_file(own.output)) return;
   if (!given.has("output_format")) own.output.formats = {own.call.isolines ? "json" : own.call.paths ? "csv" : "txt"};
   own.output.files = {"-"};
 }
 
-/// The files of -o, and what else is written. A file is called by the option that decides on its format.
+/// Checks that the outputs together hold all results. Messages call a file by the option that decides on its format.
 void check_written(const OutputOptions& output, const DistancesCall& call) {
   std::vector<WrittenFile> files;
   for (const std::string& format : written_formats(output)) {
@@ -68,7 +68,7 @@ void check_written(const OutputOptions& output, const DistancesCall& call) {
   check_files(asked_of(call), files, {"\1view\2", "\1report\2"}, !output.report.empty() || !output.view.empty());
 }
 
-/// The part of the machine's memory that a table may take: it is computed and written beside other things.
+/// The share of the machine's memory that a table may take, because there are other data beside it.
 constexpr double kMemoryShare = 0.5;
 
 double most_table_bytes(const ComputeOptions& compute) {
@@ -76,7 +76,7 @@ double most_table_bytes(const ComputeOptions& compute) {
   return std::min(machine, double(compute.max_memory.value_or(INT64_MAX)));
 }
 
-/// Notes the first distances to the points of --to, unless standard output has them, and why others are infinite.
+/// Notes the first distances to the points of --to, unless they go to standard output, and why distances are infinite.
 void note_targets(Run& run, const DistancesOutcome& made) {
   const std::size_t all = made.table.rows.size() * made.table.targets.size();
   if (contains(run.options().output.files, "-")) {
@@ -86,7 +86,7 @@ void note_targets(Run& run, const DistancesOutcome& made) {
   for (const std::string& line : describe_targets(made)) run.note(line);
 }
 
-void measure(Run& run, OwnOptions& own) {
+void measure(Run& run, DistanceCommandOptions& own) {
   check_written(run.options().output, own.call);
   const MeshPtr input = load_input(run);
   own.call.most_bytes = most_table_bytes(own.compute);
@@ -110,7 +110,7 @@ void measure(Run& run, OwnOptions& own) {
 }  // namespace
 
 Command distance_command() {
-  return make_command<OwnOptions>(
+  return make_command<DistanceCommandOptions>(
       {"gvd-distance",
        "Measures exact distances on a triangle mesh from given points, with shortest paths and isolines.",
        kExamples,

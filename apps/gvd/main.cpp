@@ -1,7 +1,8 @@
-// gvd: all commands in one program. `gvd segment ...` is `gvd-segment ...`, which is a link to this program.
+// gvd: all commands in one program. `gvd segment ...` does the same as `gvd-segment ...`, which is a link to this
+// program.
 //
-// The name by which the program was called says which command it is. Where that name is of no command, the first word
-// says it. Either way a command calls itself gvd-segment, in its messages, its help and the report, so that they have
+// The name by which the program was called selects the command; if it is not the name of a command, the first word
+// does. In both cases a command calls itself gvd-segment in its messages, its help and the report, so that these have
 // the same bytes, and agree with the man pages and the documents.
 
 #include <fmt/format.h>
@@ -29,7 +30,7 @@
 
 namespace gvd::app {
 
-// Each in the main.cpp of its folder.
+// Each is defined in the main.cpp of its folder.
 Command segment_command();
 Command lloyd_command();
 Command remesh_command();
@@ -39,25 +40,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Entry {
+struct NamedCommand {
   const char* name;
   Command (*make)();
 };
 
-constexpr std::array kCommands{Entry{"segment", segment_command}, Entry{"lloyd", lloyd_command},
-                               Entry{"remesh", remesh_command}, Entry{"distance", distance_command}};
+constexpr std::array kCommands{NamedCommand{"segment", segment_command}, NamedCommand{"lloyd", lloyd_command},
+                               NamedCommand{"remesh", remesh_command}, NamedCommand{"distance", distance_command}};
 
-/// As many links as Linux follows from a name to a program.
+/// The number of links that Linux follows from a name to a program.
 constexpr int kMostLinks = 40;
 
 constexpr const char* kHint = " (see gvd --help)";
 
 constexpr std::string_view kPrefix = "gvd-";
 
-/// The command that a word names: segment, or gvd-segment. Null where there is none.
-const Entry* find_command(const std::string& word) {
+/// The command that a word names, as segment or gvd-segment; null if there is none.
+const NamedCommand* find_command(const std::string& word) {
   const std::string name = word.substr(word.starts_with(kPrefix) ? kPrefix.size() : 0);
-  const auto found = std::find_if(kCommands.begin(), kCommands.end(), [&](const Entry& e) { return name == e.name; });
+  const auto found =
+      std::find_if(kCommands.begin(), kCommands.end(), [&](const NamedCommand& e) { return name == e.name; });
   return found == kCommands.end() ? nullptr : &*found;
 }
 
@@ -71,17 +73,17 @@ fs::path called_path(const char* called) {
   return path;
 }
 
-/// The command as which the program was called: by the name `called`, or by that of a link on the way to the program,
-/// as with a user's own link to gvd-segment. Null where the program was called as gvd, or as nothing that it knows.
-const Entry* find_called(const char* called) {
+/// The command as which the program was called: by the name `called`, or by a link on the way to the program, such as a
+/// user's own link to gvd-segment. Null if it was called as gvd or by an unknown name.
+const NamedCommand* find_called(const char* called) {
   const auto find = [](const fs::path& path) {
     const std::string name = path.filename().string();
     return name.starts_with(kPrefix) ? find_command(name) : nullptr;
   };
-  if (const Entry* const command = find(called)) return command;
+  if (const NamedCommand* const command = find(called)) return command;
   fs::path path = called_path(called);
   for (int links = 0; links < kMostLinks && path.filename() != "gvd"; ++links) {
-    if (const Entry* const command = find(path)) return command;
+    if (const NamedCommand* const command = find(path)) return command;
     std::error_code no_link;
     const fs::path target = fs::read_symlink(path, no_link);
     if (no_link) break;
@@ -90,11 +92,11 @@ const Entry* find_called(const char* called) {
   return nullptr;
 }
 
-/// What `gvd --help` says.
+/// The text of `gvd --help`.
 std::string make_overview() {
   constexpr std::size_t kWidth = 80, kColumn = 12;
   std::string commands, examples;
-  for (const Entry& entry : kCommands) {
+  for (const NamedCommand& entry : kCommands) {
     const CommandInfo info = entry.make().info;
     commands += fmt::format("  {:{}}{}\n", entry.name, kColumn - 2, wrap(info.description, kWidth - kColumn, kColumn));
     const std::string first = info.examples.substr(0, info.examples.find('\n') + 1);
@@ -118,7 +120,7 @@ std::string make_overview() {
 
 std::string make_all_completions(const std::string& shell) {
   std::vector<CompletedCommand> commands;
-  for (const Entry& entry : kCommands) {
+  for (const NamedCommand& entry : kCommands) {
     const Command command = entry.make();
     commands.push_back({entry.name, command.info.description, make_completion(command, shell)});
   }
@@ -129,7 +131,7 @@ std::string make_all_completions(const std::string& shell) {
 [[noreturn]] void refuse_word(const std::string& word) {
   const bool is_option = word.size() > 1 && word.starts_with('-');
   std::vector<std::string> names{"help"};
-  for (const Entry& entry : kCommands) names.emplace_back(entry.name);
+  for (const NamedCommand& entry : kCommands) names.emplace_back(entry.name);
   if (is_option) names = {"--help", "--version", "--completion"};
   const auto meant = suggest_name(word, names);
   std::error_code ignored;
@@ -159,7 +161,7 @@ std::string read_shell(const std::vector<std::string>& words) {
 
 bool asks_for_help(const std::string& word) { return word == "help" || word == "--help" || word == "-h"; }
 
-/// What gvd itself says to words that call no command.
+/// The answer of gvd itself to words that call no command.
 std::string answer(const std::vector<std::string>& words) {
   if (words.empty()) return make_overview();
   const std::string& first = words[0];
@@ -186,13 +188,15 @@ int print_answer(const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
   using namespace gvd::app;
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (const Entry* const command = find_called(argc > 0 ? argv[0] : "gvd"))
+  if (const NamedCommand* const command = find_called(argc > 0 ? argv[0] : "gvd"))
     return run_command(command->make(), argc, argv);
   if (words.empty()) return print_answer(words);
-  if (const Entry* const command = find_command(words[0])) return run_command(command->make(), argc - 1, argv + 1);
+  if (const NamedCommand* const command = find_command(words[0]))
+    return run_command(command->make(), argc - 1, argv + 1);
   if (words.size() > 1 && asks_for_help(words[0])) {
     const std::array<const char*, 2> question{argv[0], words[0] == "-h" ? "-h" : "--help"};
-    if (const Entry* const command = find_command(words[1])) return run_command(command->make(), 2, question.data());
+    if (const NamedCommand* const command = find_command(words[1]))
+      return run_command(command->make(), 2, question.data());
   }
   return print_answer(words);
 }

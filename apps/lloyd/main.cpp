@@ -1,7 +1,7 @@
 // gvd-lloyd: relaxes generators and writes them.
 //
-// The library moves them (gvd/lloyd_operation.hpp). The report, the table of --trace and the page tell the iterations
-// in the same words: the name of the step, and that of what the energy was measured with. The library reads no clock:
+// The library moves the generators (gvd/lloyd_operation.hpp). The report, the table of --trace and the page describe
+// iterations in the same words: how the step was found, and how the energy was measured. The library reads no clock;
 // RelaxationTrace does, for --trace and --time-limit.
 
 #include <fmt/format.h>
@@ -35,9 +35,9 @@ constexpr GeneratorCost kGeneratorCost{760, 9.6};
 
 const std::vector<std::string> kFormats = output_extensions(LloydOutcome::kContent);
 
-struct OwnOptions : Options {
+struct LloydCommandOptions : Options {
   LloydCall call;
-  std::optional<double> time_limit;  ///< of the relaxation, seconds, >= 0
+  std::optional<double> time_limit;  ///< for the relaxation, seconds, >= 0
   std::string points, trace;         ///< files; empty: none
 };
 
@@ -50,7 +50,7 @@ constexpr const char* kExamples =
     "    gvd-remesh bunny.obj --generators relaxed.txt -o coarse.obj\n"
     "  gvd-lloyd scans/*.stl -n 30 --output-dir relaxed --output-format json\n";
 
-void describe_own(OptionList& list, OwnOptions& own) {
+void describe_own(OptionList& list, LloydCommandOptions& own) {
   describe_input(list, own.input);
   describe(list, own.call);
   describe_generators_format(list, own.input);
@@ -73,15 +73,15 @@ void describe_own(OptionList& list, OwnOptions& own) {
                   {.help = "Write energy, moves, methods and seconds of each iteration as CSV"});
 }
 
-/// When the energy of each iteration was known, and the generators then. The library reads no clock.
+/// Records for each iteration the generators, and the time at which its energy was known.
 class RelaxationTrace {
  public:
-  /// Seconds since this was made.
+  /// Seconds since this object was made or restarted.
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
   void restart() { *this = {}; }
 
-  /// To be called from LloydOptions::on_iteration. Iterations that count as one with those before are forgotten.
+  /// Call it from LloydOptions::on_iteration. Iterations that were merged with earlier ones are forgotten.
   void note(std::int64_t iterations, const std::vector<SurfacePoint>& generators) {
     seconds_.resize(iterations + 1);
     seconds_.back() = seconds();
@@ -89,10 +89,10 @@ class RelaxationTrace {
     generators_.back() = generators;
   }
 
-  /// The generators after so many iterations; 0: at the start.
+  /// The generators after this many iterations; 0: at the start.
   const std::vector<SurfacePoint>& generators(std::size_t iterations) const { return generators_[iterations]; }
 
-  /// A table in CSV: a row for the start, and one for each iteration. `method`: of the run's diagrams.
+  /// Writes a table in CSV with a row for the start and for each iteration. `method`: the method of the run's diagrams.
   /// Only the last column, the seconds since the relaxation began, differs between equal runs.
   void write(std::ostream& out, const LloydResult& result, const Method& method) const {
     out << "iteration,energy,largest_move,mean_move,method,step,seconds\n";
@@ -112,11 +112,12 @@ class RelaxationTrace {
   std::vector<std::vector<SurfacePoint>> generators_;  ///< at the same times
 };
 
-/// Scenes of a page: each costs a diagram, and about as many bytes as a page with one.
+/// Largest number of scenes in a page. Each costs a diagram, and makes the page larger by about the size of a page with
+/// one scene.
 constexpr std::size_t kMostScenes = 12;
 
-/// Least chord tolerance between start and end, in mean edge lengths: pages are a quarter smaller than with the
-/// default.
+/// Least chord tolerance of scenes between start and end, in mean edge lengths. Pages become a quarter smaller than
+/// with the default.
 constexpr double kCoarseChords = 0.05;
 
 ViewScene make_scene(const Mesh& mesh, const Diagram& diagram, std::string name, double energy) {
@@ -129,11 +130,11 @@ std::string describe_copy_iterations(const CoarseRelaxation& copy) {
   return fmt::format("{}, {} faces", counted(copy.iterations, "iteration", "iterations"), copy.faces);
 }
 
-/// The scenes of the page: the relaxed generators, the start, and iterations between them, evenly over the run.
-/// `options`: of their diagrams, which are computed but for the last.
+/// Makes the scenes of the page: the relaxed generators, the start, and iterations between them, evenly spread over the
+/// run. `options`: for the diagrams, all of which are computed here except the last.
 std::vector<ViewScene> make_iteration_scenes(const Mesh& mesh, const LloydResult& relaxed, const RelaxationTrace& trace,
                                              DiagramOptions options) {
-  const bool has_copy = relaxed.copy.faces > 0;  // then the mesh's iterations may be none, from the end to the end
+  const bool has_copy = relaxed.copy.faces > 0;  // then there may be no iterations on the mesh
   const std::size_t last = relaxed.iterations.size();
   const std::size_t gaps = std::min(kMostScenes - 1, std::max<std::size_t>(last, has_copy ? 0 : 1));
   std::vector<ViewScene> scenes{make_scene(mesh, relaxed.diagram, "Relaxed", relaxed.final_energy)};
@@ -152,7 +153,7 @@ std::vector<ViewScene> make_iteration_scenes(const Mesh& mesh, const LloydResult
   return scenes;
 }
 
-/// The observer of a relaxation that also ends after a time.
+/// The observer of a relaxation, which also ends it after a time limit.
 class TimedObserver : public RunObserver {
  public:
   TimedObserver(Run& run, RelaxationTrace& trace, std::optional<double> limit)
@@ -177,7 +178,7 @@ class TimedObserver : public RunObserver {
   bool relaxes_ = false;
 };
 
-void lloyd(Run& run, OwnOptions& own) {
+void lloyd(Run& run, LloydCommandOptions& own) {
   const MeshPtr input = load_input(run);
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
   check_material_files(run, input->appearance);
@@ -194,7 +195,7 @@ void lloyd(Run& run, OwnOptions& own) {
   const LloydResult& relaxed = *outcome->relaxed;
   const Mesh& surface = outcome->diagram->surface();
   report_figures(run, *outcome);
-  run.report().at("results")["final_energy"] = relaxed.final_energy;  // also for the table of several inputs
+  run.report().at("results")["final_energy"] = relaxed.final_energy;  // for the table of several inputs, too
   report_generators(run, mesh, relaxed.generators, outcome->snap_distance);
   run.report().set_diagram(relaxed.diagram);
   write_output_files(run, *outcome);
@@ -212,11 +213,12 @@ void lloyd(Run& run, OwnOptions& own) {
 }  // namespace
 
 Command lloyd_command() {
-  return make_command<OwnOptions>({"gvd-lloyd",
-                                   "Moves generators to the geodesic centroids of their cells until they stop moving.",
-                                   kExamples,
-                                   {kFormats}},
-                                  {describe_own, lloyd});
+  return make_command<LloydCommandOptions>(
+      {"gvd-lloyd",
+       "Moves generators to the geodesic centroids of their cells until they stop moving.",
+       kExamples,
+       {kFormats}},
+      {describe_own, lloyd});
 }
 
 }  // namespace gvd::app

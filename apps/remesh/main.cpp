@@ -1,7 +1,7 @@
 // gvd-remesh: builds the coarse mesh that is dual to a diagram.
 //
-// The library makes it (gvd/remesh_operation.hpp). Here are the files, and the properties of INPUT that are carried
-// over.
+// The library makes the mesh (gvd/remesh_operation.hpp). This file has the outputs, and the properties of INPUT that
+// are carried over.
 
 #include <fmt/format.h>
 
@@ -38,12 +38,12 @@ constexpr GeneratorCost kGeneratorCost{460, 14.7};
 
 const std::vector<std::string> kFormats = output_extensions(RemeshOutcome::kContent);
 
-struct OwnOptions : Options {
+struct RemeshCommandOptions : Options {
   RemeshCall call;
-  std::string map;  ///< a file; empty: none
+  std::string map;  ///< the file of --map; empty: none
 };
 
-void describe_own(OptionList& list, OwnOptions& own) {
+void describe_own(OptionList& list, RemeshCommandOptions& own) {
   describe_input(list, own.input);
   describe(list, own.call);
   describe_generators_format(list, own.input);
@@ -67,14 +67,14 @@ void describe_own(OptionList& list, OwnOptions& own) {
                            "each input vertex"});
 }
 
-void complete(OwnOptions& own, const Given&) { own.call.map = !own.map.empty(); }
+void complete(RemeshCommandOptions& own, const Given&) { own.call.map = !own.map.empty(); }
 
 std::vector<MeshProperty> read_properties(const InputOptions& input, const PipedInput& piped) {
   if (piped.bytes.empty()) return read_mesh_properties(input.path, input.format);
   return parse_mesh_properties(piped.bytes, piped.format, input.path == "-" ? kStandardInput : input.path);
 }
 
-/// Notes where there was nothing to carry over, and what no output holds.
+/// Notes if there was nothing to carry over, and which carried properties no output holds.
 void note_carried(Run& run, const RemeshOutcome& made) {
   if (made.properties.empty() && made.appearance.empty()) {
     note_on_input(run, "no properties, texture coordinates or materials to carry over");
@@ -85,14 +85,14 @@ void note_carried(Run& run, const RemeshOutcome& made) {
 }
 
 void write_view(Run& run, const Mesh& mesh, const RemeshResult& result) {
-  Mesh unplaced;  // the scenes refer to it
+  Mesh unplaced;  // the scenes refer to this mesh
   write_view_file(run, "gvd-remesh", [&] {
     unplaced = make_unplaced(mesh, result);
     return make_remesh_scenes(mesh, result, unplaced, run.options().compute.threads, run.progress());
   });
 }
 
-void run_remesh(Run& run, OwnOptions& own) {
+void run_remesh(Run& run, RemeshCommandOptions& own) {
   PipedInput piped;
   const bool carries = own.call.carry;
   const MeshPtr input = load_input(run, carries ? &piped : nullptr);
@@ -118,7 +118,7 @@ void run_remesh(Run& run, OwnOptions& own) {
 }  // namespace
 
 Command remesh_command() {
-  return make_command<OwnOptions>(
+  return make_command<RemeshCommandOptions>(
       {"gvd-remesh",
        "Builds a coarse mesh: a vertex for each generator, a triangle for each branch point.",
        kExamples,

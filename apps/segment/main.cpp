@@ -1,6 +1,6 @@
 // gvd-segment: labels the faces of a mesh, or cuts them along the bisectors.
 //
-// The library does it (gvd/segment_operation.hpp). Here are the files.
+// The library does the work (gvd/segment_operation.hpp). This file has the outputs.
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ constexpr GeneratorCost kGeneratorCost{27, 3.6};
 
 const std::vector<std::string> kFormats = output_extensions(SegmentOutcome::kContent);
 
-/// Arrays and tables, and the formats that hold nothing but these numbers of vertices.
+/// The formats of an output of numbers: arrays, tables, and formats that hold nothing but such numbers of vertices.
 std::vector<std::string> array_formats(Content numbers) {
   std::vector<std::string> found{"npy", "csv"};
   for (const Format& format : formats()) {
@@ -50,12 +50,12 @@ std::vector<std::string> array_formats(Content numbers) {
   return found;
 }
 
-struct OwnOptions : Options {
+struct SegmentCommandOptions : Options {
   SegmentCall call;
   std::string face_labels, vertex_labels, vertex_distances, stats, adjacency;  ///< files; empty: none
 };
 
-void describe_targets(OptionList& list, OwnOptions& own) {
+void describe_targets(OptionList& list, SegmentCommandOptions& own) {
   const auto add = [&](const char* name, std::string& file, std::vector<std::string> extensions, Spec spec) {
     describe_target(list, own.output, name, file, extensions, std::move(spec));
   };
@@ -72,7 +72,7 @@ void describe_targets(OptionList& list, OwnOptions& own) {
       {.help = "Write the graph of the regions: their areas, and the length of each border (GraphML)"});
 }
 
-void describe_own(OptionList& list, OwnOptions& own) {
+void describe_own(OptionList& list, SegmentCommandOptions& own) {
   describe_input(list, own.input);
   describe(list, own.call);
   describe_generators_format(list, own.input);
@@ -92,7 +92,7 @@ void describe_own(OptionList& list, OwnOptions& own) {
                                              "\1output=FILE.obj\2, or leave it out",
                                              only_formats(Content::texture)));
   charts.why_idle = [&own, why_lost = std::move(charts.why_idle)](const Given& given) {
-    const bool has_figures = !own.stats.empty() || !own.output.report.empty();  // of the charts
+    const bool has_figures = !own.stats.empty() || !own.output.report.empty();  // figures of the charts
     return has_figures || written_formats(own.output).empty() ? "" : why_lost(given);
   };
   list.rule(std::move(charts));
@@ -102,10 +102,10 @@ void describe_own(OptionList& list, OwnOptions& own) {
                                     only_formats(Content::materials))));
 }
 
-void complete(OwnOptions& own, const Given&) { own.call.complete(); }
+void complete(SegmentCommandOptions& own, const Given&) { own.call.complete(); }
 
-/// The labels of the faces and vertices, and the distances of the vertices: each as an array, as a table, or in a
-/// format of meshes that holds nothing else. With levels, each face has the labels of all.
+/// Writes the labels of the faces and vertices, and the distances of the vertices, each as an array, as a table, or in
+/// a format that holds nothing else. With levels, each face has the labels of all levels.
 void write_arrays(Run& run, const LabelledMesh& output) {
   const DistanceTable distances{.rows = {output.vertex_distance->raw()}, .nearest = output.vertex_label->raw()};
   const auto write = [&](const char* option, const OutputWriter& write_npy, const OutputWriter& write_csv) {
@@ -149,8 +149,8 @@ void write_files(Run& run, const SegmentOutcome& made) {
   write_diagram_file(run, made.input().mesh, made.diagram->diagram());
 }
 
-/// Notes, once for all inputs, that the page and a mesh of whole faces show different borders.
-void note_whole_faces(Run& run, const OwnOptions& own) {
+/// Notes, only once for all inputs, that the page and a mesh of whole faces show different borders.
+void note_whole_faces(Run& run, const SegmentCommandOptions& own) {
   const OutputOptions& output = run.options().output;
   const InputOptions& input = run.options().input;
   if (own.call.cut || run.options().given->has("labels") || output.view.empty() || input.path != input.paths.front())
@@ -163,7 +163,7 @@ void note_whole_faces(Run& run, const OwnOptions& own) {
   }
 }
 
-void segment(Run& run, OwnOptions& own) {
+void segment(Run& run, SegmentCommandOptions& own) {
   const MeshPtr input = load_input(run);
   check_material_files(run, input->appearance, own.call.uv.has_value());
   note_many_generators(run, input->mesh, own.call.generators.wanted().value_or(0), kGeneratorCost);
@@ -188,7 +188,7 @@ void segment(Run& run, OwnOptions& own) {
 }  // namespace
 
 Command segment_command() {
-  return make_command<OwnOptions>(
+  return make_command<SegmentCommandOptions>(
       {"gvd-segment",
        "Labels every face of a triangle mesh with the region of the geodesically nearest generator.",
        kExamples,

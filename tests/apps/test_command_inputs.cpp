@@ -114,7 +114,7 @@ TEST_CASE("commands: --weld that joins nothing says how near vertices on open ed
     const std::string run = mesh + options;
     CAPTURE(name);
     CHECK_THAT(run_command(name, run + " --weld .1").err,
-               Contains("parted.obj: welding within 0.1 joins nothing: no two vertices are so near" + apart));
+               Contains("parted.obj: welding within 0.1 joins nothing: no two vertices are that close" + apart));
     CHECK_THAT(run_command(name, run + " --weld").err,
                Contains("welding joins nothing: no two vertices are at the same coordinates" + apart));
     CHECK_THAT(run_command(name, run + " --weld .25").err, !Contains("joins nothing"));
@@ -188,7 +188,7 @@ TEST_CASE("commands: a closed one-sided surface is cut along its twist of seven 
     REQUIRE(cut.exit_code == 0);
     CHECK_THAT(cut.err, Contains("closed.obj: 7 edges between faces of opposite orientations make the surface "
                                  "one-sided, like a Moebius strip, first the one between vertices 0 and 1 of face 1: "
-                                 "cut, the surface has a boundary there\n"));
+                                 "cut open there\n"));
     const auto input = nlohmann::json::parse(read_text(report))["input"];
     CHECK(input["defects"]["one_sided_edges"] == 7);
     CHECK(input["boundary_loops"] == 2);

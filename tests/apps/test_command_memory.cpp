@@ -53,7 +53,7 @@ TEST_CASE("memory: where the system has no more, the message says how much was i
     CHECK(result.exit_code == 5);
     CHECK(line_count(result.err) == 1);
     CHECK_THAT(result.err, StartsWith(name + ": error: out of memory: up to ") && Contains(" in use; ") &&
-                               Contains("--max-memory ends such a run sooner"));
+                               Contains("use --max-memory to stop such a run earlier"));
   }
 }
 

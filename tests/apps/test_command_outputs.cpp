@@ -287,9 +287,10 @@ TEST_CASE("commands: --open shows the page, by $BROWSER or xdg-open, and never w
   const std::string page = std::filesystem::path(scratch / "torus.gvd.html").string();
   const CommandResult none = run_for_page(scratch, "BROWSER=", "");
   CHECK(none.exit_code == 0);
-  CHECK_THAT(none.err,
-             Contains("wrote torus.gvd.html") &&
-                 Contains("--open: $BROWSER names no program, and there is no xdg-open; open torus.gvd.html"));
+  CHECK_THAT(
+      none.err,
+      Contains("wrote torus.gvd.html") &&
+          Contains("--open: $BROWSER names no installed program, and xdg-open is not installed; open torus.gvd.html"));
   CHECK(std::filesystem::exists(page));
   write_program(scratch, "xdg-open");
   CHECK(run_for_page(scratch, "BROWSER=none", "-q").err.empty());
@@ -320,7 +321,7 @@ TEST_CASE("commands: many more generators than faces are told in advance, with t
     return result.err;
   };
   CHECK_THAT(notes("gvd-segment", "1000000"),
-             StartsWith("gvd-segment: -n 1000000 is more than the mesh has faces (5876): this may take about 30 s and "
+             StartsWith("gvd-segment: -n 1000000 exceeds the number of faces (5876): this may take about 30 s and "
                         "3.6 GB of memory, at 0.027 ms and 3.6 kB a generator as measured on two cores\n"));
   CHECK_THAT(notes("gvd-lloyd", "1000000"), Contains("this may take about 13 min and 9.6 GB"));
   CHECK_THAT(notes("gvd-remesh", "1000000"), Contains("this may take about 8 min and 15 GB"));

@@ -64,7 +64,7 @@ TEST_CASE("commands: what an option reads may be a pipe, and gives the result of
   }
   const CommandResult wrong = at.run("gvd-segment", "--within " + at.pipe + " -n 2 " + at.mesh, at.mesh);
   CHECK(wrong.exit_code == 3);
-  CHECK_THAT(wrong.err, Contains(at.pipe + ":1: 'ply' is no number"));
+  CHECK_THAT(wrong.err, Contains(at.pipe + ":1: 'ply' is not a number"));
 }
 
 TEST_CASE("gvd-segment: --weights and --shares read standard input, which can't be the mesh, too") {
@@ -119,7 +119,7 @@ TEST_CASE("commands: of a piped INPUT properties are not read by name, and the m
   require_error("gvd-segment", "- --input-format ply -n 2 --within part < " + at.mesh, 3,
                 "properties are read from files only: save standard input as one");
   require_error("gvd-segment", at.mesh + " -n 2 --within - < " + at.numbers, 3,
-                "--within -: takes a file or a property; standard input is the file /dev/stdin");
+                "--within -: takes a file or a property; for standard input, give /dev/stdin");
   require_error("gvd-segment", at.mesh + " -n 2 --mask " + at.scratch / "", 3, ": is a directory; give a file");
   CHECK(run_command("gvd-segment", at.mesh + " -n 2 -q --within /dev/stdin < " + at.numbers).exit_code == 0);
 }

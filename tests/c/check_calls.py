@@ -216,7 +216,7 @@ def check_mistakes():
     bad = lambda options, *arrays, **more: refused("lloyd", ball, options, *arrays, **more)
     assert bad(b"{") == "options: not valid JSON at line 1, column 2"
     assert bad(b'{"count": 3,\n "seed" 4}') == "options: not valid JSON at line 2, column 9"
-    assert bad(b"[]").startswith("options: the JSON is no object; write one")
+    assert bad(b"[]").startswith("options: the JSON is not an object; write one")
     assert bad(b'{"count": 3, "count": 4}') == '"count" is given twice; keep one'
     assert bad(b'{"radius": 1e309}') == "options: the JSON has a number that is too large for a double"
     assert bad(b'\xff{"count": 3}').startswith("options: not valid JSON at line 1")
@@ -243,8 +243,8 @@ def check_mistakes():
     assert bad({"generators": {"array": 0}}, Array(None, 9, 1, (-1, 1), (8, 0))) == '"generators": array 0 has a negative length'
     assert bad({"vertices": [99]}, status=PRECONDITION).startswith('"vertices"')
     assert bad({"generators": [[0, 0]]}).startswith('"generators": points have 2 columns')
-    assert bad({"generators": [[1, 0, 0], [0, 1]]}) == "\"generators\": '[0,1]' is no row of 3 numbers, as the first point is"
-    assert bad({"generators": [[1, 0, 0], 2]}).startswith("\"generators\": '2' is no row of 3 numbers")
+    assert bad({"generators": [[1, 0, 0], [0, 1]]}) == "\"generators\": '[0,1]' is not a row of 3 numbers like the first point"
+    assert bad({"generators": [[1, 0, 0], 2]}).startswith("\"generators\": '2' is not a row of 3 numbers")
     assert bad({"generators": [[0.5, 1, 0, 0]]}) == '"generators": element 0 is 0.5; give whole numbers from 0 on'
     # Numbers that no double has are told as they were given.
     large = 2 ** 53 + 1
@@ -282,7 +282,7 @@ def check_mistakes():
     assert curves([0, 2, 2, 3]) == '"curves": curve 1 has no point: it is from offset 2 to 2'
     assert curves([1, 3]) == curves([0, 2]) == curves([]) == (
         '"curves": the offsets of curves begin with 0 and end with the number of points, 3')
-    # Charts are laid around points.
+    # Charts need points as generators.
     of_curve = result("diagram", ball, {"curves": {"points": [0, 2, 1]}})
     assert refused("label", of_curve, {"uv": "logmap"}).startswith('"uv": the generators are curves, and charts')
     release(relaxed, whole, of_curve, ball, None)
@@ -382,7 +382,7 @@ def check_defaults():
                 assert {**figures(made), "options": 0} == {**figures(plain), "options": 0}, (operation["name"], option)
                 release(made)
             else:  # it goes with other options only
-                assert not made.startswith(f'"{name}": \'') and any(why in made for why in ("exclude each other", "does nothing", " needs ")), (option, made)
+                assert not made.startswith(f'"{name}": \'') and any(why in made for why in ("exclude each other", "has no effect", " needs ")), (option, made)
         release(plain)
     defaults = lambda operation: {o["name"]: o["default"] for one in DESCRIBED["operations"] if one["name"] == operation for o in one["options"]}
     assert defaults("diagram")["curves"] is None and defaults("diagram")["seed"] == 0 and defaults("diagram")["method"] == "exact"
@@ -422,8 +422,8 @@ def check_distances():
     made = result("distances", ball, {"from": [0, 1], "each": True})
     rows = numbers(made, "rows")
     assert len(rows) == 2 and rows[0][1] == rows[1][0] and rows[0][0] == 0
-    assert refused("distances", ball, {"from": [0, 1], "logarithm": True}).startswith('"logarithm" is that at one source')
-    assert refused("distances", ball, {"from": [0], "paths": True}).startswith('"paths" does nothing here: add "to"')
+    assert refused("distances", ball, {"from": [0, 1], "logarithm": True}).startswith('"logarithm" needs exactly one source')
+    assert refused("distances", ball, {"from": [0], "paths": True}).startswith('"paths" has no effect here: add "to"')
     assert "neither true nor false" in refused("distances", ball, {"curves": {"points": [0, 2], "closed": 1}})
     release(made, ball)
 
@@ -463,7 +463,7 @@ def check_edits():
     check(again, points)
     release(added)
     assert refused("edit", removed, {"move": 50, "to": [0]}, status=PRECONDITION) == \
-        "there is no generator 50 among 50 generators"
+        "there is no generator 50; the diagram has 50 generators"
     assert refused("edit", removed, {"move": -1, "to": [0]}).startswith("\"move\": '-1' is not a whole number from 0")
     assert refused("edit", removed, {"move": 1, "to": [0, 1]}) == 'one point is needed in "to", and there are 2 points'
     assert refused("edit", removed, {}) == 'no change: give one of "move", "add" or "remove"'
@@ -509,7 +509,7 @@ def check_files(folder):
     ball = make_ball()
     sampled = result("sample", ball, {"count": 2})
     assert gvd.gvd_write(sampled, str(folder / "a.ply").encode(), None) == INVALID
-    assert b"a sample has no file" in gvd.gvd_last_error(), gvd.gvd_last_error()
+    assert b"a sample can't be written" in gvd.gvd_last_error(), gvd.gvd_last_error()
     assert gvd.gvd_write(ball, str(folder / "a.doc").encode(), None) == INVALID
     assert b"the extension must be one of .ply" in gvd.gvd_last_error(), gvd.gvd_last_error()
     # No file has nothing but what the object lacks, and none loses what was asked for: as the commands say.

@@ -39,7 +39,7 @@ def check_memory(folder):
     assert numbers(again, "vertex_positions") == numbers(mesh, "vertex_positions")
     assert refused("mesh", None, {"file": "a.doc", "content": True}, array(b"hello", ctypes.c_uint8), status=3).startswith("a.doc: neither")
     assert refused("mesh", None, {"file": "a.ply", "content": True}) == 'give the bytes of the file as an array, as "content" says'
-    assert "has no bytes" in refused("mesh", None, {"file": "a.ply", "content": True}, array([1.0]))
+    assert "does not contain bytes" in refused("mesh", None, {"file": "a.ply", "content": True}, array([1.0]))
     assert '"content"' in refused("mesh", None, {"content": True}, content)
     values = result("values", None, {"file": "a.txt", "content": True}, array(b"3 1\n4", ctypes.c_uint8))
     assert numbers(values, "values") == [3, 1, 4]

@@ -28,7 +28,7 @@ def check_meshes(folder):
     assert refused("saved_mesh", None, {}, *saved[:3]) == "a saved mesh has 7 arrays; 3 given"
     for i in (2, 3, 4, 5, 6):
         wrong = saved[:i] + [array([7.5])] + saved[i + 1:]
-        assert refused("saved_mesh", None, {}, *wrong, status=PRECONDITION) == f"array {i} is not that of a saved mesh"
+        assert refused("saved_mesh", None, {}, *wrong, status=PRECONDITION) == f"array {i} does not belong to a saved mesh"
     assert refused("mesh", None, {}) == "a mesh needs two arrays, positions and faces, or a file; 0 given"
     assert refused("mesh", None, {}, corners, array([0.5])) == "positions have three columns, and faces have three or more"
     assert refused("mesh", None, {}, corners, array([(0, 1, 2.5)])) == "a face has the vertex 2.5"
@@ -51,8 +51,8 @@ def check_words():
     """Texts stand in their own quotes only, no line is told of a list that has none, and options that do nothing are told."""
     ball = make_ball()
     bad = lambda options: refused("lloyd", ball, options)
-    assert bad({"generators": "V 0"}).startswith("\"generators\": 'V 0' is no list of points")
-    assert bad({"vertices": ["V 0"]}) == "\"vertices\": 'V 0' is no number"
+    assert bad({"generators": "V 0"}).startswith("\"generators\": 'V 0' is not a list of points")
+    assert bad({"vertices": ["V 0"]}) == "\"vertices\": 'V 0' is not a number"
     assert bad({"generators": [{"vertex": "V 0"}]}) == '"generators": "vertex" must be a whole number from 0'
     assert bad({"count": 3, "gradation": 0.5}) == '"gradation" needs "density": "curvature": add it, or leave "gradation" out'
     release(ball)
@@ -201,8 +201,8 @@ def check_what_all_have():
             ("segment", {"balance": "area"}, "bisectors with weights are computed between points alone"),
             ("diagram", {"weights": [0]}, "bisectors with weights are computed between points alone"),
             ("segment", {"within": [0] * len(numbers(half, "face_vertices"))}, "a curve may leave its region"),
-            ("segment", {"disc": True}, "the cell of a closed curve is no disc, however many generators are added"),
-            ("segment", {"uv": "flat"}, "charts are laid around points")):
+            ("segment", {"disc": True}, "the cell of a closed curve is not a disc, however many generators are added"),
+            ("segment", {"uv": "flat"}, "charts need points as generators")):
         assert refused(operation, half, {"curves": "boundary", **options}).endswith(f"exclude each other: {why}; keep one")
     release(mesh, half)
 

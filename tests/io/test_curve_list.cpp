@@ -54,7 +54,7 @@ TEST_CASE("what is no curve is refused in one line with its place") {
   CHECK_THAT(refusal("", "c.txt"), Contains("no curve"));
   CHECK_THAT(refusal("1 2\n", "c.txt"), Contains("c.txt:1: 2 fields"));
   CHECK_THAT(refusal(R"({"curves":3})", "c.json"), Contains("\"curves\" must be an array"));
-  CHECK_THAT(refusal(R"({"curves":[{"points":[4]}]})", "c.json"), Contains("is no object"));
+  CHECK_THAT(refusal(R"({"curves":[{"points":[4]}]})", "c.json"), Contains("is not an object"));
   CHECK_THAT(refusal(R"({"curves":[{"points":[{"vertex":4}],"segments":[[0,1]]}]})", "c.json"), Contains("pairs"));
   CHECK_THAT(refusal(R"({"curve":[]})", "c.json"), Contains("there is no array"));
   CHECK_THAT(refusal("{", "c.json"), Contains("not valid JSON"));

@@ -91,9 +91,9 @@ TEST_CASE("a refusal writes entries with the separator of the list") {
 TEST_CASE("a refused entry says what was expected") {
   using Catch::Matchers::Contains;
   CHECK_THAT(refused_entry({"1", "2"}), Contains("list:7: 2 fields; write the number of a vertex, a face with"));
-  CHECK_THAT(refused_entry({"-1"}), Contains("'-1' is no index of a vertex; indices are whole numbers from 0"));
-  CHECK_THAT(refused_entry({"x", "1", "0", "0"}), Contains("'x' is no index of a face"));
-  CHECK_THAT(refused_entry({"p", "1", "nan", "0"}), Contains("'nan' is no finite number"));
+  CHECK_THAT(refused_entry({"-1"}), Contains("'-1' is not an index of a vertex; indices are whole numbers from 0"));
+  CHECK_THAT(refused_entry({"x", "1", "0", "0"}), Contains("'x' is not an index of a face"));
+  CHECK_THAT(refused_entry({"p", "1", "nan", "0"}), Contains("'nan' is not a finite number"));
 }
 
 TEST_CASE("a location is a name and, where there is one, a line") {
@@ -136,7 +136,7 @@ TEST_CASE("a text list of points needs no p") {
 
 TEST_CASE("a comma in a text list is told as such") {
   CHECK_THAT(refusal([] { parse("17\n1,2.5,3 # a point\n", GeneratorFormat::text); }, ErrorCode::unreadable_input),
-             Catch::Matchers::Contains("list:2: has a comma; part the fields by blanks, or give the list as CSV"));
+             Catch::Matchers::Contains("list:2: has a comma; separate the fields by blanks, or give the list as CSV"));
 }
 
 TEST_CASE("a csv list has the same fields, or named columns") {

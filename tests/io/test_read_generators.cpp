@@ -115,8 +115,9 @@ TEST_CASE("the vertices of a PLY are points in faces where it has them, else pos
     return refusal([&] { parse(bytes); }, ErrorCode::unreadable_input);
   };
   CHECK(refused(points + "9 9 9 3 0.25 0.5 0.25\n9 9 9 0.5 1 0 0\n") ==
-        "list: point 1 of the PLY has numbers that are no face and coordinates in it");
-  CHECK(refused(head + "end_header\n1 2 nan\n1 2 3\n") == "list: point 0 of the PLY has numbers that are no position");
+        "list: point 1 of the PLY has numbers that are not a face and coordinates in it");
+  CHECK(refused(head + "end_header\n1 2 nan\n1 2 3\n") ==
+        "list: point 0 of the PLY has numbers that are not a position");
   CHECK_THAT(refused(head + "end_header\n1 2 3\n"),
              Catch::Matchers::Contains("the header promises 2 of element 'vertex'"));
   CHECK_THAT(refused("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float "
@@ -139,13 +140,13 @@ TEST_CASE(
   CHECK(text[0].values == std::array{4.0, 5.0, 6.0});
   CHECK_THAT(
       refusal([] { parse_generators("4 5 6 0 0 up\n", GeneratorFormat::text, "list"); }, ErrorCode::unreadable_input),
-      Catch::Matchers::Contains("'up' is no finite number"));
+      Catch::Matchers::Contains("'up' is not a finite number"));
 }
 
 TEST_CASE("an array of NumPy is no list, and named") {
   CHECK(
       refusal([] { parse_generators("\x93NUMPY\x01", GeneratorFormat::text, "list"); }, ErrorCode::unreadable_input) ==
-      "list: the file is an array of NumPy; write the points as .ply, .xyz or text");
+      "list: the file is a NumPy array; write the points as .ply, .xyz or text");
 }
 
 TEST_CASE("a list in UTF-16 is read in every format") {
@@ -218,10 +219,10 @@ TEST_CASE("numbers stand between blanks, commas and line ends, and # begins a co
 }
 
 TEST_CASE("what is no number in full is refused with its line") {
-  CHECK(refused("1\n2 two 3\n") == "list:2: 'two' is no number");
-  CHECK(refused("1\n\n2.5x") == "list:3: '2.5x' is no number");
-  CHECK(refused("1;2") == "list:1: '1;2' is no number");
-  CHECK(refused("1e999") == "list:1: '1e999' is no number");
+  CHECK(refused("1\n2 two 3\n") == "list:2: 'two' is not a number");
+  CHECK(refused("1\n\n2.5x") == "list:3: '2.5x' is not a number");
+  CHECK(refused("1;2") == "list:1: '1;2' is not a number");
+  CHECK(refused("1e999") == "list:1: '1e999' is not a number");
 }
 
 TEST_CASE("a list that is not there, or is packed, is refused with its name") {

@@ -55,11 +55,11 @@ TEST_CASE("values: other arrays of NumPy are refused in one line") {
 TEST_CASE("values: the content decides on the format") {
   CHECK(parse_values("1 2,3 # four\n", "file") == Numbers{1, 2, 3});
   CHECK(parse_values("", "file").empty());
-  CHECK_THAT(refused("one"), Contains("file:1: 'one' is no number"));
+  CHECK_THAT(refused("one"), Contains("file:1: 'one' is not a number"));
   CHECK(refused(freesurfer_surface()) == "file: the file is a surface; give values of its vertices");
   CHECK_THAT(refused(kGifti), Contains("0 arrays of values"));
   CHECK_THAT(refused(std::string(4, '\0')), Contains("ends before the table of regions"));
-  CHECK_THAT(refused(kObj), Contains("'v' is no number"));
+  CHECK_THAT(refused(kObj), Contains("'v' is not a number"));
 }
 
 TEST_CASE("values: a table says which element each row is of, in any order") {
@@ -76,8 +76,9 @@ TEST_CASE("values: a table says which element each row is of, in any order") {
 TEST_CASE("values: a table that lacks an element, or has one twice, is refused with its line") {
   CHECK(refused("face,label\n0,1\n0,2\n") == "file:3: face 0 has a second row");
   CHECK(refused("face,label\n0,1\n2,2\n") == "file:3: face 2 in a table of 2 rows; each one from 0 on needs a row");
-  CHECK(refused("vertex,label\n-1,1\n") == "file:2: '-1' is no index of a vertex; indices are whole numbers from 0");
-  CHECK(refused("vertex,label\n0,one\n") == "file:2: 'one' is no number");
+  CHECK(refused("vertex,label\n-1,1\n") ==
+        "file:2: '-1' is not an index of a vertex; indices are whole numbers from 0");
+  CHECK(refused("vertex,label\n0,one\n") == "file:2: 'one' is not a number");
   CHECK(refused("vertex,label\n0,1,2\n") == "file:2: 3 fields, but the header has 2; give as many as the header");
   CHECK(refused("source,vertex\n0,0\n") == "file:1: the header names no column of numbers");
   CHECK(refused("face,label_1,label_2\n0,1,2\n") == "file: the table has 2 columns of numbers, and one is needed");
@@ -92,13 +93,14 @@ TEST_CASE("values: a table without a column of vertices or faces is refused with
   for (const std::string table : {"# c\nlabel\n3\n", "\"id\",\"label\"\n0,1\n", "Vertex,label\n0,1\n",
                                   "vertex;label\n0;1\n", "vertex\tlabel\n0\t1\n", "my id,label\n"}) {
     INFO(table);
-    CHECK_THAT(refused(table),
-               Contains(": the header has no column vertex or face, with commas between columns; name the "
-                        "column of indices so, or give the numbers alone, in order and without a header"));
+    CHECK_THAT(
+        refused(table),
+        Contains(": the header has no column vertex or face, with commas between columns; name the "
+                 "column of indices 'vertex' or 'face', or give the numbers alone, in order and without a header"));
   }
   CHECK_THAT(refused("# c\nlabel\n3\n"), Contains("file:2: "));
-  CHECK(refused("3,four\n") == "file:1: 'four' is no number");
-  CHECK(refused("label\nother\n") == "file:1: 'label' is no number");
+  CHECK(refused("3,four\n") == "file:1: 'four' is not a number");
+  CHECK(refused("label\nother\n") == "file:1: 'label' is not a number");
 }
 
 /// The numbers of a file for a mesh of a square of two triangles.

@@ -116,16 +116,16 @@ TEST_CASE("weights: what is no weight is refused in one line") {
     return refusal([&] { compute_diagram(mesh, generators, options); }, code);
   };
   options.weights = {1, 2};
-  CHECK(message() == "the weights are 2 and the generators 3; give one for each");
+  CHECK(message() == "there are 2 weights for 3 generators; give one for each");
   options.weights = {0, std::nan(""), 0};
-  CHECK(message() == "weight 1 is nan");
+  CHECK(message() == "weight 1 is nan; give a finite number");
   options.weights = {0, 0, 4};
   CHECK(message(ErrorCode::precondition) ==
-        "generator 2 has no cell: by their weights, generator 0 is nearer even there; weights of two generators must "
-        "differ by less than their distance");
+        "generator 2 has no cell, because with these weights generator 0 is nearer even at its place; weights of two "
+        "generators must differ by less than their distance");
   options.weights = {0, 0, 0};
   options.method = Method::gbgvd;
-  CHECK(message() == "only the exact method takes weights");
+  CHECK(message() == "weights need the exact method; choose it, or leave them out");
 }
 
 TEST_CASE("balance: weights at the start that hide a generator are told, and refused in one line") {
@@ -363,13 +363,13 @@ TEST_CASE("balance: options out of their range are refused in one line") {
   const auto message = [&](const BalanceOptions& options) {
     return refusal([&] { balance_cells(mesh, generators, options); });
   };
-  CHECK(message({.shares = {1, 2}}) == "the shares are 2 and the generators 3; give one for each");
+  CHECK(message({.shares = {1, 2}}) == "there are 2 shares for 3 generators; give one for each");
   CHECK(message({.shares = {1, 0, 2}}) == "share 1 is 0; give finite numbers above 0");
   CHECK(message({.tolerance = std::nan("")}) == "the tolerance of balancing must be above 0");
   CHECK(message({.max_diagrams = 0}) == "balancing needs at least one diagram");
   BalanceOptions other;
   other.diagram.method = Method::gbgvd;
-  CHECK(message(other) == "only the exact method takes weights");
+  CHECK(message(other) == "weights need the exact method; choose it, or leave them out");
 }
 
 TEST_CASE("balance: cells inside regions have equal shares of their own region's area") {

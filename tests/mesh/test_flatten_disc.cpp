@@ -31,9 +31,9 @@ std::vector<VertexId> boundary_of(const Mesh& mesh) {
   return loop;
 }
 
-std::vector<BorderPoint> on_circle(const Mesh& mesh) {
+std::vector<DiscBorderPoint> on_circle(const Mesh& mesh) {
   const std::vector<VertexId> loop = boundary_of(mesh);
-  std::vector<BorderPoint> border;
+  std::vector<DiscBorderPoint> border;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     border.push_back(
         {loop[i], unit_vector(6.283185307179586 * static_cast<double>(i) / static_cast<double>(loop.size()))});
@@ -43,7 +43,7 @@ std::vector<BorderPoint> on_circle(const Mesh& mesh) {
 
 TEST_CASE("flatten disc: mean values keep a flat disc") {
   const Mesh grid = test::make_grid(5, 7);
-  std::vector<BorderPoint> border;
+  std::vector<DiscBorderPoint> border;
   for (const VertexId v : boundary_of(grid)) border.push_back({v, grid.position(v).head<2>()});
   const PlaneDisc disc = flatten_disc(grid, all_faces(grid), border, DiscWeights::mean_value);
   for (std::int32_t v = 0; v < grid.vertex_count(); ++v) {
@@ -63,8 +63,8 @@ TEST_CASE("flatten disc: on a circle, no face is turned, with either kind of wei
 
 TEST_CASE("flatten disc: a border that crosses itself turns faces round") {
   const Mesh half = test::make_half_sphere(2);
-  std::vector<BorderPoint> border = on_circle(half);
-  for (BorderPoint& b : border) b.point.y() *= b.point.x();
+  std::vector<DiscBorderPoint> border = on_circle(half);
+  for (DiscBorderPoint& b : border) b.point.y() *= b.point.x();
   const PlaneDisc disc = flatten_disc(half, all_faces(half), border, DiscWeights::mean_value);
   CHECK(!is_oriented(half, all_faces(half), disc));
 }

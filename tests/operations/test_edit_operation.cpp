@@ -91,7 +91,7 @@ TEST_CASE("two threads may edit one diagram at once") {
 TEST_CASE("an edit that is refused or interrupted changes nothing") {
   const ObjectPtr first = of_ball("diagram", R"({"count": 12, "editable": true})");
   CHECK_THROWS_WITH(edit(first, R"({"move": 12, "to": [0]})"),
-                    Contains("there is no generator 12 among 12 generators"));
+                    Contains("there is no generator 12; the diagram has 12 generators"));
   CHECK_THROWS_WITH(edit(first, R"({"remove": 12})"), Contains("there is no generator 12"));
   CHECK_THROWS_WITH(edit(first, R"({"move": 1, "to": [0, 1]})"),
                     Contains("one point is needed in to, and there are 2"));

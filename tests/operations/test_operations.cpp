@@ -242,9 +242,9 @@ TEST_CASE("what is wrong with a value has the code of its cause, and the option'
         std::pair(invalid_option, std::string("weights: 1 number for 2 generators; weights takes one for each")));
   CHECK(refused("diagram", R"({"generators": [{"vertex": 1}, [0, 0, 1]]})") ==
         std::pair(invalid_option,
-                  std::string("generators: '[0,0,1]' is no object, as the first point is; write {\"vertex\": 3} "
+                  std::string("generators: '[0,0,1]' is not an object like the first point; write {\"vertex\": 3} "
                               "or {\"position\": [x, y, z]}")));
-  CHECK(refused("diagram", R"({"generators": [1, [0, 0, 1]]})").second.starts_with("generators: '1' is no object"));
+  CHECK(refused("diagram", R"({"generators": [1, [0, 0, 1]]})").second.starts_with("generators: '1' is not an object"));
   CHECK(refused("diagram", R"({"generators": [{"vertx": 1}]})").first == invalid_option);
   CHECK(refused("diagram", R"({"generators": [{"vertx": 1}]})").second.rfind("generators") == 0);
   CHECK(refused("distances", R"({"from": [3, 3], "keep_coincident": true})") ==

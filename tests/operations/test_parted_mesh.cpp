@@ -100,8 +100,8 @@ TEST_CASE("what curves can't have is refused with the reason") {
   refused("diagram", R"({"curves": "creases", "balance": "area"})",
           "bisectors with weights are computed between points");
   refused("segment", R"({"curves": "creases", "weights": [1]})", "bisectors with weights are computed between points");
-  refused("segment", R"({"curves": "creases", "disc": true})", "the cell of a closed curve is no disc");
-  refused("segment", R"({"curves": "creases", "uv": "flat"})", "charts are laid around points");
+  refused("segment", R"({"curves": "creases", "disc": true})", "the cell of a closed curve is not a disc");
+  refused("segment", R"({"curves": "creases", "uv": "flat"})", "charts need points as generators");
   for (const char* operation : {"segment", "diagram", "distances"}) {
     CHECK_THROWS_WITH(call(operation, kOn, with_numbers(R"({"curves": "creases"})", "mask")),
                       Contains("a curve may leave its region; keep one"));

@@ -30,7 +30,7 @@ TEST_CASE("a diagram's options are described once, and depend on its method") {
   Given given;
   given.add("front", {"front", ""});
   CHECK(list.find_problem(given)->text ==
-        "\1front\2 does nothing here: add \1method=gbgvd\2 or \1method=paper\2, or leave \1front\2 "
+        "\1front\2 has no effect here: add \1method=gbgvd\2 or \1method=paper\2, or leave \1front\2 "
         "out");
   CHECK(read_option(*list.find("method"), {"paper"}).empty());
   CHECK(!list.find_problem(given));

@@ -78,7 +78,7 @@ inline void describe(OptionList& list, ToyOptions& toy) {
   list.rule({"front", {"colour"}, [&toy](const Given&) -> std::string {
                return toy.colour == Colour::green
                           ? ""
-                          : "\1front\2 does nothing here: add \1colour=green\2, or leave \1front\2 out";
+                          : "\1front\2 has no effect here: add \1colour=green\2, or leave \1front\2 out";
              }});
 }
 

@@ -1,10 +1,14 @@
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "gvd/error.hpp"
 #include "gvd/verify.hpp"
 #include "support/catch.hpp"
+#include "support/generators.hpp"
 #include "support/meshes.hpp"
 #include "support/section.hpp"
+#include "support/tiny_meshes.hpp"
 
 namespace gvd::test_verify {
 
@@ -60,6 +64,42 @@ TEST_CASE("more panels change E of a curved surface's bisector little, and less 
   const double best = at(32);
   CHECK(std::abs(at(1) - best) < 3e-3 * best);
   CHECK(std::abs(at(8) - best) < 1e-4 * best);
+}
+
+/// A closed prism of height 10 on a star with `corners` corners: needles on all sides, and fans of them at both ends.
+Mesh make_corrugated_prism(int corners) {
+  std::vector<Vec3> positions;
+  for (const double z : {0.0, 10.0}) {
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * M_PI * i / corners, radius = i % 3 == 0 ? 1.3 : 1;
+      positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+    }
+  }
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i < corners; ++i) {
+    const int next = (i + 1) % corners;
+    faces.push_back({i, next, corners + next});
+    faces.push_back({i, corners + next, corners + i});
+  }
+  for (int i = 2; i < corners; ++i) {
+    faces.push_back({0, i, i - 1});
+    faces.push_back({corners, corners + i - 1, corners + i});
+  }
+  return test::make_mesh(positions, faces);
+}
+
+TEST_CASE(
+    "where CGAL misses the shortest path on needles, a path that is there counts, and a right diagram has no error") {
+  const Mesh mesh = make_corrugated_prism(192);
+  const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, 3, 2));
+  const ErrorMeasure measure = verify_diagram(mesh, diagram);
+  CHECK(measure.corrected > 0);
+  CHECK(measure.corrected < measure.distances / 10);
+  CHECK(measure.error_max <= 1e-4 * mesh.mean_edge_length());  // the chord tolerance
+  // What is wrong stays wrong: the bisector of other generators.
+  Diagram wrong = diagram;
+  wrong.generators[0] = test::random_generators(mesh, 1, 9)[0];
+  CHECK(verify_diagram(mesh, wrong).error_max > 0.1);
 }
 
 TEST_CASE("a bisector across components that one generator can't reach has an infinite E") {

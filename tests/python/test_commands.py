@@ -97,7 +97,7 @@ class SameBytes(unittest.TestCase):
                          [(c["label"], c["faces"], c["area"], c["stretch"], c["box"], c["origin"]) for c in told["charts"]])
         self.assertEqual(diagram.cut().charts, [])
         torus = gvd.read(meshes.TORUS)
-        with self.assertRaisesRegex(gvd.Error, "is no disc"):
+        with self.assertRaisesRegex(gvd.Error, "is not a disc"):
             torus.segment(2).diagram.cut(uv="flat")
         self.run_command("gvd-segment", meshes.TORUS, "-n", 2, "--disc", "--uv", "flat", *outputs)
         self.assert_same_files(torus.segment(2, disc=True).diagram.cut(uv="flat"), "c", extensions)

@@ -160,7 +160,7 @@ class Help(unittest.TestCase):
     def test_options_are_told_as_arrays(self):
         for function in (gvd.Mesh.segment, gvd.Mesh.lloyd, gvd.Mesh.remesh, gvd.Mesh.distances, gvd.Mesh.voronoi):
             self.assertNotRegex(function.__doc__.split("Options:")[1], r" file\b|File |FILE|standard input|as in|VTP or VTU")
-        self.assertIn("generators: Points that are the generators", gvd.Mesh.segment.__doc__)
+        self.assertIn("generators: The generators, as points", gvd.Mesh.segment.__doc__)
 
     def test_former_names_have_a_hint(self):
         mesh = gvd.Mesh(*meshes.make_grid(3))

@@ -82,6 +82,24 @@ TEST_CASE("vertices stay where they are held, where triangles are good, and wher
   CHECK(uneven.raise({30, 1}) == uneven.mesh.positions());
 }
 
+TEST_CASE("triangles without thin angles get better, too, and less so at creases") {
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    Copy uneven(make_uneven_sphere(seed));
+    const auto quality = [&](double weight) {
+      for (FaceSystem& system : uneven.systems) system.matrix = weight * FaceSystem::Block::Identity();
+      return compute_triangle_quality(with_positions(uneven.mesh, uneven.raise({30, 0, 1}))).q_average;
+    };
+    const double was = compute_triangle_quality(uneven.mesh).q_average, free = quality(0), paid = quality(0.01);
+    CHECK(free > was + 0.05);
+    CHECK(paid > was);
+    CHECK(paid < free);
+    uneven.plan.roles.assign(uneven.plan.roles.size(), VertexRole::near_crease);
+    const double at_crease = quality(0.01);
+    CHECK(at_crease > was);
+    CHECK(at_crease < paid);
+  }
+}
+
 TEST_CASE("a vertex goes along a crease rather than off it") {
   // A fan around a vertex that is too near one of its neighbours; its distances hold it in y and z.
   const Mesh fan({{0.1, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {-0.5, 1, 0}, {-0.3, 0, 0}, {-0.5, -1, 0}, {0.5, -1, 0}},

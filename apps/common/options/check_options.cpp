@@ -1,7 +1,7 @@
-// What is refused before any work starts, because it could not end well: words that are no input, options that this
-// build lacks, and outputs that can't be written or would replace a file that is read. A folder of outputs is made
-// last, once nothing else is wrong. Targets are compared as files, not as names: links and "./" must not hide that two
-// are one.
+// Refuses options before any work starts if the run could not succeed: words that are no input, options that this build
+// lacks, and outputs that can't be written or would replace a file that is read. A folder for outputs is made last,
+// when nothing else is wrong. Targets are compared as files and not as names, so that links and "./" can't hide that
+// two are the same.
 
 #include "common/options/check_options.hpp"
 
@@ -32,13 +32,14 @@ namespace fs = std::filesystem;
   throw Error(ErrorCode::unwritable_output, fmt::format("{}: {}", name_of(target), reason));
 }
 
-/// What a word on the command line may have been meant for, though it is no file. `follows`: another INPUT.
+/// Describes what a word on the command line that is no file may have been meant for. `follows`: whether it follows
+/// another INPUT.
 std::string describe_stray(const std::string& word, bool follows, const Options& options,
                            const OutputFormats& formats) {
   std::error_code ignored;
   if (word.starts_with('-')) {
     return parse_number<double>(word) ? "is not a file; a value follows the name of its option"
-                                      : "is not a file; options go before --";
+                                      : "is not a file; put options before --";
   }
   if (fs::is_directory(word, ignored))
     return fmt::format("is a directory; did you mean {}?", placeholder("output_dir", word));
@@ -62,7 +63,7 @@ bool may_be_read(const std::string& path) {
   return path == "-" || (fs::exists(path, ignored) && !fs::is_directory(path, ignored));
 }
 
-/// Refuses several inputs without a folder for their outputs. A word that is no file is no input either.
+/// Refuses several inputs without a folder for their outputs, or a word among them that is no file.
 [[noreturn]] void refuse_several(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -71,7 +72,7 @@ bool may_be_read(const std::string& path) {
     refuse(fmt::format("unexpected: '{}' {}", word, describe_stray(word, i > 0, options, formats)));
   }
   const std::string others = paths.size() == 2 ? paths.back() : fmt::format("{} others", paths.size() - 1);
-  // A file of an earlier run is rather the output.
+  // If there are two words and the second is an output of an earlier run, it was probably meant as the output.
   const bool names_output =
       paths.size() == 2 && contains(formats.extensions, file_extension(others)) && options.output.files.empty();
   refuse(fmt::format("{} inputs, {} and {}: name a folder for their outputs with \1output_dir\2{}", paths.size(),
@@ -79,14 +80,14 @@ bool may_be_read(const std::string& path) {
                      names_output ? ", or write " + placeholder("output", others) + " for an output" : ""));
 }
 
-/// Refuses a word that other programs take for a command.
+/// Refuses words that are commands in other programs.
 void check_commands(const std::string& path) {
   if ((path == "help" || path == "version") && !may_be_read(path)) {
     refuse(fmt::format("unexpected: '{}' is not a file; did you mean {}?", path, placeholder(path)));
   }
 }
 
-/// What an option reads: names of files, or of properties and the like, which it may take in their place.
+/// The names that an option reads: files, or properties and the like that it takes in place of files.
 std::vector<std::string> list_read(const Field& field) {
   using Names = std::vector<std::string>;
   return std::visit(Overload{[&](const File& file) {
@@ -100,7 +101,7 @@ std::vector<std::string> list_read(const Field& field) {
                     field);
 }
 
-/// The files that the options name beside INPUT and --config: empty names where they are not given.
+/// The files that options name besides INPUT and --config; empty names for options that are not given.
 std::vector<std::string> list_read_files(const Options& options) {
   std::vector<std::string> files;
   for (const Option* const option : options.list->options()) {
@@ -112,10 +113,10 @@ std::vector<std::string> list_read_files(const Options& options) {
 
 }  // namespace
 
-// Several inputs need a folder for their outputs, in which standard input has no name.
+// Several inputs need a folder for their outputs, and standard input would have no name there.
 void check_inputs(const Options& options, const OutputFormats& formats) {
   const std::vector<std::string>& paths = options.input.paths;
-  std::vector<std::string> piped;  // what is standard input
+  std::vector<std::string> piped;  // the options that read standard input
   for (const Option* const option : options.list->options()) {
     const bool reads = option->spec.positional ? options.input.path == "-" : contains(list_read(option->field), "-");
     if (reads && option->name != "config") piped.push_back(option->name);
@@ -155,8 +156,8 @@ void check_build(const Options& options) {
   }
 }
 
-/// Refuses a target that the run reads: it may be the only copy of a mesh. Files are compared and not names, so that
-/// symbolic and hard links are found.
+/// Refuses a target that the run also reads, because it may be the only copy of a mesh. Compares files and not names,
+/// so that symbolic and hard links are recognised.
 void check_not_read(const Target& target, const Options& options) {
   std::error_code ignored;
   if (!fs::is_regular_file(target.path, ignored)) return;
@@ -186,14 +187,14 @@ void check_standard_output(const OutputOptions& output) {
   }
 }
 
-/// Why nothing can be made in what should be a folder, and what to do.
+/// Says why nothing can be created in what should be a folder, and what to do.
 std::string describe_missing(const fs::path& folder) {
   std::error_code ignored;
   return fs::exists(folder, ignored) ? fmt::format("{} is not a directory; choose another one", folder.string())
                                      : fmt::format("there is no directory {}; create it first", folder.string());
 }
 
-/// Refuses a target that can't be written, as far as its folder tells.
+/// Refuses a target that can't be written, as far as that follows from its folder.
 void check_target(const Target& target) {
   std::error_code ignored;
   const fs::path path(target.path), folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -201,7 +202,7 @@ void check_target(const Target& target) {
   if (!fs::is_directory(folder, ignored)) refuse_target(target, describe_missing(folder));
 }
 
-/// The targets of a run: each one is claimed once.
+/// The targets of a run, each of which may be claimed only once.
 class Targets {
  public:
   explicit Targets(const Options& options) : options_(options) {}
@@ -241,7 +242,7 @@ void check_extension(const OutputOptions& output, const std::string& file, const
                      list_extensions(extensions, "or")));
 }
 
-/// Refuses inputs of one name before the work: the second result would replace the first.
+/// Refuses inputs with the same name before any work, because the second result would replace the first.
 void check_names(const std::vector<Options>& runs) {
   std::map<std::string, std::string> input_of;
   for (const Options& run : runs) {
@@ -257,7 +258,7 @@ void check_names(const std::vector<Options>& runs) {
   }
 }
 
-/// Makes one folder, not those above it: a misspelt path is not to be made.
+/// Makes a folder but not its parents, so that a misspelt path is not created.
 void make_folder(const std::string& folder) {
   std::error_code failed;
   const fs::path above = fs::absolute(fs::path(folder) / "").parent_path().parent_path();
@@ -268,7 +269,8 @@ void make_folder(const std::string& folder) {
   if (failed) refuse_target({"output_dir", folder}, failed.message() + "; name another one");
 }
 
-/// A folder that is not there holds nothing that could be lost. It may be that of --summary, too.
+/// Checks the folder for outputs. A folder that does not exist holds nothing that could be lost. --summary may be in
+/// this folder, too.
 void check_folder(const Options& options, const OutputFormats& formats) {
   const std::string &folder = options.output.folder, &summary = options.output.summary;
   const std::vector<Options> runs = plan_runs(options);
@@ -285,7 +287,7 @@ void check_folder(const Options& options, const OutputFormats& formats) {
   }
 }
 
-/// Pages have names of their own only where there is no folder for them.
+/// Checks --view. Only without a folder can the page have a name of its own.
 void check_view(const OutputOptions& output) {
   if (output.folder.empty() && output.views) {
     refuse("\1view\2: the name is empty; name a file, as in \1view=page.html\2");

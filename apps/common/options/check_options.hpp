@@ -7,25 +7,25 @@
 
 namespace gvd::app {
 
-/// What `-o` of a command takes.
+/// The formats of `-o` of a command.
 struct OutputFormats {
   std::vector<std::string> extensions;  ///< without their dots
-  bool materials = true;                ///< an .obj has its colours in an .mtl beside it
+  bool materials = true;                ///< whether an .obj gets an .mtl with its colours beside it
 };
 
-/// Checks what no single option can of the inputs, and of what is read from standard input or a pipe. `options.list`
-/// tells which options read files. Throws Error{invalid_option}.
+/// Checks the inputs together, and the options that read standard input or a pipe. `options.list` tells which options
+/// read files. Throws Error{invalid_option}.
 void check_inputs(const Options& options, const OutputFormats& formats);
 
-/// Refuses features that this build lacks, and outputs that the run could not write or must not. By name: an unknown
-/// extension, a file that another option names or that the run reads. By the system: a missing folder, no write
-/// permission, a closed standard output, binary data for a terminal.
+/// Refuses features that this build lacks, and outputs that the run could not or must not write: an unknown extension,
+/// a file that another option names or that the run reads, a missing folder, no write permission, a closed standard
+/// output, binary data for a terminal.
 ///
-/// Throws Error{invalid_option}, or Error{unwritable_output} where the system refuses.
+/// Throws Error{invalid_option}, or Error{unwritable_output} if the system refuses.
 void check_outputs(const Options& options, const OutputFormats& formats);
 
-/// The options of each run: those of a command line, with one of its inputs. With --output-dir each run writes a file
-/// of each format into the folder, named after its input.
+/// The options of each run: the options of the command line, with one of its inputs. With --output-dir each run writes
+/// a file of each format into the folder, named after its input.
 std::vector<Options> plan_runs(const Options& options);
 
 }  // namespace gvd::app

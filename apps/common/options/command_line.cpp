@@ -1,8 +1,9 @@
-// From the words of a command line to the fields of the options: which words belong to which option, which options of
-// the file stay beside them, and which go together.
+// Reads the words of a command line into the fields of the options: decides which words belong to which option, which
+// options of the file remain beside them, and which options go together.
 //
-// A value may begin with a dash (--up -z), but is no name of an option: behind "--stats -o" a value is missing. Errors
-// come in the order in which a user can mend them: names that are none, then values, then what does not go together.
+// A value may begin with a dash (--up -z), but may not be the name of an option: in "--stats -o" a value is missing.
+// Errors come in the order in which a user can correct them: first unknown names, then values, then options that
+// exclude each other.
 
 #include "common/options/command_line.hpp"
 
@@ -25,7 +26,7 @@
 namespace gvd::app {
 namespace {
 
-/// The option that a user calls by this name; null where there is none.
+/// The option that a user calls by this name; null if there is none.
 const Option* find_typed(const OptionList& list, const std::string& name) {
   for (const Option* const option : list.options()) {
     const std::vector<std::string> names = typed_names(*option);
@@ -34,7 +35,7 @@ const Option* find_typed(const OptionList& list, const std::string& name) {
   return nullptr;
 }
 
-/// The words of a command line by the options that they belong to.
+/// Assigns the words of a command line to options.
 class SplitWords {
  public:
   SplitWords(const OptionList& list, const std::vector<std::string>& words) : list_(list), words_(words) {
@@ -54,7 +55,7 @@ class SplitWords {
   }
 
   std::vector<GivenTexts> given;
-  std::vector<std::string> unknown;  ///< words that look like an option
+  std::vector<std::string> unknown;  ///< words that look like options
 
  private:
   void add_input(const std::string& word) {
@@ -64,7 +65,7 @@ class SplitWords {
     unknown.push_back(word);
   }
 
-  /// --name or --name=value
+  /// Reads --name or --name=value.
   void read_long(const std::string& word) {
     const std::size_t equals = word.find('=');
     const Option* const option = find_typed(list_, word.substr(0, equals));
@@ -73,7 +74,7 @@ class SplitWords {
     add(*option, word, take_values(*option));
   }
 
-  /// -n, -n5, or flags one after the other and maybe an option that takes a value, as in -qn5
+  /// Reads -n, -n5, or several flags that may end in an option with a value, such as -qn5.
   void read_short(const std::string& word) {
     for (std::size_t i = 1; i < word.size(); ++i) {
       const std::string name = {'-', word[i]};
@@ -87,8 +88,8 @@ class SplitWords {
     }
   }
 
-  /// What follows the name of an option: a value or none. Behind a name that may stand alone, only what is surely its
-  /// value: a number, or a word that no INPUT waits for.
+  /// Takes the value after the name of an option, if there is one. After a name that may stand alone, only takes a word
+  /// that is certainly its value: a number, or a word that can't be the INPUT.
   std::vector<std::string> take_values(const Option& option) {
     if (!takes_value(option.field) || next_ == words_.size()) return {};
     const std::string& word = words_[next_];
@@ -111,11 +112,11 @@ class SplitWords {
     }
     const auto found = std::find_if(given.begin(), given.end(), [&](const auto& g) { return g.option == &option; });
     const bool takes = takes_value(option.field);
-    // A value that is missing, or is none, is told wherever it stands.
+    // A missing or invalid value is reported even if the option is given again.
     const bool lacks = found != given.end() && takes && (texts.empty() || found->texts.empty());
     if (found == given.end() || lacks) return given.push_back({&option, {name, ""}, std::move(texts)});
     if (!takes && !found->texts.empty() && !parse_flag(found->texts.back())) return;
-    if (!takes) found->texts.clear();  // the last one counts
+    if (!takes) found->texts.clear();  // the last value counts
     found->texts.insert(found->texts.end(), texts.begin(), texts.end());
   }
 
@@ -124,8 +125,8 @@ class SplitWords {
   std::size_t next_ = 0;
 };
 
-/// Refuses words that are no option, in the order typed, each with the one that it may stand for. The word behind a
-/// wrong option may be its value, or an INPUT.
+/// Refuses unknown options in the order typed, each with a suggestion. The word after an unknown option may be its
+/// value or an INPUT.
 void check_known(const OptionList& list, const std::vector<std::string>& unknown, const std::string& hint) {
   if (unknown.empty()) return;
   std::vector<std::string> names;
@@ -146,11 +147,11 @@ void check_known(const OptionList& list, const std::vector<std::string>& unknown
               fmt::format("unknown option{}: {}{}", unknown.size() > 1 ? "s" : "", fmt::join(described, ", "), hint));
 }
 
-/// Reads what is given for an option into its field.
+/// Reads the texts given for an option into its field.
 void store(const OptionList& list, Given& given, const GivenTexts& texts, const std::string& hint) {
   given.add(texts.option->name, texts.source);
   if (texts.source.spelling == "-o" && !texts.texts.empty() && texts.texts.front().starts_with('=')) {
-    // "=" parts a name with two dashes from its value, but "-o=a.ply" is the value "=a.ply".
+    // "=" separates a name with two dashes from its value, but "-o=a.ply" has the value "=a.ply".
     refuse_option(
         list, given,
         {texts.option->name, fmt::format("-o: '{}' begins with =; write -o {}", user_text(texts.texts.front()),
@@ -163,7 +164,7 @@ void store(const OptionList& list, Given& given, const GivenTexts& texts, const 
   if (turns_off(texts)) given.remove(texts.option->name);
 }
 
-/// Answers the first question of a command line.
+/// Answers the first question of a command line, such as --help.
 std::optional<std::string> answer(const CommandInfo& command, const OptionList& list,
                                   const std::vector<GivenTexts>& typed, const std::string& hint) {
   for (const GivenTexts& question : typed) {
@@ -180,7 +181,7 @@ std::optional<std::string> answer(const CommandInfo& command, const OptionList& 
   return std::nullopt;
 }
 
-/// The options of the file that the command line leaves.
+/// Reads the options of the file that the command line does not override.
 std::vector<GivenTexts> read_file(const OptionList& list, const std::string& path,
                                   const std::vector<GivenTexts>& typed) {
   std::error_code ignored;
@@ -199,7 +200,7 @@ std::vector<GivenTexts> read_file(const OptionList& list, const std::string& pat
   return kept;
 }
 
-/// Leaves out the options of the file that do nothing beside values of the command line.
+/// Drops options of the file that have no effect together with values of the command line.
 void leave_out_idle(const OptionList& list, Given& given) {
   const auto is_typed = [&](const std::string& name) {
     const Given::Source* const source = given.find(name);

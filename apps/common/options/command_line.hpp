@@ -10,16 +10,17 @@
 
 namespace gvd::app {
 
-/// Describes the options that every command has; they are the last group.
+/// Describes the options that every command has, as the last group.
 void describe(OptionList& list, GeneralOptions& options);
 
-/// Reads a command line and the file of --config into the fields of the options, and `given`. The command line goes
-/// before the file: see `is_overridden`. An option of the file that does nothing beside a value of the line is left
-/// out, too. `list` has the general options. `words`: without the command's name.
+/// Reads a command line and the file of --config into the fields of the options, and into `given`. The command line
+/// takes precedence over the file (see `is_overridden`); options of the file that have no effect together with values
+/// of the command line are dropped, too. `list` must have the general options. `words` does not include the command's
+/// name.
 ///
 /// Returns the answer to a question, such as the text of --help, or nothing.
-/// Throws Error{invalid_option} in one line: the option as the user wrote it, what is wrong and what to do; in front of
-/// it file, line and column, where it comes from a file.
+/// Throws Error{invalid_option} with one line: the option as the user wrote it, what is wrong and what to do. For an
+/// option from a file, the line begins with file, line and column.
 std::optional<std::string> parse_command_line(const CommandInfo& command, const OptionList& list, Given& given,
                                               const std::vector<std::string>& words);
 

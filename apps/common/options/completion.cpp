@@ -1,4 +1,4 @@
-// Completion scripts, from the same table of options as --help. Each shell has a form of its own for the same facts:
+// Makes completion scripts from the same table of options as --help. Each shell has its own form for the same facts:
 // the names of an option, the words and kinds of files that may follow, and one line of description.
 
 #include "common/options/completion.hpp"
@@ -16,7 +16,7 @@
 namespace gvd::app {
 namespace {
 
-/// What may stand behind an option, or in its place.
+/// An option, or INPUT, as completion offers it.
 struct CompletedOption {
   std::vector<std::string> short_names, long_names;  ///< without dashes; none for INPUT
   std::string description;
@@ -24,10 +24,10 @@ struct CompletedOption {
   bool takes_value = false;
   bool is_repeatable = false;
   std::vector<std::string> words = {};
-  bool is_list = false;    ///< several words are parted by commas
-  std::string files = {};  ///< "any", "folder", or their extensions, parted by "|"; empty: no file
+  bool is_list = false;    ///< several words are separated by commas
+  std::string files = {};  ///< "any", "folder", or extensions separated by "|"; empty: no file
 
-  /// Its names as typed, with `separator` between them, and `suffix` behind the long ones.
+  /// The names as typed, with `separator` between them and `suffix` after long ones.
   std::string names(const char* separator, const char* suffix = "") const {
     std::vector<std::string> typed;
     for (const std::string& name : short_names) typed.push_back("-" + name);
@@ -36,7 +36,7 @@ struct CompletedOption {
   }
 };
 
-/// The words and files that an option takes.
+/// Adds the words and files that an option takes.
 void add_values(CompletedOption& option, const Field& field) {
   const auto words = [&](const auto& names) { option.words.assign(names.begin(), names.end()); };
   const auto nothing = [](const auto&) {};
@@ -88,7 +88,7 @@ CompletedOption make_completed_option(const OptionList& list, const Option& entr
   return option;
 }
 
-/// The options that --help lists. The positional one comes without a name.
+/// The options that --help lists. The positional option has no name.
 std::vector<CompletedOption> list_completed_options(const OptionList& list) {
   std::vector<CompletedOption> options;
   for (const Option* const option : list.options()) {
@@ -102,7 +102,7 @@ std::string replace_all(std::string text, const std::string& from, const std::st
   return text;
 }
 
-/// `text` with a backslash before each of `special`.
+/// Puts a backslash before each of the characters `special` in `text`.
 std::string escape_with_backslash(const std::string& text, std::string_view special) {
   std::string escaped;
   for (const char c : text) {
@@ -112,7 +112,8 @@ std::string escape_with_backslash(const std::string& text, std::string_view spec
   return escaped;
 }
 
-// Names of files are completed last, so that mapfile appends them. compopt fails where no completion runs, as in tests.
+// Names of files are completed last, so that mapfile appends them. compopt fails if no completion is running, as in
+// tests.
 constexpr const char* kBashScript = R"(# Completion of {0} for bash, made by {0} --print-completion bash
 {1}() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} option=${{COMP_WORDS[COMP_CWORD-1]}} words= files= list=
@@ -157,7 +158,7 @@ std::string make_bash(const std::string& command, const std::vector<CompletedOpt
   return fmt::format(fmt::runtime(kBashScript), command, function, cases, fmt::join(names, " "), inputs);
 }
 
-/// What _arguments does for the value.
+/// The action of _arguments for a value.
 std::string zsh_action(const CompletedOption& option) {
   const bool has_several = option.files.find('|') != option.files.npos;
   const std::string extensions = has_several ? "(" + option.files + ")" : option.files;
@@ -190,7 +191,7 @@ std::string make_zsh(const std::string& command, const std::vector<CompletedOpti
   return script;
 }
 
-/// What `complete` takes for files with some extensions.
+/// The arguments of `complete` for files with some extensions.
 std::vector<std::string> fish_files(const std::string& files) {
   if (files == "folder") return {"(__fish_complete_directories)"};
   std::vector<std::string> words;
@@ -202,12 +203,12 @@ std::vector<std::string> fish_files(const std::string& files) {
   return words;
 }
 
-/// What `complete` says about the value.
+/// The arguments of `complete` for a value.
 std::string fish_value(const CompletedOption& option) {
   if (!option.takes_value) return "";
   std::vector<std::string> words = option.words;
   if (option.is_list) {
-    // The second part drops lists whose last word is there already.
+    // The second part drops lists whose last word occurs already.
     words = {
         fmt::format(R"((__fish_complete_list , "printf %s\\n {}" | string match -rv "(^|[=,])([^,]+),(.*,)?\\\\2\\$"))",
                     fmt::join(option.words, " "))};
@@ -232,8 +233,8 @@ std::string make_fish(const std::string& command, const std::vector<CompletedOpt
   return script;
 }
 
-// ---- the program gvd: the script of a command in bash defines a function, that of zsh becomes one, and the lines of
-// fish are repeated for gvd, each with a condition.
+// ---- the program gvd: in bash, the script of a command defines a function; in zsh, it becomes a function; and in
+// fish, its lines are repeated for gvd, each with a condition.
 
 // {0}: the commands' scripts, {1}: their names, {2}: their cases
 constexpr const char* kBashOfProgram = R"({0}
@@ -294,7 +295,7 @@ complete -c gvd -n __gvd_begins -s h -l help -d 'Show the commands'
 complete -c gvd -n __gvd_begins -l version -d 'Show the version'
 complete -c gvd -n __gvd_begins -l completion -x -a 'bash zsh fish' -d 'Print the script that completes gvd in a shell')";
 
-/// `script` with `from` replaced where a line begins with it.
+/// Replaces `from` in a script wherever a line begins with it.
 std::string replace_beginnings(std::string script, const std::string& from, const std::string& to) {
   for (std::size_t at = 0; (at = script.find(from, at)) != script.npos; at += to.size()) {
     if (at == 0 || script[at - 1] == '\n') script.replace(at, from.size(), to);

@@ -1,4 +1,4 @@
-// The help of a command, in two columns: names, and what they do.
+// Formats the help of a command in two columns: the names of options, and what they do.
 
 #include "common/options/help.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kHelpWidth = 80;
 constexpr std::size_t kDescriptionColumn = 26;
 
-/// Breaks names and a list of choices behind bars, where they are longer than a line.
+/// Breaks names with a list of choices after bars, if they are longer than a line.
 std::string break_at_bars(std::string title) {
   for (std::size_t begin = 0; title.size() - begin > kHelpWidth;) {
     const std::size_t bar = title.rfind('|', begin + kHelpWidth - 1);

@@ -1,4 +1,5 @@
-// Options as JSON: their values for reports, and their description for whatever else shows options; and the formats.
+// Writes options as JSON, with their values for reports and with descriptions for other programs that show options; and
+// the table of formats.
 
 #include "common/options/option_json.hpp"
 
@@ -51,7 +52,7 @@ Json describe_options(const OptionList& list) {
 std::string print_description(const OptionList& list) {
   const std::vector<std::string> unknown = list.find_unknown_names();
   if (!unknown.empty()) {
-    throw std::logic_error(fmt::format("no option is called {}, as rules or texts do", fmt::join(unknown, " or ")));
+    throw std::logic_error(fmt::format("rules or texts name the unknown option {}", fmt::join(unknown, " or ")));
   }
   return Json{{"options", describe_options(list)}, {"formats", Json::parse(formats_json())}}.dump(1) + "\n";
 }

@@ -1,5 +1,4 @@
-// What follows from several options, and the texts of users that every step on the way handles: names of files, and
-// texts that messages repeat. Everything here is the same in any locale.
+// Computes what follows from several options, and handles names of files. Nothing here depends on the locale.
 
 #include "common/options/options.hpp"
 

@@ -1,4 +1,4 @@
-// The options that the commands share: each with its field, its words, and what it goes with.
+// Describes the options that the commands share: their fields, their texts, and which options go together.
 
 #include "common/options/shared_options.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 using Formats = std::vector<std::string>;
 using Use = File::Use;
 
-/// What INPUT may end in, for completion: any other name is read by its content, too.
+/// The extensions of INPUT, for completion. A file with another name is recognised by its content, too.
 std::vector<std::string> mesh_extensions() {
   std::vector<std::string> extensions{"gz"};
   for (const Format& format : formats()) {
@@ -28,7 +28,7 @@ std::vector<std::string> mesh_extensions() {
   return extensions;
 }
 
-/// ".obj, .ply, MNI's": formats whose files are called anything have the names of their programs.
+/// Lists formats as ".obj, .ply, MNI's". A format without an extension of its own has the name of its program.
 std::string list_mesh_formats() {
   std::vector<std::string> named;
   for (const Format& format : formats()) {
@@ -39,7 +39,7 @@ std::string list_mesh_formats() {
   return fmt::format("{}", fmt::join(named, ", "));
 }
 
-/// The options that choose what is written.
+/// The options that choose outputs.
 const std::vector<std::string> kTargets{"output", "output_dir", "output_format"};
 
 void describe_page(OptionList& list, OutputOptions& output) {
@@ -59,12 +59,13 @@ void describe_page(OptionList& list, OutputOptions& output) {
              }});
 }
 
-/// Of --output-format: without a folder, formats are chosen for standard output and for FreeSurfer's names only.
+/// Says why --output-format has no effect. Without a folder, it applies only to standard output and to FreeSurfer's
+/// names.
 std::string why_no_format(const OutputOptions& output) {
   const auto is_chosen = [&](const std::string& file) { return file == "-" || format_of(output, file) == kFreeSurfer; };
   if (!output.folder.empty() || std::any_of(output.files.begin(), output.files.end(), is_chosen)) return "";
   if (output.prints && !names_file(output)) return "";
-  return "\1output_format\2 does nothing here: add \1output=-\2 or \1output_dir\2, or leave "
+  return "\1output_format\2 has no effect here: add \1output=-\2 or \1output_dir\2, or leave "
          "\1output_format\2 out";
 }
 
@@ -181,7 +182,7 @@ void describe_target(OptionList& list, OutputOptions& output, const std::string&
   if (extensions.size() > 1) {
     list.rule({name, {}, [name, &file, extensions](const Given&) -> std::string {
                  if (contains(extensions, file_extension(file))) return "";
-                 return fmt::format("\1{}\2: {} does not tell the format; give a file that ends in {}", name,
+                 return fmt::format("\1{}\2: {} has no known extension; give a file that ends in {}", name,
                                     user_text(file), list_extensions(extensions, "or"));
                }});
   }

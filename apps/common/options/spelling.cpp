@@ -1,4 +1,4 @@
-// Names of options on a command line and in a file. Descriptions have underscores; users type dashes.
+// Spells names of options as on a command line and in a file. Descriptions have underscores, but users type dashes.
 
 #include "common/options/spelling.hpp"
 
@@ -43,7 +43,7 @@ std::vector<std::string> file_keys(const Option& option) {
 std::string spell(const OptionList& list, const Given& given, const std::string& text, bool in_file) {
   const auto spell_one = [&](std::string_view name, std::string_view value) {
     const Option* const option = list.find(name);
-    if (option == nullptr) {  // of no list: as every command would have it
+    if (option == nullptr) {  // not in the list: spelled as for any command
       std::string typed = "--" + std::string(name);
       std::replace(typed.begin(), typed.end(), '_', '-');
       return value.empty() ? typed : typed + ' ' + std::string(value);

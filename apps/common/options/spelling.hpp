@@ -5,10 +5,10 @@
 
 #include "gvd/option_list.hpp"
 
-// Options as a command line and a file of --config spell them.
+// Spells options as on a command line and in a file of --config.
 namespace gvd::app {
 
-/// A name of the description with dashes: "max-snap"; of a flag that is on by default, "no-refine".
+/// The name of an option with dashes: "max-snap", or "no-refine" for a flag that is on by default.
 std::string dashed_name(const Option& option);
 
 /// The names that a user may type: "-n" and "--count", or "INPUT".
@@ -17,17 +17,17 @@ std::vector<std::string> typed_names(const Option& option);
 /// The name by which messages call an option: the shortest one.
 std::string usual_name(const Option& option);
 
-/// The keys that a file may have for an option: typed names without dashes; "input" for INPUT. None for a question.
+/// The keys of an option in a file: its typed names without dashes, and "input" for INPUT. A question has none.
 std::vector<std::string> file_keys(const Option& option);
 
-/// A text with each placeholder as the user wrote the option: as on the command line, or for those that come from a
-/// file as its key. One that is not given is spelled for the command line, or with `in_file` for the file.
+/// Replaces the placeholders of a text by options as the user wrote them, on the command line or as a key in the file.
+/// An option that is not given is spelled as on the command line or, with `in_file`, as in the file.
 std::string spell(const OptionList& list, const Given& given, const std::string& text, bool in_file = false);
 
-/// The options whose texts come from a command line, for help: as `spell` with nothing given.
+/// The same with no option given, for help.
 std::string spell(const OptionList& list, const std::string& text);
 
-/// Throws Error{invalid_option} with the place of the option in a file, if it comes from one, and `hint` otherwise.
+/// Throws Error{invalid_option} with the option's place in the file if it comes from a file, and otherwise with `hint`.
 [[noreturn]] void refuse_option(const OptionList& list, const Given& given, const Problem& problem,
                                 const std::string& hint = "");
 

@@ -1,9 +1,9 @@
-// The functions of the C interface that people write by hand. Those that compute call an operation, as gvd_call does,
-// with a few of its options, and copy what they are asked for out of its arrays. Only gvd_distances does not: it keeps
-// nothing for paths.
+// The functions of the C interface for programs written by hand. To compute, they call an operation, as gvd_call does,
+// with a few of its options, and copy the results out of its arrays. Only gvd_distances calls the library directly,
+// because the operation would also keep the data for paths.
 //
-// Arguments of callers are checked where C++ types would rule the mistake out: null pointers, faces out of range,
-// barycentric coordinates.
+// Arguments are checked where C++ types would rule a mistake out: null pointers, faces out of range, barycentric
+// coordinates.
 
 #include <fmt/format.h>
 
@@ -39,13 +39,13 @@ using Json = nlohmann::ordered_json;
 }  // namespace
 
 struct gvd_path {
-  std::shared_ptr<const gvd::DistancesOutcome> found;  // of one path
+  std::shared_ptr<const gvd::DistancesOutcome> found;  // distances with a single path
   const gvd::GeodesicPath& path() const { return found->table.paths.front().path; }
 };
 
 namespace {
 
-/// `element`: the place of the point in its list, for errors.
+/// Converts and checks a point. `element`: its index in a list, for errors.
 SurfacePoint to_point(const Mesh& mesh, const gvd_point& point, std::int64_t element = 0) {
   try {
     if (point.face < 0 || point.face >= mesh.face_count()) {
@@ -65,7 +65,7 @@ std::vector<SurfacePoint> to_points(const Mesh& mesh, const gvd_point* points, s
   return made;
 }
 
-/// Points as options of operations have them: faces and barycentric coordinates.
+/// Converts points to rows for options of operations: a face and three barycentric coordinates.
 std::vector<std::array<double, 4>> to_rows(const Mesh& mesh, const gvd_point* points, std::int32_t count) {
   std::vector<std::array<double, 4>> rows;
   for (const SurfacePoint& p : to_points(mesh, points, count)) {
@@ -88,14 +88,14 @@ T number_at(const ArrayView& view, std::int64_t row, std::int64_t column = 0) {
                                      column * view.strides[1]);
 }
 
-/// Copies an array of an object whose numbers are of this type.
+/// Copies an array of an object, whose numbers must have the type T.
 template <class T>
 void copy_array(const gvd_object& from, const char* name, T* out) {
   const ArrayView view = from.views().arrays.at(name)();
   for (std::int64_t i = 0; i < view.shape[0]; ++i) out[i] = number_at<T>(view, i);
 }
 
-/// Copies points of an object.
+/// Copies a list of points of an object.
 std::vector<gvd_point> points_of(const gvd_object& from, const std::string& name) {
   const ArrayView faces = from.views().arrays.at(name + "_faces")(), bary = from.views().arrays.at(name + "_bary")();
   std::vector<gvd_point> points;
@@ -106,10 +106,10 @@ std::vector<gvd_point> points_of(const gvd_object& from, const std::string& name
   return points;
 }
 
-/// A number for JSON, which has no infinity.
+/// A number as a string, because JSON has no infinity.
 Json to_json(double number) { return fmt::format("{}", number); }
 
-/// Options for generators, which are listed in the array 0, or else sampled.
+/// Makes the options for generators, which are listed in array 0 or sampled.
 Json generator_options(bool are_listed, std::int32_t count, gvd_sampling kind, std::uint64_t seed) {
   if (are_listed) return {{"generators", {{"array", 0}}}};
   constexpr std::array kKinds{"farthest", "random", "poisson", "vertices"};  // as in gvd_sampling
@@ -117,7 +117,7 @@ Json generator_options(bool are_listed, std::int32_t count, gvd_sampling kind, s
   return {{"count", count}, {"sampling", kKinds[std::size_t(kind)]}, {"seed", seed}};
 }
 
-/// The result of an operation on a mesh, with the generators that its options refer to.
+/// Calls an operation on a mesh. Its options may refer to the listed generators as array 0.
 std::unique_ptr<gvd_object> call_with(const char* operation, const gvd_mesh* mesh, const Json& options,
                                       const gvd_point* listed, std::int32_t count, const gvd_run* run) {
   std::vector<std::array<double, 4>> points;
@@ -258,7 +258,7 @@ gvd_status gvd_distances(const gvd_mesh* mesh, const gvd_point* sources, int32_t
   return guarded([&] {
     const Mesh& surface = given(mesh, "mesh").mesh();
     given(distances, "distances");
-    CallObserver observer(run);  // the operation would keep what paths need, in twice the time
+    CallObserver observer(run);  // the operation would also keep the data for paths, and take twice the time
     const VertexDistances found =
         compute_vertex_distances(surface, to_points(surface, sources, source_count),
                                  {.progress = progress_of(observer), .threads = observer.threads});

@@ -1,4 +1,4 @@
-// Operations by their names, with options as JSON, and what their results consist of.
+// Calls operations by name, with options as JSON, and gives access to the parts of their results.
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ using namespace gvd::c;
 
 using Json = nlohmann::ordered_json;
 
-/// Refuses a name that is none of those, and says which one may be meant.
+/// Refuses an unknown name, and suggests the known name that may be meant.
 template <class Named, class NameOf>
 [[noreturn]] void refuse_name(const char* kind, const char* name, const Named& known, const NameOf& name_of) {
   std::vector<std::string> names;

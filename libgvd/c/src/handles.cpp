@@ -1,6 +1,6 @@
-// Handles of the C interface: views of what objects consist of, errors, and what a run tells.
+// Handles of the C interface: views of the parts of objects, errors, and the observer of a run.
 //
-// Most arrays are the object's own memory. Lists of several curves are joined once somebody asks for their points.
+// Most arrays are the object's own memory. The points of several curves are joined when somebody first asks for them.
 
 #include "handles.hpp"
 
@@ -23,11 +23,11 @@ struct LastError {
 };
 thread_local LastError last_error;
 
-/// Of each ErrorCode, in their order.
+/// For each ErrorCode, in their order.
 constexpr std::array kCodeNames{"invalid_option",    "unreadable_input", "precondition", "no_valid_result",
                                 "unwritable_output", "reader_gone",      "interrupted"};
 
-/// Of each ErrorCode, in their order.
+/// For each ErrorCode, in their order.
 constexpr std::array<gvd_status, 7> kStatuses{GVD_INVALID_OPTION,  GVD_UNREADABLE_INPUT,  GVD_PRECONDITION,
                                               GVD_NO_VALID_RESULT, GVD_UNWRITABLE_OUTPUT, GVD_UNWRITABLE_OUTPUT,
                                               GVD_INTERRUPTED};
@@ -43,7 +43,7 @@ std::vector<T> join(const Lists<T>& lists) {
   return joined;
 }
 
-/// Fills in the views of a handle. Lists of numbers among the figures are arrays, too.
+/// Fills in the views of a handle. Figures that are lists of numbers become arrays, too.
 class ViewCollector : public ObjectVisitor {
  public:
   explicit ViewCollector(gvd_object::Views& views) : views_(views) {}
@@ -81,7 +81,7 @@ class ViewCollector : public ObjectVisitor {
   void add(const Meaning& meaning, const char* suffix, std::function<ArrayView()> view) {
     views_.arrays.insert_or_assign(std::string(meaning.name) + suffix, std::move(view));
   }
-  /// Adds numbers that no object owns in one piece.
+  /// Adds numbers that no object owns in contiguous memory.
   template <class T>
   void keep(const Meaning& meaning, const char* suffix, std::vector<T> values) {
     const auto kept = std::make_shared<const std::vector<T>>(std::move(values));
@@ -169,7 +169,8 @@ gvd_status fail(const Error& error, Door door) noexcept {
   try {
     std::string text = spell_for(door, error.text());
     const auto is_control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };
-    std::replace_if(text.begin(), text.end(), is_control, '?');  // of names of files: a message is one line
+    // File names may contain line breaks, and a message is one line.
+    std::replace_if(text.begin(), text.end(), is_control, '?');
     return fail(status, text.c_str(), kCodeNames[std::size_t(error.code())], error.element());
   } catch (...) {
     return fail(status, error.what(), kCodeNames[std::size_t(error.code())], error.element());

@@ -25,11 +25,11 @@
 #include "gvd/operation_json.hpp"
 #include "gvd/surface_point.hpp"
 
-// What the C interface hands out, and the guard that lets no exception out.
+// The handles that the C interface returns, and the guard that lets no exception escape.
 
 namespace gvd::c {
 
-/// A value that is made when somebody asks for it first, from any thread.
+/// A value that is made on first use, from any thread.
 template <class T>
 class Lazy {
  public:
@@ -46,14 +46,15 @@ class Lazy {
 
 }  // namespace gvd::c
 
-/// An object with the views of its parts. It holds what it refers to, so that handles may be released in any order.
+/// An object with the views of its parts. It keeps everything alive to which it refers, so that handles may be released
+/// in any order.
 struct gvd_object {
-  /// What an object consists of, by its names.
+  /// The parts of an object, by name.
   struct Views {
     std::map<std::string, std::function<gvd::ArrayView()>, std::less<>> arrays;
     struct Part {
-      gvd::PartMaker make;  ///< gives null where this object has none
-      std::string text;     ///< what it is
+      gvd::PartMaker make;  ///< returns null if this object does not have the part
+      std::string text;     ///< a description
     };
     std::map<std::string, Part, std::less<>> parts;
   };
@@ -62,22 +63,22 @@ struct gvd_object {
   gvd_object(const gvd_object&) = delete;
   gvd_object& operator=(const gvd_object&) = delete;
 
-  /// Throws Error{invalid_option} where this is no mesh.
+  /// The mesh. Throws Error{invalid_option} if the object is no mesh.
   const gvd::MeshPtr& checked() const;
   const gvd::Mesh& mesh() const { return checked()->mesh; }
-  /// Throws Error{invalid_option} where this is no diagram.
+  /// The diagram. Throws Error{invalid_option} if the object is no diagram.
   const gvd::DiagramObject& diagram_object() const;
   const gvd::Diagram& diagram() const { return diagram_object().diagram(); }
-  // The first call that asks for one of these makes it.
-  const gvd::ClosestPointTree& closest() const;  ///< of a mesh
+  // Each of these is made on first use.
+  const gvd::ClosestPointTree& closest() const;  ///< only for a mesh
   const Views& views() const;
   const std::string& figures() const;  ///< JSON
 
   std::shared_ptr<const gvd::Object> object;
-  gvd::Door door;                                    ///< of figures
-  std::string told;                                  ///< further figures of a result, JSON; empty: none
-  std::string repairs;                               ///< of a mesh, one line each
-  std::optional<std::vector<gvd_point>> generators;  ///< of the vertices of a remesh
+  gvd::Door door;                                    ///< whose spelling the figures use
+  std::string told;                                  ///< further figures of a result, as JSON; empty for none
+  std::string repairs;                               ///< for a mesh, one line each
+  std::optional<std::vector<gvd_point>> generators;  ///< for a remesh, the generator of each vertex
 
  private:
   gvd::c::Lazy<Views> views_;
@@ -87,7 +88,7 @@ struct gvd_object {
 
 namespace gvd::c {
 
-/// Keeps the message for gvd_last_error, and returns the status.
+/// Stores the message for gvd_last_error, and returns the status.
 gvd_status fail(gvd_status status, const char* message, const char* code = "", std::int64_t element = -1) noexcept;
 gvd_status fail(const Error& error, Door door = Door::json) noexcept;
 
@@ -95,10 +96,10 @@ inline gvd_status fail_memory() noexcept {
   return fail(GVD_OUT_OF_MEMORY, "out of memory; use a smaller mesh or fewer points");
 }
 
-/// The door of a run; JSON's where there is none.
+/// The door of a run, or Door::json without a run.
 Door door_of(const gvd_run* run) noexcept;
 
-/// Does the work of a call; its exceptions become a status and a message.
+/// Does the work of a call, and turns exceptions into a status and a message.
 template <class Work>
 gvd_status guarded_for(const gvd_run* run, Work&& work) noexcept {
   try {
@@ -108,7 +109,7 @@ gvd_status guarded_for(const gvd_run* run, Work&& work) noexcept {
     return fail(error, door_of(run));
   } catch (const std::bad_alloc&) {
     return fail_memory();
-  } catch (const std::length_error&) {  // of a list that no memory holds
+  } catch (const std::length_error&) {  // thrown for a list too large for memory
     return fail_memory();
   } catch (const std::exception& error) {
     return fail(GVD_INTERNAL_ERROR, error.what());
@@ -122,7 +123,7 @@ gvd_status guarded(Work&& work) noexcept {
   return guarded_for(nullptr, std::forward<Work>(work));
 }
 
-/// What a function without a status answers: `fallback` where an argument is NULL or an object of another kind.
+/// The result of a function without a status: `fallback` if an argument is NULL or an object of another kind.
 template <class T, class Work>
 T answered(T fallback, Work&& work) noexcept {
   guarded([&] { fallback = work(); });
@@ -131,25 +132,25 @@ T answered(T fallback, Work&& work) noexcept {
 
 [[noreturn]] void refuse(const std::string& message);
 
-/// The value behind an argument that must not be NULL.
+/// Dereferences an argument that must not be NULL.
 template <class T>
 T& given(T* argument, const char* name) {
   if (argument == nullptr) refuse(std::string(name) + " is NULL");
   return *argument;
 }
 
-/// The name of a file, which must not be empty.
+/// Checks the name of a file, which must not be empty.
 inline std::string given_path(const char* path) {
   std::string name = &given(path, "path");
   if (name.empty()) refuse("path is empty; name a file");
   return name;
 }
 
-/// The result of an operation, with options as JSON. Throws what the operation throws.
+/// Calls an operation with options as JSON, and returns its result. Throws what the operation throws.
 std::unique_ptr<gvd_object> call(const char* operation, const gvd_object* on, const std::string& options,
                                  std::span<const ArrayView> arrays, const gvd_run* run);
 
-/// What an operation tells, for the functions and the flag of a run.
+/// Passes the messages of an operation to the functions of a gvd_run, and checks its flags.
 class CallObserver : public Observer {
  public:
   explicit CallObserver(const gvd_run* run);

@@ -15,22 +15,25 @@ using Uv = std::array<double, 2>;
 
 /// The texture coordinates of a corner that has none.
 inline constexpr Uv kNoTexture{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-/// Whether a corner has texture coordinates. A polygon with a corner that has none is written without any.
+/// Whether a corner has texture coordinates. If one corner of a polygon has none, writers leave out those of the whole
+/// polygon.
 inline bool is_finite(const Uv& uv) { return std::isfinite(uv[0]) && std::isfinite(uv[1]); }
 
-/// The name in OBJ of no material, as Blender writes it: a face can't take back the one of the face before it.
+/// The material name that stands for "no material" in OBJ, as Blender writes it. It is needed because a face in OBJ
+/// keeps the material of the face before it until another one is named.
 inline constexpr std::string_view kNoMaterial = "(null)";
 
-/// What Appearance::unread calls these, wherever a reader finds them.
+/// The names in Appearance::unread for textures that a reader leaves out.
 inline constexpr const char *kUnreadTexture = "texture coordinates", *kUnreadImages = "texture images";
 
-/// How polygons or faces are painted, as an OBJ says by `vt`, `mtllib` and `usemtl`. What there is none of is empty.
+/// How polygons or faces are painted: texture coordinates and materials, as OBJ has them in `vt`, `mtllib` and
+/// `usemtl`. A list is empty if the input has nothing of its kind.
 struct Appearance {
-  std::vector<Uv> texture;                  ///< per corner, of all polygons in order; not finite where it has none
-  std::vector<std::int32_t> material;       ///< per polygon: index into `materials`; -1 where it has none
-  std::vector<std::string> materials;       ///< their names
-  std::vector<std::string> material_files;  ///< that describe the materials, as the input names them
-  std::vector<std::string> unread;  ///< what else the input has, for messages with placeholders: "texture images"
+  std::vector<Uv> texture;                  ///< one per corner, polygon by polygon; not finite for a corner without
+  std::vector<std::int32_t> material;       ///< per polygon: index into `materials`; -1 for none
+  std::vector<std::string> materials;       ///< names of the materials
+  std::vector<std::string> material_files;  ///< files that describe the materials, as the input names them
+  std::vector<std::string> unread;  ///< what was left out, as words for messages with placeholders: "texture images"
 
   /// Whether there is nothing to carry over; `unread` and the files do not count.
   bool empty() const { return texture.empty() && material.empty(); }

@@ -10,7 +10,7 @@ namespace gvd {
 
 /// The findings of `check_diagram`.
 struct DiagramCheck {
-  /// One line each: the number of the property, the element that violates it, and what is wrong with it.
+  /// One line per violation: the number of the property, the element that violates it, and what is wrong with it.
   std::vector<std::string> violations;
   bool ok() const { return violations.empty(); }
 };
@@ -29,7 +29,7 @@ struct DiagramCheck {
 ///  (7) Euler's formula: the sum of the cells' characteristics, minus the number of bisectors that are not closed, plus
 ///      the number of branch points, is the characteristic of the components with a generator;
 ///  (8) the neighbours of a cell are the cells with a bisector in common.
-/// Sizes and ids that do not match the mesh violate the property that they belong to; nothing else is tested then.
+/// If sizes or ids don't match the mesh, this violates the property that they belong to, and nothing else is tested.
 /// Never throws on a violation. Cost: O(n log n).
 DiagramCheck check_diagram(const Mesh& mesh, const Diagram& diagram);
 

@@ -33,11 +33,11 @@ namespace gvd {
 /// Memory: about 450 bytes a face, and as much again during a change.
 class DiagramEditor {
  public:
-  /// Computes the diagram of `generators`. The mesh has to outlive the editor.
+  /// Computes the diagram of `generators`. The mesh must outlive the editor.
   ///
   /// Throws what `compute_diagram` throws. Throws Error{invalid_option} for another method than Method::exact, and for
-  /// weights: each change would move the least of them, on which all distances depend. Generators that are curves have
-  /// no editor.
+  /// weights, because all distances depend on the least weight, which a change could alter. There is no editor for
+  /// generators that are curves.
   DiagramEditor(const Mesh& mesh, std::vector<SurfacePoint> generators, DiagramOptions options = {});
   ~DiagramEditor();
   DiagramEditor(DiagramEditor&& other) noexcept;
@@ -55,15 +55,15 @@ class DiagramEditor {
   const Diagram& add(const SurfacePoint& point) { return add(std::vector<SurfacePoint>{point}); }
   /// Adds generators in one change, which get the next numbers. Throws as `move` does.
   const Diagram& add(const std::vector<SurfacePoint>& points);
-  /// Removes generator g; the last generator gets its number, and all others keep theirs. Throws Error{precondition} if
-  /// there is no such generator, or no other one.
+  /// Removes generator g. The last generator gets its number, and all other generators keep theirs. Throws
+  /// Error{precondition} if there is no such generator, or if it is the only one.
   const Diagram& remove(GeneratorId g);
 
-  /// How many generators the last change propagated again: all of them after the constructor, and where a change could
-  /// not be kept local.
+  /// How many generators the last change propagated again: all of them after the constructor, and after a change that
+  /// could not be kept local.
   std::int32_t propagated() const;
 
-  /// How the next changes run: the fields of DiagramOptions.
+  /// Sets how the next changes run. The arguments mean what they mean in DiagramOptions.
   void run_with(int threads, Progress progress);
 
  private:

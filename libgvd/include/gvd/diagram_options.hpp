@@ -5,16 +5,16 @@
 
 namespace gvd {
 
-/// The heading of the options that say how something is computed.
+/// The heading of the options that control how something is computed.
 inline constexpr const char* kComputingGroup = "Computing";
 
-/// Describes the method, the chord tolerance and the front. The options must outlive the list.
+/// Adds the method, the chord tolerance and the front to a list of options. `options` must outlive the list.
 void describe(OptionList& list, DiagramOptions& options);
 
-/// Describes a number of threads, 0 for all cores.
+/// Adds the number of threads to a list of options; 0 stands for all cores. `threads` must outlive the list.
 void describe_threads(OptionList& list, int& threads);
 
-/// Stores what the options leave to their method.
+/// Fills in the options that were left to the method: the front, unless the method is exact.
 void resolve(DiagramOptions& options);
 
 }  // namespace gvd

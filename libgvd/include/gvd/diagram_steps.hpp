@@ -5,7 +5,7 @@
 
 #include "gvd/progress.hpp"
 
-/// The schedule of `compute_diagram`: the steps that its progress callback hears of, and how stages share a step.
+/// The schedule of `compute_diagram`: the steps that it reports to its progress callback, and how stages share a step.
 namespace gvd::steps {
 
 inline constexpr std::string_view kWorkingMesh = "working mesh";  ///< the generators become vertices
@@ -16,8 +16,8 @@ inline constexpr std::string_view kFaces = "faces";               ///< envelope:
 inline constexpr std::string_view kGrowth = "growth";             ///< growth: bisectors inside the gaps
 inline constexpr std::string_view kCells = "cells";               ///< bisectors from end to end, then cells
 
-/// All steps, in the order in which they begin. A method takes the subset that it needs. After kFaces and kGrowth,
-/// kBisectors is named again; so it is when cells have to be connected.
+/// All steps, in the order in which they begin. A method reports only the steps that it needs. It reports kBisectors
+/// again after kFaces and kGrowth, and when cells have to be connected.
 inline constexpr std::array<std::string_view, 7> kAll{kWorkingMesh, kDistances, kTables, kBisectors,
                                                       kFaces,       kGrowth,    kCells};
 

@@ -16,7 +16,7 @@ enum class ErrorCode {
   precondition,       ///< the input can be read but breaks a stated precondition (exit code 4)
   no_valid_result,    ///< no valid result exists, or a stated guarantee is not met (exit code 5)
   unwritable_output,  ///< a file could not be written (exit code 6)
-  reader_gone,        ///< what read the output has gone away, as `head` does (the signal SIGPIPE)
+  reader_gone,        ///< the reader of the output has gone away, as `head` does (the signal SIGPIPE)
   interrupted,        ///< the caller's progress callback asked to stop (exit code 130)
 };
 
@@ -26,22 +26,22 @@ enum class ErrorCode {
 /// element), and what to do about it. It calls options by the names of their fields.
 class Error : public std::runtime_error {
  public:
-  /// `text` may name options by placeholders. `element` is the 0-based index of the first offending element, or -1
-  /// where there is none.
+  /// `text` may name options by placeholders. `element` is the 0-based index of the first offending element, or -1 if
+  /// there is none.
   Error(ErrorCode code, const std::string& text, std::int64_t element = -1)
       : std::runtime_error(spell_options(text)), code_(code), text_(text), element_(element) {}
 
   ErrorCode code() const noexcept { return code_; }
   std::int64_t element() const noexcept { return element_; }
-  /// `what()` with its placeholders, for readers that spell options in a way of their own.
+  /// The same text with its placeholders, for callers that spell options in their own way.
   const char* text() const noexcept { return text_.what(); }
 
-  /// The same error, which tells where: "WHERE: TEXT".
+  /// The same error with a place in front of its text: "WHERE: TEXT".
   Error at(std::string_view where) const { return {code_, std::string(where) + ": " + text(), element_}; }
 
  private:
   ErrorCode code_;
-  std::runtime_error text_;  // a text that is copied without an exception
+  std::runtime_error text_;  // a runtime_error, because copying it can't throw
   std::int64_t element_;
 };
 

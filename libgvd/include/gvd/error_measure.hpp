@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -9,14 +10,14 @@
 
 namespace gvd {
 
-/// Distances from one generator to several points: one run of a single-source solver answers them all.
+/// Asks for the distances from one generator to several points, which one run of a single-source solver answers.
 struct DistanceQuery {
   SurfacePoint generator;
   std::vector<SurfacePoint> points;
 };
 
-/// Computes exact geodesic distances, in mesh units: for each query one distance for each of its points, infinity if
-/// there is no path. `compute_exact_distances` of gvd::verify is one; any other exact solver can be used.
+/// A function that computes exact geodesic distances, in mesh units: for each query one distance per point, infinity if
+/// there is no path. `compute_exact_distances` of gvd::verify is such a function; any other exact solver can be used.
 using ExactDistances = std::function<std::vector<std::vector<double>>(const std::vector<DistanceQuery>&)>;
 
 struct ErrorMeasureOptions {
@@ -26,14 +27,16 @@ struct ErrorMeasureOptions {
 
 /// The difference of the two distances along the bisectors of a diagram (section 5.2 of the paper).
 struct ErrorMeasure {
-  double error_integral = 0;  ///< E: the integral of |d_left - d_right| along the bisectors, square mesh units
-  double error_mean = 0;      ///< error_integral / length, mesh units; 0 without bisectors
-  double error_max = 0;       ///< largest |d_left - d_right| among the samples, mesh units
-  double length = 0;          ///< total length of the integrated bisectors, mesh units
+  double error_integral = 0;   ///< E: the integral of |d_left - d_right| along the bisectors, square mesh units
+  double error_mean = 0;       ///< error_integral / length, mesh units; 0 without bisectors
+  double error_max = 0;        ///< largest |d_left - d_right| among the samples, mesh units
+  double length = 0;           ///< total length of the integrated bisectors, mesh units
+  std::int64_t distances = 0;  ///< that were asked for; 0 where `exact` was not `verify_diagram`'s
+  std::int64_t corrected = 0;  ///< of these, longer than a path on the surface, whose length was taken (verify.hpp)
 };
 
 /// The error measure E: the sum over the bisectors of the integral of |d_left(p) - d_right(p)| dp, where d_left and
-/// d_right are the exact geodesic distances from p to the bisector's two generators.
+/// d_right are the exact geodesic distances from p to the two generators of the bisector.
 ///
 /// Source:  section 5.2 of the paper
 /// Quadrature: every panel is sampled at the four Gauss-Lobatto points, which include its ends. If the samples do not

@@ -16,7 +16,7 @@
 
 namespace gvd {
 
-/// A generator as a list gives it, not yet a point of a mesh.
+/// A generator as a list gives it, not placed on a mesh yet.
 struct GeneratorEntry {
   enum class Kind {
     vertex,    ///< `index` is a vertex of the input file
@@ -30,11 +30,11 @@ struct GeneratorEntry {
 };
 
 struct GeneratorList {
-  std::string name;  ///< of the file or option, for messages
+  std::string name;  ///< name of the file or option, for messages
   std::vector<GeneratorEntry> entries;
 };
 
-/// The formats of a list, which docs/guide/generators.md describes.
+/// The formats of lists. docs/guide/generators.md describes them.
 enum class GeneratorFormat { text, csv, json, ply, xyz };
 inline const Choices<GeneratorFormat> kGeneratorFormatNames{{"text", GeneratorFormat::text},
                                                             {"csv", GeneratorFormat::csv},
@@ -42,58 +42,64 @@ inline const Choices<GeneratorFormat> kGeneratorFormatNames{{"text", GeneratorFo
                                                             {"ply", GeneratorFormat::ply},
                                                             {"xyz", GeneratorFormat::xyz}};
 
-/// The extension of its files, without a dot.
+/// The extension of files in a format, without a dot.
 inline std::string_view generator_extension(GeneratorFormat format) {
   return format == GeneratorFormat::text ? "txt" : name_in(kGeneratorFormatNames, format);
 }
 
-/// The extensions of all lists, in the order of the formats.
+/// The extensions of all formats, in the order of GeneratorFormat.
 std::vector<std::string> generator_extensions();
 
-/// The format that a list is written in. PLY begins with `ply`, JSON with a brace or bracket. A line of CSV that holds
-/// more than a comment has a comma, or is the header `vertex`; anything else is text. Cost: O(length).
+/// Detects the format of a list from its content. PLY begins with `ply`, and JSON with a brace or bracket. A list is
+/// CSV if its first line that is not empty or a comment contains a comma or is the header `vertex`. Anything else is
+/// text, and XYZ is never detected. Cost: O(length).
 GeneratorFormat detect_generator_format(std::string_view content);
 
-/// Parses a list in any locale; text may be UTF-16 with a byte order mark. `name` is the file's, for messages.
-/// Throws Error{unreadable_input} with name and line. Cost: O(length).
+/// Parses a list, in the same way in any locale. Text may be UTF-16 with a byte order mark. `name` is the name of the
+/// file, for messages.
+/// Throws Error{unreadable_input}, with name and line, if the list is damaged or holds no generator. Cost: O(length).
 GeneratorList parse_generators(std::string_view content, GeneratorFormat format, const std::string& name);
 
-/// Reads a file in the given format, or else in that of its extension: .json, .csv, .txt, .ply or .xyz, or else in that
-/// of its content. Throws Error{unreadable_input} where it can't be read, is damaged or holds no generator.
+/// Reads a file in the given format. Without one, the extension determines the format (.json, .csv, .txt, .ply or
+/// .xyz); with any other extension, the content does. Throws Error{unreadable_input} if the file can't be read, is
+/// damaged or holds no generator.
 GeneratorList read_generators(const std::filesystem::path& path, std::optional<GeneratorFormat> format = {});
 
 struct ResolveOptions {
-  /// The vertex of the mesh for each vertex of the input file, invalid where there is none. Null: the vertices of the
-  /// list are those of the mesh.
+  /// The vertex of the mesh for each vertex of the input file; invalid if there is none. If null, the list counts the
+  /// vertices of the mesh itself.
   const std::vector<VertexId>* input_vertices = nullptr;
   std::optional<double> max_snap = {};  ///< largest snap distance allowed, mesh units
-  bool merge_coincident = false;
-  bool keep_coincident = false;  ///< keep every entry, in the same place as another or not
+  bool merge_coincident = false;        ///< leave out entries that coincide with an earlier one
+  bool keep_coincident = false;         ///< keep every entry, even if it coincides with another
   Progress progress = {};
 };
 
 struct ResolvedGenerators {
   std::vector<SurfacePoint> points;                  ///< in the order of the list
-  std::vector<std::optional<double>> snap_distance;  ///< from each point to its given position, mesh units
-  std::vector<std::int64_t> vertex;                  ///< that its entry names, of the input file; -1 for other entries
-  std::optional<double> longest_snap;                ///< of all entries, merged ones too; mesh units
-  std::string farthest;                              ///< name and line of the entry with that distance
-  std::int32_t merged = 0;                           ///< entries left out because an earlier one coincides with them
+  std::vector<std::optional<double>> snap_distance;  ///< distance from each point to its given position, mesh units;
+                                                     ///< empty for entries that are not positions
+  std::vector<std::int64_t> vertex;    ///< the vertex of the input file that the entry names; -1 for other entries
+  std::optional<double> longest_snap;  ///< the largest of all entries, merged ones included; mesh units
+  std::string farthest;                ///< name and line of the entry with the longest snap
+  std::int32_t merged = 0;             ///< number of entries left out because an earlier one coincides with them
 };
 
-/// The entries as points of `mesh`.
+/// Converts the entries of a list to points of `mesh`.
 ///
-/// Barycentric coordinates of a SurfacePoint are kept bit by bit: a written list comes back unchanged.
+/// Properties: (1) the barycentric coordinates of a written SurfacePoint are kept bit by bit, so that a written list
+/// comes back unchanged; (2) a position becomes the closest point of the mesh; (3) no two points coincide, unless
+/// `keep_coincident` is set.
 /// Throws Error{precondition} with name and line:
 /// - an index is out of range, or a vertex of the file is in no face;
-/// - the coordinates are no point of a triangle;
+/// - barycentric coordinates don't describe a point of a triangle;
 /// - a snap is longer than `max_snap`;
 /// - two entries coincide, and neither `merge_coincident` nor `keep_coincident` is set.
-/// Cost: O(n log n) for n entries and, where there are positions, for the faces.
+/// Cost: O(n log n) for n entries and, if there are positions, O(m log m) for m faces.
 ResolvedGenerators resolve_generators(const Mesh& mesh, const GeneratorList& list, const ResolveOptions& options = {});
 
-/// The points as a list that reads back bit by bit, in any locale. Positions are written for other programs; XYZ has
-/// nothing else, and reads back as the closest points.
+/// Formats points as a list that reads back bit by bit, in any locale. All formats but text also contain the positions,
+/// for other programs. XYZ contains nothing else, and reads back as the closest points of the mesh.
 std::string format_generators(const Mesh& mesh, const std::vector<SurfacePoint>& points, GeneratorFormat format);
 
 }  // namespace gvd

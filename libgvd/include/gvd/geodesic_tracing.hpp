@@ -17,9 +17,9 @@ namespace gvd {
 
 /// A straight line on the surface.
 struct GeodesicTrace {
-  /// From start to end; consecutive points share a face. Only the start for a zero tangent.
+  /// From start to end; consecutive points share a face. For a zero tangent there is only the start.
   std::vector<SurfacePoint> points;
-  Vec2 direction = Vec2::Zero();  ///< of the line at its end, a unit tangent vector there; zero for a zero tangent
+  Vec2 direction = Vec2::Zero();  ///< unit tangent vector of the line at its end; zero for a zero tangent
   double length = 0;              ///< mesh units
   bool complete = true;           ///< false if it ended at the boundary before its full length
 };

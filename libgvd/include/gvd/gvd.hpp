@@ -1,7 +1,8 @@
 #pragma once
 
-/// All of gvd::gvd: meshes, generators, distances, diagrams, readers and writers. `gvd/openmesh.hpp` is apart, because
-/// it needs OpenMesh. The other libraries have headers of their own: gvd/segment.hpp, gvd/lloyd.hpp, gvd/remesh.hpp.
+/// Includes all of gvd::gvd: meshes, generators, distances, diagrams, readers and writers. Only `gvd/openmesh.hpp` is
+/// not included, because it needs OpenMesh. The other libraries have headers of their own: gvd/segment.hpp,
+/// gvd/lloyd.hpp, gvd/remesh.hpp.
 
 #include "gvd/check.hpp"
 #include "gvd/closest_point.hpp"

@@ -15,7 +15,7 @@ template <class Tag>
 class Id {
  public:
   constexpr Id() = default;
-  /// `value` fits 32 bits: no mesh has more elements.
+  /// `value` must fit into 32 bits; no mesh has more elements.
   template <std::integral Integer>
   constexpr explicit Id(Integer value) : value_(static_cast<std::int32_t>(value)) {}
 

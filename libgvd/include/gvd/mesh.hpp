@@ -11,15 +11,15 @@ namespace gvd {
 
 /// Lengths and area of a face, stored together because they are read together.
 struct FaceShape {
-  std::array<double, 3> length{};  ///< of the halfedges of corners 0, 1 and 2, mesh units
+  std::array<double, 3> length{};  ///< lengths of the halfedges of corners 0, 1 and 2, mesh units
   double twice_area = 0;           ///< square mesh units
 };
 
 /// An oriented manifold triangle mesh, with or without boundary, of one or several components.
 ///
-/// Flat arrays; immutable once built. Halfedge 3 f + i of face f runs from its corner i to its corner
-/// i + 1 (modulo 3), so faces, corners and halfedges need no table. Edges are numbered in the order of
-/// their first halfedge. Memory: about 100 bytes a face.
+/// A mesh consists of flat arrays and is immutable once built. Halfedge 3 f + i of face f runs from its corner i to its
+/// corner i + 1 (modulo 3), so faces, corners and halfedges need no table. Edges are numbered in the order of their
+/// first halfedge. Memory: about 100 bytes a face.
 ///
 /// Properties: (1) every face has three different vertices; (2) every edge has one or two faces, which
 /// run through it in opposite directions; (3) the faces round a vertex form one fan, closed or open;
@@ -67,7 +67,7 @@ class Mesh {
   /// The corner of h's face that h does not touch.
   VertexId opposite(HalfedgeId h) const { return from(previous(h)); }
 
-  /// The edge's first halfedge; the edge's own direction is this one's.
+  /// The edge's first halfedge, whose direction is that of the edge.
   HalfedgeId halfedge(EdgeId e) const { return edge_halfedge_[e]; }
   /// A halfedge that leaves v. At a boundary vertex it is the boundary halfedge, so that `h = twin(previous(h))`,
   /// repeated until it is invalid, visits every face of v.
@@ -90,7 +90,7 @@ class Mesh {
   double largest_coordinate() const { return largest_coordinate_; }
 
  private:
-  friend class MeshEditor;  // splits faces and edges and flips edges of the library's own working copy
+  friend class MeshEditor;  // splits faces and edges and flips edges of the library's working mesh
 
   void link_twins();
   void number_edges();

@@ -13,16 +13,17 @@ enum class NumberType { int8, uint8, int16, uint16, int32, uint32, float32, floa
 
 inline bool is_integer(NumberType type) { return type != NumberType::float32 && type != NumberType::float64; }
 
-/// A number for each vertex, or for each polygon, of a file or a mesh, such as a colour's red; or a list of numbers.
+/// A property of all vertices, or of all polygons, of a file or a mesh: one number each, such as the red of a colour,
+/// or a list of numbers each.
 struct MeshProperty {
   std::string name;
   NumberType type = NumberType::float64;
-  bool of_vertices = true;                 ///< otherwise of polygons
-  std::vector<double> values;              ///< a double holds those of all types
-  std::optional<NumberType> count_type{};  ///< of lists: how their lengths are stored
-  std::vector<std::size_t> first_value{};  ///< of lists: per element, and the number of values at the end
+  bool of_vertices = true;                 ///< if false, of polygons
+  std::vector<double> values;              ///< a double can hold the values of all types
+  std::optional<NumberType> count_type{};  ///< only for lists: how their lengths are stored
+  std::vector<std::size_t> first_value{};  ///< where each list begins in `values`, then the size of `values`
 
-  /// Vertices or polygons that have a value or a list.
+  /// The number of vertices or polygons that have a value or a list.
   std::size_t element_count() const {
     return !count_type ? values.size() : first_value.empty() ? 0 : first_value.size() - 1;
   }

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-// Tables of the names of values, as commands, reports and Python have them. Each stands beside its values.
+// Tables of names for values, as commands, reports and Python spell them. Each table is declared beside its type.
 namespace gvd {
 
 template <class T>
@@ -28,7 +28,7 @@ std::optional<T> value_in(const Choices<T>& choices, std::string_view text) {
   return std::nullopt;
 }
 
-/// The name of a value; empty where it has none.
+/// The name of a value; empty if it has none.
 template <class T>
 std::string_view name_in(const Choices<T>& choices, const T& value) {
   for (const auto& [name, named] : choices) {

@@ -13,17 +13,18 @@
 
 namespace gvd {
 
-/// Double precision, so that a mesh comes back bit by bit.
+/// Traits with double precision, so that a mesh comes back bit by bit.
 struct OpenMeshTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;
 };
 using OpenMeshTriMesh = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
 
-/// The mesh for OpenMesh's algorithms. Vertices, faces and corners keep their order.
+/// Converts a mesh for OpenMesh's algorithms. Vertices, faces and corners keep their order.
 ///
-/// `TriMesh` is any triangle mesh of OpenMesh with points of three numbers. Numbers of less precision than a double are
-/// rounded. Throws Error{precondition} where OpenMesh refuses a face, which it does for no valid mesh. Cost: O(n).
+/// `TriMesh` is any triangle mesh of OpenMesh with points of three numbers. Coordinates are rounded if its numbers have
+/// less precision than a double. Throws Error{precondition} if OpenMesh refuses a face, which happens for no valid
+/// mesh. Cost: O(n).
 template <class TriMesh = OpenMeshTriMesh>
 TriMesh to_openmesh(const Mesh& mesh) {
   using Point = typename TriMesh::Point;
@@ -43,14 +44,14 @@ TriMesh to_openmesh(const Mesh& mesh) {
   return result;
 }
 
-/// The mesh of an OpenMesh triangle mesh. Deleted elements and vertices without a face are left out; the others keep
-/// their order. Throws what the constructor of Mesh throws. Cost: O(n).
+/// Converts a triangle mesh of OpenMesh. Deleted elements and vertices without a face are left out; the remaining
+/// elements keep their order. Throws what the constructor of Mesh throws. Cost: O(n).
 template <class TriMesh>
 Mesh from_openmesh(const TriMesh& source) {
   std::vector<Vec3> positions;
   std::vector<std::array<VertexId, 3>> faces;
   std::vector<VertexId> renamed(source.n_vertices());
-  for (const auto v : source.vertices()) {  // the range skips what is deleted
+  for (const auto v : source.vertices()) {  // the range skips deleted vertices
     const OpenMesh::VertexHandle handle = v;
     if (source.is_isolated(handle)) continue;
     renamed[handle.idx()] = VertexId(positions.size());

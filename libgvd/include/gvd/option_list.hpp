@@ -17,11 +17,12 @@
 #include "gvd/names.hpp"
 #include "gvd/placeholders.hpp"
 
-// Options, each described once: its name, the field that has its value, its range, and its words for users. Whatever
-// takes, shows or writes options reads this list: command lines, files of options, help, completion, reports.
+// Options, each of which is described once: its name, the field that has its value, its range, and its texts for users.
+// All code that takes, shows or writes options reads this list: command lines, option files, help, completion, reports.
 namespace gvd {
 
-/// Accepted numbers: finite, between two ends, which belong to them unless they are open.
+/// The numbers that an option accepts: finite, and between two ends, which are included unless `above_least` or
+/// `below_most` excludes them.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
@@ -32,7 +33,7 @@ struct Range {
 /// All numbers greater than `least`.
 constexpr Range above(double least) { return {.least = least, .above_least = true}; }
 
-/// A largest distance: mesh units, or a fraction of the bounding box's diagonal.
+/// A largest distance, in mesh units or as a fraction of the bounding box's diagonal.
 struct ErrorBound {
   double value = 0;  ///< > 0
   bool in_diagonals = false;
@@ -40,7 +41,8 @@ struct ErrorBound {
 
 // The kinds of options. Each refers to the field that it stores into, which must stay where it is.
 
-/// True or false; given, it stores `given_as`. One that is on by default is written --no-NAME on a command line.
+/// True or false: when it is given, it stores `given_as`. A flag that is on by default is written --no-NAME on a
+/// command line.
 struct Flag {
   bool* value;
   bool given_as = true;
@@ -51,7 +53,8 @@ struct Switch {
   std::optional<bool>* value;
 };
 
-/// A number in a range, or a word that stands for one. Where `implied` is set, nothing has to follow the name.
+/// A number in a range, or a word that stands for a number. If `implied` is set, the name may stand alone, and this
+/// number is stored.
 struct Number {
   std::variant<std::int32_t*, std::int64_t*, std::uint64_t*, double*, std::optional<std::int32_t>*,
                std::optional<std::int64_t>*, std::optional<double>*>
@@ -61,21 +64,22 @@ struct Number {
   std::optional<double> implied = {};
 };
 
-/// One of some names; made by `choice`. Its value is a place among the names, or nothing where the field has none.
+/// One of several names; made by `choice`. Its value is an index into the names, or nothing if the field has no value.
 struct Choice {
   std::vector<std::string> names;
   std::function<std::optional<std::size_t>()> get;
   std::function<void(std::optional<std::size_t>)> set;
 };
 
-/// Some of some names, each at most once.
+/// Any number of the given names, each at most once.
 struct ChoiceList {
   std::vector<std::string>* value;
   std::vector<std::string> names;
 };
 
-/// Files to read or to write, or a folder. `extensions`: without dots; none: any. A single file to write must have one
-/// of them. Where `unnamed` is set, the name may be left out, which is stored there.
+/// One file or several to read or to write, or a folder. `extensions` have no dots; if empty, any extension is
+/// accepted. A single file to write must have one of them. If `unnamed` is not null, the name may be left out, and
+/// `*unnamed` tells whether it was.
 struct File {
   enum class Use { read, write, folder };
   std::variant<std::string*, std::vector<std::string>*> value;
@@ -84,7 +88,8 @@ struct File {
   bool* unnamed = nullptr;
 };
 
-/// Points of the surface: vertices of the input, counted from 0, or a file that lists points, or only one of these.
+/// Points of the surface: vertices of the input, counted from 0, or a file that lists points. `named` tells whether
+/// both are accepted or only one.
 struct PointList {
   enum class Named { any, vertices, file };
   GivenPoints* value;
@@ -92,51 +97,53 @@ struct PointList {
 };
 
 /// Curves on the surface: "boundary", "creases", "creases:ANGLE" with an angle in degrees, or a file of polylines.
-/// "creases" alone are those of `usual` degrees.
+/// "creases" alone stands for creases of `usual` degrees.
 struct Curves {
   GivenCurves* value;
   double usual;
 };
 
-/// Whole numbers above 0 that ascend.
+/// Whole numbers above 0, in ascending order.
 struct Counts {
   std::vector<std::int32_t>* value;
 };
 
-/// Numbers: one of some words that stand for them, a file, or a property of the input where they are of its elements.
+/// Numbers of elements or generators: one of `words`, which stand for them, a file, or, for elements, a property of the
+/// input.
 struct ValueSource {
   enum class Of {
-    elements,   ///< vertices or faces; of a property that both have, the vertices
-    faces,      ///< the same, but the faces; of a table with several labels, the last
-    generators  ///< in a file only
+    elements,   ///< vertices or faces; if both have the property, those of the vertices
+    faces,      ///< the same, but those of the faces; in a table with several labels, the last
+    generators  ///< only a file
   };
   GivenNumbers* value;
   std::vector<std::string> words = {};
   Of of = Of::elements;
 };
 
-/// Bytes, as in 500M or 2G.
+/// A number of bytes, as in 500M or 2G.
 struct ByteSize {
   std::optional<std::int64_t>* value;
 };
 
-/// A length, or percents of the bounding box's diagonal.
+/// A length in mesh units, or a percentage of the bounding box's diagonal.
 struct SizeOrPercent {
   std::optional<ErrorBound>* value;
 };
 
-/// The angle of creases in degrees, "none", or "auto": those of `usual` degrees where they suit.
+/// The angle of creases in degrees, "none", or "auto", which takes creases of `usual` degrees if they suit.
 struct CreaseAngle {
   std::optional<double>* value;
   bool* automatic;
   double usual;
 };
 
-/// A visitor handles every kind: with one that it forgets it does not compile.
+/// The kind of an option, with the field that it stores into. A visitor must handle every kind; otherwise it does not
+/// compile.
 using Field = std::variant<Flag, Switch, Number, Choice, ChoiceList, File, PointList, Curves, Counts, ValueSource,
                            ByteSize, SizeOrPercent, CreaseAngle>;
 
-/// A visitor of several functions, one for each kind.
+/// Combines several functions, one for each kind, into a visitor.
 template <class... Functions>
 struct Overload : Functions... {
   using Functions::operator()...;
@@ -144,6 +151,7 @@ struct Overload : Functions... {
 template <class... Functions>
 Overload(Functions...) -> Overload<Functions...>;
 
+/// A choice that stores one of the named values into a field, which must stay where it is.
 template <class T>
 Choice choice(T& field, const Choices<T>& choices) {
   Choice made;
@@ -177,31 +185,32 @@ Choice choice(std::optional<T>& field, const Choices<T>& choices) {
   return made;
 }
 
-/// How much of an option a short help shows, and where it can be given.
+/// Whether the short help shows an option, and where it can be given.
 enum class Shown {
   usual,
   main,      ///< in the short help, too
-  answered,  ///< not a setting but a question, as --help: given on a command line only, and answered there
-  hidden,    ///< as `answered`, and in no help
+  answered,  ///< a question such as --help, which only command lines take and answer, not a setting
+  hidden,    ///< like `answered`, but not shown in any help
 };
 
-/// What users read of an option. Texts name other options by placeholders (see OptionList).
+/// The texts about an option that users read. They name other options by placeholders (gvd/placeholders.hpp).
 struct Spec {
-  /// A line that says what it does, without a full stop; for a flag that is on by default, what happens without it.
+  /// One line without a full stop that says what the option does; for a flag that is on by default, what happens when
+  /// it is turned off.
   std::string help;
-  std::string more = {};        ///< goes on behind `help`, from its comma or semicolon on
-  std::string arrays = {};      ///< in place of both for who gives arrays and no files
-  std::string unit = {};        ///< of its numbers: "mesh units"
-  std::string usual = {};       ///< its default in words; empty: the number or name that the field has, if any
+  std::string more = {};        ///< continues `help`, and begins with a comma or semicolon
+  std::string arrays = {};      ///< replaces both texts for callers that give arrays instead of files
+  std::string unit = {};        ///< unit of its numbers, such as "mesh units"
+  std::string usual = {};       ///< its default in words; if empty, the number or name that the field has
   std::string short_name = {};  ///< one letter
-  std::string also = {};        ///< a former name, which has a hint
+  std::string also = {};        ///< a former name, for which users get a hint
   Shown shown = Shown::usual;
   bool positional = false;  ///< given without a name
   bool required = false;
 };
 
 struct Option {
-  std::string name;  ///< in small letters, with underscores
+  std::string name;  ///< in lower case, with underscores
   std::string group;
   Field field;
   Spec spec;
@@ -209,17 +218,17 @@ struct Option {
   bool is_on = false;           ///< a flag whose field is true by default
 };
 
-/// The options that a user set, and from where.
+/// The options that a user gave, and where each of them came from.
 class Given {
  public:
   struct Source {
     std::string spelling;    ///< as the user wrote the name: "-n", "--count", or a key of a file
-    std::string place;       ///< file, line and column; empty for those that come from no file
-    std::size_t order = 0;   ///< how many were added before
-    std::string value = {};  ///< the JSON of points, curves and numbers that are no names, as it was given
+    std::string place;       ///< file, line and column; empty if it did not come from a file
+    std::size_t order = 0;   ///< how many options were added before it
+    std::string value = {};  ///< JSON of points, curves and numbers, unless given by name
   };
   bool has(std::string_view name) const { return sources_.find(name) != sources_.end(); }
-  /// Null where the option is not given.
+  /// Null if the option is not given.
   const Source* find(std::string_view name) const {
     const auto found = sources_.find(name);
     return found == sources_.end() ? nullptr : &found->second;
@@ -235,21 +244,21 @@ class Given {
   std::size_t added_ = 0;
 };
 
-/// An option that does nothing beside some values of others.
+/// A rule for an option that has no effect together with some values of other options.
 struct ValueRule {
   std::string option;
   std::vector<std::string> depends_on;  ///< the options whose values decide
-  /// Why the option does nothing, and what to do; empty where it does something.
+  /// Says why the option has no effect, and what to do; empty if it has one.
   std::function<std::string(const Given&)> why_idle;
 };
 
-/// A set of options of which exactly one is to be given. Each excludes the others.
+/// A set of options, exactly one of which must be given.
 struct OneOf {
   std::vector<std::string> options;
-  std::string missing;  ///< what a user lacks without any of them: "no generators"
+  std::string missing;  ///< what is missing if none is given: "no generators"
 };
 
-/// An option that was given wrongly, and a text with placeholders that says why.
+/// An option that can't be given like this, and a text with placeholders that says why.
 struct Problem {
   std::string option;
   std::string text;
@@ -264,50 +273,53 @@ class OptionList {
   OptionList(const OptionList&) = delete;
   OptionList& operator=(const OptionList&) = delete;
 
-  /// The heading of the options that follow. A heading that is there already goes on.
+  /// Starts a group with this heading for the options that follow, or continues the group if there is one.
   void group(const std::string& title);
-  /// The field must outlive the list, and its value now is the default.
+  /// Adds an option. The field must outlive the list; its present value is the default.
   void option(const std::string& name, Field field, Spec spec);
 
-  /// `why`: what keeps them apart, where it is not plain; it ends in no full stop.
+  /// Declares that an option can't be given together with any of the others. `why` gives the reason, without a full
+  /// stop, if it is not obvious.
   void excludes(const std::string& name, const std::vector<std::string>& others, const std::string& why = "");
+  /// Declares that an option can only be given together with another.
   void needs(const std::string& name, const std::string& other);
+  /// Declares that exactly one option of a set must be given.
   void one_of(OneOf set);
   void rule(ValueRule rule);
 
-  /// In the order of their groups, and of their description.
+  /// All options, by group; within a group, in the order in which they were added.
   std::vector<const Option*> options() const;
   const std::vector<std::string>& groups() const { return groups_; }
   const std::vector<ValueRule>& rules() const { return rules_; }
-  /// Null where there is no such option.
+  /// Null if there is no such option.
   const Option* find(std::string_view name) const;
 
   bool exclude_each_other(const std::string& a, const std::string& b) const;
-  /// Why they do; empty where it is plain.
+  /// Why two options exclude each other; empty if that is obvious.
   std::string why_excluded(const std::string& a, const std::string& b) const;
-  /// The options that one may stand beside only if they are given, too.
+  /// The options that must be given together with this one.
   std::vector<std::string> needed_by(const std::string& name) const;
 
-  /// The first rule that is broken: of two options that exclude each other, of one that another needs, and of one that
-  /// does nothing.
+  /// The first rule that is broken. The rules are, in this order: options that exclude each other, an option that
+  /// another needs, and an option that has no effect.
   std::optional<Problem> find_problem(const Given& given) const;
-  /// The first set of which no option is given.
+  /// The first set none of whose options is given.
   std::optional<Problem> find_missing(const Given& given) const;
-  /// Whether an option could be given, too: it is here, and none that is given excludes it.
+  /// Whether an option could be given, too: it is in the list, and no given option excludes it.
   bool can_add(std::string_view name, const Given& given) const;
-  /// The name that a wrong one most likely stands for; nothing for none.
+  /// The option that a wrong name most likely stands for; nothing if no name is similar.
   std::optional<std::string> suggest(const std::string& wrong) const;
-  /// Why an option does nothing beside the values of others; empty where it does something.
+  /// Why an option has no effect together with the values of others; empty if it has one.
   std::string why_idle(const Option& option, const Given& given) const;
 
-  /// Names in rules and placeholders that are no option's. Empty in every list that is right.
+  /// Names in rules and placeholders that belong to no option. Empty if the list is consistent.
   std::vector<std::string> find_unknown_names() const;
 
  private:
   std::vector<std::string> groups_;
   std::string group_;
-  std::deque<Option> options_;                                           // references stay
-  std::map<std::pair<std::string, std::string>, std::string> excluded_;  // and why; both orders of each pair
+  std::deque<Option> options_;                                           // a deque, so that references stay valid
+  std::map<std::pair<std::string, std::string>, std::string> excluded_;  // pairs of options, in both orders, and why
   std::vector<std::pair<std::string, std::string>> needed_;
   std::vector<OneOf> sets_;
   std::vector<ValueRule> rules_;

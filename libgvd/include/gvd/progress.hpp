@@ -25,7 +25,7 @@ struct StepPart {
   double from = 0, to = 1;
 };
 
-/// Reports the step's fraction where the share `done` in [0, 1] of a part is done.
+/// Reports the fraction of the step that is done when the share `done` of the part, in [0, 1], is done.
 inline void report_progress(const Progress& progress, const StepPart& part, double done) {
   report_progress(progress, part.name, part.from + (part.to - part.from) * done);
 }

@@ -34,10 +34,10 @@ TriangleQuality compute_triangle_quality(const Mesh& mesh);
 struct Valences {
   std::int32_t least = 0;
   std::int32_t largest = 0;
-  double percent_regular = 0;  ///< of the vertices, in [0, 100]
+  double percent_regular = 0;  ///< percentage of regular vertices, in [0, 100]
 };
 
-/// All zero for a mesh without vertices. Cost: O(n).
+/// Computes the valences of a mesh; all are zero for a mesh without vertices. Cost: O(n).
 Valences compute_valences(const Mesh& mesh);
 
 }  // namespace gvd

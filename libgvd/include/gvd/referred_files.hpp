@@ -9,17 +9,18 @@
 
 namespace gvd {
 
-/// The files beside a mesh that it refers to, as paths from the folder of the mesh: buffers and images of a glTF, and
-/// the descriptions of materials of an OBJ. None for a file of another format. Addresses that `read_soup` refuses, such
-/// as those of the web, are left out. `format` overrides the detection, as for `read_soup`.
-/// Throws Error{unreadable_input} where the file, or a glTF's description, can't be read. Cost: O(bytes) for a glTF, an
-/// OBJ and a packed file, otherwise O(1).
+/// Lists the files that a mesh refers to, as paths relative to its folder: buffers and images of a glTF, and material
+/// files of an OBJ. A file of another format refers to none. Addresses that `read_soup` refuses, such as those of the
+/// web, are left out. `format` overrides the detection, as for `read_soup`.
+/// Throws Error{unreadable_input} if the file, or a glTF's description, can't be read. Cost: O(bytes) for a glTF, an
+/// OBJ and a compressed file, otherwise O(1).
 std::vector<std::filesystem::path> list_referred_files(const std::filesystem::path& mesh,
                                                        std::optional<MeshFormat> format = {});
 
-/// The files that statements `mtllib` of an OBJ name, as paths from the folder of the mesh. `statements`: what follows
-/// the keyword, as in Appearance::material_files. It is one file, whose name may have blanks, as most programs write
-/// it. Where no such file is there, its words are files, too, as the format's manual has it.
+/// Lists the files that the statements `mtllib` of an OBJ name, as paths relative to the folder of the mesh.
+/// `statements` are the texts after the keyword, as in Appearance::material_files. Most programs write one file per
+/// statement, whose name may contain blanks. If there is no such file, the words of the statement are taken as names of
+/// files, too, as in the format's manual.
 std::vector<std::filesystem::path> list_material_files(const std::filesystem::path& mesh,
                                                        const std::vector<std::string>& statements);
 

@@ -13,7 +13,7 @@
 
 namespace gvd {
 
-/// The ways in which `build_mesh` treats a defect.
+/// How `build_mesh` treats a defect.
 enum class DefectPolicy {
   error,    ///< refuses any defect
   repair,   ///< repairs defects where that loses no part of the surface, refuses the others
@@ -23,7 +23,7 @@ inline const Choices<DefectPolicy> kDefectPolicyNames{
     {"error", DefectPolicy::error}, {"repair", DefectPolicy::repair}, {"largest", DefectPolicy::largest}};
 
 enum class DefectKind {
-  unwelded_vertices,         ///< of an STL, a GLB or `weld_soup`: welded where coordinates are equal (-0 equals 0)
+  unwelded_vertices,         ///< in STL and GLB files and for `weld_soup`: welded where coordinates are equal (-0 is 0)
   zero_length_edges,         ///< a polygon edge between two vertices at one position: the two are welded
   degenerate_faces,          ///< fewer than three corners without the repeated ones: removed
   duplicate_faces,           ///< the corners of an earlier face, in either direction: removed
@@ -32,7 +32,7 @@ enum class DefectKind {
   nonmanifold_edges,         ///< three or more faces: cut apart
   nonmanifold_vertices,      ///< several fans of faces, at a vertex on no non-manifold edge: cut apart
   unused_vertices,           ///< in no face: removed
-  dropped_components,        ///< all but the largest, under DefectPolicy::largest: no defect of the file
+  dropped_components,        ///< all but the largest, under DefectPolicy::largest; this is not a defect of the file
   one_sided_edges,           ///< few edges that make a component one-sided: cut, the surface is open along them
   zero_area_components,      ///< components of faces without area: removed
 };
@@ -47,9 +47,9 @@ struct Defect {
   std::string message;      ///< one line: what, how many, where first, and what was done
 };
 
-/// The defects that a soup had. All of them have been repaired.
+/// The defects that a soup had, all of which have been repaired.
 struct DefectReport {
-  std::vector<Defect> defects;           ///< each kind at most once, those with a count above 0 only
+  std::vector<Defect> defects;           ///< each kind at most once, and only with a count above 0
   std::int64_t zero_area_faces = 0;      ///< triangles of three different points on one line: legal, kept
   std::int64_t coincident_vertices = 0;  ///< boundary vertices at the position of another: legal, kept apart
   std::int64_t closable_edges = 0;       ///< boundary edges that welding vertices at equal positions would join
@@ -61,14 +61,14 @@ struct DefectReport {
   std::int64_t count(DefectKind kind) const;
 };
 
-/// A mesh, and the elements of the soup that its elements come from.
+/// A mesh, and the elements of the soup from which its elements come. `build_mesh` states the properties.
 struct CheckedMesh {
   Mesh mesh;
   DefectReport defects;
-  std::vector<VertexId> mesh_vertex;              ///< per input vertex; invalid where it was dropped
+  std::vector<VertexId> mesh_vertex;              ///< per input vertex; invalid if it was dropped
   IdVector<VertexId, std::int32_t> input_vertex;  ///< -1 for the midpoint of a split edge
   IdVector<FaceId, std::int32_t> input_polygon;
-  Appearance appearance;  ///< that of the soup, for the faces: corners keep their texture coordinates
+  Appearance appearance;  ///< the soup's appearance, for the faces of the mesh; corners keep their texture coordinates
 };
 
 /// Examines a soup, repairs it as `policy` says, triangulates it and builds the mesh.
@@ -79,41 +79,42 @@ struct CheckedMesh {
 /// convex or concave, is cut into triangles of its own orientation, without new vertices, and where possible along
 /// diagonals that are not edges yet.
 ///
-/// At an edge of three or more faces, two neighbours round the edge stay connected where the inside of the surface lies
-/// between them; the others are cut apart. So bodies that touch along an edge stay closed, and a fin is cut off. Faces
-/// of zero area with three different corners are kept, because without them the surface would have a hole. A component
-/// of such faces alone is removed.
+/// At an edge of three or more faces, two neighbours round the edge stay connected if the inside of the surface lies
+/// between them; all other faces are cut apart. Bodies that touch along an edge therefore stay closed, and a fin is cut
+/// off. Faces of zero area with three different corners are kept, because without them the surface would have a hole. A
+/// component of such faces alone is removed.
 ///
-/// Throws Error{precondition} that names the first offending element, 0-based in the soup. Under `error` that is any
-/// defect. Under the others it is what can't be repaired: a component with one side only, where neighbours disagree
-/// about the orientation at 1 % of its edges or more (a coarse Moebius strip; under `largest` only if it is the
-/// largest), a polygon that is folded or crosses itself, a coordinate beyond kLargestCoordinate, a mesh smaller than
-/// kSmallestExtent or so thin that rounding hides most triangles, or no face left. Messages begin with `name`, where
-/// there is one: that of the file. Cost: O(n log n) time for n corners, O(n) memory.
+/// Throws Error{precondition} that names the first offending element, 0-based in the soup. Under `error`, any defect
+/// offends. Under the other policies, only a defect that can't be repaired does: a component with one side only, where
+/// neighbours disagree about the orientation at 1 % of its edges or more (a coarse Moebius strip; under `largest` only
+/// if it is the largest), a polygon that is folded or crosses itself, a coordinate beyond kLargestCoordinate, a mesh
+/// smaller than kSmallestExtent or so thin that rounding hides most triangles, or no face left. If `name`, the name of
+/// the file, is given, messages begin with it. Cost: O(n log n) time for n corners, O(n) memory.
 CheckedMesh build_mesh(const PolygonSoup& soup, DefectPolicy policy = DefectPolicy::repair, std::string_view name = {});
 
-/// Asks `build_mesh` to make one vertex of copies: those at the same position and, where `tolerance` (mesh units) is
-/// above 0, those near each other, which this call moves to one position. Vertices keep their numbers. Those in no
-/// polygon neither join others nor move.
+/// Asks `build_mesh` to weld copies of a vertex: vertices at the same position and, if `tolerance` (mesh units) is
+/// above 0, vertices near each other, which this call moves to one position. Vertices keep their numbers. Vertices in
+/// no polygon are neither moved nor welded to.
 ///
-/// The rule: in the order of their numbers, a vertex stays unless one that stays already is at most `tolerance` away;
-/// then every other vertex moves to the nearest one that stays, of equally near ones to that with the smallest number.
+/// The rule: in the order of their numbers, a vertex stays unless a vertex that stays is at most `tolerance` away. Then
+/// every other vertex moves to the nearest vertex that stays, or, of equally near ones, to the one with the smallest
+/// number.
 /// Properties: (1) no vertex moves farther than the tolerance; (2) different positions are farther than the tolerance
 /// apart afterwards, so that welding twice is welding once; (3) vertices at one position stay together; (4) copies that
-/// are within the tolerance of each other, and farther than it from all others, become one, whatever their order.
-/// Being near is not transitive: of a chain of near vertices, some stay. A note counts the vertices that were near more
-/// than one that stays, which tells of a tolerance above the spacing of vertices.
-/// What was asked for is no defect: DefectPolicy::error accepts welded vertices.
-/// Throws Error{invalid_option} where the tolerance is negative, not finite, or above 0 and below kSmallestWeld, and
-/// Error{precondition} where it joins all vertices. Cost: O(n log n) time, whatever the tolerance; O(n) memory.
+/// are within the tolerance of each other, and farther than it from all others, become one, whatever their order. Being
+/// near is not transitive: in a chain of near vertices, several may stay. A note counts the vertices that were near
+/// more than one vertex that stays, because then the tolerance exceeds the spacing of vertices.
+/// Vertices that are welded because of this call are no defect: DefectPolicy::error accepts them.
+/// Throws Error{invalid_option} if the tolerance is negative, not finite, or above 0 and below kSmallestWeld, and
+/// Error{precondition} if it joins all vertices. Cost: O(n log n) time, whatever the tolerance; O(n) memory.
 void weld_soup(PolygonSoup& soup, double tolerance = 0);
 
-/// A mesh that is its own input: each element comes from itself. Cost: O(n).
+/// Wraps a mesh that is its own input, so that each element comes from itself. Cost: O(n).
 CheckedMesh as_input(Mesh mesh);
 
 /// The limits keep squared areas, products of four lengths, in the range of a double (1e-308 to 1e308).
 inline constexpr double kLargestCoordinate = 1e75;  ///< absolute, in mesh units
-inline constexpr double kSmallestExtent = 1e-75;    ///< of the largest side of the bounding box, in mesh units
+inline constexpr double kSmallestExtent = 1e-75;    ///< largest side of the bounding box, in mesh units
 /// The smallest tolerance of `weld_soup` above 0, in mesh units: below the rounding of any mesh of the smallest extent.
 inline constexpr double kSmallestWeld = 1e-100;
 

@@ -13,7 +13,8 @@
 #include <utility>
 #include <vector>
 
-// Numbers and quotations in messages, and the bytes and numbers of texts. Nothing here depends on the locale.
+// Numbers and quotations for messages, and functions that read bytes and numbers from texts. Nothing here depends on
+// the locale.
 namespace gvd {
 
 /// A number with its noun for messages: "1 face" or "3 faces".
@@ -35,17 +36,18 @@ std::string join_words(const Words& words, std::string_view last) {
   return text;
 }
 
-/// `text` with small letters in place of the capitals of ASCII, in any locale.
+/// `text` with the capital letters of ASCII in lower case.
 inline std::string to_lower(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return lower;
 }
 
-/// Longest text that a message quotes in full, bytes.
+/// Length of the longest text that a message quotes in full, in bytes.
 inline constexpr std::size_t kLongestQuote = 40;
 
-/// A text from a file for a message: printable ASCII, `?` for other bytes, and "..." for those after `longest`.
+/// Prepares a text from a file for a message: bytes that are not printable ASCII become `?`, and "..." replaces what
+/// follows after `longest` bytes.
 inline std::string printable(std::string_view text, std::size_t longest = kLongestQuote) {
   std::string shown(text.substr(0, longest));
   std::replace_if(
@@ -54,10 +56,10 @@ inline std::string printable(std::string_view text, std::size_t longest = kLonge
   return shown;
 }
 
-/// A text from a file for a message: `printable`, between single quotes.
+/// The same between single quotes.
 inline std::string quoted(std::string_view text) { return '\'' + printable(text) + '\''; }
 
-/// The number that `text` spells in full. Nothing where it spells no number, or one that T can't hold.
+/// The number that the whole of `text` spells. Nothing if it is not a number, or one that T can't hold.
 template <class T>
 std::optional<T> parse_number(std::string_view text) {
   T value{};
@@ -83,14 +85,15 @@ inline std::string_view find_compression(std::string_view bytes) {
   return is_bzip2 ? "bzip2" : "";
 }
 
-/// The numbers of a list, between blanks, commas and line ends; # begins a comment. `name` is the file's, for messages.
-/// Throws Error{unreadable_input} with name and line. Cost: O(length).
+/// Parses a list of numbers that are separated by blanks, commas and line ends; # begins a comment. `name` is the name
+/// of the file, for messages. Throws Error{unreadable_input}, with name and line, for anything that is not a number.
+/// Cost: O(length).
 std::vector<double> parse_numbers(std::string_view content, const std::string& name);
 
-/// All bytes of a stream from here to its end. Where reading fails, `in.bad()` holds afterwards.
+/// Reads all bytes of a stream up to its end. If reading fails, `in.bad()` is true afterwards.
 ///
-/// Throws std::bad_alloc where memory ends. A copy from stream to stream would take that for the end of the input.
-/// `expected`: the number of bytes, where it is known; otherwise 0. Cost: O(bytes).
+/// Throws std::bad_alloc if memory runs out; a copy from stream to stream would mistake that for the end of the input.
+/// `expected` is the number of bytes if it is known, otherwise 0. Cost: O(bytes).
 inline std::string read_to_end(std::istream& in, std::size_t expected = 0) {
   std::string bytes;
   bytes.reserve(expected);

@@ -4,7 +4,7 @@
 
 namespace gvd {
 
-/// The release of the library that a program runs with, as in "0.2.0": major, minor and patch.
+/// The release of the library that the program is linked to, as major, minor and patch: "0.2.0".
 std::string_view version();
 
 }  // namespace gvd

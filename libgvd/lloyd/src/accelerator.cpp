@@ -1,10 +1,10 @@
-// Better steps than Lloyd's, by L-BFGS with the Hessian of the energy.
+// Computes better steps than Lloyd's, by L-BFGS with the Hessian of the energy.
 //
-// L-BFGS begins with the Hessian of the energy (energy_hessian.hpp). Small eigenvalues allow long steps: the least one
-// that counts falls while the model predicts what happens, and rises where it does not, as the radius of a trust region
-// would. Near the end, the Hessian takes no pairs but cones at the vertices nearby (energy_model.hpp): there the
-// gradient of the energy changes most by these. Sources are in optimiser.hpp. Generators at vertices take no part:
-// there the gradient jumps, and they take Lloyd's step or rest.
+// L-BFGS starts from the Hessian of the energy (energy_hessian.hpp). Small eigenvalues allow long steps, so eigenvalues
+// below a bound are replaced by it. Like the radius of a trust region, the bound adapts: it falls while the model's
+// predictions are good, and rises when they are poor. Near the end, the Hessian is combined with cones at nearby
+// vertices (energy_model.hpp) instead of pairs, because there these vertices change the gradient most. Sources are in
+// optimiser.hpp. Generators at vertices take no part, because the gradient jumps there; they take Lloyd's step or rest.
 #include "accelerator.hpp"
 
 #include <algorithm>
@@ -16,34 +16,34 @@
 namespace gvd {
 namespace {
 
-/// Least absolute eigenvalue relative to the masses. Steps are up to the inverse as long as Lloyd's, as far as the
-/// model has told the truth: where the energy fell by .7 to 1.6 of its prediction, half as much is allowed, and twice
-/// as much where it fell by less than .3.
+/// The smallest bound on absolute eigenvalues, relative to the masses. Steps are at most the inverse of the bound times
+/// as long as Lloyd's. If the energy fell by .7 to 1.6 of its prediction after a full step near the end, the bound is
+/// halved; if it fell by less than .3, the bound is doubled.
 constexpr double kLeastEigenvalue = 0.01;
 constexpr std::pair<double, double> kGoodRatio{0.7, 1.6};
 constexpr double kPoorRatio = 0.3;
 
-/// The radius of trust is halved after a step of poor ratio. It doubles after one that went nearly as far and gave at
-/// least this much of its prediction.
+/// The trust radius is halved after a step with a poor ratio. It is doubled after a step that was nearly as long as the
+/// radius and achieved at least this part of its prediction.
 constexpr double kTrustedRatio = 0.5, kNearRadius = 0.8;
 
-/// Longer steps, and those of the model with cones, are only allowed where the prediction is below this fraction of the
-/// energy. Far from the end the valleys bend: longer steps cost remeshes with 15 iterations a diagram.
+/// Longer steps, and steps of the model with cones, are allowed only if the prediction is below this fraction of the
+/// energy. Far from the end the valleys of the energy bend, and longer steps cost more diagrams than they save.
 constexpr double kNearEnd = 1e-3;
 
-/// Vertices nearer to a generator than this, in mean cell radii, count as if they were that far away: steps are longer
-/// than the way past them.
+/// Vertices nearer to a generator than this, in mean cell radii, count as if they were that far away, because steps are
+/// longer than the way past them.
 constexpr double kNearVertex = 0.02;
 
-/// Pairs that are kept; with 5 to 20 runs take as many iterations.
+/// Number of pairs that are kept. Runs with 5 to 20 pairs take about as many iterations.
 constexpr std::size_t kMemory = 7;
 
-/// Longest step of a generator, in mean cell radii, or in ways to its centroid if that is more: beyond this the
-/// neighbours of cells change.
+/// Longest step of a generator, in mean cell radii or, if that is more, in distances to its centroid. With longer
+/// steps, the neighbours of cells change.
 constexpr double kLongestStep = 1;
 
-/// Least curvature of a pair, as a fraction of that of the masses: it keeps the inverse Hessian positive definite and
-/// below a hundred times Lloyd's.
+/// The least curvature of a pair, as a fraction of the curvature of the masses. It keeps the inverse Hessian positive
+/// definite and at most a hundred times Lloyd's.
 constexpr double kLeastCurvature = 0.01;
 
 bool has_curvature(const StepPair& pair, const std::vector<double>& masses) {

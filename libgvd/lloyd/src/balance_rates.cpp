@@ -1,10 +1,11 @@
-// How fast bisectors pass mass from one cell to the other, by the weights of their generators.
+// Computes how fast bisectors pass mass from one cell to the other as the weights of their generators change.
 //
-// A bisector is where the difference of two distances equals that of two weights. Where this grows by a small step, the
-// bisector moves by the step / |difference of the gradients|. Gradients are unit vectors along the shortest paths,
-// which the windows of the diagram know.
+// On a bisector, the difference of two distances equals the difference of two weights. If the latter grows by a small
+// step, the bisector moves by step / |difference of the gradients|. Gradients are unit vectors along the shortest
+// paths, which the windows of the diagram know.
 //
-// Invariant: rates are summed in the order of a bisector's points, so no bit depends on the number of threads.
+// Invariant: rates are summed in the order of a bisector's points, so the result does not depend on the number of
+// threads.
 #include "balance_rates.hpp"
 
 #include <algorithm>
@@ -23,17 +24,17 @@
 namespace gvd {
 namespace {
 
-/// Least difference of two gradients, which are unit vectors. Below it, a bisector runs along the paths to it: its move
-/// is not linear any more, and its rate would outweigh all others.
+/// The least difference of two gradients, which are unit vectors. Below it, a bisector runs nearly along the paths to
+/// it: its move is no longer linear, and its rate would outweigh all others.
 constexpr double kLeastDifference = 1e-3;
 
-/// Bisectors of a chunk: less than a millisecond.
+/// Number of bisectors in a chunk, which takes less than a millisecond.
 constexpr std::size_t kChunkBisectors = 16;
 
-/// Two Gauss points of a segment.
+/// The two Gauss points of a segment.
 constexpr std::array kGaussPoints{0.5 - 0.5 * std::numbers::inv_sqrt3, 0.5 + 0.5 * std::numbers::inv_sqrt3};
 
-/// The two gradients along the bisectors of one diagram, from its windows. For one thread.
+/// Computes rates along the bisectors of a diagram from its windows. Each thread has an object of its own.
 class BisectorRates {
  public:
   BisectorRates(const WorkingMesh& working, const WindowField& field, const SplitFaces& split, const Density& density)
@@ -85,9 +86,9 @@ class BisectorRates {
   const WindowField& field_;
   const SplitFaces& split_;
   const Density& density_;
-  FaceId face_;  // of the working mesh
+  FaceId face_;  // a face of the working mesh
   std::optional<FaceLayout> layout_;
-  std::vector<FaceSource> sources_;  // of the face
+  std::vector<FaceSource> sources_;  // the sources of the face
 };
 
 }  // namespace

@@ -10,10 +10,10 @@
 
 namespace gvd {
 
-/// The rate at which each bisector passes mass from the cell on its left to that on its right while the weight on the
-/// left grows: the integral of density / |difference of the two distances' gradients| along it, square mesh units per
-/// mesh unit where the density is 1. By bisector. `field`: the windows of which the diagram was traced.
-/// Does not depend on the number of threads. Cost: O(windows near bisectors + points of bisectors).
+/// For each bisector, the rate at which it passes mass from the cell on its left to the cell on its right as the weight
+/// on the left grows: the integral of density / |difference of the two distances' gradients| along it, in square mesh
+/// units per mesh unit if the density is 1. `field`: the windows from which the diagram was traced. The result does not
+/// depend on the number of threads. Cost: O(windows near bisectors + points of bisectors).
 std::vector<double> integrate_balance_rates(const WorkingMesh& working, const WindowField& field,
                                             const Diagram& diagram, const Density& density,
                                             const ParallelChunks& parallel);

@@ -1,17 +1,18 @@
-// Cells of given shares, by additive weights of their generators.
+// Finds additive weights of the generators that give cells their shares.
 //
-// Where the weight of a generator grows by a small step, the bisectors of its cell move inwards. The cell loses the
-// step times the integral of density / |difference of the two gradients| along each bisector. So the derivatives of the
-// masses are a weighted graph of the neighbours, whose Laplacian gives Newton's step. A step is halved until the error
-// falls, no cell vanishes, and none becomes much smaller than at the start or its target.
+// If the weight of a generator grows by a small step, the bisectors of its cell move inwards, and across each bisector
+// the cell loses the step times the integral of density / |difference of the two gradients|. So the derivatives of the
+// masses form a weighted graph of the neighbours, whose Laplacian gives Newton's step. A step is halved until the error
+// falls, no cell vanishes, and no cell becomes much smaller than at the start or than its target.
 //
-// Masses jump where a bisector passes a vertex at which paths bend: what lies behind it is equally far from both
-// generators. The derivatives say nothing of such a jump, so that even a short step does not lower the error. The two
-// cells that differ most from what was promised are then tied. They share one target, and keep the difference of their
-// weights.
+// Masses jump when a bisector passes a vertex at which paths bend, because the surface behind it is equally far from
+// both generators. The derivatives do not predict such a jump, so even a short step does not lower the error. Then the
+// two cells that differ most from the prediction are tied: they share a common target, and the difference of their
+// weights stays the same.
 //
-// Source: Kitagawa, Merigot and Thibert (2019). Tied cells are not in it: costs there have no ties of positive area.
-// Invariant: the state is always that of a computed diagram. No bit depends on the number of threads.
+// Source: Kitagawa, Merigot and Thibert (2019). Tied cells are our addition; the costs of the paper have no ties of
+// positive area.
+// Invariant: the state always belongs to a computed diagram. The result does not depend on the number of threads.
 #include "balance_search.hpp"
 
 #include <fmt/format.h>
@@ -31,19 +32,19 @@
 namespace gvd {
 namespace {
 
-/// A cell stays larger than this fraction of its target, or of the least cell's share at the start (Kitagawa et al.,
+/// A cell stays larger than this fraction of its target, or of the least share of a cell at the start (Kitagawa et al.,
 /// algorithm 1).
 constexpr double kLeastShare = 0.5;
 
-/// A step must lower the error by this fraction of what its length promises.
+/// A step must lower the error by at least this fraction of what its length promises.
 constexpr double kEnoughDescent = 0.1;
 
-/// A step shorter than this part of Newton's that does not lower the error has met a jump, where its derivative says
-/// nothing; a step by which a cell vanishes is tried a few times more.
+/// If a step shorter than this fraction of Newton's step does not lower the error, there is a jump, which the
+/// derivatives do not predict. A step by which a cell vanishes is halved a few times more.
 constexpr double kShortStep = 0.05, kShortestStep = 0.01;
 
-/// Added to the diagonal of the Laplacian, relative to its largest entry: weights are defined up to a constant in each
-/// component of the mesh.
+/// Added to the diagonal of the Laplacian, relative to its largest entry: weights are determined only up to a constant
+/// in each component of the mesh.
 constexpr double kShift = 1e-12;
 
 /// A diagram with its masses and rates.
@@ -53,11 +54,11 @@ struct State {
   std::vector<double> rates;  // by bisector
 };
 
-/// The targets of the cells: in each component of the mesh, its mass by the shares of its generators.
+/// The targets of the cells: the mass of each component of the mesh, divided by the shares of its generators.
 std::vector<double> find_targets(const Mesh& mesh, const State& state, const std::vector<double>& shares) {
   const std::vector<SurfacePoint>& generators = state.diagram.generators;
   const IdVector<FaceId, std::int32_t> component = compute_face_components(mesh);
-  std::vector<double> mass(mesh.face_count(), 0.0), share(mesh.face_count(), 0.0);  // by component
+  std::vector<double> mass(mesh.face_count(), 0.0), share(mesh.face_count(), 0.0);  // of each component
   const auto own_share = [&](std::size_t g) { return shares.empty() ? 1 : shares[g]; };
   for (std::size_t g = 0; g < generators.size(); ++g) {
     mass[component[generators[g].face]] += state.masses[g];
@@ -68,26 +69,25 @@ std::vector<double> find_targets(const Mesh& mesh, const State& state, const std
     const std::int32_t c = component[generators[g].face];
     targets.push_back(mass[c] * (own_share(g) / share[c]));
     if (targets.back() > 0 && std::isfinite(targets.back())) continue;
-    throw Error(ErrorCode::precondition,
-                fmt::format("generator {} has nothing to share: its part of the mesh has no area", g), std::int64_t(g));
+    throw Error(ErrorCode::precondition, fmt::format("generator {}: its component has no area", g), std::int64_t(g));
   }
   return targets;
 }
 
-/// The sets of cells that share one target: at first each cell alone.
+/// The sets of cells that share a target. Initially, each cell is a set of its own.
 class TiedCells {
  public:
   explicit TiedCells(std::size_t cells) : sets_(cells) {}
 
-  /// The first member of a cell's set.
+  /// The smallest member of a cell's set.
   std::size_t of(GeneratorId cell) { return static_cast<std::size_t>(sets_.find(cell.value())); }
-  /// Returns false if the two were tied already.
+  /// Ties two cells. Returns false if they are already tied.
   bool tie(GeneratorId a, GeneratorId b) {
     if (of(a) == of(b)) return false;
     sets_.unite(a.value(), b.value());
     return true;
   }
-  /// The sums over the sets, each at the place of its first member; 0 elsewhere.
+  /// The sums over the sets, each stored at the set's first member; 0 elsewhere.
   std::vector<double> sums(const std::vector<double>& values) {
     std::vector<double> sums(values.size(), 0.0);
     for (std::size_t i = 0; i < values.size(); ++i) sums[of(GeneratorId(i))] += values[i];
@@ -104,7 +104,7 @@ class TiedCells {
   UnionFind sets_;
 };
 
-/// Root mean square of sum / target - 1 over the cells' sets.
+/// The root mean square of mass / target - 1 over the sets of cells.
 double find_variation(const std::vector<double>& masses, const std::vector<double>& targets, TiedCells& tied) {
   const std::vector<double> mass = tied.sums(masses), target = tied.sums(targets);
   double sum = 0;
@@ -126,7 +126,7 @@ class Balancer {
     if (weights_.empty()) weights_.assign(generators.size(), 0);
   }
 
-  /// The generator without a cell if the weights at the start leave one.
+  /// Runs the search. Returns a generator without a cell if the initial weights leave one.
   std::variant<BalancedDiagram, HiddenGenerator> run() {
     auto start = compute(weights_);
     if (const auto* const hidden = std::get_if<HiddenGenerator>(&start)) return *hidden;
@@ -168,7 +168,7 @@ class Balancer {
     return least;
   }
 
-  /// The change of the weights by which the masses would be the targets if their rates did not change.
+  /// The change of the weights after which the masses would equal their targets if the rates stayed the same.
   std::vector<double> newton_step() {
     using Matrix = Eigen::SparseMatrix<double>;
     std::vector<Eigen::Triplet<double>> entries;
@@ -195,8 +195,8 @@ class Balancer {
     return step;
   }
 
-  /// Goes along the step as far as the error falls, at most by `length`, which becomes what was gone. Where no length
-  /// serves, ties the two cells that hinder it; returns false if there are none.
+  /// Takes as large a part of the step as lowers the error, at most `length`, and sets `length` to this part. If no
+  /// length lowers the error, ties the two cells that prevent it; returns false if there are no such cells.
   bool search(const std::vector<double>& step, double& length) {
     const double longest = length;
     for (; diagrams_ < options_.max_diagrams; length /= 2) {
@@ -226,7 +226,7 @@ class Balancer {
            least_share(next) >= least_share_;
   }
 
-  /// The two cells whose masses differ most from what the rates promise for the step.
+  /// The two cells whose masses differ most from those that the rates predict for the step.
   std::pair<GeneratorId, GeneratorId> find_jump(const State& next, const std::vector<double>& step,
                                                 double length) const {
     std::vector<double> surplus = next.masses;
@@ -242,7 +242,7 @@ class Balancer {
     return {GeneratorId(least - surplus.begin()), GeneratorId(most - surplus.begin())};
   }
 
-  /// A cell that vanishes, and the neighbour towards which its weight grows most.
+  /// Pairs a vanishing cell with the neighbour relative to which its weight grows most.
   std::pair<GeneratorId, GeneratorId> find_neighbour(GeneratorId cell, const std::vector<double>& step) const {
     const auto& neighbours = state_.diagram.cells[cell].neighbours;
     const auto least = std::ranges::min_element(neighbours, {}, [&](GeneratorId g) { return step[g.index()]; });
@@ -268,7 +268,7 @@ class Balancer {
   TiedCells tied_;
   State state_;
   std::vector<double> weights_, targets_;
-  double variation_ = 0;  // of the sets
+  double variation_ = 0;  // over the sets
   double least_share_ = 0;
   int diagrams_ = 0;
 };
@@ -278,9 +278,9 @@ void check_options(const Mesh& mesh, const std::vector<SurfacePoint>& generators
   const auto refuse = [](const std::string& message) { throw Error(ErrorCode::invalid_option, message); };
   if (!(options.tolerance > 0)) refuse("the tolerance of balancing must be above 0");
   if (options.max_diagrams < 1) refuse("balancing needs at least one diagram");
-  if (options.diagram.method != Method::exact) refuse("only the exact method takes weights");
+  if (options.diagram.method != Method::exact) refuse("weights need the exact method; choose it, or leave them out");
   if (!options.shares.empty() && options.shares.size() != generators.size()) {
-    refuse(fmt::format("the shares are {} and the generators {}; give one for each", options.shares.size(),
+    refuse(fmt::format("there are {} shares for {} generators; give one for each", options.shares.size(),
                        generators.size()));
   }
   for (std::size_t i = 0; i < options.shares.size(); ++i) {
@@ -299,7 +299,7 @@ std::vector<double> compute_cell_masses(const Mesh& mesh, const Diagram& diagram
   }
   for_each_cell_part(diagram, [&](const FacePart& part) {
     const FaceId f = part.face;
-    // Signed triangles add up to a part that is not convex, too.
+    // Triangles are signed, so that the sum is also right for a part that is not convex.
     for (std::size_t k = 1; k + 1 < part.corners.size(); ++k) {
       const Bary &a = part.corners[0], &b = part.corners[k], &c = part.corners[k + 1];
       const double share = twice_signed_area(affine_point(a), affine_point(b), affine_point(c));

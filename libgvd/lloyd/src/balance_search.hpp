@@ -8,10 +8,11 @@
 
 namespace gvd {
 
-/// Integrals of the density over the cells of a diagram, exactly for what is linear in each face. Cost: O(n).
+/// Integrates the density, which is linear in each face, exactly over the cells of a diagram. Cost: O(n).
 std::vector<double> compute_cell_masses(const Mesh& mesh, const Diagram& diagram, const Density& density);
 
-/// `balance_cells`, but where the weights of the options leave a generator without a cell, returns it.
+/// Does the same as `balance_cells`, but if the initial weights leave a generator without a cell, returns this
+/// generator.
 std::variant<BalancedDiagram, HiddenGenerator> try_to_balance(const Mesh& mesh,
                                                               const std::vector<SurfacePoint>& generators,
                                                               const BalanceOptions& options);

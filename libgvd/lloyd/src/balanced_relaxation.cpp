@@ -1,9 +1,9 @@
-// Equal cells with their generators at the centroids, in turns.
+// Alternately balances the cells and moves generators to their centroids.
 //
-// A move of the generators changes the masses of their cells a little. So each round starts from the weights of the
-// last one, and needs three to five diagrams. Where these weights hide a generator at its new place, the round starts
-// from none.
-// Invariant: the result is balanced; no generator moves after that.
+// A move of the generators changes the masses of their cells only a little. So each round starts from the weights of
+// the previous round, and needs three to five diagrams. If these weights hide a generator at its new place, the round
+// starts without weights.
+// Invariant: the result is balanced; no generator moves after balancing.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,7 +17,7 @@
 namespace gvd {
 namespace {
 
-/// Balances the cells, from these weights where every generator has a cell with them.
+/// Balances the cells, starting from these weights if they leave every generator a cell.
 BalancedDiagram balance_from(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                              const BalanceOptions& options, const std::vector<double>& weights) {
   if (!weights.empty()) {

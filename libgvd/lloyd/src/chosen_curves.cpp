@@ -1,9 +1,9 @@
-// Which creases and boundary loops generators keep to.
+// Chooses the creases and boundary loops that generators follow.
 //
-// Curves that are preferred are counted before they are chosen, with those generators that a remesh has to add where
-// two curves are closer to each other than their generators. Boundary loops that are too short for their share are left
-// out, and creases that are noise. Where there are too many creases none is followed, and a number of generators is
-// advised by which they would be.
+// Before preferred curves are chosen, the generators that they need are counted, including the generators that a remesh
+// has to add where two curves are closer to each other than their generators. Boundary loops that are too short and
+// creases that are noise are left out. If the creases need too many generators, none is followed, and the start
+// suggests a number of generators with which they would be.
 #include "chosen_curves.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace gvd {
 namespace {
 
-/// Least distance of turns of a crease, relative to the spacing of evenly spread generators.
+/// The least distance between turns of a crease, relative to the spacing of evenly spread generators.
 constexpr double kCornerDistance = 0.5;
 
 std::vector<EdgeId> join_edges(const std::vector<EdgeId>& a, const std::vector<EdgeId>& b) {
@@ -28,23 +28,24 @@ std::vector<EdgeId> join_edges(const std::vector<EdgeId>& a, const std::vector<E
   return all;
 }
 
-/// Side of the triangles of an even triangulation with `count` vertices. By Euler's formula, a mesh of F faces and B
-/// boundary edges has F / 2 + B / 2 vertices, but for its topology: count = 2 area / (sqrt(3) h^2) + boundary / (2 h).
+/// The side h of the triangles in an even triangulation with `count` vertices. By Euler's formula, a mesh of F faces
+/// and B boundary edges has F / 2 + B / 2 vertices, apart from a constant for its topology: count = 2 area / (sqrt(3)
+/// h^2) + boundary / (2 h).
 double spacing_beside(double area, double boundary, std::int64_t count) {
   const double n = static_cast<double>(count), half = boundary / 4;
   return (half + std::sqrt(half * half + n * 2 * area / std::numbers::sqrt3)) / n;
 }
 
-/// The fewest generators that can follow the creases: on corners, and three on a closed crease.
+/// The smallest number of generators that can follow the creases: one at each corner, and three on a closed crease.
 std::size_t count_least(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing) {
   return place_on_creases(mesh, creases, mesh.bbox_diagonal(), kCornerDistance * spacing).points.size();
 }
 
-/// Least share of the creases that has to be in long groups (CreaseGroup): noise makes some closed rings, too. It is
-/// .76 or more on CAD models, and at most .25 on scans and other smooth models.
+/// The least share of the creases' length in long groups (CreaseGroup), because noise also forms some closed rings. The
+/// share is .76 or more on CAD models, and at most .25 on scans and other smooth models.
 constexpr double kLongShare = 0.5;
 
-/// The least number of generators of which the share that may be on curves suffices for these.
+/// The least number of generators with which the share allowed on curves suffices for these curves.
 std::int64_t find_enough(const Mesh& mesh, const std::vector<EdgeId>& curves, double boundary, std::int64_t count) {
   while (true) {
     const double spacing = spacing_beside(compute_area(mesh), boundary, count);
@@ -54,7 +55,7 @@ std::int64_t find_enough(const Mesh& mesh, const std::vector<EdgeId>& curves, do
   }
 }
 
-/// Leaves out loops of the boundary that would take too many generators. `others`: creases that are followed anyway.
+/// Leaves out boundary loops that would take too many generators. `others`: creases that are followed in any case.
 void choose_loops(const Mesh& mesh, double spacing, const std::vector<EdgeId>& others, std::vector<EdgeId>& boundary,
                   ConstrainedStart& start) {
   const auto fits = [&](const std::vector<EdgeId>& loops) {
@@ -71,24 +72,25 @@ void choose_loops(const Mesh& mesh, double spacing, const std::vector<EdgeId>& o
   start.unfollowed_loops = start.loops - std::ranges::count_if(loops, is_followed);
 }
 
-/// How many times as many generators as may be are needed on curves, if `count` are asked for.
+/// The number of generators needed on curves divided by the number allowed there, for `count` generators in all.
 double find_excess(const Mesh& mesh, const std::vector<EdgeId>& curves, double boundary, std::int64_t count) {
   const double spacing = spacing_beside(compute_area(mesh), boundary, count), asked = static_cast<double>(count);
-  if (surely_exceeds_share(mesh, curves, spacing, static_cast<std::size_t>(count))) return kInfinity;
+  if (surely_exceeds(mesh, curves, spacing, kFeatureShare * asked)) return kInfinity;
   const double corner_distance = kCornerDistance * spacing;
   const auto opposite = static_cast<double>(expect_opposite_generators(mesh, curves, spacing, corner_distance).size());
   const double all = static_cast<double>(place_on_creases(mesh, curves, spacing, corner_distance).points.size());
   return std::max((all + opposite) / (kFeatureShare * asked), opposite / (kOppositeShare * asked));
 }
 
-/// Most generators to advise for creases, by those asked for; users who ask for 100 do not want 100,000.
+/// The largest number of generators to suggest for creases, relative to the requested number: users who ask for 100 do
+/// not want 100,000.
 constexpr double kMostAdvised = 10;
 
-/// Trials of a number to advise. Where corners are few, the first or second one fits.
+/// Number of attempts to find a number to suggest. If there are few corners, the first or second attempt succeeds.
 constexpr int kAdviceTrials = 6;
 
-/// A number of generators that can follow creases, up to kMostAdvised times as many as asked for; 0 if none is found.
-/// The number on curves grows with the square root of that of all generators, but for corners.
+/// Finds a number of generators that can follow creases, at most kMostAdvised times the requested number; 0 if none is
+/// found. Apart from corners, the number on curves grows with the square root of the number of all generators.
 template <class Excess>
 std::int64_t find_enough_for_creases(std::int64_t asked, double excess, const Excess& excess_of) {
   double count = static_cast<double>(asked);
@@ -100,7 +102,7 @@ std::int64_t find_enough_for_creases(std::int64_t asked, double excess, const Ex
   return excess > 1 ? 0 : static_cast<std::int64_t>(count);
 }
 
-/// Leaves out creases that are noise, and all if they would take too many generators.
+/// Leaves out creases that are noise, or all creases if they would take too many generators.
 void choose_creases(const Mesh& mesh, double spacing, const std::vector<EdgeId>& boundary, std::vector<EdgeId>& creases,
                     ConstrainedStart& start) {
   const double length = total_length(mesh, creases);
@@ -118,15 +120,15 @@ void choose_creases(const Mesh& mesh, double spacing, const std::vector<EdgeId>&
   start.enough_for_creases = find_enough_for_creases(std::ssize(start.points), excess, excess_of);
 }
 
-/// A curve of length l has at least l / spacing - 1.5 generators between its ends: the quotient is rounded, and each
-/// part but the last one ends at a generator.
+/// A curve of length l has at least l / spacing - 1.5 generators between its ends, because the quotient is rounded and
+/// each part except the last ends at a generator.
 constexpr double kLostToRounding = 1.5;
 
 }  // namespace
 
-bool surely_exceeds_share(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing, std::size_t asked) {
+bool surely_exceeds(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing, double most) {
   const double least = total_length(mesh, creases) / spacing - kLostToRounding * double(creases.size());
-  return least > kFeatureShare * double(asked);
+  return least > most;
 }
 
 double choose_curves(const Mesh& mesh, const StartOptions& options, ConstrainedStart& start) {

@@ -1,6 +1,7 @@
-// Curves that are closer to each other than their generators.
+// Finds curves that are closer to each other than their generators.
 //
-// The curves are sampled, and samples are looked up in a grid of boxes as long as the reach.
+// The curves are sampled, and near samples are found in a grid of boxes whose side is the largest distance of close
+// curves.
 #include "close_curves.hpp"
 
 #include <algorithm>
@@ -15,27 +16,27 @@
 namespace gvd {
 namespace {
 
-/// Two curves are close where their distance is below this, in spacings: a generator of one may be nearer to the middle
-/// between two generators of the other than these are.
+/// Two curves are close where their distance is below this, in spacings. There, a generator of one curve can be nearer
+/// to the middle between two generators of the other curve than these generators are.
 constexpr double kCloseCurves = 0.5;
 
-/// Close points are also nearer to each other than this part of the way to the end of their curve. Where two curves
-/// leave a corner, that is an angle below 45 degrees.
+/// Close points must also be nearer to each other than this fraction of the way to the end of their curve. For two
+/// curves that leave the same corner, that means an angle below 45 degrees.
 const double kLeastSine = std::sqrt(0.5);
 
-/// Points of one curve are close to each other only where the way along the curve is longer than this, in spacings.
+/// Points of the same curve count as close only if the way along the curve is longer than this, in spacings.
 constexpr double kSameCourse = 1.5;
 
-/// Samples of a curve for each spacing, where close curves are looked for.
+/// Number of samples of a curve per spacing.
 constexpr double kSamplesPerSpacing = 4;
 
 /// A sample of a curve, which stands for a part of it. Lengths are in mesh units.
 struct CurveSample {
   Vec3 at;
   std::size_t curve;
-  double along;   ///< the curve
-  double to_end;  ///< of the curve, infinite where it is closed
-  double length;  ///< of its part of the curve
+  double along;   ///< position along the curve
+  double to_end;  ///< distance to the end of the curve; infinite if it is closed
+  double length;  ///< length of its part of the curve
 };
 
 void append_samples(const Mesh& mesh, const CreaseCurve& curve, std::size_t number, double length, double spacing,
@@ -55,7 +56,7 @@ void append_samples(const Mesh& mesh, const CreaseCurve& curve, std::size_t numb
 std::vector<Vec3> expect_opposite_generators(const Mesh& mesh, const std::vector<EdgeId>& creases, double spacing,
                                              double corner_distance) {
   const std::vector<CreaseCurve> curves = trace_creases(mesh, creases, corner_distance);
-  std::vector<double> lengths;  // of the curves
+  std::vector<double> lengths;  // length of each curve
   std::vector<CurveSample> samples;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     lengths.push_back(total_length(mesh, curves[c].edges));
@@ -68,7 +69,7 @@ std::vector<Vec3> expect_opposite_generators(const Mesh& mesh, const std::vector
     for (int i = 0; i < 3; ++i) box[i] = static_cast<std::int64_t>(std::floor(at[i] / reach));
     return box;
   };
-  std::map<Box, std::vector<std::size_t>> in_box;  // samples
+  std::map<Box, std::vector<std::size_t>> in_box;  // the samples in each box
   for (std::size_t i = 0; i < samples.size(); ++i) in_box[box_of(samples[i].at)].push_back(i);
   const auto is_same_course = [&](const CurveSample& a, const CurveSample& b) {
     if (a.curve != b.curve) return false;
@@ -84,7 +85,7 @@ std::vector<Vec3> expect_opposite_generators(const Mesh& mesh, const std::vector
   };
   const auto has_close = [&](const CurveSample& sample) {
     const Box middle = box_of(sample.at);
-    for (int k = 0; k < 27; ++k) {  // the box and those round it
+    for (int k = 0; k < 27; ++k) {  // the box and its neighbours
       const auto near = in_box.find({middle[0] + k / 9 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k % 3 - 1});
       if (near != in_box.end() && any_close(sample, near->second)) return true;
     }

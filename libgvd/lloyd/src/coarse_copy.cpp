@@ -1,8 +1,8 @@
-// A decimated copy of a mesh.
+// Makes a decimated copy of a mesh.
 //
-// Large meshes are cut into boxes of about as many vertices each. Their insides are decimated at the same time, and
-// then what is left as a whole. Each vertex of the copy is one of the input, because collapses keep vertices. A chain
-// of collapses leads from each vertex of the input to one of the copy.
+// Large meshes are divided into boxes with about equally many vertices. The insides of the boxes are decimated in
+// parallel, and then the remaining mesh is decimated as a whole. Each vertex of the copy is a vertex of the input,
+// because collapses keep vertices. A chain of collapses leads from each vertex of the input to a vertex of the copy.
 #include "gvd/coarse_copy.hpp"
 
 #include <fmt/format.h>
@@ -22,15 +22,16 @@
 namespace gvd {
 namespace {
 
-/// Faces of a part, and the number of parts at most. Meshes up to so many faces as eight parts have are decimated as a
-/// whole.
+/// Number of faces in a part, and the largest number of parts. Meshes with up to as many faces as kWholeParts parts are
+/// decimated as a whole.
 constexpr std::int32_t kPartFaces = 1 << 15, kMaxParts = 64, kWholeParts = 8;
 
-/// Faces that parts leave, beside what is asked for: the last round, which sees all faces, then chooses among twice as
-/// many.
+/// The parts leave this many times the requested faces, so that the last round, which sees the whole mesh, has a
+/// choice.
 constexpr double kLeftByParts = 2;
 
-/// Faces of a default copy: this share of the mesh's, and no more unless generators need them (CopySize).
+/// A default copy has one face for this many faces of the mesh, within the bounds of CopySize, or more if generators
+/// need them.
 constexpr std::int64_t kMeshFacesPerFace = 10;
 
 constexpr std::string_view kStep = "coarse copy";
@@ -54,14 +55,14 @@ Parts cut_into_parts(const Mesh& mesh, std::int32_t count) {
   return parts;
 }
 
-/// A mesh that is left by a round, and where the vertices before it went.
+/// The mesh after a round, and the maps between its vertices and the vertices before the round.
 struct Round {
   Mesh mesh;
-  IdVector<VertexId, VertexId> earlier;  // per vertex that is left
-  IdVector<VertexId, VertexId> later;    // per vertex before the round
+  IdVector<VertexId, VertexId> earlier;  // for each vertex after the round
+  IdVector<VertexId, VertexId> later;    // for each vertex before the round
 };
 
-/// The mesh of the faces that are left. `later` has the target of each vertex that collapsed.
+/// Builds the mesh of the remaining faces. `later` has the target of each collapsed vertex.
 void finish_round(const Mesh& before, std::vector<std::array<VertexId, 3>> faces, Round& round) {
   KeptVertices kept = drop_unused_vertices(std::size_t(before.vertex_count()), faces);
   std::vector<Vec3> positions;
@@ -69,7 +70,7 @@ void finish_round(const Mesh& before, std::vector<std::array<VertexId, 3>> faces
   for (const VertexId v : before.vertices()) {
     VertexId last = v;
     while (round.later[last].valid()) last = round.later[last];
-    // Shortens the chain for all that follow.
+    // Shortens the chain for later walks.
     for (VertexId w = v; round.later[w].valid();) w = std::exchange(round.later[w], last);
   }
   for (const VertexId v : before.vertices()) round.later[v] = kept.after[round.later[v].valid() ? round.later[v] : v];

@@ -1,11 +1,11 @@
-// The start of a relaxation: generators that are fixed, on creases and boundaries, or free.
+// Prepares the start of a relaxation: fixed generators, generators on creases and boundaries, and free ones.
 //
-// Sampled generators keep their number: each one that is placed on a curve takes the place of the nearest sample, and
-// so the others stay evenly spread. Listed generators stay where they are; those on creases are kept there. Generators
-// on curves are as far apart as in an even triangulation, or farther, so that enough are left for the faces:
-// kFeatureShare.
-// Invariant: no generator that is placed or kept coincides with one before it. Cost: a search along x for each
-// generator that is placed.
+// The number of sampled generators does not change: each generator placed on a curve replaces the nearest sample, so
+// that the other samples stay evenly spread. Listed generators stay where they are, and on creases they are kept there.
+// Generators on curves are as far apart as in an even triangulation, or farther, so that enough are left for the faces
+// (most_on_features).
+// Invariant: no generator that is placed or kept coincides with an earlier one.
+// Cost: a search along x for each generator that is placed.
 #include "gvd/constrained_start.hpp"
 
 #include <fmt/format.h>
@@ -22,15 +22,17 @@
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
 #include "gvd/vec.hpp"
+#include "mesh/creases.hpp"
 #include "mesh/find_coincident.hpp"
 
 namespace gvd {
 namespace {
 
-/// The step whose progress is told.
+/// The step whose progress is reported.
 constexpr const char* kPlacing = "placing generators";
 
-/// Removes points one by one, always the nearest to a given place that is left, of equals the one met first.
+/// Removes points one by one, each time the remaining point nearest to a given place. Among equally near points, the
+/// point found first is removed.
 class NearestRemover {
  public:
   NearestRemover(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
@@ -40,7 +42,7 @@ class NearestRemover {
     }
   }
 
-  /// Looks on both sides along x, as far as a nearer point may lie.
+  /// Searches on both sides along x, as far as a nearer point may lie.
   void remove_nearest(const Vec3& place) {
     const auto middle = left_.lower_bound({place.x(), 0});
     Least<decltype(left_)::iterator> nearest{left_.end()};
@@ -52,7 +54,7 @@ class NearestRemover {
     if (nearest.value != left_.end()) left_.erase(nearest.value);
   }
 
-  /// The ones of `points` that are left, in their order.
+  /// The remaining ones of `points`, in their order.
   std::vector<SurfacePoint> rest(const std::vector<SurfacePoint>& points) const {
     std::vector<std::size_t> indices;
     for (const auto& [key, at] : left_) indices.push_back(key.second);
@@ -86,42 +88,54 @@ FeatureGenerators all_of(const std::vector<SurfacePoint>& points, Freedom freedo
   return {points, std::vector<Freedom>(points.size(), freedom)};
 }
 
-/// Listed generators this near to a crease are on it, as a fraction of the bounding box's diagonal: the rounding of six
-/// digits. The remesher adds no generator nearer than a tenth of it to another one, so a corner that such a point
-/// misses would stay empty.
+/// Listed generators this near to a crease count as on it, as a fraction of the bounding box's diagonal. It is the
+/// rounding of six digits. The remesher adds no generator nearer than a tenth of this to another one, so a corner that
+/// such a point misses would stay empty.
 constexpr double kListPrecision = 1e-5;
 
-/// The listed generators after those that are placed; each stays on its crease.
+/// Appends the listed generators after the placed ones; each stays on its crease.
 void append_listed(const Mesh& mesh, const ConstrainedStart& start, FeatureGenerators& placed) {
   const auto points = snap_to_creases(mesh, start.creases, start.points, kListPrecision * mesh.bbox_diagonal());
   append_different(mesh, {points, freedoms_on_creases(mesh, start.creases, points)}, placed);
 }
 
-/// Factor of their spacing from one attempt to the next.
+/// Factor by which the spacing grows from one attempt to the next.
 constexpr double kWiderSpacing = 1.1;
 
-/// Generators on the creases as far apart as in an even triangulation, or farther, so that they are no more than
-/// kFeatureShare of all.
+/// How many generators may be placed on the creases: kFeatureShare of all. If all creases are boundaries, as many as an
+/// even triangulation has there if that is more: on a small piece of a plane, this is most of its vertices. With fewer,
+/// the cells of other generators would meet the boundary, and a remesh would add the missing ones.
+std::size_t most_on_features(const Mesh& mesh, const ConstrainedStart& start, double spacing) {
+  const double asked = double(start.points.size());
+  const bool is_boundary = std::ranges::all_of(start.creases, [&](EdgeId e) { return mesh.is_boundary(e); });
+  const double even = is_boundary ? total_length(mesh, start.creases) / spacing : 0;
+  return static_cast<std::size_t>(std::clamp(even, kFeatureShare * asked, asked));
+}
+
+/// Places generators on the creases as far apart as in an even triangulation, or farther, so that they are at most
+/// most_on_features.
 FeatureGenerators place_features(const Mesh& mesh, const ConstrainedStart& start, double spacing) {
-  while (surely_exceeds_share(mesh, start.creases, spacing, start.points.size()) && spacing < mesh.bbox_diagonal()) {
+  const std::size_t most = most_on_features(mesh, start, spacing);
+  while (surely_exceeds(mesh, start.creases, spacing, double(most)) && spacing < mesh.bbox_diagonal()) {
     spacing *= kWiderSpacing;
   }
   FeatureGenerators placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
-  while (exceeds_share(placed.points.size(), start.points.size()) && spacing < mesh.bbox_diagonal()) {
+  while (placed.points.size() > most && spacing < mesh.bbox_diagonal()) {
     spacing *= kWiderSpacing;
     placed = place_on_creases(mesh, start.creases, spacing, start.corner_distance);
   }
   return placed;
 }
 
-/// Removes the samples that would make a mesh of too many vertices, together with those that the remesh adds.
+/// Removes samples to make up for the generators that the remesh is expected to add.
 void leave_room(const Mesh& mesh, const ConstrainedStart& start, double spacing, NearestRemover& remover) {
   const std::vector<Vec3> expected = expect_opposite_generators(mesh, start.creases, spacing, start.corner_distance);
   const auto most = static_cast<std::size_t>(kOppositeShare * static_cast<double>(start.points.size()));
   for (std::size_t i = 0; i < std::min(most, expected.size()); ++i) remover.remove_nearest(expected[i]);
 }
 
-/// Generators on the creases, and the sampled ones that make room for all that are placed.
+/// Appends generators on the creases and the remaining samples, after removing a sample for each generator that is
+/// placed.
 void append_sampled(const Mesh& mesh, const ConstrainedStart& start, const StartOptions& options, double spacing,
                     FeatureGenerators& placed) {
   const auto asked = std::ssize(start.points);
@@ -129,7 +143,7 @@ void append_sampled(const Mesh& mesh, const ConstrainedStart& start, const Start
   if (std::ssize(placed.points) > asked) {
     throw Error(
         ErrorCode::precondition,
-        fmt::format("{} asked for, and {} fixed or on features; ask for more generators",
+        fmt::format("{} requested, but {} fixed or on features; ask for more generators",
                     counted(asked, "generator is", "generators are"), counted(std::ssize(placed.points), "is", "are")));
   }
   NearestRemover remover(mesh, start.points);

@@ -1,7 +1,7 @@
-// Where generators may go: anywhere, along a crease, or nowhere.
+// Restricts moves of generators: anywhere, along a crease, or not at all.
 //
-// Tangent vectors at points of creases have the frame of geodesic_tracing.hpp, so that a path along a crease has a
-// length and a direction at its end as a geodesic has.
+// Tangent vectors at points of creases use the frame of geodesic_tracing.hpp, so that a path along a crease has a
+// length and a final direction, like a geodesic.
 #include "constraints.hpp"
 
 #include <fmt/format.h>
@@ -24,14 +24,14 @@ using CreaseStep = CreaseNetwork::Step;
 Vec2 direction_of(const Mesh& mesh, const SurfacePoint& point, const CreaseStep& step) {
   const HalfedgeId h = mesh.halfedge(step.edge);
   if (point.kind() == SurfacePoint::Kind::edge) {
-    const bool along = halfedge(point) == h;  // the tangent plane's x axis runs as the point's own halfedge
+    const bool along = halfedge(point) == h;  // the tangent plane's x axis is the direction of the point's halfedge
     return {along == step.forwards ? 1.0 : -1.0, 0};
   }
   const Vec2 side = FaceLayout(mesh, Mesh::face(h)).side(Mesh::corner(h));
   return unit_vector(TangentFan(mesh, point).angle(Mesh::face(h), step.forwards ? side : Vec2(-side)));
 }
 
-/// The two ways along the crease from a point that is no corner.
+/// The two directions along the crease from a point that is no corner.
 std::array<CreaseStep, 2> ways_from(const Mesh& mesh, const CreaseNetwork& network, const SurfacePoint& point) {
   if (point.kind() == SurfacePoint::Kind::vertex) {
     const std::vector<CreaseStep>& steps = network.leaving(vertex(mesh, point));
@@ -63,12 +63,12 @@ GeodesicTrace follow_crease(const Mesh& mesh, const CreaseNetwork& network, cons
   const auto [one, other] = ways_from(mesh, network, point);
   const bool is_one = direction_of(mesh, point, one).dot(tangent) >= direction_of(mesh, point, other).dot(tangent);
   CreaseStep step = is_one ? one : other;
-  double from = 0;  // the way from the start of the first edge
+  double from = 0;  // distance from the start of the first edge
   if (point.kind() == SurfacePoint::Kind::edge) {
     from = (position(mesh, point) - mesh.position(network.start(step))).norm();
   }
   double rest = from + wanted, passed = -from;
-  // A closed crease is not followed round twice.
+  // The limit keeps the path from following a closed crease more than once.
   for (int i = 0; i < mesh.edge_count(); ++i) {
     const double length = mesh.length(step.edge);
     const CreaseStep after = rest > length ? network.next(step) : CreaseStep{};
@@ -82,7 +82,7 @@ GeodesicTrace follow_crease(const Mesh& mesh, const CreaseNetwork& network, cons
   trace.points.push_back(end);
   trace.length = passed + last;
   trace.complete = trace.length >= wanted;
-  // At a vertex, which may be a corner: straight on from the edge.
+  // At a vertex, which may be a corner, the direction continues straight from the edge.
   const bool is_inside = end.kind() == SurfacePoint::Kind::edge;
   trace.direction =
       is_inside ? direction_of(mesh, end, step) : Vec2(-direction_of(mesh, end, {step.edge, !step.forwards}));

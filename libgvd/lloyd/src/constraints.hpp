@@ -14,11 +14,11 @@
 
 namespace gvd {
 
-/// The tangent vector at a point of a crease nearest to `tangent` among those along the crease. Zero at a corner.
+/// The tangent vector along the crease that is nearest to `tangent`, at a point of a crease. Zero at a corner.
 Vec2 project_to_crease(const Mesh& mesh, const CreaseNetwork& network, const SurfacePoint& point, const Vec2& tangent);
 
-/// Follows the crease from a point of it in the direction of `tangent`, which lies along the crease, by its length, or
-/// to the next corner. The path ends on that crease. Cost: O(edges passed).
+/// Follows the crease from one of its points in the direction of `tangent`, which must lie along the crease, by the
+/// length of `tangent` or to the next corner. The path ends on that crease. Cost: O(edges passed).
 GeodesicTrace follow_crease(const Mesh& mesh, const CreaseNetwork& network, const SurfacePoint& point,
                             const Vec2& tangent);
 
@@ -27,26 +27,26 @@ class GeneratorConstraints {
  public:
   /// All generators are free.
   GeneratorConstraints() = default;
-  /// `freedom`: one for each generator, or empty. The mesh has to outlive this.
+  /// `freedom`: one for each generator, or empty. The mesh must outlive this object.
   GeneratorConstraints(const Mesh& mesh, std::vector<Freedom> freedom, const std::vector<EdgeId>& creases)
       : freedom_(std::move(freedom)) {
     if (!freedom_.empty()) network_.emplace(mesh, creases);
   }
 
   bool is_free(std::size_t generator) const { return of(generator) == Freedom::free; }
-  /// Throws Error{precondition} where the freedoms are not one for each generator, or a generator that has to stay on a
+  /// Throws Error{precondition} if there is not one freedom for each generator, or if a generator that has to stay on a
   /// crease lies on none.
   void check(const std::vector<SurfacePoint>& generators) const;
-  /// The tangent vector nearest to `tangent` among those in which the generator at this point may go.
+  /// The tangent vector nearest to `tangent` in which the generator may move from this point.
   Vec2 project(const Mesh& mesh, std::size_t generator, const SurfacePoint& point, const Vec2& tangent) const;
-  /// The path of the generator from this point: a geodesic, or along a crease.
+  /// The path of the generator from this point: a geodesic or a path along a crease.
   GeodesicTrace move(const Mesh& mesh, std::size_t generator, const SurfacePoint& point, const Vec2& step) const;
 
  private:
   Freedom of(std::size_t generator) const { return freedom_.empty() ? Freedom::free : freedom_[generator]; }
 
   std::vector<Freedom> freedom_;
-  std::optional<CreaseNetwork> network_;  // if there are freedoms
+  std::optional<CreaseNetwork> network_;  // only with freedoms
 };
 
 }  // namespace gvd

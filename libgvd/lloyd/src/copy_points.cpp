@@ -1,8 +1,7 @@
-// The ways of points and densities between a mesh and its decimated copy.
+// Moves points and densities between a mesh and its decimated copy.
 //
-// A point goes from one mesh to the other by the vertices of the copy, which are vertices of both: to the closest point
-// of the faces that are connected with them near by. No search through space could tell two sheets of a thin body
-// apart.
+// The vertices of the copy are vertices of both meshes. A point moves to the closest point in the faces that are near
+// these vertices and connected with them. A search through space could not distinguish two sheets of a thin body.
 #include "copy_points.hpp"
 
 #include <algorithm>
@@ -18,8 +17,8 @@ namespace {
 
 constexpr std::string_view kSamplingStep = "sampling";
 
-/// The point closest to `query` among the faces connected with the vertices within twice its distance from the nearest
-/// of them.
+/// The point closest to `query` in the faces that are connected with the vertices within twice the distance of `query`
+/// from the nearest vertex.
 SurfacePoint find_closest(const Mesh& mesh, std::span<const VertexId> vertices, const Vec3& query) {
   const auto distance = [&](VertexId v) { return (mesh.position(v) - query).norm(); };
   const VertexId nearest = *std::ranges::min_element(vertices, {}, distance);
@@ -31,10 +30,10 @@ SurfacePoint find_closest(const Mesh& mesh, std::span<const VertexId> vertices, 
   return best.point;
 }
 
-/// Points between two reports.
+/// Number of points between two reports of progress.
 constexpr std::size_t kPointsPerReport = 64;
 
-/// move(point) for each of the points, one after the other.
+/// Calls move(point) for each point, one after the other, and returns the results.
 template <class Move>
 std::vector<SurfacePoint> move_points(const std::vector<SurfacePoint>& points, const Progress& progress,
                                       const StepPart& part, const Move& move) {
@@ -92,7 +91,7 @@ Density to_copy(const Mesh& input, const CoarseCopy& copy, const Density& densit
   for (const FaceId f : input.faces()) {
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexId v = copy.copy_vertex[input.vertices(f)[i]];
-      // Where all faces have no area, the mean is that of the corners.
+      // If no face has an area, all corners have the same weight.
       const double weight = std::max(input.area(f), std::numeric_limits<double>::min());
       mass[v] += weight * density.corners[f][i];
       area[v] += weight;

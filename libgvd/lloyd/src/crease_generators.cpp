@@ -1,7 +1,8 @@
-// Generators on creases.
+// Places generators on creases.
 //
-// They lie on all corners and are evenly spaced by length between them, so that no cell reaches over a corner. Points
-// are snapped to vertices before edges: a point that was written with few digits is on the same vertex again.
+// There is a generator on each corner, and between corners generators are evenly spaced by length, so that no cell
+// reaches across a corner. Points are snapped to vertices first and then to edges, so that a point written with few
+// digits returns to its vertex.
 #include "crease_generators.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace {
 /// Places generators between the ends of a curve.
 void place_along(const Mesh& mesh, const CreaseCurve& curve, double spacing, FeatureGenerators& placed) {
   const double length = total_length(mesh, curve.edges);
-  const bool is_loop = curve.vertices.front() == curve.vertices.back();  // a coarse one has three edges at least
+  const bool is_loop = curve.vertices.front() == curve.vertices.back();  // even a coarse loop has at least three edges
   const double parts = std::max(std::round(length / spacing), is_loop ? 3.0 : 1.0);
   std::vector<double> at;
   for (double k = curve.closed ? 0 : 1; k < parts; ++k) at.push_back(length * k / parts);
@@ -28,7 +29,7 @@ void place_along(const Mesh& mesh, const CreaseCurve& curve, double spacing, Fea
   }
 }
 
-/// The nearest vertex of a crease in the faces of a point, within a distance; invalid if there is none.
+/// The nearest vertex on a crease in the faces of a point, within a distance; invalid if there is none.
 VertexId nearest_crease_vertex(const Mesh& mesh, const CreaseNetwork& network, const SurfacePoint& point,
                                double distance) {
   const Vec3 at = position(mesh, point);
@@ -42,7 +43,7 @@ VertexId nearest_crease_vertex(const Mesh& mesh, const CreaseNetwork& network, c
   return nearest.value;
 }
 
-/// The nearest point on the creases in the faces of a point, within a distance; else the point itself.
+/// The nearest point on the creases in the faces of a point, within a distance; otherwise the point itself.
 SurfacePoint nearest_on_edges(const Mesh& mesh, const CreaseNetwork& network, const SurfacePoint& point,
                               double distance) {
   const Vec3 at = position(mesh, point);

@@ -1,10 +1,10 @@
-// The density for cells that keep the mean distance of a remesh from its surface small.
+// Computes the density for cells that keep the mean distance of a remesh from its surface small.
 //
-// Triangles of side h on a surface with the curvatures k1 and k2 have a mean square distance of q^2 h^4 / 1280 from it,
-// with q^2 = k1^2 + k2^2 - 2/3 k1 k2. Their sum over a given number of triangles is least where h goes with q^(-1/3).
-// docs/developer/lloyd.md, section 8, derives both, and this: the mean square distance of a disc of radius R from its
-// best plane is q^2 R^4 / 64, with the same q. So q is measured in discs, as large as cells. Noise and bumps that are
-// small against cells then count little, and creases have a finite curvature.
+// Triangles of side h on a surface with curvatures k1 and k2 have a mean square distance of q^2 h^4 / 1280 from it,
+// with q^2 = k1^2 + k2^2 - 2/3 k1 k2. For a given number of triangles, the sum of these is least if h is proportional
+// to q^(-1/3). The mean square distance of a disc of radius R from its best plane is q^2 R^4 / 64, with the same q. So
+// q is measured in discs about as large as cells. Then noise and bumps much smaller than cells count little, and
+// creases have a finite curvature. docs/developer/lloyd.md, section 8, has the derivations.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -25,23 +25,23 @@ namespace {
 
 using VertexValues = IdVector<VertexId, double>;
 
-/// Radius of the discs, in units of the even spacing; a disc with the area of a cell has 0.53. Smaller ones let noise
-/// count, larger ones miss what cells can follow.
+/// Radius of the discs, in units of the even spacing; a disc with the area of a cell has 0.53. With smaller discs noise
+/// counts, and larger discs miss details that cells can follow.
 constexpr double kDiscRadius = 0.8;
 
-/// Vertices nearer than this to the centre of a disc get no disc of their own; in units of the radius. Some 13 discs
+/// Vertices nearer than this to the centre of a disc, in units of its radius, get no disc of their own. About 13 discs
 /// then overlap at a point.
 constexpr double kDiscSpacing = 0.4;
 
-/// Discs whose distance from their plane is below this count as equally flat; in units of the radius. Rounding gives
-/// 1e-8, the root of the machine precision. A sphere has 1e-4 with ten million generators.
+/// Discs whose distance from their plane is below this, in units of the radius, count as equally flat. Rounding gives
+/// 1e-8, the root of the machine precision; a sphere with ten million generators gives 1e-4.
 constexpr double kFlatDisc = 1e-5;
 
-/// Rounds in which sizes are scaled so that they need the given number of cells: limiting the gradation makes some
-/// sizes smaller. After three rounds the number is right within 5 % on all meshes of the tests.
+/// Number of rounds that scale sizes to the given number of cells, because limiting the gradation makes some sizes
+/// smaller. After three rounds the number is right within 5 % on all meshes of the tests.
 constexpr int kScaleRounds = 3;
 
-/// Area and moments of triangles, about the centre of a disc; lengths are in units of its radius.
+/// The area and moments of triangles about the centre of a disc, with lengths in units of its radius.
 struct Moments {
   double area = 0;
   Vec3 first = Vec3::Zero();
@@ -55,8 +55,8 @@ struct Moments {
     second += of_face / 12 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + 9 * mean * mean.transpose());
   }
 
-  /// q^(2/3), from the mean square distance from the best plane; 0 without area. The number of cells per area goes
-  /// with it.
+  /// q^(2/3), from the mean square distance from the best plane; 0 without area. The number of cells per area is
+  /// proportional to it.
   double wanted_cells() const {
     const Vec3 mean = first / area;
     const Eigen::Matrix3d covariance = second / area - mean * mean.transpose();
@@ -67,12 +67,13 @@ struct Moments {
   }
 };
 
-/// Discs of the surface, each made of whole faces.
+/// Collects discs of the surface, each made of whole faces.
 class Discs {
  public:
   Discs(const Mesh& mesh, double radius) : mesh_(mesh), radius_(radius), last_(mesh.face_count(), VertexId()) {}
 
-  /// The faces of a vertex, and all those joined to them whose centres are within the radius. Returns its moments.
+  /// Collects the faces of a vertex and all faces connected with them whose centres are within the radius. Returns the
+  /// moments of the disc.
   Moments collect(VertexId centre) {
     centre_ = centre;
     faces_.clear();
@@ -120,10 +121,10 @@ class Discs {
   double radius_;
   VertexId centre_;
   std::vector<FaceId> faces_;
-  IdVector<FaceId, VertexId> last_;  // centre of the last disc with the face
+  IdVector<FaceId, VertexId> last_;  // for each face, the centre of the last disc that contains it
 };
 
-/// q^(2/3) at the vertices: means over the discs there, with weights that fall to 0 at their rims.
+/// q^(2/3) at the vertices: the mean over the discs there, with weights that fall to 0 at the rim of a disc.
 VertexValues wanted_cells(const Mesh& mesh, double radius, const Progress& progress) {
   VertexValues sum(mesh.vertex_count(), 0), weight(mesh.vertex_count(), 0);
   IdVector<VertexId, char> is_covered(mesh.vertex_count(), 0);
@@ -143,7 +144,7 @@ VertexValues wanted_cells(const Mesh& mesh, double radius, const Progress& progr
   return sum;
 }
 
-/// Sizes of cells by their wanted number per area, from 1 to at most `range`.
+/// Sizes of cells from their wanted number per area, between 1 and at most `range`.
 VertexValues sizes_in_range(const VertexValues& wanted, double range) {
   const double largest = *std::max_element(wanted.begin(), wanted.end());
   const double least = std::max(largest / (range * range), std::cbrt(64 * kFlatDisc * kFlatDisc));
@@ -152,7 +153,8 @@ VertexValues sizes_in_range(const VertexValues& wanted, double range) {
   return sizes;
 }
 
-/// Lowers sizes, as Dijkstra's algorithm lowers distances, until none exceeds a neighbour's by more than the gradation.
+/// Lowers sizes in the manner of Dijkstra's algorithm, until no size exceeds a neighbour's by more than the gradation
+/// allows.
 void limit_gradation(const Mesh& mesh, double gradation, VertexValues& sizes) {
   using Item = std::pair<double, VertexId>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
@@ -170,7 +172,7 @@ void limit_gradation(const Mesh& mesh, double gradation, VertexValues& sizes) {
   }
 }
 
-/// Mean over the area: the number of cells of these sizes, as a multiple of those of size 1.
+/// The mean of size^-2 over the area: the number of cells of these sizes, divided by the number of cells of size 1.
 double mean_inverse_square(const Mesh& mesh, const VertexValues& sizes) {
   double sum = 0, area = 0;
   for (const FaceId f : mesh.faces()) {

@@ -1,7 +1,7 @@
-// Weights of the surface: given ones, and those out of a file.
+// Makes densities of given values and of files.
 //
-// CheckedMesh leads from each element to that of the file. An element that the file has no number for is an error, but
-// for midpoints of split edges, which it can't know.
+// CheckedMesh maps each element to an element of the file. An element for which the file has no number is an error,
+// except midpoints of split edges, which the file can't have.
 #include "gvd/density.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace gvd {
 namespace {
 
-/// The value of each vertex of the mesh. The midpoint of a split edge, which the file does not know, takes the mean.
+/// The value of each vertex of the mesh. The midpoint of a split edge, which the file does not have, gets the mean.
 std::vector<double> to_vertices(const CheckedMesh& input, const std::vector<double>& values) {
   std::vector<double> of_mesh;
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -64,7 +64,7 @@ std::optional<Density> read_density(const CheckedMesh& input, const std::string&
 
 void check_density(const Mesh& mesh, const Density& density) {
   if (density.is_uniform() || std::ssize(density.corners) == mesh.face_count()) return;
-  throw Error(ErrorCode::precondition, "the density is not of this mesh: the number of faces differs");
+  throw Error(ErrorCode::precondition, "the density belongs to another mesh: the number of faces differs");
 }
 
 Density make_vertex_density(const Mesh& mesh, const std::vector<double>& values) {

@@ -1,12 +1,12 @@
-// The Hessian of the energy: masses, bisectors that move, and paths that bend at vertices.
+// Computes the Hessian of the energy from masses, moving bisectors, and paths that bend at vertices.
 //
-// Idea: a vertex at distance r with the angle defect w moves the paths to the points behind it, up to the border of the
+// Idea: a vertex at distance r with angle defect w bends the paths to the points behind it, up to the border of the
 // cell at distance r + l. Along the ray behind it, two images of the generator meet in a ridge if w > 0; if w < 0, the
-// paths spread in a wedge. To the first order of w, both change the second derivative of the energy across the ray by
-// -2 w l^3 / (3 r) times the density (docs/developer/lloyd.md, section 4). The border's distance comes from the
-// logarithms of the cell's vertices and of its bisectors, by sectors of directions.
-// Near the vertex, this curvature is that of a cone over the tangent plane, whose slope does not depend on r.
-// The inverse comes from a Lanczos process on the matrix relative to the masses. It has the absolute values of the
+// paths spread in a wedge. To first order in w, both change the second derivative of the energy across the ray by -2 w
+// l^3 / (3 r) times the density (docs/developer/lloyd.md, section 4). The distance of the border is found for sectors
+// of directions, from the logarithms of the cell's vertices and bisectors. Near the vertex, this curvature is the
+// curvature of a cone over the tangent plane, whose slope does not depend on r.
+// The inverse is computed by a Lanczos process on the matrix relative to the masses. It uses the absolute values of the
 // eigenvalues, so that every step lowers the energy if it is short enough.
 #include "energy_hessian.hpp"
 
@@ -20,13 +20,13 @@
 namespace gvd {
 namespace {
 
-/// Steps of the Lanczos process.
+/// Number of steps of the Lanczos process.
 constexpr int kLanczosSteps = 20;
 
-/// Sectors of directions round a generator.
+/// Number of sectors of directions around a generator.
 constexpr std::size_t kSectors = 32;
 
-/// Each vector divided by the root of its mass.
+/// Divides each vector by the square root of its mass.
 TangentField divided_by_roots(TangentField field, const std::vector<double>& masses) {
   for (std::size_t i = 0; i < field.size(); ++i) field[i] /= std::sqrt(masses[i]);
   return field;
@@ -48,7 +48,7 @@ class CellReach {
   double at(GeneratorId g, const Vec2& direction) const { return reach_[index(g, direction)]; }
 
  private:
-  /// The number of the sector, by the share of the way round a diamond: faster than an angle.
+  /// The number of the sector, computed along a diamond instead of a circle, which is faster than an angle.
   static std::size_t index(GeneratorId g, const Vec2& v) {
     const double sum = std::abs(v.x()) + std::abs(v.y());
     const double share = sum > 0 ? v.y() / sum : 0;  // from -1 to 1 on the right, and back on the left

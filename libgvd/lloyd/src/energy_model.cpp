@@ -1,9 +1,10 @@
-// The energy near a state, and where it is least.
+// Models the energy near a state, and finds its minimum.
 //
-// The quadratic part has the Hessian without the vertices beside the generators (energy_hessian). Each of these adds a
-// cone: to the first order of its angle defect, the energy has the slope of a cone there, up at saddles and down at
-// peaks. Cones are rounded off at their tips. The minimum is found by Newton's method with the absolute values of the
-// eigenvalues. It needs no diagram, so its iterations cost little. At the tip of a cone that leads up, generators rest.
+// The quadratic part has the Hessian without the vertices close to generators (energy_hessian). Each of these vertices
+// adds a cone: to first order in its angle defect, the energy has the slope of a cone there, upwards at saddles and
+// downwards at peaks. The tips of the cones are rounded. Newton's method with the absolute values of the eigenvalues
+// finds the minimum. It needs no diagram, so its iterations are cheap. Generators rest at the tip of a cone that opens
+// upwards.
 #include "energy_model.hpp"
 
 #include <algorithm>
@@ -14,28 +15,28 @@
 namespace gvd {
 namespace {
 
-/// Vertices within this distance of a generator are cones, in mean cell radii.
+/// Vertices within this distance of a generator, in mean cell radii, become cones.
 constexpr double kConeReach = 0.4;
 
-/// Radius of the rounded tips, in mean cell radii: less than the tolerance of the centroids.
+/// Radius of the rounded tips, in mean cell radii. It is less than the tolerance of the centroids.
 constexpr double kTip = 5e-4;
 
-/// Generators end at a vertex if they come nearer than this, in radii of the tip: at 1.5 the rounded cone has 83 % of
+/// Generators end at a vertex if they come nearer than this, in radii of the tip. At 1.5 the rounded cone has 83 % of
 /// its slope.
 constexpr double kAtTip = 1.5;
 
-/// Iterations of Newton's method, and how far they shall reduce the gradient. Later ones change the step by less than
-/// the model is off.
+/// Number of iterations of Newton's method, and the factor by which they have to reduce the gradient. Further
+/// iterations change the step by less than the error of the model.
 constexpr int kIterations = 12;
 constexpr double kReduction = 0.02;
 
-/// Trials of each iteration, by half the step each.
+/// Number of trials in an iteration, each with half the step.
 constexpr int kTrials = 8;
 
-/// A cone whose tip is rounded, at a step.
+/// A cone with a rounded tip, evaluated after a step.
 struct RoundCone {
   Vec2 from_tip;
-  double distance;  // from the tip, rounded
+  double distance;  // rounded distance from the tip
 
   RoundCone(const EnergyCone& cone, const Vec2& step, double tip)
       : from_tip(step - cone.at), distance(std::hypot(from_tip.norm(), tip)) {}
@@ -131,7 +132,7 @@ ModelMinimum EnergyModel::minimise(double reach, double least) const {
   return minimum;
 }
 
-/// Sends the generators to the saddle at whose tip they end.
+/// Sends generators that end at the tip of a cone to its saddle vertex.
 void EnergyModel::add_rests(ModelMinimum& minimum) const {
   for (const EnergyCone& cone : hessian_.cones()) {
     const std::size_t i = cone.generator;

@@ -10,37 +10,37 @@
 
 namespace gvd {
 
-/// The energy after a step, by a model.
+/// The model's energy after a step.
 struct ModelEnergy {
   double change = 0;      ///< of the energy, mesh units to the fourth
-  TangentField gradient;  ///< where the generators may go, mesh units cubed
+  TangentField gradient;  ///< projected onto allowed steps, mesh units cubed
 };
 
 /// A step towards the least energy of a model.
 struct ModelMinimum {
   TangentField step;  ///< mesh units
-  double fall = 0;    ///< of the model's energy, > 0 if it is any use; mesh units to the fourth
-  /// The saddle vertex at which each generator ends, if any.
+  double fall = 0;    ///< of the model's energy, > 0 if the step is useful; mesh units to the fourth
+  /// For each generator, the saddle vertex at which it ends, if any.
   Rests rest;
 };
 
-/// The energy near a state: a quadratic function of all steps, and a cone at each vertex beside a generator.
+/// The energy near a state: a quadratic function of all steps, and a cone at each vertex close to a generator.
 ///
-/// Within a face the energy is smooth, but it has a kink at every vertex with an angle defect. The gradient changes
-/// there by as much as by a step of some hundredths of the cell radius. No quadratic function tells that, and where
-/// generators lie near vertices, steps by the Hessian alone halve the residual at best.
+/// Within a face the energy is smooth, but it has a kink at every vertex with an angle defect. There the gradient
+/// changes as much as over a step of a few hundredths of the cell radius. A quadratic function can't describe that, and
+/// if generators lie near vertices, steps by the Hessian alone at best halve the residual.
 class EnergyModel {
  public:
-  /// `defects`: of the vertices. Generators at vertices are held: they rest, or take Lloyd's step. All arguments have
-  /// to outlive this.
+  /// `defects`: the angle defects of the vertices. Generators at vertices are held: they rest or take Lloyd's step. All
+  /// arguments must outlive this object.
   /// Cost: O(n + segments of the bisectors).
   EnergyModel(const Mesh& mesh, const RelaxationState& state, const GeneratorConstraints& constraints,
               const IdVector<VertexId, double>& defects);
 
   ModelEnergy at(const TangentField& step) const;
 
-  /// No generator goes farther than `reach` (mesh units), but those that are held. `least`: see EnergyHessian::solve.
-  /// Cost: up to a dozen solutions with the Hessian.
+  /// Minimises the model. No generator moves farther than `reach` (mesh units), except generators that are held.
+  /// `least`: see EnergyHessian::solve. Cost: up to a dozen solutions with the Hessian.
   ModelMinimum minimise(double reach, double least) const;
 
  private:
@@ -54,7 +54,7 @@ class EnergyModel {
   const GeneratorConstraints& constraints_;
   EnergyHessian hessian_;
   TangentField gradient_;  // at the state
-  TangentField held_;      // the steps of generators that are held, else 0
+  TangentField held_;      // the steps of held generators, 0 for all others
   std::vector<char> is_held_;
   std::vector<Eigen::Matrix2d> allowed_;
 };

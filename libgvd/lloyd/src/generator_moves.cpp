@@ -1,14 +1,13 @@
-// Moves of generators: along geodesics and creases, and from cells with little energy to places far from all
-// generators.
+// Moves generators along geodesics and creases, and from cells with little energy to places far from all generators.
 //
-// A geodesic keeps its direction, so that the turn of a tangent plane takes the step at its start to the step at its
-// end. Two generators that meet would have no diagram: moves after which generators collide are undone, until none
-// collides. A point that is back at its start stays there, so this ends. Generators are found by a sweep along x, in
-// the order of their ids where coordinates are equal.
-// In the best diagrams all cells have about the same area and energy. Steps of relaxation even that out only slowly,
-// because generators have to pass each other. A relocation is planned by estimates: the energy that a generator at a
-// distance from all others saves, and what its old cell costs its neighbours. Cells that adjoin are not given up
-// together, so that no hole arises. Distances to places that were taken are computed when a place reaches the top of
+// A geodesic keeps its direction, so parallel transport takes the step at its start to the step at its end. Two
+// generators at the same place would have no diagram, so moves after which generators collide are undone until none
+// collide. A point that is back at its start stays there, so this ends. Colliding generators are found by a sweep along
+// x, in the order of their ids if coordinates are equal.
+// In the best diagrams all cells have about the same area and energy. Relaxation evens this out only slowly, because
+// generators have to pass each other. Relocations are planned by estimates of the energy that a generator saves at a
+// distance from all others, and of the energy that giving up its old cell costs. Adjacent cells are not given up
+// together, so that no hole arises. Distances to places already taken are computed only when a place reaches the top of
 // its heap.
 #include "generator_moves.hpp"
 
@@ -26,12 +25,12 @@
 namespace gvd {
 namespace {
 
-/// Least distance between two generators, as a fraction of the mean cell radius. A thousand times less than in any
-/// relaxed diagram.
+/// The least distance between two generators, as a fraction of the mean cell radius. It is a thousand times less than
+/// in any relaxed diagram.
 constexpr double kGap = 1e-6;
 
-/// Least distance between two generators, in distances at which two points coincide. It counts on surfaces with hardly
-/// any area.
+/// The least distance between two generators, in distances at which two points coincide. It matters on surfaces with
+/// hardly any area.
 constexpr double kGapOfCoincident = 2;
 
 void add_path(const GeodesicTrace& trace, const Vec2& step, GeneratorMove& move) {
@@ -54,7 +53,7 @@ void undo_path(std::size_t i, GeneratorMove& move) {
   move.turns[i] = Turn(1, 0);
 }
 
-/// The points that are free to move and within `gap` of another one, ascending. Sorts `order` along x.
+/// The points that have moved and are within `gap` of another point, ascending. Sorts `order` along x.
 std::vector<std::size_t> find_colliding(const std::vector<Vec3>& positions, const std::vector<char>& is_fixed,
                                         double gap, std::vector<std::size_t>& order) {
   std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(positions[i].x(), i); });
@@ -72,25 +71,26 @@ std::vector<std::size_t> find_colliding(const std::vector<Vec3>& positions, cons
   return colliding;
 }
 
-/// Iterations for which a generator is not sent to a vertex again where it did not rest.
+/// For this many iterations, a generator is not sent again to a vertex where it did not rest.
 constexpr std::size_t kRestPause = 10;
 
-/// A generator at distance D from all others saves about this factor of D^4: a disc of radius D / 2 comes from about
-/// 3/4 D on the average to its centre.
+/// A generator at distance D from all others saves about this factor times D^4, because a disc of radius D / 2 gets a
+/// generator at its centre instead of one at a distance of about 3/4 D on average.
 constexpr double kSplitGain = 0.34;
 
-/// Energies of a cell that giving it up costs its neighbours: twice the measured 2. At 1, plans promise too much.
+/// The estimated cost of giving up a cell, in energies of the cell: twice the measured 2. With too small a factor,
+/// plans promise too much.
 constexpr double kRemovalCost = 4;
 
-/// Largest size of adjacent cells that are given up, in mean sizes.
+/// Largest total size of adjacent cells that are given up, in mean sizes.
 constexpr double kLargestHole = 0.5;
 
-/// Least distance between a relocated generator and the nearest one, in radii of a disc of the mean size. Relaxed cells
-/// reach to 1.3, but there no cell is poor enough.
+/// The least distance between a relocated generator and the nearest other one, in radii of a disc of the mean size.
+/// Relaxed cells reach up to 1.3, but then no cell is poor enough to be given up.
 constexpr double kLeastDistance = 1.2;
 
-/// The area of a cell where the density is 1. In the best diagrams the integral of the root of the density is the same
-/// for all cells.
+/// The size of a cell, which equals its area if the density is 1. In the best diagrams, the integral of the root of the
+/// density is the same for all cells.
 double size_of(const CellMoments& moments) { return std::sqrt(moments.mass * moments.area); }
 
 /// The component of each generator, and the mean size of the cells of each component.
@@ -130,7 +130,7 @@ class PoorCells {
     std::ranges::sort(order_, {}, [&](GeneratorId g) { return std::pair(moments_[g].energy, g); });
   }
 
-  /// The next cell without too large a hole round it; invalid if there is none.
+  /// The next cell that leaves no hole that is too large; invalid if there is none.
   GeneratorId next() {
     while (next_ < order_.size()) {
       const GeneratorId g = order_[next_++];
@@ -145,7 +145,7 @@ class PoorCells {
   }
 
  private:
-  /// The size of the hole about a cell, if it is given up too.
+  /// The size of the hole around a cell if this cell is given up, too.
   double hole_with(GeneratorId g) const {
     double hole = size_of(moments_[g]);
     for (const GeneratorId n : neighbours_[g]) hole += hole_[n];
@@ -155,20 +155,20 @@ class PoorCells {
   const IdVector<GeneratorId, CellMoments>& moments_;
   const Components& components_;
   std::vector<GeneratorId> order_;
-  IdVector<GeneratorId, double> hole_;  // size of the cells given up about it; 0 for a cell that stays
+  IdVector<GeneratorId, double> hole_;  // total size of the adjacent cells given up together; 0 for a cell that stays
   IdVector<GeneratorId, std::vector<GeneratorId>> neighbours_;
   std::size_t next_ = 0;
 };
 
-/// Chooses vertices far from all generators. Distances count times the fourth root of the density, as the radii of the
-/// best cells do.
+/// Chooses vertices far from all generators. Distances are scaled by the fourth root of the density, like the radii of
+/// the best cells.
 class FarVertices {
  public:
   /// A vertex, and its scaled distance to the nearest generator.
   struct Place {
     double distance;
     VertexId vertex;
-    std::size_t compared = 0;  // with so many of the places that were taken
+    std::size_t compared = 0;  // how many of the taken places it was compared with
   };
 
   /// `face_component`: the component of every face. Vertices too near to a generator are left out.
@@ -190,7 +190,7 @@ class FarVertices {
   }
 
   /// The farthest vertex of a component, if there is one. Only vertices at the top of the heap are compared with places
-  /// that were taken, and only with those that they do not know yet.
+  /// already taken, and each place is compared only once.
   std::optional<Place> farthest(std::size_t component) {
     if (heaps_[component].empty()) return std::nullopt;
     std::vector<Place>& places = places_[component];
@@ -218,7 +218,7 @@ class FarVertices {
   // For each component with generators.
   std::vector<double> least_distance_;
   std::vector<std::vector<Place>> places_;  // ascending by vertex
-  std::vector<LazyMaxHeap<>> heaps_;        // the indices of the places
+  std::vector<LazyMaxHeap<>> heaps_;        // indices into the places
   std::vector<Vec3> taken_;
 };
 

@@ -9,15 +9,16 @@
 
 namespace gvd {
 
-/// The energies of a relaxation, from the start on, and what each iteration did.
+/// Records the energies of a relaxation from its start, and its iterations.
 ///
-/// A change of the level of precision restates the last energy. Iterations that have not lowered the energy as it is
-/// measured then count as one with the iteration before them, with the sum of their moves. So the energies still fall.
+/// When the level of precision changes, the last energy is restated. Iterations that have not lowered the energy as it
+/// is now measured are merged with the iteration before them, and their moves are added. So the energies still
+/// decrease.
 struct IterationRecord {
   double initial_energy = 0;
   std::vector<LloydIteration> iterations;
-  /// By each iteration, as a fraction of the energy before it. Merging keeps them: the rule that ends a level asks for
-  /// their mean.
+  /// The fall of the energy in each iteration, as a fraction of the energy before it. Merging does not change this
+  /// list, because the rule that ends a level needs the mean.
   std::vector<double> falls;
 
   /// Adds an iteration that took the energy from `before` to `after`.
@@ -38,7 +39,7 @@ struct IterationRecord {
     falls.push_back((before - after) / before);
   }
 
-  /// Sum of the falls of the last `window` iterations; nothing while there are fewer.
+  /// The sum of the falls of the last `window` iterations; nothing if there are fewer.
   std::optional<double> sum_falls(int window) const {
     if (std::ssize(falls) < window) return std::nullopt;
     return std::accumulate(falls.end() - window, falls.end(), 0.0);
@@ -51,7 +52,7 @@ struct IterationRecord {
   }
 
   /// Restates the energy of the last iteration, or of the start. Iterations that have not lowered the energy as it is
-  /// measured now count as one with the iteration before them.
+  /// now measured are merged with the iteration before them.
   void restate(double energy, const Precision& precision) {
     while (iterations.size() > 1 && !(energy < iterations[iterations.size() - 2].energy)) merge_last();
     if (iterations.empty()) {
@@ -63,7 +64,7 @@ struct IterationRecord {
     }
   }
 
-  /// Makes one iteration of all.
+  /// Merges all iterations into one.
   void merge_all() {
     while (iterations.size() > 1) merge_last();
   }

@@ -1,18 +1,16 @@
-// A relaxation in stages: on a copy of the mesh, on the mesh (relaxer.hpp), and with generators on extremities.
+// Runs a relaxation in stages: on a decimated copy of the mesh until it ends, for a few iterations on the mesh
+// (relaxer.hpp), and with generators on extremities.
 //
-// A relaxation from coarse to fine: on a decimated copy of the mesh until it ends, and for a few iterations on the
-// mesh.
+// The time of an iteration is proportional to the number of faces, but the cells of few generators need only few faces.
+// The energy on the copy has nearly the same minima as the energy on the mesh. So the final generators of the copy,
+// moved to the mesh, are near a minimum there, and it only remains to find their cells and correct their places.
 //
-// An iteration takes time in proportion to the faces, and the cells of few generators need few faces. The copy's energy
-// has nearly the same minima as the mesh's. So the last generators on the copy, moved to the mesh, are near a minimum
-// there, and what is left is to find their cells and to correct their places.
+// Generators that may not move freely take part on the copy, at the nearest point, but do not move there; generators on
+// creases are evenly spaced from the start. Extremities are found on the copy.
 //
-// Generators that may not move freely stay where they are until they are on the mesh: those on creases are evenly
-// spaced from the start. They count on the copy, at the nearest point. Extremities are found on the copy.
-//
-// The centroid of a cell round the end of a limb lies beside the end, so a relaxation pulls generators off limbs.
-// keep_extremities puts them back: the end is the one place inside a cell where the distance from the generator has a
-// maximum. In cells of flat or hollow surfaces, distances are largest on the border.
+// The centroid of a cell around the end of a limb lies beside the end, so a relaxation pulls generators off limbs.
+// keep_extremities puts them back: the end of a limb is a place inside a cell where the distance from the generator has
+// a maximum, whereas in cells of flat or hollow surfaces, distances are largest on the border.
 
 #include "gvd/lloyd.hpp"
 
@@ -33,21 +31,22 @@
 namespace gvd {
 namespace {
 
-/// Least distance of an extremity from its generator, in radii of a disc with the cell's area; nearer ones are spikes
-/// that are small beside the cell.
+/// The least distance of an extremity from its generator, in radii of a disc with the cell's area. Nearer ones are
+/// spikes much smaller than the cell.
 constexpr double kLeastExtremity = 0.5;
 
-/// Iterations after generators went to extremities: more hardly lower the distance of remeshes.
+/// Number of iterations after generators moved to extremities. Further ones hardly reduce the distance of remeshes.
 constexpr std::int32_t kExtremityIterations = 5;
 
-/// Largest share of cells that become no discs, or get fewer than three neighbours, by generators on extremities.
-/// Beyond it the repairs of a remesh cost more than extremities gain.
+/// Largest share of cells that stop being discs, or get fewer than three neighbours, when generators move to
+/// extremities. With more, repairing the remesh costs more than extremities gain.
 constexpr double kLargestPoorShare = 0.04;
 
-/// Largest share of generators on extremities. Surfaces with limbs have 2 to 5 % there, rough ones more than half.
+/// Largest share of generators on extremities. On surfaces with limbs 2 to 5 % of the generators are there, and on
+/// rough surfaces more than half.
 constexpr double kLargestExtremityShare = 0.2;
 
-/// The share of the progress before generators go to extremities.
+/// The share of the progress before generators move to extremities.
 constexpr double kShareBefore = 0.75;
 
 void check_options(const LloydOptions& o) {
@@ -56,10 +55,10 @@ void check_options(const LloydOptions& o) {
   const double tolerance = energy_tolerance(o).value_or(0);
   if (!(tolerance >= 0) || !std::isfinite(tolerance)) refuse("the energy tolerance must be 0 or more");
   if (!(o.move_tolerance >= 0) || !std::isfinite(o.move_tolerance)) refuse("the move tolerance must be 0 or more");
-  check_diagram_options(o.diagram);  // iterations without diagrams would not tell
+  check_diagram_options(o.diagram);  // iterations without diagrams would not check them
 }
 
-/// The progress of a part of the relaxation, from `begin` to `end` of the whole.
+/// Maps the progress of a part of the relaxation to the range from `begin` to `end` of the whole.
 Progress part_of(const Progress& whole, double begin, double end) {
   if (!whole) return {};
   return [whole, begin, end](std::string_view step, double done) { return whole(step, begin + (end - begin) * done); };
@@ -67,14 +66,14 @@ Progress part_of(const Progress& whole, double begin, double end) {
 
 constexpr std::string_view kRelaxation = "relaxation";
 
-/// Largest share of the mesh's faces that is worth a copy.
+/// A copy is worthwhile if it has at most this share of the mesh's faces.
 constexpr double kLargestShare = 0.5;
 
-/// Share of the progress that the relaxation on the copy takes.
+/// The share of the progress for the relaxation on the copy.
 constexpr double kCopyShare = 0.3;
 
-/// Least energy tolerance on the copy. The default rule ends at larger energies, and with less the limit of the copy is
-/// no nearer to that of the mesh.
+/// The least energy tolerance on the copy. The default rule would end at larger energies, and with a smaller tolerance
+/// the result is no nearer to the minimum on the mesh.
 constexpr double kCopyTolerance = 1e-5;
 
 Freedom freedom_of(const LloydOptions& options, std::size_t i) {
@@ -92,18 +91,25 @@ LloydOptions options_on_copy(const Mesh& mesh, const LloydOptions& options, cons
   return of_copy;
 }
 
-/// The options of the iterations on the mesh. The copy's diagram has told which generators are on extremities.
+/// The number of iterations that are left for the mesh. Iterations for extremities of the copy come on top of the
+/// others, so that there may be more on the copy than are allowed.
+std::int32_t iterations_left(const LloydOptions& options, const LloydResult& on_copy) {
+  return std::max(0, max_iterations(options) - static_cast<std::int32_t>(on_copy.iterations.size()));
+}
+
+/// The options for the iterations on the mesh. Generators on extremities, which were found on the copy, stay fixed.
 LloydOptions options_on_mesh(const LloydOptions& options, const LloydResult& on_copy) {
   LloydOptions of_mesh = options;
-  if (!options.energy_tolerance) of_mesh.max_iterations = std::min(max_iterations(options), kFinishIterations);
+  of_mesh.max_iterations = iterations_left(options, on_copy);
+  if (!options.energy_tolerance) of_mesh.max_iterations = std::min(*of_mesh.max_iterations, kFinishIterations);
   if (!on_copy.extremities.empty()) of_mesh.freedom.resize(on_copy.generators.size(), Freedom::free);
   for (const GeneratorId g : on_copy.extremities) of_mesh.freedom[g.index()] = Freedom::fixed;
   of_mesh.progress = part_of(options.progress, kCopyShare, 1);
   return of_mesh;
 }
 
-/// The generators on the copy; nothing where it can't be used: no iteration is left, it has more than half of the
-/// faces, or generators that are apart on the mesh coincide on it.
+/// Moves the generators to the copy. Returns nothing if the copy can't be used: no iteration is left, it has more than
+/// half of the mesh's faces, or generators that are apart on the mesh coincide on it.
 std::optional<std::vector<SurfacePoint>> start_on_copy(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                                        const LloydOptions& options, const CoarseCopy& copy) {
   if (max_iterations(options) == 0 || (options.is_time_over && options.is_time_over())) return std::nullopt;
@@ -113,7 +119,7 @@ std::optional<std::vector<SurfacePoint>> start_on_copy(const Mesh& mesh, const s
   return start;
 }
 
-/// The generators of the copy on the mesh. Those that are not free are where they were.
+/// Moves the generators of the copy back to the mesh. Generators that are not free are where they were.
 std::vector<SurfacePoint> back_on_mesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                        const LloydOptions& options, const CoarseCopy& copy,
                                        const std::vector<SurfacePoint>& on_copy) {
@@ -130,8 +136,8 @@ CoarseRelaxation sum_up(const CoarseCopy& copy, const LloydResult& on_copy) {
   return {copy.mesh.face_count(), std::ssize(on_copy.iterations), on_copy.diagrams};
 }
 
-/// A relaxation without extremities: on the mesh, or from its start to its end on the copy. Then the energies and
-/// moments are those of the copy, and the diagram is that of the mesh.
+/// Runs a relaxation without extremities, on the mesh or entirely on the copy. In the latter case, energies and moments
+/// belong to the copy and the diagram to the mesh.
 LloydResult relax_once(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const LloydOptions& options,
                        const LloydStages& stages) {
   RelaxerRules rules{.starts_by_faces = stages.early_approximation};
@@ -149,7 +155,8 @@ LloydResult relax_once(const Mesh& mesh, const std::vector<SurfacePoint>& genera
   return result;
 }
 
-/// Whether a vertex and all its neighbours are in one cell, and the vertex is farther from the generator than they.
+/// Whether a vertex is an extremity: it is in the same cell as all its neighbours, and farther from the generator than
+/// they are.
 bool is_extremity(const Mesh& mesh, const Diagram& diagram, VertexId v) {
   const GeneratorId g = diagram.vertex_label[v];
   if (!g.valid() || !mesh.halfedge(v).valid() || mesh.is_boundary(v)) return false;
@@ -164,7 +171,7 @@ bool is_extremity(const Mesh& mesh, const Diagram& diagram, VertexId v) {
   return true;
 }
 
-/// The farthest extremity of each cell; invalid where there is none.
+/// The farthest extremity of each cell; invalid if there is none.
 IdVector<GeneratorId, VertexId> find_extremities(const Mesh& mesh, const Diagram& diagram) {
   IdVector<GeneratorId, VertexId> farthest(diagram.generators.size());
   for (const VertexId v : mesh.vertices()) {
@@ -175,15 +182,16 @@ IdVector<GeneratorId, VertexId> find_extremities(const Mesh& mesh, const Diagram
   return farthest;
 }
 
-/// The number of cells that a remesh would have to repair: no discs, or with fewer than three neighbours.
+/// The number of cells that a remesh would have to repair, because they are not discs or have fewer than three
+/// neighbours.
 std::int64_t count_poor_cells(const Diagram& diagram) {
   return std::ranges::count_if(diagram.cells, [](const Cell& cell) {
     return cell.euler_characteristic != 1 || (cell.boundary_loops == 1 && cell.neighbours.size() < 3);
   });
 }
 
-/// Puts free generators on the extremities of their cells, where they stay, and relaxes the others once more. Changes
-/// nothing where generators are too few for the limbs.
+/// Moves free generators to the extremities of their cells, where they stay, and relaxes the other generators once
+/// more. Changes nothing if there are too few generators for the limbs.
 void keep_extremities(const Mesh& mesh, const LloydOptions& options, const LloydStages& stages, LloydResult& result) {
   LloydOptions again = options;
   again.freedom.resize(result.generators.size(), Freedom::free);
@@ -197,7 +205,8 @@ void keep_extremities(const Mesh& mesh, const LloydOptions& options, const Lloyd
     kept.push_back(g);
   }
   if (kept.empty() || double(kept.size()) > kLargestExtremityShare * double(start.size())) return;
-  // Few generators have moved, so that the model predicts little: on the mesh all iterations are made.
+  // Only few generators have moved, so the model predicts only a small fall. On the mesh all iterations are made
+  // regardless.
   again.energy_tolerance = energy_tolerance(options).value_or(0);
   again.max_iterations = std::min(max_iterations(options), kExtremityIterations);
   LloydResult second = relax_once(mesh, start, again, stages);
@@ -212,7 +221,7 @@ void keep_extremities(const Mesh& mesh, const LloydOptions& options, const Lloyd
   result = std::move(second);
 }
 
-/// A relaxation, with extremities where the stages ask for them.
+/// Runs a relaxation, with extremities if the stages ask for them.
 LloydResult relax_with_extremities(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                    const LloydOptions& options, const LloydStages& stages) {
   if (!stages.keeps_extremities) return relax_once(mesh, generators, options, stages);
@@ -224,7 +233,7 @@ LloydResult relax_with_extremities(const Mesh& mesh, const std::vector<SurfacePo
   return result;
 }
 
-/// A relaxation on the copy, with its extremities, from the generators `start`; then a few iterations on the mesh.
+/// Relaxes on the copy, with extremities, from the generators `start`, and then does a few iterations on the mesh.
 LloydResult finish_on_mesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                            const std::vector<SurfacePoint>& start, const LloydOptions& options,
                            const LloydStages& stages) {
@@ -236,7 +245,7 @@ LloydResult finish_on_mesh(const Mesh& mesh, const std::vector<SurfacePoint>& ge
   const double least_promise = options.energy_tolerance ? 0 : kFinishPromise;
   LloydResult result = relax_on_mesh(mesh, moved, options_on_mesh(options, on_copy),
                                      {.starts_by_faces = false, .least_promise = least_promise});
-  const bool ends_early = !options.energy_tolerance && max_iterations(options) > kFinishIterations;
+  const bool ends_early = !options.energy_tolerance && iterations_left(options, on_copy) > kFinishIterations;
   if (ends_early && result.stop == LloydStop::max_iterations) result.stop = LloydStop::prediction;
   result.extremities = std::move(on_copy.extremities);
   result.copy = sum_up(copy, on_copy);

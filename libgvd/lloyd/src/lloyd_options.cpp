@@ -1,4 +1,4 @@
-// The options of a relaxation and of its start, for users.
+// Describes the options of a relaxation and of its start.
 
 #include "gvd/lloyd_options.hpp"
 
@@ -35,15 +35,15 @@ void describe(OptionList& list, RelaxationStartOptions& options) {
   StartOptions& constraints = options.constraints;
   list.group("Relaxation");
   list.option("coarse", Number{&options.copy.faces, {.least = 4, .most = 1e9}, {{"off", 0}}},
-              {.help = "Sample and relax on a decimated copy of about so many faces first",
-               .usual = "where the mesh is large enough"});
+              {.help = "Sample and relax on a decimated copy with about this many faces first",
+               .usual = "if the mesh is large enough"});
   list.group("Constraints");
   list.option(
       "features", CreaseAngle{&constraints.crease_angle, &constraints.prefers_creases, kUsualCreaseAngle},
       {.help = "Put generators on corners and creases first and keep them there",
        .more = fmt::format(
            "; a crease is an edge between faces whose normals differ by more than this many degrees; 'auto': by "
-           "more than {} degrees, where at most half of the sampled generators suffice for creases and boundary",
+           "more than {} degrees, if at most half of the sampled generators suffice for creases and boundary",
            kUsualCreaseAngle),
        .shown = Shown::main});
   list.option("keep_boundary", Flag{&constraints.keep_boundary},

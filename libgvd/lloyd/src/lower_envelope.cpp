@@ -1,6 +1,6 @@
-// Lower envelopes of functions that are linear over a triangle.
+// Computes lower envelopes of functions that are linear over a triangle.
 //
-// Each function's part begins as the whole triangle, and is clipped by every other function that is the least
+// The part of a function is initially the whole triangle, and is clipped by every other function that is the least
 // somewhere.
 #include "lower_envelope.hpp"
 
@@ -18,13 +18,14 @@ double difference(const std::array<double, 3>& a, const std::array<double, 3>& b
   return at[0] * (a[0] - b[0]) + at[1] * (a[1] - b[1]) + at[2] * (a[2] - b[2]);
 }
 
-/// The point between two where a linear function is 0, out of its values there, which have different signs.
+/// The point between a and b at which a linear function is 0. Its values at a and b must have different signs.
 Bary zero_between(const Bary& a, double at_a, const Bary& b, double at_b) {
   const double t = at_a / (at_a - at_b);
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }
 
-/// Two functions are one if their values differ by less than this, relative to them: a thousand times their rounding.
+/// Two functions count as equal if their values differ by less than this, relative to the values: a thousand times
+/// their rounding.
 constexpr double kSameFunction = 1e-12;
 
 bool is_nowhere_less(const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -76,7 +77,8 @@ void LowerEnvelope::list_candidates(const std::vector<Function>& values) {
   }
 }
 
-/// Cuts off where function `other` is less (I. Sutherland and G. Hodgman, Reentrant polygon clipping, 1974).
+/// Cuts off the region in which function `other` is less (I. Sutherland and G. Hodgman, Reentrant polygon clipping,
+/// 1974).
 void LowerEnvelope::clip(const std::vector<Function>& values, EnvelopePart& part, std::size_t other) {
   const std::size_t n = part.corners.size();
   excess_.clear();

@@ -1,11 +1,11 @@
-// Cells without a diagram, for the early iterations of a relaxation.
+// Measures cells without a diagram, for the early iterations of a relaxation.
 //
-// The windows of a face tell which images of generators are near it, and so the parts of cells in the face. Square
-// distances from two images differ by a linear function of the plane, so the parts are those of a lower envelope of
-// linear functions. Each part is integrated at its centroid, with the spread of its points about it: exact for
-// quadratic functions. Energies and gradients cost about half of a diagram with its integrals. A face's parts cover it
-// without overlaps, so no area is counted twice or lost.
-// Two counting sorts, by the second cell and then by the first one, order the segments of bisectors in linear time.
+// The windows of a face tell which images of generators are near it, and thus the parts of cells in the face. Squared
+// distances from two images differ by a linear function of the plane, so the parts form a lower envelope of linear
+// functions. Each part is integrated at its centroid, with the spread of its points about the centroid, which is exact
+// for quadratic functions. Computing energies and gradients takes about half the time of a diagram with its integrals.
+// The parts of a face cover it without overlaps, so no area is lost or counted twice.
+// Two counting sorts, by the second cell and then by the first, order the segments of bisectors in linear time.
 #include "measured_cells.hpp"
 
 #include <algorithm>
@@ -22,9 +22,9 @@
 namespace gvd {
 namespace {
 
-/// Counting sort: keeps the order of segments with the same cell.
+/// A counting sort, which keeps the order of segments with the same cell.
 void sort_by(GeneratorId BisectorSegment::*cell, std::vector<BisectorSegment>& segments) {
-  std::vector<std::size_t> begin;  // of each cell's segments
+  std::vector<std::size_t> begin;  // where each cell's segments begin
   for (const BisectorSegment& segment : segments) {
     const std::size_t next = (segment.*cell).index() + 1;
     if (begin.size() <= next) begin.resize(next + 1, 0);
@@ -36,12 +36,12 @@ void sort_by(GeneratorId BisectorSegment::*cell, std::vector<BisectorSegment>& s
   segments = std::move(sorted);
 }
 
-/// A face is far from generators if none is nearer than this, in lengths of its longest side.
+/// A face is far from generators if none is nearer than this, in units of its longest side.
 constexpr double kFarDistance = 2;
 
-/// Points of a face at which the nearest image is looked for: the centroid, and near the corners and the middles of the
-/// sides. Most small parts of cells are there. Parts without such a point are missed, except those of direct images
-/// near generators.
+/// Points of a face for which the nearest image is found: the centroid, and points near the corners and near the
+/// middles of the sides, where most small parts of cells lie. Parts without such a point are missed, except parts of
+/// direct images near generators.
 constexpr std::array<Bary, 7> kProbes{{{1.0 / 3, 1.0 / 3, 1.0 / 3},
                                        {0.96, 0.02, 0.02},
                                        {0.02, 0.96, 0.02},
@@ -50,12 +50,12 @@ constexpr std::array<Bary, 7> kProbes{{{1.0 / 3, 1.0 / 3, 1.0 / 3},
                                        {0.49, 0.02, 0.49},
                                        {0.49, 0.49, 0.02}}};
 
-/// Logarithms are smooth over a face if those of two corners are at most this many times as far apart as the corners.
-/// In a plane the factor is 1, on a sphere 1.1 at 0.75 radii from the generator.
+/// Logarithms are smooth over a face if the logarithms of any two corners are at most this many times as far apart as
+/// the corners. The factor is 1 in a plane, and 1.1 on a sphere at 0.75 radii from the generator.
 constexpr double kMostStretch = 1.1;
 
 /// The input of all threads.
-struct Field {
+struct MeasuredField {
   const WorkingMesh& working;
   const WindowField& windows;
   const Departures& departures;
@@ -63,17 +63,17 @@ struct Field {
   const Integrand& integrand;
 };
 
-/// Distance of the points of Gauss' quadrature from the middle of an interval of length 1: 1 / sqrt(12).
+/// Distance of the Gauss points from the middle of an interval of length 1: 1 / sqrt(12).
 constexpr double kGaussPoint = 0.28867513459481287;
 
-/// The middle of a segment stands for both Gauss points where it is shorter than this, in distances from its
-/// generators. The square of a logarithm is then off by less than 1 / 1200.
+/// If a segment is shorter than this, in units of its distance from its generators, its middle replaces both Gauss
+/// points. The square of a logarithm is then off by less than 1 / 1200.
 constexpr double kShort = 0.1;
 
-/// Measures the parts of cells in faces of the working mesh, one face after the other.
+/// Measures the parts of cells in faces of the working mesh, face by face.
 class FaceMeasurer {
  public:
-  explicit FaceMeasurer(const Field& field)
+  explicit FaceMeasurer(const MeasuredField& field)
       : sums(field.integrand.watched),
         field_(field),
         mesh_(field.working.mesh()),
@@ -92,8 +92,8 @@ class FaceMeasurer {
     for (const EnvelopePart& part : envelope_.compute(square_distances())) add(part);
   }
 
-  /// Adds the segments of bisectors in a face, and nothing to the sums. Faces with one label at their corners have
-  /// hardly any.
+  /// Adds only the segments of bisectors in a face, and nothing to the sums. Skips faces with the same label at all
+  /// corners, which hardly ever have segments.
   void add_segments_only(FaceId face) {
     face_ = face;
     if (has_one_label()) return;
@@ -113,15 +113,15 @@ class FaceMeasurer {
     return field_.integrand.density.at(field_.working.parent(face_), field_.working.parent_bary(face_, point));
   }
 
-  /// The mean squared distance of the face's points from its centroid.
+  /// The mean squared distance of the face's points from the face's centroid.
   double spread() const {
     double squares = 0;
     for (int i = 0; i < 3; ++i) squares += std::pow(mesh_.length(Mesh::halfedge(face_, i)), 2);
     return squares / 36;
   }
 
-  /// Adds the whole face by the logarithms of its corners, and returns whether it did. It does not where they are not
-  /// smooth: there, paths to two corners pass on different sides of a vertex. Exact for the logarithms of a plane.
+  /// Adds the whole face by the logarithms of its corners, if they are smooth, and returns whether it did. They are not
+  /// smooth if paths to two corners pass on different sides of a vertex. Exact for the logarithms of a plane.
   bool add_smooth() {
     const auto& corners = mesh_.vertices(face_);
     Vec2 mean(0, 0);
@@ -133,7 +133,8 @@ class FaceMeasurer {
       mean += from / 3;
       squares += from.squaredNorm() / 3;
     }
-    // In a plane, the square at the centroid is less than the mean square at the corners by four times the spread.
+    // In a plane, the squared distance at the centroid is less than the mean of the squares at the corners by four
+    // times the spread.
     add_whole({label(0), std::sqrt(std::max(0.0, squares - 4 * spread())), mean});
     return true;
   }
@@ -142,9 +143,9 @@ class FaceMeasurer {
     sums.add(path.generator, mesh_.area(face_), mesh_.area(face_) * density_at(kProbes[0]), path, spread());
   }
 
-  /// Lists the images that the probes see, and near generators all direct ones: there, small parts of cells are not
-  /// small beside the cell. Direct ones count beyond the ends of their windows too, where they are no nearer than other
-  /// images. Those of pseudo-sources can be nearer there.
+  /// Lists the images that the probes see and, near generators, all direct images, because there small parts of cells
+  /// are not small compared with the cell. Direct images may count beyond the ends of their windows, too, because there
+  /// they are no nearer than other images. Images of pseudo-sources could be nearer there.
   void find_images() {
     images_.clear();
     const bool takes_direct = !is_far();
@@ -168,9 +169,9 @@ class FaceMeasurer {
     return nearest > kFarDistance * longest;
   }
 
-  /// The square distances of the images from the corners of the face. Differences of square distances from two points
-  /// are linear in the plane. So the envelope of these values has the true bisectors, but those of pseudo-sources
-  /// become straight.
+  /// The squared distances of the images from the corners of the face. Differences of squared distances from two points
+  /// are linear in the plane, so the envelope of these values has the true bisectors, except that bisectors of
+  /// pseudo-sources become straight.
   const std::vector<std::array<double, 3>>& square_distances() {
     const std::array<Vec2, 3> corners{paths_.position({1, 0, 0}), paths_.position({0, 1, 0}),
                                       paths_.position({0, 0, 1})};
@@ -207,7 +208,7 @@ class FaceMeasurer {
     double spread = 0;  // mean squared distance of the points from the centroid
   };
 
-  /// Sums over the triangles of a fan.
+  /// The moments of a part, summed over the triangles of a fan.
   PolygonMoments polygon_moments(const EnvelopePart& part) const {
     PolygonMoments polygon;
     Vec2 centroid(0, 0);
@@ -229,8 +230,8 @@ class FaceMeasurer {
     return polygon;
   }
 
-  /// Adds the segment from p to q of the bisector of two images. The difference of their square distances tells how far
-  /// they are apart: its slope is twice that.
+  /// Adds the segment from p to q of the bisector of two images. The difference of their squared distances has a slope
+  /// of twice the distance between the images.
   void add_segment(std::size_t left, std::size_t right, const Vec2& p, const Vec2& q) {
     const auto excess = [&](const Vec2& at) {
       return paths_.square_distance(left, at) - paths_.square_distance(right, at);
@@ -250,16 +251,17 @@ class FaceMeasurer {
     segments.push_back(segment);
   }
 
-  const Field& field_;
+  const MeasuredField& field_;
   const Mesh& mesh_;
   NearestPaths paths_;
-  std::vector<std::size_t> images_;            // from which the parts of the face are seen
-  std::vector<std::array<double, 3>> values_;  // their square distances from the corners
+  std::vector<std::size_t> images_;            // the images that have parts of the face
+  std::vector<std::array<double, 3>> values_;  // the squared distances of the images from the corners
   LowerEnvelope envelope_;
   FaceId face_;
 };
 
-/// The logarithms of the vertices at their nearest generators; 0 at generators, and where none reaches.
+/// The logarithms of the vertices at their nearest generators; 0 for vertices of generators and vertices that none
+/// reaches.
 IdVector<VertexId, Vec2> vertex_logs(const WindowField& field, const Departures& departures) {
   IdVector<VertexId, Vec2> logs;
   for (const VertexId v : field.distance.ids()) {
@@ -270,10 +272,10 @@ IdVector<VertexId, Vec2> vertex_logs(const WindowField& field, const Departures&
   return logs;
 }
 
-/// Runs measure(measurer, face) for all faces of the working mesh, in parts that do not depend on the threads.
-/// Returns the sums of the parts, and adds their segments to the geometry.
+/// Calls measure(measurer, face) for all faces of the working mesh, in chunks that do not depend on the number of
+/// threads. Returns the sums of the chunks, and adds their segments to the geometry.
 template <class Measure>
-std::vector<CellSums> measure_faces(const Field& field, const ParallelChunks& parallel, const Measure& measure,
+std::vector<CellSums> measure_faces(const MeasuredField& field, const ParallelChunks& parallel, const Measure& measure,
                                     CellGeometry& geometry) {
   const auto faces = cut_into_chunks(field.working.mesh().face_count(), kScanChunk);
   std::vector<CellSums> sums(faces.size(), CellSums(field.integrand.watched));
@@ -289,7 +291,7 @@ std::vector<CellSums> measure_faces(const Field& field, const ParallelChunks& pa
   return sums;
 }
 
-/// The geometry without segments, of the vertices of the working mesh: the input's come first.
+/// The geometry without segments, for the vertices of the working mesh; the input's vertices come first.
 CellGeometry begin_geometry(const WindowField& windows, const Departures& departures) {
   return {{}, windows.label, windows.distance, vertex_logs(windows, departures)};
 }

@@ -1,8 +1,8 @@
-// Methods of optimisation on fields of tangent vectors: L-BFGS, the Lanczos process, a line search.
+// Methods of optimisation on fields of tangent vectors: L-BFGS, the Lanczos process, and a line search.
 //
-// Nothing here knows a mesh or an energy. The vectors of all earlier steps are transported along the generators' paths,
-// so that differences are formed in one tangent plane for each generator. Sums run in ascending order of the
-// generators, for the same bits in every run. Sources are with the declarations.
+// Nothing here depends on a mesh or an energy. The vectors of all earlier steps are transported along the generators'
+// paths, so that differences are formed in the same tangent plane for each generator. Sums run in ascending order of
+// the generators, so that every run gives the same bits. Sources are with the declarations.
 #include "optimiser.hpp"
 
 #include <Eigen/Dense>
@@ -13,14 +13,14 @@
 namespace gvd {
 namespace {
 
-/// The factor of the initial inverse Hessian that gives it the curvature of the latest pair.
+/// The factor that gives the initial inverse Hessian the curvature of the latest pair.
 double initial_factor(const StepHistory& history, const FieldMap& initial) {
   if (history.pairs().empty()) return 1;
   const StepPair& latest = history.pairs().back();
   return dot(latest.step, latest.change) / dot(latest.change, initial(latest.change));
 }
 
-/// A new basis vector below this length, relative to the largest entry of the tridiagonal matrix, is rounding.
+/// A new basis vector shorter than this, relative to the largest entry of the tridiagonal matrix, is only rounding.
 constexpr double kInvariant = 1e-10;
 
 /// An orthonormal basis of the Krylov space, and the matrix in this basis, which is tridiagonal.
@@ -29,11 +29,11 @@ struct KrylovBasis {
   std::vector<double> diagonal, beside;
 };
 
-/// The part of a vector that is orthogonal to the basis, up to rounding: that takes two rounds.
+/// The part of a vector that is orthogonal to the basis, up to rounding. That takes two rounds.
 TangentField orthogonalised(TangentField w, const std::vector<TangentField>& basis) {
   for (int round = 0; round < 2; ++round) {
     for (const TangentField& v : basis) {
-      const double along = dot(w, v);  // before w is moved: arguments are evaluated in any order
+      const double along = dot(w, v);  // before w is moved, because arguments are evaluated in any order
       w = add_scaled(std::move(w), -along, v);
     }
   }
@@ -56,7 +56,7 @@ KrylovBasis build_basis(const FieldMap& multiply, TangentField first, int steps)
   }
 }
 
-/// The first column of f of the tridiagonal matrix.
+/// The first column of f(T), where T is the tridiagonal matrix.
 Eigen::VectorXd first_column(const KrylovBasis& basis, const std::function<double(double)>& f) {
   const Eigen::Index n = std::ssize(basis.diagonal);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);

@@ -1,7 +1,7 @@
-// The steps from options to the start of a relaxation.
+// Goes from options to the start of a relaxation.
 //
-// The number of generators decides the size of the copy, and farthest points are sampled on the copy. So it comes first
-// where the number is known, and after the generators of a list or of a covering radius.
+// The number of generators decides the size of the copy, and farthest points are sampled on the copy. So the copy is
+// made first if the number is known, and otherwise after the generators were listed or sampled for a covering radius.
 
 #include "gvd/relaxation_start.hpp"
 
@@ -13,7 +13,7 @@
 namespace gvd {
 namespace {
 
-/// The number of faces of the copy for so many generators; 0 where there is none.
+/// The number of faces of the copy for this many generators; 0 for no copy.
 std::int64_t choose_copy_faces(std::int64_t all, std::int64_t generators, const RelaxationStartOptions& options) {
   if (options.sample) return 0;
   const CopyOptions& asked = options.copy;
@@ -22,7 +22,7 @@ std::int64_t choose_copy_faces(std::int64_t all, std::int64_t generators, const 
   return faces < kCopyFacesPerGenerator * generators || 2 * faces > all ? 0 : faces;
 }
 
-/// The restrictions of the generators: listed ones do not follow creases that are preferred.
+/// The constraints of the generators. Listed generators do not follow preferred creases.
 StartOptions choose_constraints(const RelaxationStartOptions& options) {
   StartOptions constraints = options.constraints;
   constraints.are_listed = !options.listed.empty();

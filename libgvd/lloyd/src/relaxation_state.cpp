@@ -1,7 +1,7 @@
-// States of a relaxation: generators with their cells, the energy, and the ways to the centroids.
+// Computes states of a relaxation: generators with their cells, the energy, and the vectors to the centroids.
 //
-// A way leads to the centroid, projected to where the generator may go; at a vertex it is the steepest one instead
-// (vertex_rests.hpp). Sums run in ascending order of the generators.
+// The vector to the centroid is projected onto the directions in which the generator may move; at a vertex, the
+// direction of steepest descent replaces it (vertex_rests.hpp). Sums run in ascending order of the generators.
 #include "relaxation_state.hpp"
 
 #include <algorithm>
@@ -19,14 +19,14 @@
 namespace gvd {
 namespace {
 
-/// Greatest distance from a saddle vertex from which a generator goes to rest there, in mean cell radii: farther away,
-/// the paths of the generator tell too little about those from the vertex.
+/// Largest distance, in mean cell radii, from which a generator goes to rest at a saddle vertex. From farther away, the
+/// paths of the generator tell too little about the paths from the vertex.
 constexpr double kReach = 0.1;
 
 /// The radius of a disc with the mean area of the cells.
 double mean_radius(double area, std::size_t cells) { return std::sqrt(area / (std::numbers::pi * double(cells))); }
 
-/// Integrates over the cells of a diagram, which becomes that of the state.
+/// Computes the diagram of the state, and integrates over its cells.
 CellIntegrals integrate_diagram(const Mesh& mesh, const Precision& precision, const Integrand& integrand,
                                 RelaxationState& state) {
   const DiagramOptions& options = precision.diagram;

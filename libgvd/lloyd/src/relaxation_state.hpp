@@ -11,12 +11,12 @@
 
 namespace gvd {
 
-/// How the cells of generators are found. Energies of different precisions must not be compared with each other: they
-/// differ by the errors at the bisectors.
+/// How the cells of generators are found. Energies of different precisions must not be compared with each other,
+/// because they differ by the errors at the bisectors.
 struct Precision {
   DiagramOptions diagram;
-  bool skips_diagram = false;  ///< measures the cells face by face instead (see measured_cells.cpp)
-  /// Generators at vertices rest if their way is at most this fraction of the mean cell radius, >= 0.
+  bool skips_diagram = false;  ///< measure the cells face by face instead (see measured_cells.cpp)
+  /// Generators at vertices rest if their way to the centroid is at most this fraction of the mean cell radius, >= 0.
   double rest_tolerance = 0;
 };
 
@@ -27,22 +27,23 @@ struct RelaxationState {
   IdVector<GeneratorId, CellMoments> moments;
   CellGeometry geometry;
   double energy = 0;
-  /// The ways to the centroids, projected to where the generators may go; at a vertex the steepest way. Mesh units.
+  /// The vectors to the centroids, projected onto allowed directions; at a vertex the vector of steepest descent. Mesh
+  /// units.
   TangentField to_centroids;
-  double residual = 0;  ///< length of the longest way
-  /// Whether each generator is at a vertex where no short step, or hardly any, lowers the energy of its cell.
+  double residual = 0;  ///< length of the longest of these vectors
+  /// For each generator, whether it is at a vertex where short steps do not lower the energy of its cell, or hardly.
   std::vector<char> is_resting;
   Rests rest;
   double mean_cell_radius = 0;  ///< sqrt(area / (pi cells)), mesh units
 };
 
-/// Whether the energy is no smooth function of the generator: it is at a vertex, or goes to rest at one. The steps of
-/// other generators then tell nothing about its own, and it takes Lloyd's.
+/// Whether the energy is not a smooth function of the generator, because it is at a vertex or goes to rest at one. The
+/// steps of other generators then tell nothing about its own, and it takes Lloyd's step.
 inline bool is_at_kink(const RelaxationState& state, const Rests& rests, std::size_t i) {
   return state.is_resting[i] || rests[i] || state.generators[i].kind() == SurfacePoint::Kind::vertex;
 }
 
-/// Cells, integrals and ways to the centroids of these generators.
+/// Computes the cells, integrals and vectors to the centroids of these generators.
 RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                     const Precision& precision, const Density& density = {},
                                     const GeneratorConstraints& constraints = {});
@@ -50,8 +51,8 @@ RelaxationState evaluate_generators(const Mesh& mesh, const std::vector<SurfaceP
 /// The gradient of the energy: -2 mass centroid for each generator; mesh units cubed.
 TangentField energy_gradient(const RelaxationState& state);
 
-/// Twice the integrals of the density over the cells. The gradient divided by them is minus the way to the centroid, so
-/// Lloyd's step is the step of a Newton method with this diagonal Hessian. A cell without any takes the mean.
+/// Twice the integrals of the density over the cells. The gradient divided by them is minus the vector to the centroid,
+/// so Lloyd's step is the step of a Newton method with this diagonal Hessian. A cell without mass gets the mean.
 std::vector<double> cell_masses(const RelaxationState& state);
 
 }  // namespace gvd

@@ -1,10 +1,10 @@
-// The relaxation: accelerated steps, or Lloyd's where they fail.
+// Relaxes generators by accelerated steps, or by Lloyd's steps if those fail.
 //
 // Lloyd's method (S. Lloyd, Least squares quantization in PCM, 1982) moves every generator to the centroid of its cell.
-// Accelerated steps take the way to the centroid for the gradient of the energy. A step is taken only if it lowers the
-// energy, as measured at the present level of precision, so the energies of the iterations fall. At the first level,
-// which ends sooner, cells are measured without diagrams; the last one has the diagrams of the options. Energies of the
-// two are not compared with each other: they differ by the errors at the bisectors.
+// Accelerated steps take the gradient of the energy from the vector to the centroid. A step is taken only if it lowers
+// the energy, measured at the present level of precision, so the energies of the iterations decrease. At the first
+// level, which ends sooner, cells are measured without diagrams; the last level uses the diagrams of the options.
+// Energies of the two levels are not compared with each other, because they differ by the errors at the bisectors.
 // docs/developer/lloyd.md derives what the steps compute.
 
 #include "relaxer.hpp"
@@ -24,49 +24,52 @@
 namespace gvd {
 namespace {
 
-/// Diagrams that Lloyd's step may cost, and how many of them while only generators that went too far take shorter
-/// steps. After these all steps are halved too: down to a thousandth.
+/// Largest number of diagrams for Lloyd's step. For the first kOwnTrials of them, only generators that went too far
+/// shorten their steps. After that all steps are halved each time, down to a thousandth.
 constexpr int kLloydTrials = 16, kOwnTrials = 6;
 
-/// The level without diagrams ends where iterations lower the energy by less than this fraction of it: diagrams lower
-/// it by more than further early iterations.
+/// The level without diagrams ends when iterations lower the energy by less than this fraction, because diagrams then
+/// lower it more than further early iterations.
 constexpr double kEarlyFall = 3e-5;
 
-/// Accelerated iterations over which the mean fall of the energy decides whether to end.
+/// Number of accelerated iterations over which the fall of the energy is averaged.
 constexpr int kStallWindow = 5;
 
-/// Iterations that the default rule looks ahead.
+/// Number of iterations that the default rule looks ahead.
 constexpr int kIterationsAhead = 5;
 
-/// Where the first level has ended because little is left, exact cells may predict so many times more of it. A
-/// relaxation that goes on there costs a diagram for hardly more than the rounding of the rule.
+/// After the first level has converged, exact cells may predict up to this many times the fall of the default rule
+/// without a further iteration, which would cost a diagram for hardly any gain.
 constexpr double kDoubt = 2;
 
-/// The first level has lowered the energy beyond doubt if it is below this fraction of that at the start.
+/// The first level has certainly lowered the energy if it is below this fraction of the initial energy.
 constexpr double kClearFall = 0.99;
 
-/// Iterations between a relocation that failed and the next attempt.
+/// Number of iterations between a relocation that failed and the next attempt.
 constexpr std::size_t kRelocationPause = 10;
 
-/// Least fall of the energy, as a fraction, that a relocation at the start must promise: what the first step gives.
+/// The fraction by which a relocation at the start must promise to lower the energy: about as much as the first step
+/// does.
 constexpr double kFirstRelocationGain = 0.05;
 
-/// Diagrams that an accelerated step may cost; then a Lloyd step is the better use of a diagram.
+/// Largest number of diagrams for an accelerated step. After that, a Lloyd step is a better use of a diagram.
 constexpr int kLineSearchTrials = 4;
 
-/// Error of differences of energies without a diagram, as a fraction: parts of needles come and go.
+/// The error of differences of energies measured without a diagram, as a fraction, because parts of needles come and
+/// go.
 constexpr double kSampledError = 0.003;
 
 /// Bounds of the factor by which a generator shortens its own step.
 constexpr double kLeastFactor = 0.1, kLargestFactor = 0.5;
 
-/// Energies that are no numbers can't be compared: all generators would seem to be at their centroids.
+/// Refuses an energy that is not finite. Such energies can't be compared, and all generators would seem to be at their
+/// centroids.
 void check_energy(double energy) {
   if (std::isfinite(energy)) return;
   throw Error(ErrorCode::precondition, "the energy is too large for a number; scale the density or the mesh down");
 }
 
-/// The fall of the energy if every generator were at its centroid, and all cells kept their borders.
+/// The fall of the energy if every generator moved to its centroid and all cells kept their borders.
 double promised_fall(const RelaxationState& state) {
   double fall = 0;
   for (const GeneratorId g : state.moments.ids()) {
@@ -75,9 +78,9 @@ double promised_fall(const RelaxationState& state) {
   return fall;
 }
 
-/// Shortens the steps of the generators that went beyond the lowest point of their path. The energy's slopes at both
-/// ends of a path tell how far (the secant). `move` led from `before` to `after`, whose energy is too large; `scales`
-/// are the factors of the steps. Returns whether there is such a generator.
+/// Shortens the steps of generators that went beyond the lowest point of their path, as far as the energy's slopes at
+/// both ends of the path tell (the secant). `move` led from `before` to `after`, whose energy is too large; `scales`
+/// are the factors of the steps. Returns whether there are such generators.
 bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move, const RelaxationState& after,
                        std::vector<double>& scales) {
   const TangentField start = turned(move.turns, energy_gradient(before)), end = energy_gradient(after);
@@ -91,26 +94,26 @@ bool shorten_own_steps(const RelaxationState& before, const GeneratorMove& move,
   return is_any_shortened;
 }
 
-/// How far a figure has come from its largest value to a tolerance, in orders of magnitude.
+/// Measures how far a figure has come from its largest value to its tolerance, in orders of magnitude.
 class Decline {
  public:
-  /// `ratio`: of the figure to its tolerance; not finite where that is 0, and then it counts for nothing.
+  /// `ratio`: the figure divided by its tolerance. It is not finite if the tolerance is 0, and is then ignored.
   void note(double ratio) {
     if (!std::isfinite(ratio)) return;
     largest_ = std::max(largest_, ratio);
     least_ = std::min(least_, std::max(1.0, ratio));
   }
-  /// In [0, 1]; 0 while nothing is known.
+  /// The share of the way, in [0, 1]; 0 as long as nothing is known.
   double share() const { return least_ < largest_ ? std::log(largest_ / least_) / std::log(largest_) : 0; }
 
  private:
   double largest_ = 1, least_ = std::numeric_limits<double>::max();
 };
 
-/// The rules of the iteration: what is tried, what is taken, and when to end.
+/// Iterates: decides which steps to try, which to take, and when to end.
 class Relaxer {
  public:
-  /// All arguments have to outlive this.
+  /// All arguments must outlive this object.
   Relaxer(const Mesh& mesh, const std::vector<SurfacePoint>& start, const LloydOptions& options,
           const RelaxerRules& rules)
       : mesh_(mesh),
@@ -153,8 +156,8 @@ class Relaxer {
   }
 
  private:
-  /// Iterates until a rule holds at the last level, or the iterations or the time are used up. Where another rule holds
-  /// before, the next level follows.
+  /// Iterates until a rule ends the last level, or until the iterations or the time are used up. When a rule ends an
+  /// earlier level, the next level follows.
   LloydStop iterate(RelaxationState& state) {
     while (true) {
       const std::optional<LloydStop> stop = advance(state);
@@ -165,7 +168,7 @@ class Relaxer {
     }
   }
 
-  /// One iteration, and the reason to end after it or instead of it.
+  /// Does an iteration. Returns a reason to end after it or instead of it, if there is one.
   std::optional<LloydStop> advance(RelaxationState& state) {
     if (is_at_centroids(state)) return LloydStop::centroids;
     if (std::ssize(record_.falls) >= max_iterations(options_)) return LloydStop::max_iterations;
@@ -187,7 +190,8 @@ class Relaxer {
     return is_at_centroids(state) ? LloydStop::centroids : LloydStop::energy;
   }
 
-  /// Whether the default rule ends the relaxation: the steps and the last two iterations tell that little is left.
+  /// Whether the default rule ends the relaxation, because the proposed steps and the last two iterations show that it
+  /// has converged.
   bool is_settled(const RelaxationState& state, const ProposedSteps& proposed) {
     if (energy_tolerance(options_)) return false;
     const double ahead = kIterationsAhead * std::max(proposed.prediction / state.energy, record_.largest_fall(2));
@@ -197,12 +201,13 @@ class Relaxer {
 
   bool is_at_centroids(const RelaxationState& state) {
     const double limit = options_.move_tolerance * state.mean_cell_radius;
-    // The first level ends nothing: there the way to the centroids counts as twice the tolerance at least.
+    // The first level does not end the relaxation, so its distance to the centroids counts as at least twice the
+    // tolerance.
     way_decline_.note(std::max(state.residual / limit, is_last_level_ ? 1.0 : 2.0));
     return state.residual <= limit;
   }
 
-  /// The same generators with better diagrams. The energy of the last iteration is measured anew.
+  /// Evaluates the same generators with better diagrams, and measures the energy of the last iteration again.
   RelaxationState raise_level(const RelaxationState& early) {
     const bool has_moved = early.generators != start_;
     const bool has_fallen = early.energy < kClearFall * record_.initial_energy;
@@ -218,7 +223,7 @@ class Relaxer {
     return state;
   }
 
-  /// `state`, or the start if it has no more energy; the early iterations then count as one or none.
+  /// Returns `state`, or `start` if that has no more energy. The early iterations are merged into one or none.
   RelaxationState lower_of(RelaxationState state, RelaxationState start) {
     record_.initial_energy = start.energy;
     record_.merge_all();
@@ -235,11 +240,12 @@ class Relaxer {
     return state;
   }
 
-  /// One iteration that relocates generators, if it promises more than the last iteration gave. If the energy does not
-  /// fall, the less valuable half of them stays. False if none is left; then it waits for some iterations.
+  /// Does an iteration that relocates generators, if it promises more than the last iteration gave. As long as the
+  /// energy does not fall, drops the less valuable half of the relocations. Returns false if none is left; the next
+  /// attempt then comes some iterations later.
   bool relocate(RelaxationState& state) {
     if (!relocates(options_) || record_.iterations.size() < next_relocation_) return false;
-    report();  // with a million generators, each of these steps takes seconds
+    report();  // with a million generators, each of the next steps takes seconds
     const std::vector<Relocation> plan = plan_relocations(mesh_, options_.density, state, constraints_);
     if (!(total_gain(plan) > (record_.falls.empty() ? kFirstRelocationGain : record_.falls.back()) * state.energy))
       return false;
@@ -250,8 +256,9 @@ class Relaxer {
     return false;
   }
 
-  /// One iteration by the accelerator's steps: shortens them, or has the model of the energy minimised for shorter
-  /// ones, until the energy falls enough. False if it never does; then the accelerator begins anew.
+  /// Does an iteration by the accelerator's steps. Until the energy falls enough, shortens them or minimises the model
+  /// of the energy for shorter ones. Returns false if the energy never falls enough; the accelerator then forgets its
+  /// history.
   bool descend_accelerated(RelaxationState& state, ProposedSteps proposed) {
     double scale = 1;
     for (int trial = 0; trial < kLineSearchTrials; ++trial) {
@@ -281,7 +288,8 @@ class Relaxer {
     return false;
   }
 
-  /// One iteration by Lloyd's steps: shortens those that went too far until the energy falls. False if it never does.
+  /// Does an iteration by Lloyd's steps, and shortens steps that went too far until the energy falls. Returns false if
+  /// it never does.
   bool descend(RelaxationState& state) {
     std::vector<double> scales(state.generators.size(), 1);
     const Rests rests = refused_rests_.allowed(record_.falls.size(), state.rest);
@@ -299,7 +307,8 @@ class Relaxer {
   }
 
   /// Whether the energy is below the limit after a move. Near the end, energies differ by less than their error. Then
-  /// their slopes at both ends of the paths decide, which are more exact, unless the energy exceeds that at the start.
+  /// the slopes at both ends of the paths, which are more accurate, decide, unless the energy exceeds the initial
+  /// energy.
   /// Source: the approximate Wolfe conditions of Hager and Zhang, A new conjugate gradient method with guaranteed descent
   /// and an efficient line search, 2005.
   bool is_better(double limit, const RelaxationState& state, const GeneratorMove& next,
@@ -310,8 +319,8 @@ class Relaxer {
     return rise_by_slopes(state, next, moved) < limit - state.energy;
   }
 
-  /// Moves the generators if their energy is then below the limit. Otherwise returns the state that they would have; a
-  /// copy of this one if none moves. `rests`: where generators would rest, whether or not they go there now.
+  /// Moves the generators if their energy is then below the limit. Otherwise returns the state that they would have, or
+  /// a copy of `state` if none moves. `rests`: where generators would rest, whether or not they go there now.
   std::optional<RelaxationState> take_if_below(double limit, RelaxationState& state, Rests rests,
                                                const GeneratorMove& next) {
     if (next.to == state.generators) return state;
@@ -330,9 +339,10 @@ class Relaxer {
     return std::nullopt;
   }
 
-  /// `share`: what is done of the next iteration, if its first step is taken. Most relaxations end by a tolerance long
-  /// before the last iteration. So the orders of magnitude count by which the falls of the energy, or the ways to the
-  /// centroids, have come nearer to their tolerance, where they are farther.
+  /// Reports progress. `share`: the part of the next iteration that is done, if its first step is taken. Most
+  /// relaxations end by a tolerance long before the last iteration, so the progress is also measured by the orders of
+  /// magnitude by which the falls of the energy or the distances to the centroids have approached their tolerance. The
+  /// largest measure counts.
   void report(double share = 0) const {
     const double done = double(record_.iterations.size()) + std::min(share, 1.0);
     const double by_count = done / std::max(1.0, double(max_iterations(options_)));
@@ -349,14 +359,14 @@ class Relaxer {
   const double least_promise_;
   const std::vector<SurfacePoint>& start_;
   const GeneratorConstraints constraints_;
-  Precision precision_;         // of the present level
-  bool is_first_level_ = true;  // there are one or two
+  Precision precision_;         // the present level
+  bool is_first_level_ = true;  // there are one or two levels
   bool is_last_level_ = true;
-  std::int64_t diagrams_ = 0;  // states that were computed
+  std::int64_t diagrams_ = 0;  // number of computed states
   RefusedRests refused_rests_;
   Accelerator accelerator_;
   IterationRecord record_;
-  std::size_t next_relocation_ = 0;  // iterations before the next attempt
+  std::size_t next_relocation_ = 0;  // number of iterations before the next attempt
   Decline energy_decline_, way_decline_;
 };
 

@@ -1,11 +1,11 @@
-// Generators at vertices: which way they go, and where they come to rest.
+// Decides in which direction generators at vertices move, and where they come to rest.
 //
-// At a vertex the energy has no gradient. The directions of all
-// paths that bend at a vertex with curvature jump as the generator passes the vertex. Where a saddle has a minimum, no
-// gradient vanishes. Steps along gradients would jump from one side to the other for ever, and the changes of the
-// gradient would mislead a quasi-Newton method. So generators at vertices follow the slopes of the energy there
-// (VertexSlope), and rest where it falls in no direction. Slopes come from sums of unit vectors over sorted directions:
-// any interval of directions is the difference of two sums.
+// At a vertex the energy has no gradient, because the directions of all paths that bend at a vertex with curvature jump
+// as the generator passes the vertex. If a saddle is a minimum, no gradient vanishes there. Steps along gradients would
+// jump from one side to the other for ever, and the changes of the gradient would mislead a quasi-Newton method. So
+// generators at vertices follow the slopes of the energy there (VertexSlope), and rest if it falls in no direction.
+// Slopes are computed from prefix sums of unit vectors over sorted directions: the sum over any interval of directions
+// is the difference of two prefix sums.
 #include "vertex_rests.hpp"
 
 #include <algorithm>
@@ -24,40 +24,42 @@ namespace {
 
 using std::numbers::pi;
 
-/// Directions in which the slope is tried first. No two of its minima are nearer to each other than a face is wide.
+/// Number of directions in which the slope is evaluated first. No two of its minima are closer to each other than the
+/// angle of a face.
 constexpr int kDirections = 64;
 
-/// Steps of the golden-section search that follows: it ends with 1e-7 of the distance between two directions.
+/// Number of steps of the golden-section search that follows. It ends with 1e-7 of the distance between two directions.
 constexpr int kSearchSteps = 34;
 
-/// Paths whose direction is within this angle of that to a vertex bend there, radians: ten times
-/// what the rounding of departures (1e-7) and of samples (2e-7) makes.
+/// Paths within this angle of the direction to a vertex count as bending there, radians. It is several times the
+/// rounding of departures (1e-7) and of samples (2e-7).
 constexpr double kSameDirection = 1e-6;
 
-/// Where the total angle is larger by less than this, the slopes of a saddle differ too little to hold a generator,
-/// radians.
+/// If the excess of a saddle's total angle is less than this, in radians, its slopes differ too little to hold a
+/// generator.
 constexpr double kLeastExcess = 1e-6;
 
-/// Number of paths for all those that bend at the vertex: they spread evenly over the excess of its angle.
+/// Number of paths that stand for all paths that bend at the vertex. They are spread evenly over the excess of its
+/// angle.
 constexpr int kBentPaths = 32;
 
-/// Generators that end their way before a vertex go there too if it is within this fraction of the reach: else, the
-/// next steps would bring them there.
+/// Generators whose step ends before a vertex also go to the vertex if it is within this fraction of the reach, because
+/// otherwise the next steps would bring them there.
 constexpr double kClose = 0.1;
 
 bool is_inner_saddle(const TangentFan& fan) {
   return fan.closed() && fan.total() / fan.scale() > 2 * pi + kLeastExcess;
 }
 
-/// The tangent direction from the generator to a corner of its face, by the straight line in the face.
+/// The tangent direction from the generator to a corner of its face, along the straight line in the face.
 double direction_to(const Mesh& mesh, const SurfacePoint& generator, int corner) {
   const TangentFan fan(mesh, generator);
   const FaceLayout layout(mesh, generator.face);
   return fan.angle(generator.face, layout.corner[corner] - layout.at(generator.bary));
 }
 
-/// Whether the energy would rise in all directions at a saddle, by the paths of a generator beside it that sees it in
-/// the direction `ahead`. Angles at the saddle begin at the direction back to the generator.
+/// Whether the energy would rise in all directions at a saddle, judged by the paths of a generator beside it that sees
+/// the saddle in the direction `ahead`. Angles at the saddle are measured from the direction back to the generator.
 bool would_rest(double total, double ahead, std::span<const PathSample> paths) {
   const double excess = total - 2 * pi;
   std::vector<DepartingPath> from_vertex;
@@ -102,7 +104,7 @@ double VertexSlope::at(double angle) const {
   const double reach = is_closed_ ? std::min(pi, 0.5 * total_) : pi;
   double straight = 0, weight = 0;
   for (int turn = is_closed_ ? -1 : 0; turn <= (is_closed_ ? 1 : 0); ++turn) {
-    // Paths at angle a are also at a + turn * total.
+    // A path at angle a is also at a + turn * total.
     const double shift = turn * total_;
     const Sum sum = between(angle - reach - shift, angle + reach - shift);
     straight += sum.vector.dot(unit_vector(angle - shift));

@@ -1,11 +1,11 @@
-// Integrals over all cells, with exact distances and log maps.
+// Integrates over all cells, with exact distances and log maps.
 //
-// Each thread sums over its own part of the surface. Points of one cell mostly follow each other, so a part has a list
-// of short sums and no table of all cells. The parts are joined in their order, and sorting is stable: the result does
-// not depend on the number of threads.
-// Whole faces and the triangles of pieces have three inner points each, a rule that is exact for quadratic functions
-// (G. Strang and G. Fix, An Analysis of the Finite Element Method, 1973, section 4.3). Paths are looked up in the
-// windows of the working mesh. A face that generators have split is looked up in its parts.
+// Each thread sums over its own part of the surface. Points of the same cell are mostly consecutive, so a part has a
+// list of sums over runs of points instead of a table of all cells. The parts are joined in order, and sorting is
+// stable, so the result does not depend on the number of threads.
+// The quadrature has three inner points in each whole face and in each triangle of a piece, which is exact for
+// quadratic functions (G. Strang and G. Fix, An Analysis of the Finite Element Method, 1973, section 4.3). Paths are
+// looked up in the windows of the working mesh; if generators have split a face, in its parts.
 #include "window_integrals.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@
 namespace gvd {
 namespace {
 
-using Triangle = std::array<Bary, 3>;
+using BaryTriangle = std::array<Bary, 3>;
 
 /// The quadrature points of a triangle, in its own barycentric coordinates.
 std::vector<Bary> quadrature_points(int divisions) {
@@ -52,7 +52,7 @@ struct Paths {
   SplitFaces split;
 };
 
-/// Integrates over faces of the input, one after the other.
+/// Integrates over faces of the input, face by face.
 class FaceIntegrator {
  public:
   FaceIntegrator(const Paths& paths, const Integrand& integrand, const std::vector<Bary>& points)
@@ -68,7 +68,8 @@ class FaceIntegrator {
     parts_ = split_.parts_of(face);
     if (parts_.empty()) paths_.enter(face);
   }
-  /// Adds a part of the face. Its triangles lie within the part: beyond it, no path of its generator may be known.
+  /// Adds a part of the face. The triangles must lie within the part, because outside it no path of its generator may
+  /// be known.
   void add(const FacePart& part) {
     corners_.clear();
     for (const Bary& corner : part.corners) corners_.push_back(affine_point(corner));
@@ -81,8 +82,8 @@ class FaceIntegrator {
       for (const auto& [a, b, c] : triangulate_plane_polygon(corners_)) add_corners(a, b, c);
     }
   }
-  /// Adds a triangle of the face, which belongs to generator g.
-  void add(const Triangle& triangle, GeneratorId g) {
+  /// Adds a triangle of the face that belongs to generator g.
+  void add(const BaryTriangle& triangle, GeneratorId g) {
     const double area = input_.area(face_) * twice_signed_area(affine_point(triangle[0]), affine_point(triangle[1]),
                                                                affine_point(triangle[2]));
     const double weight = area / double(points_.size());
@@ -102,12 +103,12 @@ class FaceIntegrator {
     }
     return true;
   }
-  /// The path of generator g to a point; the nearest generator's where no path of g comes near, as in cells of
-  /// approximate diagrams.
+  /// The path from generator g to a point. If no path of g comes near the point, as in cells of approximate diagrams,
+  /// returns the path from the nearest generator.
   NearestPath find(const Bary& point, GeneratorId g) {
     SurfacePoint place{face_, point};
     if (!parts_.empty()) {
-      place = locate_in_parts(parts_, [&](const Triangle& corners) { return place_in_triangle(corners, point); });
+      place = locate_in_parts(parts_, [&](const BaryTriangle& corners) { return place_in_triangle(corners, point); });
       paths_.enter(place.face);
     }
     const Vec2 at = paths_.position(place.bary);
@@ -122,7 +123,7 @@ class FaceIntegrator {
   const std::vector<Bary>& points_;
   FaceId face_;
   std::span<const SplitFaces::Part> parts_;  // of the face, if it is split
-  std::vector<Vec2> corners_;                // of the current part; an affine map of the face
+  std::vector<Vec2> corners_;                // of the current part, in affine coordinates of the face
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
-// What lies between faces that no path joins, told by their components.
+// Finds out by components why no path joins two faces.
 //
-// Sheets that met at a non-manifold edge or vertex of the input have copies of its vertices since the repair. Copies
-// are told by the vertex of the input that they stand for. Components that share an edge or a vertex of the input
-// belonged together before.
+// If sheets met at a non-manifold edge or vertex of the input, the repair gave them copies of its vertices. Copies
+// refer to the same vertex of the input, so components that share an edge or a vertex of the input were connected
+// before the repair.
 
 #include "gvd/barriers.hpp"
 
@@ -16,7 +16,7 @@
 namespace gvd {
 namespace {
 
-/// Unites the components that have equal keys, each at its neighbours in the sorted list.
+/// Unites components with equal keys, which are neighbours in the sorted list.
 template <class Key>
 void unite_equal(std::vector<std::pair<Key, std::int32_t>> keyed, UnionFind& sets) {
   std::sort(keyed.begin(), keyed.end());
@@ -25,7 +25,7 @@ void unite_equal(std::vector<std::pair<Key, std::int32_t>> keyed, UnionFind& set
   }
 }
 
-/// Whether each vertex of the mesh is one of several that stand for the same vertex of the input.
+/// For each vertex of the mesh, whether other vertices stand for the same vertex of the input.
 IdVector<VertexId, char> find_copies(const CheckedMesh& input) {
   std::vector<std::int32_t> count(input.mesh_vertex.size());
   for (const std::int32_t of_input : input.input_vertex) count[std::size_t(std::max(of_input, 0))] += of_input >= 0;

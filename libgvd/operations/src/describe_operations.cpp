@@ -1,4 +1,4 @@
-// What there is to call, as JSON: operations with their options and results, formats and codes of errors.
+// Describes everything that can be called as JSON: operations with their options and results, formats and error codes.
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ Json describe_meaning(const Meaning& meaning) {
       {"name", meaning.name}, {"unit", meaning.unit.empty() ? Json() : Json(meaning.unit)}, {"meaning", meaning.text}};
 }
 
-/// The parts of an object and of its parts, by their kinds.
+/// Describes the parts of an object, and recursively the parts of these, by their kinds.
 class Describer : public ObjectVisitor {
  public:
   void figure(const Meaning& meaning, const Figure& value) override {
@@ -44,7 +44,7 @@ class Describer : public ObjectVisitor {
     Json& one = kind_["arrays"].emplace_back(describe_meaning(meaning));
     one["type"] = kTypeNames[std::size_t(view.type)];
     const std::int64_t columns = view.dimensions == 1 ? 1 : view.shape[1];
-    one["columns"] = columns > 0 ? Json(columns) : Json();  // null: as many as there are
+    one["columns"] = columns > 0 ? Json(columns) : Json();  // null: any number
   }
   void points(const Meaning& meaning, const PointsView& points) override {
     const std::string name(meaning.name), text(meaning.text);
@@ -52,11 +52,11 @@ class Describer : public ObjectVisitor {
     array({name + "_bary", "", text + ": barycentric coordinates"}, points.bary());
   }
   void curves(const Meaning& meaning, const PointLists&) override {
-    offsets(meaning, "the place of each list's first point, and the number of all");
+    offsets(meaning, "index of each list's first point, and the total number of points");
     points(meaning, std::vector<SurfacePoint>());
   }
   void lists(const Meaning& meaning, const GeneratorLists&) override {
-    offsets(meaning, "the place of each list's first number, and the number of all");
+    offsets(meaning, "index of each list's first number, and the total count");
     array(meaning, view(std::vector<GeneratorId>()));
   }
   void table(const Meaning& meaning, const Table& table) override {
@@ -83,7 +83,7 @@ Json describe_object(const Object& object) {
   return describer.take();
 }
 
-/// What users of the door read of an option.
+/// Adds the texts about an option for users of the door.
 void describe_words(Json& one, const Option& option, Door door) {
   const Spec& spec = option.spec;
   one["unit"] = spec.unit.empty() ? Json() : Json(spec.unit);
@@ -93,7 +93,7 @@ void describe_words(Json& one, const Option& option, Door door) {
   const bool has_own = !spec.arrays.empty();
   one["summary"] = spell_for(door, has_own ? spec.arrays : spec.help);
   one["help"] = spell_for(door, has_own ? spec.arrays : spec.help + spec.more);
-  one["also"] = Json::array();  // words that wrong names have a hint for
+  one["also"] = Json::array();  // other words for which a hint names this option
   for (const std::string& word : {spec.short_name, spec.also}) {
     if (!word.empty()) one["also"].push_back(word);
   }
@@ -105,7 +105,7 @@ Json describe_options(const OptionList& list, Door door) {
     Json& one = all.emplace_back(Json{{"name", option->name}});
     one.update(Json::parse(kind_json(option->field)));
     if (std::holds_alternative<PointList>(option->field) && one["kind"] != "vertices") {
-      one["kind"] = "points";  // programs give no files
+      one["kind"] = "points";  // programs pass no files
     }
     if (const auto* const values = std::get_if<ValueSource>(&option->field)) {
       one["of"] = values->of == ValueSource::Of::generators ? "generators" : "vertices or faces";

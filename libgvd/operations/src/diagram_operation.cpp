@@ -14,7 +14,7 @@ namespace gvd {
 void describe(OptionList& list, SampleCall& call) {
   describe(list, call.generators, {"points"});
   list.option("points", PointList{&call.points},
-              {.help = "Points to move to the surface, in place of generators; they may be in the same place"});
+              {.help = "Points to move to the surface, in place of generators; they may coincide"});
   list.excludes("points", {"sampling", "seed", "merge_coincident"});
 }
 

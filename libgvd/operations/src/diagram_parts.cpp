@@ -1,9 +1,9 @@
-// What the operations that make diagrams share: their options and steps, and words and figures of the result.
+// Options, steps, notes and figures that the operations that make diagrams share.
 //
-// Weights of generators are given ones, or those by which the cells are balanced (gvd/balance.hpp). Inside regions, the
-// mesh of the diagram has a component for each connected part of one, and the cells of a component share out its own
-// area. A density is that of the input: it has a number for each corner of each face, and the faces of both meshes are
-// the same.
+// Weights of generators are given, or found by balancing the cells (gvd/balance.hpp). Inside regions, the mesh of the
+// diagram has a component for each connected part of a region, and the cells of a component divide up its own area. The
+// density of the input also serves for the diagram's mesh, because it has a number for each corner of each face, and
+// both meshes have the same faces.
 
 #include "gvd/diagram_parts.hpp"
 
@@ -26,7 +26,7 @@
 namespace gvd {
 namespace {
 
-/// A note names this many cells.
+/// A note names at most this many cells.
 constexpr std::size_t kNamedCells = 8;
 
 double largest_error(const BalancedDiagram& balanced) {
@@ -37,7 +37,7 @@ double largest_error(const BalancedDiagram& balanced) {
   return largest;
 }
 
-/// Notes what keeps cells from their shares.
+/// Notes which cells missed their share, and why.
 void note_misses(Observer& observer, const BalancedDiagram& balanced) {
   std::vector<std::int32_t> cells;
   for (const auto& set : balanced.tied) {
@@ -45,11 +45,10 @@ void note_misses(Observer& observer, const BalancedDiagram& balanced) {
   }
   if (!cells.empty()) {
     const auto named = cells.begin() + static_cast<std::ptrdiff_t>(std::min(kNamedCells, cells.size()));
-    observer.note(
-        fmt::format("{}: no weights divide what is beyond a vertex where the paths of both cells bend, or a "
-                    "weight is at its bound: {}{}; other generators may help",
-                    counted(std::ssize(cells), "cell has no share of its own", "cells have no shares of their own"),
-                    fmt::join(cells.begin(), named, ", "), named == cells.end() ? "" : ", ..."));
+    observer.note(fmt::format("{}: {}{}; try other generators",
+                              counted(std::ssize(cells), "cell missed its share, which no weights can reach",
+                                      "cells missed their shares, which no weights can reach"),
+                              fmt::join(cells.begin(), named, ", "), named == cells.end() ? "" : ", ..."));
   }
   if (!balanced.converged) {
     observer.note(
@@ -57,24 +56,24 @@ void note_misses(Observer& observer, const BalancedDiagram& balanced) {
   }
 }
 
-/// What there is for each generator, and which numbers may be.
+/// A kind of numbers that generators have, and the range of these numbers.
 struct NumberKind {
   const char* option;
   const char* name;
   const char* range;
-  double above;  ///< all numbers are finite and greater
+  double above;  ///< numbers must be finite and greater than this
 };
 constexpr NumberKind kWeights{"\1weights\2", "weight", "finite numbers", -kInfinity};
 constexpr NumberKind kShares{"\1shares\2", "share", "finite numbers above 0", 0};
 
-/// A number for each generator; none where none is given.
+/// The given number of each generator; empty if none is given.
 std::vector<double> numbers_of(const NumberKind& kind, const GivenNumbers& given, std::size_t generators) {
   if (!given.values) return {};
   const std::vector<double>& values = given.values->soup.values;
   const std::string& title = given.values->title;
   if (values.size() != generators) {
     throw Error(
-        given.name.empty() ? ErrorCode::invalid_option : ErrorCode::unreadable_input,  // an array, or a file
+        given.name.empty() ? ErrorCode::invalid_option : ErrorCode::unreadable_input,  // an array or a file
         fmt::format("{}: {} for {}; {} takes one for each", title, counted(std::ssize(values), "number", "numbers"),
                     counted(std::ptrdiff_t(generators), "generator", "generators"), kind.option));
   }
@@ -119,12 +118,12 @@ void needs_exact_method(OptionList& list, const char* name, const DiagramOptions
 
 void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& diagram) {
   using Of = ValueSource::Of;
-  describe_balance(list, weights.balance, "Make all cells equal by weights of their generators", diagram);
+  describe_balance(list, weights.balance, "Balance the cells by weights of their generators", diagram);
   list.option("shares", ValueSource{&weights.shares, {}, Of::generators},
               {.help = "With \1balance\2, the share of each generator, in any unit", .usual = "equal"});
   list.option("weights", ValueSource{&weights.weights, {}, Of::generators},
-              {.help = "Make the distances of each generator longer by its number in FILE",
-               .arrays = "Make the distances of each generator longer by its number",
+              {.help = "Add each generator's number in FILE to its distances",
+               .arrays = "Add each generator's number to its distances",
                .unit = "mesh units"});
   list.needs("shares", "balance");
   needs_exact_method(list, "weights", diagram);
@@ -134,7 +133,7 @@ void describe_balance(OptionList& list, GivenNumbers& balance, const std::string
   list.option(
       "balance", ValueSource{&balance, {"area"}},
       {.help = help,
-       .more = ": in area, or in the integral of a number for each vertex or face, out of a file or a property of "
+       .more = ": in area, or in the integral of a number for each vertex or face, from a file or a property of "
                "the input",
        .arrays = help + ": in area ('area'), or in the integral of a number for each vertex or face"});
   needs_exact_method(list, "balance", diagram);
@@ -179,9 +178,8 @@ Diagram compute_in_steps(Observer& observer, DiagramOptions options, const Diagr
 }
 
 void tell_balance(Observer& observer, const BalancedDiagram& balanced) {
-  observer.note(
-      fmt::format("cells differ from their shares by at most {:.2g}, with a coefficient of variation of {:.2g}",
-                  largest_error(balanced), balanced.variation));
+  observer.note(fmt::format("the largest error of a cell's share is {:.2g}; the coefficient of variation is {:.2g}",
+                            largest_error(balanced), balanced.variation));
   note_misses(observer, balanced);
 }
 
@@ -205,7 +203,7 @@ void tell_diagram(Observer& observer, const Diagram& diagram) {
                             counted(std::ssize(diagram.bisectors), "bisector", "bisectors"), diagram.length));
   if (report.straightened_faces > 0) {
     observer.note(fmt::format(
-        "bisectors are straightened in {}; there they are nearer to one generator than to the other by up to {:.3g}",
+        "bisectors are straightened in {}; there, the distances to their two generators differ by up to {:.3g}",
         counted(report.straightened_faces, "face", "faces"), report.straightened_error));
   }
   if (report.unresolved_ends > 0) {

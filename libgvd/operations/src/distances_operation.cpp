@@ -1,11 +1,12 @@
 // The operation `distances`: exact distances on the surface from points or curves, shortest paths, and isolines.
 //
-// One exact field answers for the nearest source; with `each`, each thread computes whole rows, each of one source.
-// The distances form a table with a row for each field: of the vertices as the input numbers them, or of the targets.
-// Unused vertices of the input are infinitely far; copies of a vertex that was cut count as the nearest one.
+// A single exact field gives the distances from the nearest source; with `each`, every thread computes whole rows, one
+// for each source. The distances form a table with a row for each field. Its columns are the vertices, numbered as in
+// the input, or the targets. Unused vertices of the input are infinitely far; if the repair cut a vertex into copies,
+// the nearest copy counts.
 //
-// Regions part the surface. A point on the border of regions is in each of them, so it may have several places: fields
-// are computed from all places of the sources, and a distance is the least of those of its places.
+// Regions separate the surface. A point on the border of regions lies in each of them, so it may have several places:
+// fields are computed from all places of the sources, and the distance of a point is the least distance of its places.
 
 #include "gvd/distances_operation.hpp"
 
@@ -30,7 +31,7 @@
 namespace gvd {
 namespace {
 
-/// More levels would fill the memory before anybody could tell them apart.
+/// More levels would fill the memory, and nobody could distinguish them.
 constexpr double kMostLevels = 10'000;
 
 [[noreturn]] void refuse_call(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
@@ -43,8 +44,8 @@ ExactFieldOptions field_options(const DistancesCall& call, Observer& observer) {
   return options;
 }
 
-/// Calls take(i, v) for each vertex i of the file and each vertex v of the mesh that it became: several where one was
-/// cut, and the same one for several that were welded.
+/// Calls take(i, v) for each vertex i of the file and each vertex v of the mesh that i became. There are several v if
+/// the repair cut i, and several i if it welded vertices.
 template <class Take>
 void match_vertices(const CheckedMesh& input, const Take& take) {
   for (std::size_t i = 0; i < input.mesh_vertex.size(); ++i) {
@@ -55,7 +56,7 @@ void match_vertices(const CheckedMesh& input, const Take& take) {
   }
 }
 
-/// Nearest sources of points, and their distances.
+/// The nearest source of each point, and its distance.
 struct NearestSources {
   std::vector<double> distance;
   std::vector<GeneratorId> source;
@@ -68,7 +69,7 @@ struct NearestSources {
   }
 };
 
-/// The source of a field from all places of the sources.
+/// The source of a place, in a field from all places of the sources.
 GeneratorId source_at(const DistancesOutcome& made, GeneratorId place) {
   return place.valid() && !made.sources.point.empty() ? GeneratorId(made.sources.point[place.index()]) : place;
 }
@@ -102,10 +103,10 @@ void add_nearest(DistancesOutcome& made) {
   table.nearest = std::move(found.source);
 }
 
-/// Sources whose rows are computed at once: enough for all cores, and little beside the table.
+/// How many sources are computed together: enough for all cores, and with little memory compared with the table.
 constexpr std::size_t kSourcesAtOnce = 64;
 
-/// Refuses a table that is larger than the caller allows, before the work.
+/// Refuses a table larger than the caller allows, before any work.
 void check_table(double most, std::size_t sources, std::size_t points) {
   const double needed = double(sources) * double(points) * sizeof(double);
   if (needed <= most) return;
@@ -115,7 +116,7 @@ void check_table(double most, std::size_t sources, std::size_t points) {
                   sources, points, needed / 1e9, most / 1e9));
 }
 
-/// The vertices that points are at; empty where one is at none.
+/// The vertices at which the points lie; empty if any point is at no vertex.
 std::vector<VertexId> find_vertices(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
   std::vector<VertexId> found;
   for (const SurfacePoint& point : points) {
@@ -126,8 +127,8 @@ std::vector<VertexId> find_vertices(const Mesh& mesh, const std::vector<SurfaceP
   return found;
 }
 
-/// The distances of targets, each that of its nearest place. `found`: of the places, or of all vertices where each
-/// place is `at` one.
+/// Fills `row` with the distance of each target at its nearest place. `found`: the distances of the places, or of all
+/// vertices if each place is a vertex of `at`.
 void keep_least_of_targets(const PlacedPoints& targets, std::span<const double> found, const std::vector<VertexId>& at,
                            std::span<double> row) {
   for (std::size_t k = 0; k < targets.places.size(); ++k) {
@@ -136,8 +137,8 @@ void keep_least_of_targets(const PlacedPoints& targets, std::span<const double> 
   }
 }
 
-/// The distances of the vertices of the mesh, or of the file. `found`: of those that are measured, several of which may
-/// be one vertex of the mesh. `of_vertices`: memory.
+/// Fills `row` with the distances of the mesh's vertices or of the file's. `found`: the distances of the surface's
+/// vertices, among which may be several copies of a vertex of the mesh. `of_vertices`: memory to reuse.
 void keep_least_of_vertices(const DistancesOutcome& made, std::span<const double> found,
                             std::vector<double>& of_vertices, std::span<double> row) {
   of_vertices.assign(std::size_t(made.input->mesh.vertex_count()), kInfinity);
@@ -152,14 +153,15 @@ void keep_least_of_vertices(const DistancesOutcome& made, std::span<const double
   match_vertices(*made.input, [&](std::size_t i, VertexId v) { row[i] = std::min(row[i], of_vertices[v.index()]); });
 }
 
-/// A row of distances from each source.
+/// Adds a row of distances for each source.
 void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& made) {
   const CheckedMesh& input = *made.input;
   const Mesh& mesh = made.surface();
   DistanceTable& table = made.table;
   const bool has_targets = !table.targets.empty();
   const std::vector<SurfacePoint>& sources = made.sources.places;
-  // Targets that are vertices take their part of whole rows: these need less work than points inside faces.
+  // If all targets are vertices, they are picked from whole rows, which takes less work than computing points inside
+  // faces.
   const std::vector<VertexId> at = find_vertices(mesh, made.targets.places);
   const bool has_points = has_targets && at.empty();
   const std::size_t places = has_points ? made.targets.places.size() : std::size_t(mesh.vertex_count());
@@ -168,7 +170,7 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
                                                       : input.mesh_vertex.size();
   check_table(call.most_bytes, table.sources.size(), points);
   table.rows = {std::vector<double>(table.sources.size() * points, kInfinity), table.sources.size()};
-  if (has_targets && made.targets.places.empty()) return;  // all targets are left out
+  if (has_targets && made.targets.places.empty()) return;  // all targets lie in faces that are left out
   ExactFieldOptions options = field_options(call, observer);
   std::vector<double> rows, of_vertices;
   for (std::size_t begin = 0; begin < sources.size(); begin += kSourcesAtOnce) {
@@ -191,7 +193,7 @@ void add_rows(const DistancesCall& call, Observer& observer, DistancesOutcome& m
   }
 }
 
-/// Adds a path from each target, out of its nearest place. `only`: the source, where the field is of that one alone.
+/// Adds a path from each target, starting at its nearest place. `only`: the source if the field has only one.
 void add_paths(DistancesOutcome& made, const ExactField& field, GeneratorId only) {
   DistanceTable& table = made.table;
   std::vector<std::optional<SurfacePoint>> starts(table.targets.size());
@@ -212,7 +214,7 @@ void add_paths(DistancesOutcome& made, const ExactField& field, GeneratorId only
   }
 }
 
-/// The paths from all targets to each source.
+/// Adds the paths from all targets to each source.
 void add_all_paths(const DistancesCall& call, Observer& observer, DistancesOutcome& made) {
   ExactFieldOptions options = field_options(call, observer);
   const PlacedPoints& sources = made.sources;
@@ -235,7 +237,7 @@ std::vector<double> choose_levels(const Mesh& mesh, const ExactField& field, con
   for (const VertexId v : mesh.vertices()) {
     if (std::isfinite(field.distance(v))) largest = std::max(largest, field.distance(v));
   }
-  // No point of a face is farther from its vertices than its longest edge.
+  // Every point of a face is at most its longest edge away from each of its vertices.
   const double step = *call.isolines;
   const double last = std::min(largest + longest_edge(mesh), call.max_distance.value_or(kInfinity));
   if (!(last / step < kMostLevels)) {
@@ -259,7 +261,7 @@ std::vector<Isoline> trace_isolines(const DistancesCall& call, Observer& observe
   }
 }
 
-constexpr std::size_t kPointsAtOnce = 256;  ///< vertices whose paths one thread traces before it reports
+constexpr std::size_t kPointsAtOnce = 256;  ///< how many vertices one thread traces before it reports
 
 std::vector<std::array<double, 2>> find_logarithms(Observer& observer, const DistancesOutcome& made) {
   const Mesh& input = made.input->mesh;
@@ -282,7 +284,7 @@ std::vector<std::array<double, 2>> find_logarithms(Observer& observer, const Dis
       });
 }
 
-/// One field for the nearest source.
+/// Computes a single field, for the nearest source.
 void measure_nearest(const DistancesCall& call, Observer& observer, DistancesOutcome& made) {
   const Mesh& mesh = made.surface();
   if (call.sources.curves.is_given()) made.curves = choose_curves(*made.input, call.sources, observer);
@@ -297,8 +299,7 @@ void measure_nearest(const DistancesCall& call, Observer& observer, DistancesOut
   if (call.paths) as_step(observer, "paths", [&] { add_paths(made, *made.field, GeneratorId()); });
   if (call.logarithm) {
     if (made.table.sources.size() != 1) {
-      refuse_call(
-          fmt::format("\1logarithm\2 is that at one source, and {} are given; give one", made.table.sources.size()));
+      refuse_call(fmt::format("\1logarithm\2 needs exactly one source; {} are given", made.table.sources.size()));
     }
     made.logarithms = as_step(observer, "logarithms", [&] { return find_logarithms(observer, made); });
   }
@@ -312,7 +313,7 @@ void measure_each(const DistancesCall& call, Observer& observer, DistancesOutcom
   if (call.paths) as_step(observer, "paths", [&] { add_all_paths(call, observer, made); });
 }
 
-/// Refuses a source that is nowhere on the surface: its distances would all be infinite.
+/// Refuses a source that has no place on the surface, because all its distances would be infinite.
 void check_sources(const DistancesOutcome& made) {
   std::size_t next = 0;
   for (const std::int32_t point : made.sources.point) {
@@ -357,7 +358,7 @@ void describe(OptionList& list, DistancesCall& call) {
   list.option("max_snap", Number{&call.sources.max_snap, {.least = 0}},
               {.help = "Refuse a point of a list that is farther than this from the surface", .unit = "mesh units"});
   list.option("merge_coincident", Flag{&call.sources.merge_coincident},
-              {.help = "Merge points of \1from\2 that are in the same place instead of refusing them"});
+              {.help = "Merge points of \1from\2 that coincide instead of refusing them"});
   list.group("Distances");
   describe_curves(list, call.sources);
   list.option("each", Flag{&call.each}, {.help = "Measure from each source alone, instead of from the nearest one"});
@@ -366,7 +367,7 @@ void describe(OptionList& list, DistancesCall& call) {
                .more = "; .csv then holds the points of the paths",
                .shown = Shown::main});
   list.option("max_distance", Number{&call.max_distance, {.least = 0}},
-              {.help = "Leave out what is farther than this", .more = "; the work ends there", .unit = "mesh units"});
+              {.help = "Stop at this distance", .more = "; farther points are left out", .unit = "mesh units"});
   list.option("isolines", Number{&call.isolines, above(0)},
               {.help = "Trace the curves of equal distance at every multiple of this",
                .unit = "mesh units",
@@ -378,7 +379,7 @@ void describe(OptionList& list, DistancesCall& call) {
   list.excludes("each", {"isolines"}, "isolines are of the nearest source");
   list.rule({"paths", {"to"}, [](const Given& given) -> std::string {
                return given.has("to") ? ""
-                                      : "\1paths\2 does nothing here: add \1to\2, where the paths begin, or "
+                                      : "\1paths\2 has no effect here: add \1to\2, where the paths begin, or "
                                         "leave \1paths\2 out";
              }});
 }
@@ -390,11 +391,11 @@ void describe_for_programs(OptionList& list, DistancesCall& call) {
       "levels", ValueSource{&call.levels, {}, ValueSource::Of::generators},
       {.help = "Trace the curves of equal distance at these distances, ascending and above 0", .unit = "mesh units"});
   list.excludes("levels", {"isolines", "each"});
-  list.option("keep_coincident", Flag{&call.keep_coincident},
-              {.help = "With \1each\2, sources may be in the same place"});
+  list.option("keep_coincident", Flag{&call.keep_coincident}, {.help = "With \1each\2, sources may coincide"});
   list.excludes("keep_coincident", {"merge_coincident"});
-  list.option("mesh_vertices", Flag{&call.mesh_vertices},
-              {.help = "With \1each\2, rows of the mesh's vertices, where repairs made others than the input's"});
+  list.option(
+      "mesh_vertices", Flag{&call.mesh_vertices},
+      {.help = "With \1each\2, distances for the mesh's vertices instead of the input's, if repairs changed them"});
   list.excludes("logarithm", {"each", "curves"});
 }
 

@@ -1,5 +1,5 @@
-// What distances consist of: figures, tables of targets, paths and isolines, and arrays. Which files hold what was
-// asked for is the same for the commands, before they measure, and for every result that is written later.
+// The parts of distances: figures, tables of targets, paths and isolines, and arrays. The same check tells the commands
+// before they measure, and every result that is written later, whether files hold all requested results.
 
 #include <fmt/format.h>
 
@@ -56,7 +56,7 @@ double length_of(const Mesh& mesh, const Isoline& line) {
   return length;
 }
 
-/// A row for each level.
+/// Makes a table with a row for each level.
 Table list_isolines(const Mesh& mesh, const std::vector<Isoline>& lines) {
   std::vector<double> levels, lengths;
   std::vector<std::int64_t> curves, closed;
@@ -82,25 +82,25 @@ double largest_of(const DistanceTable& table) {
 
 // ---- files
 
-/// What holds curves without a surface and, of the formats with one, those that draw lines beside it.
+/// The contents of formats that can hold paths or isolines: curves without a surface, or lines drawn beside one.
 constexpr Content kPaths = Content::curves | Content::paths, kIsolines = Content::curves | Content::isolines;
 constexpr Content kDistances = Content::distances | Content::rows;
 
 [[noreturn]] void refuse_file(const std::string& message) { throw Error(ErrorCode::invalid_option, message); }
 
-/// The formats to write instead.
+/// Lists formats to write instead.
 std::string list_formats(Content any) { return list_extensions(output_extensions(any), "or"); }
 
 std::string named(const WrittenFile& file) {
   return fmt::format("{}: .{}", file.name, file.format->extensions.front());
 }
 
-// ---- why distances are infinite: sources and points in different components, or what parts a component
+// ---- why distances are infinite: sources and points are in different components, or something separates a component
 
-/// Tells why distances of a table are infinite.
+/// Finds out why distances of a table are infinite.
 class UnreachedPoints {
  public:
-  /// The distances must outlive this.
+  /// `of` must outlive this object.
   explicit UnreachedPoints(const DistancesOutcome& of)
       : input_(*of.input),
         parted_(of.parted),
@@ -109,11 +109,11 @@ class UnreachedPoints {
         has_limit_(of.has_limit),
         has_mesh_vertices_(of.has_mesh_vertices) {}
 
-  /// What keeps the sources of a row from a point of the table that they do not reach. Cost: O(1), for each row in turn
-  /// O(components), and once that of `Barriers`.
+  /// The barrier between the sources of a row and a point of the table that they do not reach. Cost: O(1), plus
+  /// O(components) when the row changes, and the cost of `Barriers` once.
   Barrier find(std::size_t row, std::size_t point);
 
-  /// Words for Barrier::inside.
+  /// The words for Barrier::inside.
   std::string inside() const;
 
  private:
@@ -125,10 +125,10 @@ class UnreachedPoints {
   const PlacedPoints& targets_;
   bool has_limit_, has_mesh_vertices_;
   std::optional<Barriers> barriers_;
-  std::vector<FaceId> face_;       // of each point of the table; invalid for a vertex in no face
-  std::vector<char> is_left_out_;  // of each point of the table
+  std::vector<FaceId> face_;       // a face of each point in the table; invalid for a vertex that no face uses
+  std::vector<char> is_left_out_;  // for each point in the table
   std::optional<std::size_t> row_;
-  Barriers::Origin origin_;  // of that row
+  Barriers::Origin origin_;  // the sources of `row_`
 };
 
 std::string UnreachedPoints::inside() const {
@@ -198,8 +198,8 @@ void DistancesOutcome::visit(ObjectVisitor& visitor) const {
   const std::int64_t stride = sizeof(double);
   visitor.array(
       {"rows", "mesh units",
-       "distances: a row for the nearest source, or for each one; of the targets, or else of the vertices of the "
-       "input, by its numbers"},
+       "distances of the targets, or of the input's vertices in their order: one row for the nearest source, or one "
+       "for each source"},
       {table.rows.values().data(),
        ArrayType::float64,
        2,
@@ -267,7 +267,7 @@ AskedDistances asked_of(const DistancesCall& call) {
 
 void check_files(const AskedDistances& asked, const std::vector<WrittenFile>& files,
                  const std::vector<std::string>& others, bool has_other) {
-  /// The first file that carries any of `any`, but nothing of `none`. Null: there is none.
+  /// The first file that carries some of `any`, but nothing of `none`; null if there is none.
   const auto find = [&](Content any, Content none = Content::nothing) {
     const auto found = std::ranges::find_if(files, [&](const WrittenFile& file) {
       return has_any(file.format->carries, any) && !has_any(file.format->carries, none);

@@ -1,8 +1,8 @@
-// The operation `edit`: a diagram after a change of one generator, or with more of them.
+// The operation `edit`: moves or removes a generator of a diagram, or adds generators.
 //
-// Objects never change, and an editor does. So an editor belongs to the last diagram that it made: an edit takes it out
-// of that and leaves it in the next one. A diagram without an editor, such as one that was edited before, gets a new
-// one. Whoever edits, in any order and from any thread, gets the diagram of the generators that come out.
+// Objects never change, but an editor does. So an editor belongs to the last diagram that it made: an edit takes it out
+// of this diagram and leaves it in the next. A diagram without an editor, for example because it was edited before,
+// gets a new one. So edits give the right diagram in any order and from any thread.
 
 #include "gvd/edit_operation.hpp"
 
@@ -65,7 +65,7 @@ std::shared_ptr<const EditOutcome> run(const DiagramObject& on, EditCall& call, 
   std::unique_ptr<DiagramEditor> editor = on.take_editor(observer);
   try {
     change(*editor, call, points);
-  } catch (const Error&) {  // the editor is as before
+  } catch (const Error&) {  // a failed change leaves the editor as it was
     on.keep(std::move(editor));
     throw;
   }

@@ -12,10 +12,11 @@
 
 #include "gvd/object.hpp"
 
-// How objects tell their figures, the columns of their tables, and their lists.
+// Helpers with which objects visit their figures, the columns of their tables, and their lists.
 namespace gvd {
 
-/// A value as figures have it: of any type of whole numbers, ids or texts. An optional without a value is no figure.
+/// Converts a value of any type of whole numbers, ids or texts to a type of Figure. An optional without a value becomes
+/// an empty figure.
 template <class T>
 auto plain(const T& value) {
   if constexpr (std::is_same_v<T, bool> || std::is_floating_point_v<T>) {
@@ -36,7 +37,7 @@ auto plain(const T& value) {
   }
 }
 
-/// A value of each element of a range.
+/// The values that `value` returns for the elements of a range.
 template <class Range, class Value = std::identity>
 auto each_of(const Range& range, const Value& value = {}) {
   std::vector<decltype(plain(std::invoke(value, *std::begin(range))))> values;
@@ -44,15 +45,15 @@ auto each_of(const Range& range, const Value& value = {}) {
   return values;
 }
 
-/// What an optional has; where it has nothing, one that was made of nothing, whose arrays are empty.
+/// The value of an optional, or a default-constructed one, whose arrays are empty.
 template <class T>
 const T& or_none(const std::optional<T>& value) {
   static const T kNone{};
   return value ? *value : kNone;
 }
 
-/// Tells the figures of a group: the name of each begins with that of the group. Where what they are of is not there,
-/// they are told without a value.
+/// Visits the figures of a group, whose names begin with the name of the group. With `are_there` false, the figures are
+/// visited without values.
 class Figures {
  public:
   explicit Figures(ObjectVisitor& visitor, std::string group = "", bool are_there = true)
@@ -70,7 +71,7 @@ class Figures {
   bool are_there_;
 };
 
-/// The list that `member` gives of each element.
+/// The lists that `member` returns for the elements.
 template <class S, class Member>
 auto lists_of(const std::vector<S>& values, const Member& member) {
   using T = typename std::remove_cvref_t<std::invoke_result_t<Member, const S&>>::value_type;

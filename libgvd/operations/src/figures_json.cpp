@@ -1,4 +1,4 @@
-// The figures of an object as JSON. Dots in names part levels; a level of which nothing is there is null.
+// Writes the figures of an object as JSON. Dots in names separate levels; a level without any value is null.
 
 #include <algorithm>
 #include <functional>

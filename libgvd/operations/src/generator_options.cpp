@@ -1,7 +1,6 @@
-// Where generators come from: words for users, lists as points of the surface, and samples.
+// Describes the options for generators, resolves lists to points of the surface, and samples generators.
 //
-// Listed generators are where the user wants them: they are only moved to the surface. Sampling is seeded, so that the
-// same options give the same points.
+// Listed generators are only moved to the surface. Sampling is seeded, so that the same options give the same points.
 
 #include "gvd/generator_options.hpp"
 
@@ -19,8 +18,8 @@
 namespace gvd {
 namespace {
 
-/// A snap beyond this fraction of the bounding box's diagonal is told: the list may be of another model, or in other
-/// units. Digitised and rounded points are much nearer to their surface.
+/// A snap distance above this fraction of the bounding box's diagonal is noted, because the list may belong to another
+/// model or have other units. Digitised and rounded points are much nearer to their surface.
 constexpr double kFarSnap = 0.01;
 
 void note_changes(Observer& observer, const GeneratorOptions& asked, const ResolvedGenerators& resolved,
@@ -35,7 +34,7 @@ void note_changes(Observer& observer, const GeneratorOptions& asked, const Resol
                             counted(resolved.merged, "is merged with an earlier one", "are merged with earlier ones")));
 }
 
-/// Notes and limits are those of points.
+/// Resolves listed curves, with the same notes and limits as for points.
 std::vector<GeneratorCurve> resolve_curves(const CheckedMesh& input, const GeneratorOptions& asked,
                                            Observer& observer) {
   ResolvedGenerators snapped;
@@ -49,7 +48,7 @@ std::vector<GeneratorCurve> resolve_curves(const CheckedMesh& input, const Gener
   return curves;
 }
 
-/// The curves that a word stands for. A mesh that has none of that kind is refused: there would be no generator.
+/// Finds the curves for a word such as "boundary". Refuses a mesh that has no such curve.
 std::vector<GeneratorCurve> find_curves(const Mesh& mesh, const std::string& name) {
   if (name == "boundary") {
     auto curves = boundary_curves(mesh);
@@ -67,7 +66,7 @@ std::vector<GeneratorCurve> find_curves(const Mesh& mesh, const std::string& nam
                           name, angle));
 }
 
-/// Twice where segments lie on each other.
+/// The length of a curve. Segments that lie on each other count twice.
 double length_of(const Mesh& mesh, const GeneratorCurve& curve) {
   double length = 0;
   for (const auto& [a, b] : curve.segments) {
@@ -92,16 +91,16 @@ void describe(OptionList& list, GeneratorOptions& generators, const std::vector<
       "generators", PointList{&generators.points, PointList::Named::file},
       {.help = fmt::format("File that lists the generators ({})", list_extensions(generator_extensions(), "or")),
        .more = ", or - for standard input",
-       .arrays = "Points that are the generators",
+       .arrays = "The generators, as points",
        .shown = Shown::main});
   list.option("vertices", PointList{&generators.vertices, PointList::Named::vertices},
               {.help = "Use these vertices of the input file, counted from 0, as in 3,17,99",
-               .arrays = "Vertices that are the generators"});
+               .arrays = "The generators, as vertices"});
   list.option(
       "max_snap", Number{&generators.max_snap, {.least = 0}},
       {.help = "Refuse a point of \1generators\2 that is farther than this from the surface", .unit = "mesh units"});
   list.option("merge_coincident", Flag{&generators.merge_coincident},
-              {.help = "Merge generators that are in the same place instead of refusing them"});
+              {.help = "Merge generators that coincide instead of refusing them"});
   OneOf sources{{"count", "generators", "vertices", "radius"}, "no generators"};
   sources.options.insert(sources.options.end(), others.begin(), others.end());
   list.one_of(std::move(sources));

@@ -1,8 +1,8 @@
-// Values of options that come as arrays beside JSON.
+// Reads values of options from arrays beside JSON.
 //
-// Any type of numbers serves for anything: languages differ in what they make of a list of numbers. Shapes tell what is
-// meant, and lists in JSON are read as arrays are. Entries become those of files, which resolve_generators and
-// resolve_curves check as they check files.
+// Every numeric type is accepted for every option, because languages differ in the type that they give a list of
+// numbers. The shape tells what is meant, and lists in JSON are read like arrays. The results are entries as in files,
+// which resolve_generators and resolve_curves check as they check files.
 
 #include "given_arrays.hpp"
 
@@ -35,10 +35,10 @@ std::string shown(const Json& value) {
   return gvd::quoted(value.is_string() ? value.get_ref<const std::string&>() : value.dump());
 }
 
-/// A number as it was given: no double has large whole ones.
+/// A number as it was given. Doubles can't hold all large whole numbers.
 struct GivenNumber {
   double value;
-  std::int64_t whole = -1;  ///< the same of the types of whole numbers; below 0: see `value`
+  std::int64_t whole = -1;  ///< the number if its type is integral; if below 0, use `value`
 };
 
 template <class T>
@@ -49,7 +49,7 @@ GivenNumber load(const std::byte* place) {
   return {static_cast<double>(value)};
 }
 
-/// Of each ArrayType, in their order.
+/// For each ArrayType, in their order.
 constexpr std::array<GivenNumber (*)(const std::byte*), 10> kLoad{
     load<std::int8_t>,   load<std::uint8_t>, load<std::int16_t>,  load<std::uint16_t>, load<std::int32_t>,
     load<std::uint32_t>, load<std::int64_t>, load<std::uint64_t>, load<float>,         load<double>};
@@ -57,7 +57,7 @@ static_assert(std::size_t(ArrayType::float64) + 1 == kLoad.size());
 
 std::int64_t columns_of(const ArrayView& view) { return view.dimensions == 2 ? view.shape[1] : 1; }
 
-/// Refuses an array that may not be read: its type or shape is wrong.
+/// Refuses an array with an invalid type or shape.
 void check_array(const ArrayView& view, std::size_t place) {
   const auto type = static_cast<std::int32_t>(view.type);
   if (type < 0 || std::size_t(type) >= kLoad.size()) {
@@ -73,7 +73,7 @@ void check_array(const ArrayView& view, std::size_t place) {
   if (view.data == nullptr && view.shape[0] > 0) refuse_array(fmt::format("array {} is NULL", place));
 }
 
-/// The number of the array that a value refers to: an object whose only member is that.
+/// The number of the array to which a value such as {"array": 0} refers.
 std::size_t find_array(const Json& value, const Arrays& arrays) {
   const Json& place = value.front();
   const std::int64_t count = std::ssize(arrays.views);
@@ -91,12 +91,12 @@ std::int64_t to_index(const GivenNumber& number, std::int64_t row) {
               row);
 }
 
-/// Numbers of JSON, which may be strings: it has no infinity.
+/// Reads a number of JSON, which may be a string, because JSON has no infinity.
 GivenNumber to_number(const Json& value) {
   if (value.is_number_integer()) return {value.get<double>(), value.get<std::int64_t>()};
   if (value.is_number()) return {value.get<double>()};
   const auto parsed = value.is_string() ? parse_number<double>(value.get_ref<const std::string&>()) : std::nullopt;
-  if (!parsed) refuse_array(fmt::format("{} is no number", shown(value)));
+  if (!parsed) refuse_array(fmt::format("{} is not a number", shown(value)));
   return {*parsed};
 }
 
@@ -112,27 +112,27 @@ void for_each_number(const ArrayView& view, std::size_t place, const Take& take)
   }
 }
 
-/// Numbers in rows: of an array, or of a list of numbers or lists.
-struct Rows {
+/// Numbers in rows, from an array or from a list of numbers or lists.
+struct NumberRows {
   std::vector<GivenNumber> numbers;
   std::int64_t columns;
 };
 
-Rows read_rows(const Json& value, const Arrays& arrays) {
+NumberRows read_rows(const Json& value, const Arrays& arrays) {
   if (is_array_reference(value) || is_mesh_reference(value)) {
     const std::size_t place = find_array(value, arrays);
-    Rows rows{{}, columns_of(arrays.views[place])};
+    NumberRows rows{{}, columns_of(arrays.views[place])};
     for_each_number(arrays.views[place], place, [&](const GivenNumber& number) { rows.numbers.push_back(number); });
     return rows;
   }
   if (!value.is_array()) {
-    refuse_array(fmt::format("{} is no list of numbers; give one, or {{\"array\": 0}}", shown(value)));
+    refuse_array(fmt::format("{} is not a list of numbers; give one, or {{\"array\": 0}}", shown(value)));
   }
   const bool has_rows = !value.empty() && value.front().is_array();
-  Rows rows{{}, has_rows ? std::ssize(value.front()) : 1};
+  NumberRows rows{{}, has_rows ? std::ssize(value.front()) : 1};
   for (const Json& row : value) {
     if (has_rows && (!row.is_array() || std::ssize(row) != rows.columns)) {
-      refuse_array(fmt::format("{} is no row of {} numbers, as the first point is", shown(row), rows.columns));
+      refuse_array(fmt::format("{} is not a row of {} numbers like the first point", shown(row), rows.columns));
     }
     if (!has_rows) rows.numbers.push_back(to_number(row));
     for (std::int64_t i = 0; has_rows && i < rows.columns; ++i) rows.numbers.push_back(to_number(row[std::size_t(i)]));
@@ -141,13 +141,13 @@ Rows read_rows(const Json& value, const Arrays& arrays) {
 }
 
 std::vector<GivenNumber> read_column(const Json& value, const Arrays& arrays) {
-  Rows rows = read_rows(value, arrays);
+  NumberRows rows = read_rows(value, arrays);
   if (rows.columns == 1) return std::move(rows.numbers);
   refuse_array(fmt::format("the array has {} columns; give one number each", rows.columns));
 }
 
-/// Points of vertices alone, of positions, or of faces and barycentric coordinates.
-GeneratorList to_list(const Rows& rows, const std::string& name) {
+/// Makes points of rows, which are vertices, positions, or faces with barycentric coordinates.
+GeneratorList to_list(const NumberRows& rows, const std::string& name) {
   using Kind = GeneratorEntry::Kind;
   const auto& [numbers, columns] = rows;
   if (columns != 1 && columns != 3 && columns != 4) {
@@ -169,8 +169,8 @@ GeneratorList to_list(const Rows& rows, const std::string& name) {
   return list;
 }
 
-/// Vertices of the mesh, under the numbers that they have in the input. Copies that repairs made have none there, and
-/// are corners of faces.
+/// Makes points of vertices of the mesh, with their numbers in the input. Copies that the repair made have no such
+/// number, and become corners of faces.
 GeneratorList to_list_of_mesh(const std::vector<GivenNumber>& vertices, const CheckedMesh& input,
                               const std::string& name) {
   GeneratorList list{name, {}};
@@ -194,20 +194,21 @@ GeneratorList to_list_of_mesh(const std::vector<GivenNumber>& vertices, const Ch
   return list;
 }
 
-/// Points as JSON files have them, such as {"vertex": 3}.
+/// Parses points in the form of JSON files, such as {"vertex": 3}.
 GeneratorList parse_objects(const Json& value, const std::string& name) {
   const auto odd = std::ranges::find_if(value, [](const Json& one) { return !one.is_object(); });
   if (odd != value.end()) {
-    refuse_array(fmt::format(
-        "{} is no object, as the first point is; write {{\"vertex\": 3}} or {{\"position\": [x, y, z]}}", shown(*odd)));
+    refuse_array(
+        fmt::format("{} is not an object like the first point; write {{\"vertex\": 3}} or {{\"position\": [x, y, z]}}",
+                    shown(*odd)));
   }
   try {
     GeneratorList list = parse_generators(Json{{"generators", value}}.dump(), GeneratorFormat::json, name);
-    for (GeneratorEntry& entry : list.entries) entry.line = 0;  // there is no file
+    for (GeneratorEntry& entry : list.entries) entry.line = 0;  // no file, so no line
     return list;
   } catch (const Error& error) {
     std::string text = error.text();
-    const std::string line = name + ":1: ";  // of the text that was parsed, which nobody has written
+    const std::string line = name + ":1: ";  // refers to the generated text, which the user has not written
     if (text.starts_with(line)) text.replace(0, line.size(), name + ": ");
     throw Error(ErrorCode::invalid_option, text, error.element());
   }
@@ -231,7 +232,8 @@ std::string_view bytes_of(const ArrayView& view, std::size_t place) {
   check_array(view, place);
   const bool is_right =
       view.type == ArrayType::uint8 && columns_of(view) == 1 && (view.shape[0] < 2 || view.strides[0] == 1);
-  if (!is_right) refuse_array(fmt::format("array {} has no bytes; give uint8, one column, without gaps", place));
+  if (!is_right)
+    refuse_array(fmt::format("array {} does not contain bytes; give uint8, one column, without gaps", place));
   return {static_cast<const char*>(view.data), std::size_t(view.shape[0])};
 }
 
@@ -253,7 +255,7 @@ GeneratorList read_points(const Json& value, const Arrays& arrays, const std::st
   if (is_array_reference(value)) return to_list(read_rows(value, arrays), name);
   if (is_mesh_reference(value)) return to_list_of_mesh(read_column(value, arrays), arrays.input, name);
   if (!value.is_array() || value.empty()) {
-    refuse_array(fmt::format("{} is no list of points; give one, or {{\"array\": 0}}", shown(value)));
+    refuse_array(fmt::format("{} is not a list of points; give one, or {{\"array\": 0}}", shown(value)));
   }
   const bool has_numbers = std::ranges::all_of(value, [](const Json& one) { return one.is_number(); });
   if (has_numbers || value.front().is_array()) return to_list(read_rows(value, arrays), name);
@@ -317,7 +319,7 @@ ElementValues read_numbers(const Json& value, const Arrays& arrays, ValueSource:
     refuse_array(fmt::format("{}; give one for each vertex ({}) or face ({})", counted(count, "number", "numbers"),
                              mesh.vertex_count(), mesh.face_count()));
   }
-  given.of_mesh = false;  // a number for each vertex of the file
+  given.of_mesh = false;  // the numbers belong to the vertices of the file
   return given;
 }
 

@@ -1,7 +1,7 @@
-// Numbers of faces or vertices as regions of the mesh's faces.
+// Turns numbers of faces or vertices into regions of the mesh's faces.
 //
-// Numbers are checked here, before a face takes that of most of its corners: one vertex with "inf" would be outvoted in
-// silence. Messages have the vertices and faces of the file, which users can look up.
+// Numbers are checked before a face takes the number of most of its corners, because a single vertex with "inf" would
+// be outvoted silently. Messages name vertices and faces of the file, which users can look up.
 
 #include "gvd/given_regions.hpp"
 
@@ -20,7 +20,7 @@
 namespace gvd {
 namespace {
 
-/// Adds the name of the numbers in front of an error.
+/// Puts the name of the numbers in front of an error.
 template <class Work>
 void name_errors(const GivenNumbers& given, const Work& work) {
   try {
@@ -36,19 +36,19 @@ bool is_whole(double value) {
   return value >= Limits::min() && value <= Limits::max() && value == std::floor(value);
 }
 
-/// What an option takes.
+/// The numbers that an option accepts.
 struct Wanted {
   bool (*accepts)(double);
   const char *noun, *text;  ///< for messages
 };
 
-/// The numbers that an option names.
+/// Converts the numbers of an option, and refuses numbers that it does not accept.
 SoupProperty to_numbers(const CheckedMesh& input, const GivenNumbers& given, const Wanted& wanted) {
   SoupProperty numbers = to_region_numbers(input, *given.values);
   for (std::size_t i = 0; i < numbers.values.size(); ++i) {
     if (wanted.accepts(numbers.values[i])) continue;
     const std::int64_t in_file = numbers.of_vertices ? input.input_vertex[VertexId(i)] : input.input_polygon[FaceId(i)];
-    if (in_file < 0) continue;  // the midpoint of a split edge, whose number is that of a vertex beside it
+    if (in_file < 0) continue;  // the midpoint of a split edge, which has the number of a vertex beside it
     throw Error(ErrorCode::precondition,
                 fmt::format("{}: the {} of {} {} is {}; give {}", given.values->title, wanted.noun,
                             numbers.of_vertices ? "vertex" : "face", in_file, numbers.values[i], wanted.text),
@@ -57,10 +57,10 @@ SoupProperty to_numbers(const CheckedMesh& input, const GivenNumbers& given, con
   return numbers;
 }
 
-/// A note names this many regions.
+/// A note names at most this many regions.
 constexpr std::ptrdiff_t kNamedRegions = 8;
 
-/// Notes the regions that vertices have and no face: each face took the number of other corners, or of a neighbour.
+/// Notes regions that vertices have but no face, because each face took the number of other corners or of a neighbour.
 void note_lost_regions(Observer& observer, const std::string& name, const SoupProperty& numbers,
                        const FaceRegions& regions) {
   if (!numbers.of_vertices) return;
@@ -103,7 +103,7 @@ FoundRegions find_regions(const CheckedMesh& input, const GivenRegions& given, O
     name_errors(given.within, [&] { found.regions = make_face_regions(mesh, numbers); });
     if (std::ranges::all_of(found.regions, [](std::int32_t region) { return region < 0; })) {
       throw Error(ErrorCode::precondition,
-                  fmt::format("{}: no face is left, since all numbers are negative; give numbers from 0 for the faces "
+                  fmt::format("{}: all numbers are negative, so no face remains; give numbers from 0 for the faces "
                               "of regions",
                               name));
     }

@@ -1,4 +1,4 @@
-// The operation `lloyd`: generators, their relaxation and, where that is asked for, cells with equal shares.
+// The operation `lloyd`: chooses and relaxes generators and, if the options ask for it, balances their cells.
 //
 // Each iteration moves the generators towards the centroids of their cells, and lowers the energy (gvd/lloyd.hpp).
 
@@ -25,12 +25,12 @@ namespace {
 const char* describe(LloydStop stop) {
   constexpr std::array<const char*, 6> kSentences{
       "every generator is at its centroid", "the energy falls by less than the tolerance",
-      "no step lowers the energy any more", "hardly any decrease of the energy is left",
-      "the iterations are used up",         "the time is over"};
+      "no step lowers the energy any more", "converged",
+      "the iteration limit was reached",    "the time limit was reached"};
   return kSentences[static_cast<std::size_t>(stop)];
 }
 
-/// Standard deviation of the cells' areas, divided by their mean; 0 where they have none.
+/// The standard deviation of the cells' areas, divided by their mean; 0 if they have no area.
 double area_variation(const IdVector<GeneratorId, Cell>& cells) {
   double sum = 0, squares = 0;
   for (const Cell& cell : cells) sum += cell.area;
@@ -40,7 +40,7 @@ double area_variation(const IdVector<GeneratorId, Cell>& cells) {
   return std::sqrt(squares / static_cast<double>(cells.size()));
 }
 
-/// Keeps the generators of a start to regions.
+/// Keeps the generators of a start inside the regions.
 void keep_inside(const CheckedMesh& input, PartedMesh& parted, RelaxationStartOptions& options, Observer& observer) {
   const StartOptions& constraints = options.constraints;
   const bool leaves_out = std::ranges::any_of(parted.regions, [](std::int32_t region) { return region < 0; });
@@ -93,8 +93,8 @@ LloydResult relax(const Mesh& mesh, const RelaxationStart& start, const LloydCal
   return result;
 }
 
-/// Makes the cells of a relaxation equal, and takes what that changes into its result. A density of the input's faces
-/// is one of the surface's.
+/// Balances the cells of a relaxation, and updates the relaxation's result. The density of the input's faces also
+/// serves for the surface, which has the same faces.
 BalancedRelaxation balance(const CheckedMesh& input, const Mesh& surface, const RelaxationStart& start,
                            const LloydCall& call, LloydResult& relaxed, Observer& observer) {
   BalancedRelaxationOptions options;
@@ -119,7 +119,7 @@ BalancedRelaxation balance(const CheckedMesh& input, const Mesh& surface, const 
   return found;
 }
 
-/// A list for each figure of the iterations. The first energy is that of the given generators.
+/// Adds a list for each figure of the iterations. The first energy is the energy of the initial generators.
 void add_iterations(const Figures& figure, const LloydResult& result) {
   const std::vector<LloydIteration>& done = result.iterations;
   std::vector<double> energies = each_of(done, &LloydIteration::energy);
@@ -189,7 +189,7 @@ OwnWriters LloydOutcome::part_writers(std::string_view part) const {
   OwnWriters writers;
   if (part != "points") return writers;
   for (const auto& [name, known] : kPointFormatNames) {
-    const PointFormat format = known;  // clang 14 captures no structured bindings
+    const PointFormat format = known;  // clang 14 can't capture structured bindings
     writers[std::string(name)] = [this, format](std::ostream& out) {
       std::vector<SurfaceSample> samples;
       for (const GeneratorId g : relaxed->moments.ids()) {

@@ -1,4 +1,4 @@
-// Meshes and diagrams as objects.
+// Objects that are meshes and diagrams.
 #include "gvd/mesh_objects.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 std::int64_t count_disc_cells(const Diagram& diagram) { return std::ranges::count_if(diagram.cells, &Cell::is_disc); }
 
-/// The faces that bisectors cut, in triangles.
+/// Makes an object of the triangles of the faces that bisectors cut.
 std::shared_ptr<const Object> make_pieces(const Mesh& mesh, const Diagram& diagram) {
   std::vector<Vec3> positions;
   std::vector<FaceId> faces;
@@ -37,7 +37,7 @@ std::shared_ptr<const Object> make_pieces(const Mesh& mesh, const Diagram& diagr
   return std::make_shared<PlainObject>("pieces", [positions = std::move(positions), faces = std::move(faces),
                                                   labels = std::move(labels)](ObjectVisitor& visitor) {
     visitor.array({"positions", "mesh units", "of three corners each"}, view(positions));
-    visitor.array({"faces", "", "that the triangles are parts of"}, view(faces));
+    visitor.array({"faces", "", "face of each triangle"}, view(faces));
     visitor.array({"labels", "", "the generator of each triangle"}, view(labels));
   });
 }
@@ -110,7 +110,7 @@ std::unique_ptr<DiagramEditor> DiagramObject::take_editor(Observer& observer) co
 }
 
 void DiagramObject::keep(std::unique_ptr<DiagramEditor> editor) const {
-  editor->run_with(0, {});  // an observer lives as long as its call
+  editor->run_with(0, {});  // the observer does not outlive its call
   const std::lock_guard lock(kept_->mutex);
   kept_->editor = std::move(editor);
 }
@@ -125,7 +125,7 @@ void MeshObject::visit(ObjectVisitor& visitor) const {
   figure("repairs", "", "what was repaired, a line each", mesh_->defects.messages);
   const Appearance& look = mesh_->appearance;
   figure("materials", "", "names of materials", look.materials);
-  figure("material_files", "", "that the materials are in", look.material_files);
+  figure("material_files", "", "files with the materials", look.material_files);
   visitor.array({"vertex_positions", "mesh units", "x, y and z of each vertex"}, view(mesh.positions()));
   visitor.array({"face_vertices", "", "the vertices of each face"}, view(mesh.face_vertices()));
   visitor.array({"vertex_of_input", "", "the vertex that each vertex of the input became; -1: none"},
@@ -136,8 +136,7 @@ void MeshObject::visit(ObjectVisitor& visitor) const {
                 view(mesh_->input_polygon));
   visitor.array({"texture", "", "u and v of the three corners of each face; not a number where there are none"},
                 view(look.texture));
-  visitor.array({"face_materials", "", "the place of each face's material among the names; -1: none"},
-                view(look.material));
+  visitor.array({"face_materials", "", "index of each face's material among the names; -1: none"}, view(look.material));
 }
 
 const Mesh& DiagramObject::surface() const { return parted_->surface(mesh_->mesh); }

@@ -19,16 +19,16 @@
 namespace gvd {
 namespace {
 
-/// Finds a part of a kind.
+/// Finds the name of a part by its kind.
 struct PartFinder : ObjectVisitor {
   void part(const Meaning& meaning, std::string_view kind, const PartMaker& make) override {
     if (name.empty() && kind == wanted && make()) name = meaning.name;
   }
   std::string_view wanted;
-  std::string name = {};  ///< empty: there is none
+  std::string name = {};  ///< empty if there is none
 };
 
-/// What an operation works on.
+/// The object that an operation works on, as its type.
 template <class Kind>
 const Kind& cast(const Object& object, std::string_view wanted) {
   const auto* const taken = dynamic_cast<const Kind*>(&object);
@@ -41,7 +41,7 @@ const Kind& cast(const Object& object, std::string_view wanted) {
                           finder.name.empty() ? "" : fmt::format("; take its part \"{}\"", finder.name)));
 }
 
-/// A call of the operation with these options, on an object of this kind.
+/// A call of the operation that has these options and takes an object of this kind.
 template <class Options, class Kind>
 class CallWith : public Call {
  public:
@@ -90,7 +90,7 @@ const std::vector<Operation>& operations() {
                                                 "Spreads points over the surface, or moves those of a list to it"),
       make_operation<DiagramCall, DiagramOutcome>("diagram", "Computes the Voronoi diagram of points or curves"),
       make_operation<EditCall, EditOutcome, DiagramObject>(
-          "edit", "Moves, adds or removes a generator of a diagram, and computes what changes with it"),
+          "edit", "Moves, adds or removes a generator of a diagram, and updates only what changed"),
       make_operation<LabelCall, SegmentOutcome, DiagramObject>(
           "label", "Labels the faces of a mesh by the cells of its diagram, or cuts them along the bisectors"),
       make_operation<SegmentCall, SegmentOutcome>(

@@ -1,4 +1,4 @@
-// Options as JSON: their values, and the kinds of values that they take.
+// Writes options as JSON: their values, and the kinds of values that they take.
 
 #include <fmt/format.h>
 
@@ -71,7 +71,7 @@ Json describe_number(const Number& number) {
   return kind;
 }
 
-/// The name of a kind, and what it takes.
+/// Describes a kind of options, and the values that it takes.
 Json describe_kind(const Field& field) {
   const auto named = [](const char* kind) { return Json{{"kind", kind}}; };
   return std::visit(
@@ -106,7 +106,7 @@ Json describe_kind(const Field& field) {
       field);
 }
 
-/// The value that an option stands for: null where it does nothing beside others.
+/// The value that an option stands for; null if other options make it ineffective.
 Json used_value(const OptionList& list, const Given& given, const Option& option) {
   const Given::Source* const source = given.find(option.name);
   if (source != nullptr && !source->value.empty()) return Json::parse(source->value);

@@ -1,4 +1,5 @@
-// Diagrams and distances inside regions: the regions as given, points and generators inside them, and figures.
+// Steps of diagrams and distances inside regions: finds the given regions, places points and chooses generators inside
+// them, and visits figures.
 
 #include "gvd/parted_mesh.hpp"
 
@@ -62,7 +63,7 @@ std::vector<SurfacePoint> sample_inside(PartedMesh& parted, const SamplingOption
   return std::exchange(parted.samples.points, {});
 }
 
-// Listed points are resolved on the input, which may see a point on a border from any face beside it; so these are
+// Listed points are resolved on the input, where a point on a border may belong to any face beside it. So they are
 // moved into a region.
 ResolvedGenerators choose_inside(const CheckedMesh& input, PartedMesh& parted, const GeneratorOptions& asked,
                                  const DiagramOptions& diagram, bool each, Observer& observer) {
@@ -78,7 +79,8 @@ ResolvedGenerators choose_inside(const CheckedMesh& input, PartedMesh& parted, c
   return found;
 }
 
-// A border belongs to the regions on both of its sides: a point there is seen once from each connected part.
+// A border belongs to the regions on both of its sides, so a point on it gets one place for each connected part of the
+// separated mesh.
 PlacedPoints place_points(const Mesh& input, const PartedMesh& parted, const std::vector<SurfacePoint>& points) {
   PlacedPoints placed;
   std::vector<SurfacePoint> seen;
@@ -91,7 +93,7 @@ PlacedPoints place_points(const Mesh& input, const PartedMesh& parted, const std
       add(points[i]);
       continue;
     }
-    // Views from one part are one point of the separated mesh: the first of them stands for all.
+    // Views from the same part are the same point of the separated mesh, and the first of them stands for all.
     seen.clear();
     for (const SurfacePoint& view : find_views(input, points[i])) {
       if (parted.is_left_out(view.face)) continue;

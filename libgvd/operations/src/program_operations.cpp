@@ -1,7 +1,7 @@
-// Meshes out of arrays and files, numbers of files, curves, and the check of a diagram.
+// The operations for programs: meshes from arrays and files, numbers of files, curves, and the check of a diagram.
 //
-// Arrays pass the same checks as files: they become a polygon soup, which build_mesh examines. A saved mesh does so,
-// too; it has no defect any more, and gets back the places that its elements had in the input.
+// Arrays pass the same checks as files: they become a polygon soup, which build_mesh examines. So does a saved mesh,
+// which has no defects any more; then its elements get back the places that they had in the input.
 #include "gvd/program_operations.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@
 namespace gvd {
 namespace {
 
-/// A soup of positions and corners.
+/// Makes a soup of arrays of positions and corners.
 PolygonSoup soup_of(std::span<const ArrayView> arrays) {
   if (arrays.size() < 2) {
     throw Error(ErrorCode::invalid_option,
@@ -41,14 +41,14 @@ PolygonSoup soup_of(std::span<const ArrayView> arrays) {
   return make_soup(at, corners, std::size_t(columns(1)));
 }
 
-/// Whole numbers between -1 and `end`, one for each of `count` elements.
+/// Reads `count` whole numbers from -1 up to below `end`, and passes each to `make`.
 template <class T, class Make>
 std::vector<T> places(const ArrayView& view, std::size_t place, std::int64_t count, double end, const Make& make) {
   const std::vector<double> numbers = read_array(view, place);
   const bool is_right = std::ssize(numbers) == count && std::ranges::all_of(numbers, [end](double number) {
                           return number >= -1 && number < end && number == std::floor(number);
                         });
-  if (!is_right) throw Error(ErrorCode::precondition, fmt::format("array {} is not that of a saved mesh", place));
+  if (!is_right) throw Error(ErrorCode::precondition, fmt::format("array {} does not belong to a saved mesh", place));
   std::vector<T> made;
   for (const double number : numbers) made.push_back(make(static_cast<std::int32_t>(number)));
   return made;
@@ -96,7 +96,7 @@ void describe(OptionList& list, SavedMeshCall& call) {
   list.group("Input");
   list.option("repairs", File{&call.repairs}, {.help = "What was repaired"});
   list.option("materials", File{&call.materials}, {.help = "Names of materials"});
-  list.option("material_files", File{&call.material_files}, {.help = "Files that the materials are in"});
+  list.option("material_files", File{&call.material_files}, {.help = "Files with the materials"});
 }
 
 std::shared_ptr<const MeshObject> run(SavedMeshCall& call, Observer&) {
@@ -120,7 +120,7 @@ std::shared_ptr<const MeshObject> run(SavedMeshCall& call, Observer&) {
   look.material_files = call.material_files;
   const std::vector<double> uv = read_array(call.arrays[5], 5);
   if (!uv.empty() && std::ssize(uv) != 6 * std::int64_t(made->mesh.face_count())) {
-    throw Error(ErrorCode::precondition, "array 5 is not that of a saved mesh");
+    throw Error(ErrorCode::precondition, "array 5 does not belong to a saved mesh");
   }
   for (std::size_t i = 0; i < uv.size(); i += 2) look.texture.push_back({uv[i], uv[i + 1]});
   const bool has_materials = call.arrays[6].shape[0] > 0;
@@ -153,7 +153,7 @@ std::shared_ptr<const NumbersObject> run(PropertiesCall& call, Observer&) {
     properties = parse_mesh_properties(call.bytes(), *format, call.file);
   }
   for (MeshProperty& property : properties) {
-    if (property.count_type) continue;  // a list for each element
+    if (property.count_type) continue;  // properties that are lists are left out
     made->numbers.emplace_back((property.of_vertices ? "vertex " : "face ") + property.name,
                                std::move(property.values));
   }
@@ -171,8 +171,8 @@ void describe(OptionList& list, CurvesCall& call) {
 void CurvesOutcome::visit(ObjectVisitor& visitor) const {
   visitor.figure({"count", "", "number of curves"}, count);
   visitor.array({"positions", "mesh units", "of the points of all polylines"}, view(positions));
-  visitor.array({"offsets", "", "the place of each polyline's first point, and the number of all"}, view(offsets));
-  visitor.array({"curve", "", "that each polyline is of"}, view(curve));
+  visitor.array({"offsets", "", "index of each polyline's first point, and the total number of points"}, view(offsets));
+  visitor.array({"curve", "", "curve of each polyline"}, view(curve));
 }
 
 std::shared_ptr<const CurvesOutcome> run(const MeshPtr& input, CurvesCall& call, Observer& observer) {

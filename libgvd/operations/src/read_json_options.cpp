@@ -1,7 +1,7 @@
-// Options from JSON.
+// Reads options from JSON.
 //
-// A scalar is read as its text, so that this door and the command line accept and refuse the same; arrays and lists are
-// read by given_arrays.hpp. Every mistake has one line, with the name of the option in front.
+// A scalar is read as its text, so that JSON and the command line accept and refuse the same values; arrays and lists
+// are read by given_arrays.hpp. Every mistake is reported in one line that begins with the name of the option.
 
 #include <fmt/format.h>
 
@@ -27,10 +27,10 @@ using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse_json(const std::string& text) { throw Error(ErrorCode::invalid_option, text); }
 
-/// No option has lists in lists in lists. Deep ones would overflow the stack of whoever shows or frees them.
+/// No option has deeply nested lists, and very deep ones would overflow the stack when they are printed or freed.
 constexpr int kDeepest = 8;
 
-/// A name that stands twice in an object would lose its first value in silence.
+/// Checks JSON while it is parsed. A name that occurs twice in an object would silently lose its first value.
 class CheckedWhileRead {
  public:
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
@@ -55,7 +55,7 @@ std::string describe_place(std::string_view text, std::size_t byte) {
 Json parse(std::string_view text) {
   try {
     const Json parsed = Json::parse(text, CheckedWhileRead());
-    if (!parsed.is_object()) refuse_json("options: the JSON is no object; write one, such as {\"count\": 30}");
+    if (!parsed.is_object()) refuse_json("options: the JSON is not an object; write one, such as {\"count\": 30}");
     return parsed;
   } catch (const Json::parse_error& error) {
     refuse_json(fmt::format("options: not valid JSON at {}", describe_place(text, error.byte)));
@@ -64,8 +64,8 @@ Json parse(std::string_view text) {
   }
 }
 
-/// The text that a command line has for a value; nothing for lists and objects. 3.0 is the whole number 3: languages
-/// differ in how they write it.
+/// The text of a value on a command line; nothing for lists and objects. 3.0 counts as the whole number 3, because
+/// languages differ in how they write it.
 std::optional<std::string> to_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) {
@@ -76,7 +76,7 @@ std::optional<std::string> to_text(const Json& value) {
   return std::nullopt;
 }
 
-/// The texts of a value, or of the elements of a list.
+/// The text of a value, or the texts of the elements of a list.
 std::vector<std::string> to_texts(const Json& value) {
   std::vector<std::string> texts;
   if (value.is_array()) {
@@ -87,7 +87,7 @@ std::vector<std::string> to_texts(const Json& value) {
   return texts;
 }
 
-/// Curves of {"file": NAME}; with "content", an array, these are its bytes.
+/// Reads curves from {"file": NAME}. If there is an array "content", it has the bytes of the file.
 CurveList read_curve_file(const Json& value, const Arrays& arrays) {
   const Json& file = value.at("file");
   const bool is_text = file.is_string();
@@ -95,11 +95,11 @@ CurveList read_curve_file(const Json& value, const Arrays& arrays) {
   const std::string path = is_text ? file.get<std::string>() : read_bytes(file, arrays);
   if (value.size() == 1) return gvd::read_curves(path);
   const bool has_content = value.size() == 2 && value.contains("content") && is_array_reference(value["content"]);
-  if (!has_content) refuse_json("beside \"file\" there is \"content\" only, an array of the file's bytes");
+  if (!has_content) refuse_json("only \"content\", an array of the file's bytes, may accompany \"file\"");
   return parse_curves(read_bytes(value["content"], arrays), path);
 }
 
-/// Reads one option. Each function returns what is wrong; empty where nothing is.
+/// Reads one option. Each function returns what is wrong, or an empty text.
 class OptionReader {
  public:
   OptionReader(const Option& option, const Json& value, const Arrays& arrays)
@@ -141,12 +141,12 @@ class OptionReader {
     return value_.is_boolean() || value_.is_string() ? as_text() : no_flag();
   }
 
-  std::string operator()(const File&) const {  // its name may be no UTF-8, which JSON has to be
+  std::string operator()(const File&) const {  // as bytes, because a name need not be valid UTF-8, which JSON requires
     if (is_array_reference(value_)) return read_option(option_, {read_bytes(value_, arrays_)});
     const bool is_text =
         value_.is_string() ||
         (value_.is_array() && std::ranges::all_of(value_, [](const Json& one) { return one.is_string(); }));
-    return is_text ? read_option(option_, to_texts(value_)) : gvd::quoted(value_.dump()) + " is no text";
+    return is_text ? read_option(option_, to_texts(value_)) : gvd::quoted(value_.dump()) + " is not text";
   }
 
   std::string operator()(const Counts&) const {
@@ -166,7 +166,7 @@ class OptionReader {
   const std::string name_;
 };
 
-/// Whether an option takes points, curves or numbers, of which its field does not know how they were given.
+/// Whether an option took points, curves or numbers from JSON, so that its field does not know how they were given.
 bool has_values(const Field& field) {
   return std::visit(
       Overload{[](const PointList&) { return true; }, [](const Curves& curves) { return bool(curves.value->list); },
@@ -180,7 +180,7 @@ bool has_values(const Field& field) {
                           meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
 }
 
-/// Reads one option. What is wrong begins with its name.
+/// Reads one option. Errors begin with its name.
 void read(const Option& option, const Json& value, const Arrays& arrays) {
   const std::string name = placeholder(option.name);
   try {
@@ -204,7 +204,7 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
     if (option == nullptr) refuse_name(list, name);
     if (value.is_null()) continue;
     read(*option, value, given_arrays);
-    // A flag with its default says nothing, as --cut=false of a command.
+    // A flag with its default value counts as not given, like --cut=false of a command.
     const bool is_set = !std::holds_alternative<Flag>(option->field) || value.get<bool>() != option->is_on;
     if (is_set) given.add(name, {fmt::format("\"{}\"", name), "", 0, has_values(option->field) ? value.dump() : ""});
   }
@@ -215,10 +215,11 @@ Given read_json_options(const OptionList& list, const CheckedMesh& input, std::s
 
 namespace {
 
-/// An option as a program of the door writes it, with a value unless that is empty.
+/// Spells an option as a program of the door writes it, with its value unless that is empty.
 std::string spell(Door door, std::string_view name, std::string_view value) {
   const bool is_python = door == Door::python;
-  if (door != Door::json && name == "from") name = "points";  // a keyword of Python's; both languages have it first
+  // `from` is a keyword in Python, and in both languages the points are the first argument.
+  if (door != Door::json && name == "from") name = "points";
   if (value.empty()) return door == Door::json ? fmt::format("\"{}\"", name) : std::string(name);
   const bool is_flag = value == "true" || value == "false";
   std::string shown(value);

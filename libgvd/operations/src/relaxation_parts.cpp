@@ -1,4 +1,5 @@
-// What the operations that relax generators share: the start by the options, and words and figures of the result.
+// Steps that the operations that relax generators share: the start from the options, and notes and figures of the
+// result.
 
 #include "gvd/relaxation_parts.hpp"
 
@@ -22,7 +23,7 @@ std::vector<SurfacePoint> resolve_fixed(const CheckedMesh& input, const GivenPoi
   return std::move(fixed.points);
 }
 
-/// Notes which curves the generators do not keep to although that is preferred, and how many generators would do.
+/// Notes which curves the generators do not follow although they should, and how many generators would suffice.
 void note_unfollowed_curves(Observer& observer, const ConstrainedStart& start) {
   if (start.unfollowed_loops > 0) {
     observer.note(
@@ -40,7 +41,7 @@ void note_unfollowed_curves(Observer& observer, const ConstrainedStart& start) {
   }
 }
 
-/// Notes why a copy that was asked for is not used.
+/// Notes why a requested copy is not used.
 void note_unused_copy(Observer& observer, const Mesh& mesh, std::int64_t faces, std::size_t generators) {
   const bool is_small = faces < kCopyFacesPerGenerator * std::int64_t(generators);
   const std::string reason = is_small ? fmt::format("it has less than {} faces for a generator", kCopyFacesPerGenerator)

@@ -1,7 +1,7 @@
-// Scenes: pictures for the page, one after the other, as a program shows them that computes while its user looks.
+// Makes scenes: pictures for the page, one after the other, for a program that computes while the user watches.
 //
-// A page is made once; here scenes follow each other while a generator moves. So the frame stays that of the mesh, and
-// a region keeps its colour as far as its neighbours allow.
+// Unlike a page, which is made once, scenes follow each other while a generator moves. So all of them use the frame of
+// the mesh, and a region keeps its colour as far as its neighbours allow.
 #include "gvd/scene_operation.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@
 namespace gvd {
 namespace {
 
-constexpr double kScreenTolerance = 1e-3;  ///< of isolines, mean edge lengths
+constexpr double kScreenTolerance = 1e-3;  ///< chord tolerance of isolines, in mean edge lengths
 
 io::ViewFrame frame_of(const Mesh& mesh) {
   ViewScene plain;
@@ -60,7 +60,8 @@ ViewScene scene_of(const DistancesOutcome& made, std::int32_t levels) {
   std::vector<double> at;
   for (int i = 1; i <= levels; ++i) at.push_back(largest * i / (levels + 1));
   DistanceTable table = made.table;
-  // Seen while a generator is dragged: a third of the points, and no difference on a screen.
+  // Users see these isolines while they drag a generator. This tolerance gives a third of the points without a visible
+  // difference.
   if (largest > 0) table.isolines = made.field->isolines(at, {.chord_tolerance = kScreenTolerance});
   return make_distance_scene("", mesh, *made.field, table);
 }
@@ -70,16 +71,16 @@ ViewScene scene_of(const DistancesOutcome& made, std::int32_t levels) {
 void describe(OptionList& list, SceneCall& call) {
   list.group("Scene");
   list.option("colors", ValueSource{&call.colors, {}, ValueSource::Of::generators},
-              {.help = "Colours of the regions of the scene before: red, green and blue of each, 0 to 255"});
+              {.help = "Colours of the regions in the previous scene: red, green and blue of each, 0 to 255"});
   list.option("isolines", Number{&call.isolines, {.least = 0}},
-              {.help = "Levels of isolines up to the largest distance; 0: those that the distances have"});
+              {.help = "Levels of isolines up to the largest distance; 0: the isolines of the distances"});
 }
 
 void SceneObject::visit(ObjectVisitor& visitor) const {
   visitor.figure({"manifest", "", "what the page holds of the scene, as JSON"}, manifest);
   visitor.array({"bytes", "", "of all arrays that the manifest refers to by their numbers"},
                 {bytes.data(), ArrayType::uint8, 1, {std::ssize(bytes), 1}, {1, 0}});
-  visitor.array({"offsets", "", "the place of each array's first byte, and the number of all"}, view(offsets));
+  visitor.array({"offsets", "", "index of each array's first byte, and the total number of bytes"}, view(offsets));
   visitor.array({"colors", "", "red, green and blue of the regions"},
                 {colors.data(), ArrayType::uint8, 2, {std::ssize(colors), 3}, {sizeof(Rgb), 1}});
 }
@@ -87,7 +88,7 @@ void SceneObject::visit(ObjectVisitor& visitor) const {
 std::shared_ptr<const SceneObject> run(const Object& on, SceneCall& call, Observer& observer) {
   const Step step(observer, "scene");
   const std::vector<Rgb> before = colors_of(call.colors);
-  Mesh unplaced;  // a scene refers to its meshes
+  Mesh unplaced;  // the scene refers to this mesh
   MeshPtr input;
   ViewScene scene;
   if (const auto* const diagram = dynamic_cast<const DiagramObject*>(&on)) {

@@ -1,9 +1,10 @@
-// The operation `segment`: regions to keep to, a diagram inside them, and its cells as labels of faces or as pieces.
+// The operations `label` and `segment`: find regions, compute a diagram inside them, and label or cut the faces by its
+// cells.
 //
-// Whole faces get the label of the generator whose cell has them, so that borders run along edges; or the faces are
-// split along the bisectors, and each new face knows its parent (gvd/segment.hpp). Each level but the last labels whole
-// faces, and its labels are the regions of the next one. Given regions are the first level's; a mask takes faces out of
-// them, or out of the whole surface. All results have the input's faces or pieces of them, and its vertices.
+// Either whole faces get the label of a cell, so that borders run along edges, or the faces are split along the
+// bisectors, and each new face knows its parent (gvd/segment.hpp). Each level except the last labels whole faces, and
+// its labels are the regions of the next level. The first level keeps to the given regions; a mask takes faces out of
+// the regions or out of the whole surface. All results have the input's faces or pieces of them, and its vertices.
 
 #include "gvd/segment_operation.hpp"
 
@@ -28,14 +29,14 @@
 namespace gvd {
 namespace {
 
-/// A note names this many generators or regions.
+/// A note names at most this many generators or regions.
 constexpr std::size_t kNamed = 8;
 
-/// Borders of a greater multiple of the bisectors' length get a note. Of 509 runs on 77 meshes with 50 or more faces
-/// for each generator, 491 stay below it; with fewer the mesh is too coarse.
+/// Borders longer than this multiple of the bisectors' length get a note, because the mesh is probably too coarse. 491
+/// of 509 runs with at least 50 faces for each generator stay below it (docs/developer/segment-borders.md).
 constexpr double kUsualBorderRatio = 1.14;
 
-/// The first ids, and "..." where there are more.
+/// The first ids, followed by "..." if there are more.
 std::string name_some(const std::vector<GeneratorId>& ids) {
   std::vector<std::int32_t> named;
   for (std::size_t i = 0; i < std::min(kNamed, ids.size()); ++i) named.push_back(ids[i].value());
@@ -44,7 +45,7 @@ std::string name_some(const std::vector<GeneratorId>& ids) {
 
 // ---- the regions
 
-// A level needs no figures of its own: a segmentation with its number of generators has the same ones.
+// A level needs no figures of its own, because a segmentation with its number of generators has the same figures.
 void label_levels(const Mesh& mesh, const SegmentCall& call, Observer& observer, PartedMesh& parted) {
   LevelOptions level;
   level.generators.sampling = make_sampling_options(call.generators, call.diagram, observer);
@@ -81,7 +82,7 @@ Diagram make_cells_discs(const SegmentCall& call, Observer& observer, const Mesh
     outcome.snap_distance.resize(made.diagram.generators.size());
     observer.note(fmt::format("{} added, so that every cell is a disc{}",
                               counted(made.added, "generator was", "generators were"),
-                              made.search_cut_short ? "; fewer may do" : ""));
+                              made.search_cut_short ? "; fewer may be enough" : ""));
     tell_diagram(observer, made.diagram);
   }
   return std::move(made.diagram);
@@ -93,8 +94,8 @@ void note_non_discs(Observer& observer, const Mesh& mesh, const IdVector<FaceId,
   const std::vector<GeneratorId> regions = find_non_disc_regions(mesh, label);
   if (regions.empty()) return;
   observer.note(fmt::format("{}: {}; {}",
-                            counted(std::ssize(regions), "region is no disc although its cell is",
-                                    "regions are no discs although their cells are"),
+                            counted(std::ssize(regions), "region is not a disc, although its cell is",
+                                    "regions are not discs, although their cells are"),
                             name_some(regions), why));
 }
 
@@ -117,7 +118,8 @@ std::int64_t note_unreached(Observer& observer, const SegmentOutcome& outcome) {
   return std::ssize(unreached);
 }
 
-/// Notes generators without a face. Returns the length of the borders by that of the bisectors; 0 without bisectors.
+/// Notes generators without a face. Returns the length of the borders divided by the length of the bisectors; 0 without
+/// bisectors.
 double tell_segmentation(Observer& observer, const SegmentOutcome& outcome) {
   const std::vector<GeneratorId>& without = outcome.whole->without_face;
   if (!without.empty()) {
@@ -138,12 +140,12 @@ double tell_segmentation(Observer& observer, const SegmentOutcome& outcome) {
 void note_long_borders(Observer& observer, double ratio) {
   if (ratio <= kUsualBorderRatio) return;
   observer.note(
-      fmt::format("borders are {:.2f} times as long as the bisectors (usually at most {}): no shorter ones were found "
-                  "along edges near these; \1cut\2 follows the bisectors",
+      fmt::format("borders are {:.2f} times as long as the bisectors (usually at most {}): no shorter borders "
+                  "were found along nearby edges; \1cut\2 follows the bisectors",
                   ratio, kUsualBorderRatio));
 }
 
-/// With levels, adds the labels of the last one.
+/// With levels, adds the labels of the last level.
 void add_labels(const PartedMesh& parted, const IdVector<FaceId, GeneratorId>& labels,
                 std::vector<FaceNumbers>& numbers) {
   if (parted.levels > 0) numbers.push_back({level_name(parted.levels), to_regions(labels)});
@@ -177,6 +179,12 @@ void tell_charts(Observer& observer, const Charts& charts, ChartMap map) {
                                       : " where shortest paths meet, or flat behind saddles; \1uv=flat\2 flips "
                                         "none"));
   }
+  if (is_flat && charts.flipped_by_floats > 0) {
+    observer.note(
+        fmt::format("{} flipped in .glb, which rounds texture coordinates to 32-bit floats; .ply and .obj "
+                    "keep doubles, and flip none",
+                    counted(charts.flipped_by_floats, "face is", "faces are")));
+  }
   if (has(&Chart::torn_area)) {
     observer.note(fmt::format("{} of the area is torn off its chart, where shortest paths come from two sides",
                               percent(&Chart::torn_area)));
@@ -195,7 +203,7 @@ Charts chart(const SegmentCall& call, Observer& observer, const SegmentOutcome& 
   return charts;
 }
 
-/// Cuts the input and not the diagram's surface: both sides of a border keep their vertices in common.
+/// Cuts the input and not the diagram's surface, so that both sides of a border share their vertices.
 void cut_along_bisectors(const SegmentCall& call, Observer& observer, SegmentOutcome& outcome) {
   const Mesh& input = outcome.input().mesh;
   auto cut = std::make_shared<CutMesh>(
@@ -216,7 +224,7 @@ void cut_along_bisectors(const SegmentCall& call, Observer& observer, SegmentOut
   replace_texture(std::exchange(outcome.charts->texture, {}), outcome.appearance);
 }
 
-/// Throws Error{invalid_option} where generators can't be added to the diagram until its cells are discs.
+/// Throws Error{invalid_option} if generators can't be added to the diagram until its cells are discs.
 void check_discs(const DiagramObject& on) {
   const char* const why = !on.options()                   ? "the diagram keeps to regions"
                           : !on.diagram().curves.empty()  ? "the generators are curves"
@@ -227,7 +235,7 @@ void check_discs(const DiagramObject& on) {
               fmt::format("\1disc\2: {}, so that no generators can be added; leave it out", why));
 }
 
-// ---- words for users
+// ---- descriptions for users
 
 void describe_regions(OptionList& list, SegmentCall& call) {
   describe(list, call.regions, "regions and distances");
@@ -235,16 +243,17 @@ void describe_regions(OptionList& list, SegmentCall& call) {
               {.help = "Number of generators to sample in each region of \1within\2"});
   list.option(
       "levels", Counts{&call.levels},
-      {.help = "Segment several times, each inside the regions of the time before",
+      {.help = "Segment several times, each time inside the regions of the previous level",
        .more = ": the numbers of generators, as in 10,100,1000; \1cut\2 cuts along those of the last level",
-       .arrays = "Segment several times, each inside the regions of the time before: the numbers of generators, "
-                 "ascending; \1cut\2 cuts along those of the last level"});
+       .arrays =
+           "Segment several times, each time inside the regions of the previous level: the numbers of generators, "
+           "ascending; \1cut\2 cuts along those of the last level"});
   list.needs("per_region", "within");
 }
 
-// ---- what it consists of
+// ---- the parts of the result
 
-/// The figures of whole faces.
+/// Adds the figures of labelled whole faces.
 void add_whole(const Figures& figure, const SegmentOutcome& made) {
   const Segmentation& whole = or_none(made.whole);
   figure("generators_without_face", "", "whose cells lie inside faces of others", each_of(whole.without_face));
@@ -297,12 +306,14 @@ void add_charts(ObjectVisitor& visitor, const SegmentOutcome& made) {
   figure("scale", "texture units per mesh unit", "of all charts", charts.scale);
   figure("covered_share", "", "of the texture", charts.covered);
   figure("flipped_share", "", "of the area: faces that are flipped", charts.share(&Chart::flipped_area));
+  figure("flipped_by_floats", "", "faces that are flipped in .glb alone, whose texture coordinates are 32-bit floats",
+         charts.flipped_by_floats);
   figure("torn_share", "", "of the area: faces that are torn off", charts.share(&Chart::torn_area));
   figure("unplaced_share", "", "of the area: faces without texture coordinates", charts.share(&Chart::unplaced_area));
   visitor.table({"charts.charts", "", "the connected parts of regions"}, list_charts(charts.charts, made.chart_map));
 }
 
-/// Colours in sRGB, 0 to 255; that of no label is the last.
+/// Makes an object of the labels' colours in sRGB, 0 to 255; the last one is the colour of no label.
 std::shared_ptr<const Object> make_colors(const LabelledMesh& mesh) {
   std::vector<Rgb> colors = region_colors(mesh);
   colors.push_back(kUnlabelledColor);
@@ -346,18 +357,18 @@ void describe(OptionList& list, SegmentCall& call) {
   describe(list, call.weights, call.diagram);
   describe_curves(list, call.generators);
   list.excludes("disc", {"balance", "weights"}, "a generator that is added has no weight");
-  list.excludes("curves", {"disc"}, "the cell of a closed curve is no disc, however many generators are added");
-  list.excludes("curves", {"uv"}, "charts are laid around points");
+  list.excludes("curves", {"disc"}, "the cell of a closed curve is not a disc, however many generators are added");
+  list.excludes("curves", {"uv"}, "charts need points as generators");
   describe_curve_rules(list, call.diagram);
 }
 
 std::shared_ptr<const SegmentOutcome> run(const DiagramObject& on, LabelCall& call, Observer& observer) {
   if (call.uv && !on.diagram().curves.empty()) {
     throw Error(ErrorCode::invalid_option,
-                "\1uv\2: the generators are curves, and charts are laid around points; leave it out, or take a diagram "
-                "of points");
+                "\1uv\2: the generators are curves, and charts need points; leave it out, or take a diagram of "
+                "points");
   }
-  SegmentCall whole;  // regions and levels are those of the diagram
+  SegmentCall whole;  // without regions and levels, which the diagram has already
   static_cast<LabelCall&>(whole) = call;
   whole.complete();
   call.cut = whole.cut;
@@ -448,7 +459,7 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
          on_input.weights.empty() ? Figure() : Figure(on_input.weights));
   disc("added", "", "generators, so that every cell is a disc", or_none(discs).added);
   disc("rounds", "", "diagrams to which generators were added", or_none(discs).rounds);
-  disc("search_cut_short", "", "whether fewer may do", or_none(discs).search_cut_short);
+  disc("search_cut_short", "", "whether fewer may be enough", or_none(discs).search_cut_short);
   figure("uncut_faces", "", "that could not be cut", cut ? Figure(plain(cut->uncut_faces)) : Figure());
   add_whole(Figures(visitor, "", whole.has_value()), *this);
   figure("faces", "", "of the labelled mesh", mesh.face_count());
@@ -459,7 +470,7 @@ void SegmentOutcome::visit(ObjectVisitor& visitor) const {
   visitor.points({"generators", "", "by their labels"}, on_input.generators);
   visitor.array({"face_labels", "", "the region of each face, or of each piece; -1: none"}, view(face_labels()));
   const IdVector<FaceId, FaceId> no_parents;
-  visitor.array({"face_parents", "", "the face of the input that each piece is of; empty without cut"},
+  visitor.array({"face_parents", "", "parent face of each piece, in the input; empty without cut"},
                 view(cut ? cut->parent : no_parents));
   visitor.array({"vertex_labels", "", "the nearest generator of each vertex; -1: none"},
                 view(cut ? cut_vertices.label : on_input.vertex_label));

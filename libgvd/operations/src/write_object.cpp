@@ -1,4 +1,4 @@
-// Files of objects: as the commands write them, by the extension.
+// Writes objects to files, as the commands do, by the extension.
 
 #include <fmt/format.h>
 
@@ -24,7 +24,8 @@ std::string Object::page(const FileOptions& options) const {
   plain.mesh = &mesh->mesh;
   std::vector<ViewScene> scenes{plain};
   if (const Diagram* const diagram = mesh->diagram; diagram != nullptr) {
-    const bool is_diagram = mesh->face_label == &diagram->face_label;  // its cut faces have pieces, not labels
+    // With the diagram's own labels, cut faces are drawn as pieces.
+    const bool is_diagram = mesh->face_label == &diagram->face_label;
     scenes =
         is_diagram ? std::vector{make_view_scene("Regions", mesh->surface(), *diagram)} : make_region_scenes(*mesh);
   }
@@ -46,7 +47,7 @@ void describe(OptionList& list, FileOptions& options) {
 
 namespace {
 
-/// Refuses what does nothing in a file of this format.
+/// Refuses options that have no effect in a file of this format.
 void check_options(const FileOptions& options, const Format* format) {
   const auto needs = [format](bool is_given, const char* option, bool (*serves)(const Format&),
                               const std::string& why) {
@@ -65,14 +66,14 @@ void check_options(const FileOptions& options, const Format* format) {
 }
 
 /// A file of an object in memory, or at a path.
-struct Target {
+struct ObjectFile {
   std::string name;       ///< for messages
   std::string extension;  ///< without the dot
   std::function<void(const std::function<void(std::ostream&)>&)> write;
   std::function<void(const LabelledMesh&, const Format&)> write_surface;
 };
 
-void write_to(const Target& target, const Object& object, const FileOptions& options) {
+void write_to(const ObjectFile& target, const Object& object, const FileOptions& options) {
   const auto& [name, extension, write, write_surface] = target;
   const Format* const format = options.part.empty() ? find_output(extension) : nullptr;
   if (!options.part.empty()) {
@@ -91,8 +92,9 @@ void write_to(const Target& target, const Object& object, const FileOptions& opt
   }
   const Content content = object.content();
   if (content == Content::nothing) {
-    throw Error(ErrorCode::invalid_option,
-                fmt::format("{}: a {} has no file; write what it consists of", name, object.kind()));
+    throw Error(
+        ErrorCode::invalid_option,
+        fmt::format("{}: a {} can't be written to a file; use its figures and arrays instead", name, object.kind()));
   }
   if (extension == "html") {
     check_options(options, nullptr);

@@ -17,23 +17,27 @@ struct AngleSearch {
   Progress progress = {};            ///< may be empty
 };
 
-/// The price of thin triangles.
+/// The price of thin triangles, and of what any triangle lacks of an equilateral one, against square distances. Each is
+/// in units of a cell's: 1 is the square of its area.
 struct AnglePrice {
   double angle = 0;   ///< triangles with a smaller one are thin; degrees, > 0
-  double weight = 0;  ///< against square distances, each in units of a cell's: 1 is the square of its area
+  double weight = 0;  ///< of thin triangles
+  double shape = 0;   ///< of the lack of Q, 1 - Q; 0: vertices without thin triangles stay
 };
 
 /// Passes of raise_angles over the vertices, and places that a vertex tries in one.
 inline constexpr int kAnglePasses = 6, kAngleTrials = 32;
 
-/// Moves vertices of thin triangles, one after the other, to where the sum of square distances and the price of thin
-/// triangles is smaller.
+/// Moves vertices, one after the other, to where the sum of square distances and the price of their triangles is
+/// smaller.
 ///
 /// A vertex tries eight directions along the surface with steps that get shorter, and keeps the best place. At each it
 /// rises or falls to where the square distances are least. A vertex whose generator is on a crease goes along it alone:
-/// creases that generators follow (`--features`) stay. The price of a triangle grows with the square of the angle
-/// that it lacks. An angle that the guard forbids costs more. Deterministic.
-/// Cost: O(n), and O(valence) for each of kAngleTrials places of a vertex with thin triangles, a pass.
+/// creases that generators follow (`--features`) stay. The price of a thin triangle grows with the square of the angle
+/// that it lacks. An angle that the guard forbids costs more. Q costs a part at creases and beside them: there,
+/// triangles have to meet the crease first. Deterministic.
+/// Cost: O(n), and O(valence) for each of kAngleTrials places of a vertex, a pass. A vertex is left out while nothing
+/// around it has moved since it has found no better place.
 std::vector<Vec3> raise_angles(const AngleSearch& search, const AnglePrice& price, std::vector<Vec3> positions);
 
 }  // namespace gvd

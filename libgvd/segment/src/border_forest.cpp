@@ -1,9 +1,9 @@
-// Labels of least cost for a forest of free faces, by dynamic programming.
+// Finds the labels of least cost for a forest of free faces by dynamic programming.
 //
-// Free faces are those that bisectors cross, so that a forest holds nearly all of them: they form paths along the
-// bisectors. No face of the forest shares a side with another one than its parent and its children, so the least cost
-// of a subtree is needed for each label of its root only. From the leaves to the root that is linear, with any number
-// of labels and through the branch points, where minimum cuts choose between two labels at a time.
+// Bisectors cross the free faces, which therefore form paths along the bisectors, and a forest can hold nearly all of
+// them. Within the forest, a face shares sides only with its parent and its children, so the least cost of a subtree is
+// needed only for each label of its root. Computed from the leaves to the root, that takes linear time for any number
+// of labels, and passes through branch points, whereas minimum cuts choose between two labels at a time.
 #include "border_forest.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ const IdVector<FreeFaceId, GeneratorId>& BorderForest::choose(FreeFaceId first) 
   return chosen_;
 }
 
-/// Grows a tree breadth-first from the root, if the root waits.
+/// Grows a tree breadth-first from the root, if the root is still waiting.
 void BorderForest::grow(FreeFaceId root) {
   if (nodes_[root].state != State::waiting) return;
   nodes_[root].state = State::member;
@@ -56,7 +56,7 @@ void BorderForest::grow(FreeFaceId root) {
   }
 }
 
-/// Makes face i the child of its neighbour in the forest, or leaves it outside if it has two.
+/// Makes face i the child of its neighbour in the forest, or leaves it outside if it has two such neighbours.
 bool BorderForest::join(FreeFaceId i) {
   Node& node = nodes_[i];
   node.state = State::member;
@@ -72,7 +72,7 @@ bool BorderForest::join(FreeFaceId i) {
   return node.state == State::member;
 }
 
-/// Sets the sums of face i to what its labels cost with its neighbours outside of the forest.
+/// Initialises the sums of face i with the costs of its labels and of its borders to faces outside the forest.
 void BorderForest::add_own_costs(FreeFaceId i) {
   const auto candidates = free_.candidates(i);
   const std::span<double> sum = nodes_[i].sums;
@@ -83,7 +83,8 @@ void BorderForest::add_own_costs(FreeFaceId i) {
   });
 }
 
-/// Adds to each sum of the parent the least cost of i's subtree: with the same label, or with the side as border.
+/// Adds to each sum of the parent the least cost of i's subtree, either with the parent's label or with their common
+/// side as border.
 void BorderForest::add_to_parent(FreeFaceId i) {
   const FreeFaceId parent = nodes_[i].parent;
   if (!parent.valid()) return;
@@ -97,8 +98,8 @@ void BorderForest::add_to_parent(FreeFaceId i) {
   for (const FaceShare& share : candidates) child_cost_[share.generator] = kInfinity;
 }
 
-/// The best label of face i, given that of its parent. Among equally good ones the parent's comes first, then that of
-/// the largest share.
+/// The best label of face i, given the label of its parent. Among equally good labels, the parent's label comes first,
+/// then the label with the largest share.
 GeneratorId BorderForest::best_label(FreeFaceId i) const {
   const auto candidates = free_.candidates(i);
   const std::span<const double> sum = nodes_[i].sums;

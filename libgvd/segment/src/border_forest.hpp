@@ -10,17 +10,18 @@ namespace gvd {
 
 /// Chooses the labels of many free faces at once, by dynamic programming on a forest.
 ///
-/// The free faces, joined where they share a side, are a graph: nearly a path along each bisector. A forest is grown in
-/// it breadth-first. A face with two neighbours in the forest stays outside and keeps its label. So faces of the
-/// forest share sides with their parent and their children only. The labels of least cost are exact for the forest.
+/// The free faces form a graph, in which faces with a common side are neighbours; along a bisector it is nearly a path.
+/// The forest grows in this graph breadth-first. A face with two neighbours in the forest stays outside and keeps its
+/// label. So faces of the forest share sides only with their parent and their children, and the labels of least cost
+/// are exact for the forest.
 class BorderForest {
  public:
   /// Refers to all arguments. `generators` is the number of labels.
   BorderForest(const FreeFaces& free, const BorderCosts& costs, const IdVector<FaceId, GeneratorId>& label,
                std::size_t generators);
 
-  /// The labels of least cost together; the present ones for faces outside of the forest. The first tree has its root
-  /// at `first`, each other one at the next face that is left, in cyclic order. Cost: O(k) for k shares.
+  /// Returns the labels of least total cost; faces outside the forest keep their present labels. The first tree has its
+  /// root at `first`, and each further tree at the next remaining face in cyclic order. Cost: O(k) for k shares.
   const IdVector<FreeFaceId, GeneratorId>& choose(FreeFaceId first);
 
  private:
@@ -28,8 +29,8 @@ class BorderForest {
   struct Node {
     State state = State::waiting;
     FreeFaceId parent;       // invalid for a root
-    double side = 0;         // length of the sides in common with the parent
-    std::span<double> sums;  // for each candidate the least cost of the subtree
+    double side = 0;         // length of the sides shared with the parent
+    std::span<double> sums;  // for each candidate label, the least cost of the subtree
   };
 
   void grow(FreeFaceId root);
@@ -44,9 +45,9 @@ class BorderForest {
   const BorderCosts& costs_;
   const IdVector<FaceId, GeneratorId>& label_;
   IdVector<FreeFaceId, Node> nodes_;
-  std::vector<double> sums_;                  // what the nodes' sums refer to
+  std::vector<double> sums_;                  // the memory of all nodes' sums
   std::vector<FreeFaceId> order_;             // the forest's faces, parents before children
-  IdVector<GeneratorId, double> child_cost_;  // scratch: for the labels of one child, infinity for all others
+  IdVector<GeneratorId, double> child_cost_;  // temporary: the costs of one child's labels; infinity for other labels
   IdVector<FreeFaceId, GeneratorId> chosen_;
 };
 

@@ -1,15 +1,16 @@
-// Maps of regions to the plane: by exact logarithms, or by convex combinations.
+// Maps regions to the plane, by exact logarithms or by convex combinations.
 //
-// A logarithm is read from the shortest path: its length, and the direction in which it leaves the generator. Shortest
-// paths stay in the cell, and the one to a point of the border is asked for by its generator. Vertices decide, so that
-// neighbouring faces fit; but where the paths to two corners of a face pass on different sides of something, the three
-// logarithms do not belong together. Such a face is laid by the path to its centre: turned as that path turns from its
-// arrival to its departure.
-// A flat map has its border as a star round the generator, with the exact distances and the angles of the triangles of
-// two distances and a side: for a flat region that is the region itself, and mean value weights keep its inside. If a
-// face is turned round, the star's convex hull takes its place, with sides bent outwards; then a circle. With a convex
-// border the map is one-to-one by Tutte's theorem.
-// Source: M. Floater, Mean value coordinates, 2003. Invariant: a map writes the faces of its own island only.
+// The logarithm of a point is the length of the shortest path to it, and the direction in which the path leaves the
+// generator. Shortest paths stay in the cell; a point of the border has one to each of its generators. Logarithms are
+// computed for vertices, so that neighbouring faces fit together. But if the paths to two corners of a face pass on
+// different sides of an obstacle, the three logarithms do not belong together. Such a face is placed by the path to its
+// centre, and rotated by the angle between the path's directions at its two ends.
+// A flat map first places its border as a star around the generator, with the exact distances and with angles from the
+// triangles of two distances and a side. For a flat region that gives the region itself, and mean value weights
+// reproduce its inside. If the map flips a face, the convex hull of the star replaces it, with sides bent outwards, and
+// then a circle. With a convex border the map is one-to-one by Tutte's theorem.
+// Source: M. Floater, Mean value coordinates, 2003.
+// Invariant: a map writes only the faces of its own island.
 #include "chart_maps.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ namespace {
 
 constexpr StepPart kPaths{"charts", 0, 0.8}, kTears{"charts", 0.8, 0.9};
 
-/// Vertices and faces of one task: a path takes some microseconds.
+/// Number of vertices or faces in a task. A path takes a few microseconds.
 constexpr std::size_t kPathChunk = 256;
 
 IdVector<VertexId, Vec2> find_logarithms(const ChartSurface& surface) {
@@ -43,18 +44,18 @@ IdVector<VertexId, Vec2> find_logarithms(const ChartSurface& surface) {
   return logs;
 }
 
-/// Whether the logarithms of the corners belong to paths that are not neighbours, or one is missing.
+/// Whether the logarithms of the corners belong to paths on different sides of an obstacle, or one is missing.
 bool is_torn(const Mesh& mesh, FaceId f, const PlaneCorners& corners) {
   for (const HalfedgeId h : Mesh::halfedges(f)) {
     const auto i = std::size_t(Mesh::corner(h));
-    // Also where a coordinate is not a number.
+    // The negation also holds if a coordinate is NaN.
     if (!((corners[(i + 1) % 3] - corners[i]).norm() <= kTear * mesh.length(h))) return true;
   }
   return false;
 }
 
-/// The corners of a face by the path to its centre. At the centre, the logarithm turns directions by the angle from
-/// that in which the path arrives to that in which it departs. Nothing where rounding hides one of the two.
+/// Places the corners of a face by the path to its centre. At the centre, the logarithm rotates directions by the angle
+/// from the path's arrival to its departure. Returns nothing if rounding hides one of these directions.
 std::optional<PlaneCorners> lay_by_centre(const ChartSurface& surface, FaceId f) {
   const FaceId parent = surface.parent(f);
   const FaceLayout layout(surface.surface(), parent);
@@ -96,7 +97,8 @@ std::vector<PlaneCorners> map_by_logarithms(const ChartSurface& surface, IdVecto
       if (!is_torn(mesh, f, corners[i])) continue;
       torn[f] = 1;
       const bool all_known = std::ranges::all_of(corners[i], [](const Vec2& p) { return p.allFinite(); });
-      // Where the centre tells nothing, the face is about as small as rounding, and its logarithms serve.
+      // If the path to the centre has no direction, the face is about as small as rounding, and the corners' logarithms
+      // will do.
       const PlaneCorners otherwise = all_known ? corners[i] : PlaneCorners{kNowhere, kNowhere, kNowhere};
       corners[i] = lay_by_centre(surface, f).value_or(otherwise);
     }
@@ -106,7 +108,7 @@ std::vector<PlaneCorners> map_by_logarithms(const ChartSurface& surface, IdVecto
 
 namespace {
 
-/// The border of an island that is a disc, counter-clockwise.
+/// Traces the border of an island that is a disc, counter-clockwise.
 std::vector<VertexId> trace_border(const Mesh& mesh, const Island& island) {
   for (const FaceId f : island.faces) {
     for (const HalfedgeId h : Mesh::halfedges(f)) {
@@ -116,9 +118,9 @@ std::vector<VertexId> trace_border(const Mesh& mesh, const Island& island) {
   return {};
 }
 
-/// How the border of a disc is laid.
+/// How the border of a disc is placed.
 enum class Border {
-  star,    ///< round the generator, by exact distances
+  star,    ///< around the generator, by exact distances
   convex,  ///< the convex hull of the star, bent outwards
   circle,
 };
@@ -129,18 +131,18 @@ struct FlatMap {
   DiscWeights weights;
 };
 
-/// A twentieth of even spacing keeps directions apart that nearly coincide, a tenth vertices that do. The last map
-/// depends on connectivity alone.
+/// A twentieth of even spacing separates directions that nearly coincide, and a tenth separates vertices that nearly
+/// coincide. The last map depends only on connectivity.
 constexpr std::array<FlatMap, kFlatMaps> kMaps{{{Border::star, 0, DiscWeights::mean_value},
                                                 {Border::convex, 0.05, DiscWeights::mean_value},
                                                 {Border::circle, 0.1, DiscWeights::mean_value},
                                                 {Border::circle, 1, DiscWeights::uniform}}};
 
-/// Share of a circle in a convex border. Without it, three vertices of one side would lie on a line.
+/// Share of a circle in a convex border. Without it, three vertices on the same side would lie on a line.
 constexpr double kBulge = 0.1;
 
-/// The angles of the border's vertices, from 0 up to a full turn behind the last one. Of a star they are those of the
-/// triangles of two distances and a side, of a circle the lengths of the sides.
+/// The angles of the border's vertices, beginning with 0 and ending with a full turn. For a star they are the angles of
+/// the triangles of two distances and a side; for a circle they are proportional to the sides.
 std::vector<double> find_angles(const IslandBorder& border, const FlatMap& map) {
   const std::size_t n = border.side.size();
   std::vector<double> angles{0};
@@ -148,7 +150,7 @@ std::vector<double> find_angles(const IslandBorder& border, const FlatMap& map) 
     double angle = border.side[i];
     if (map.border != Border::circle) {
       const double a = border.distance[i], b = border.distance[(i + 1) % n];
-      // Half the angle by its sine, from the law of cosines: exact for small angles, too.
+      // The law of cosines in terms of the sine of half the angle, which is accurate for small angles, too.
       const double sine = std::sqrt(std::max(0.0, (angle - (a - b)) * (angle + (a - b)) / (4 * a * b)));
       angle = 2 * std::asin(std::min(1.0, sine));
     }
@@ -158,9 +160,9 @@ std::vector<double> find_angles(const IslandBorder& border, const FlatMap& map) 
   return angles;
 }
 
-/// Moves points at ascending angles outwards onto their convex hull, which holds the origin, and bends its sides.
-/// In polar coordinates a line is 1 / r = c cos(angle - a). Between two of its points, a convex curve has 1 / r at most
-/// as large as their line. A constant added to 1 / r makes that strict.
+/// Moves points at ascending angles outwards onto their convex hull, which contains the origin, and bends the hull's
+/// sides. In polar coordinates a line is 1 / r = c cos(angle - a). Between two of its points, a convex curve has 1 / r
+/// at most as large as on the line through them. Adding a constant to 1 / r makes this strict.
 void make_convex(const std::vector<double>& angle, std::vector<double>& radius) {
   const std::size_t n = radius.size(), first = std::size_t(std::ranges::max_element(radius) - radius.begin());
   const auto point = [&](std::size_t i) -> Vec2 { return radius[i % n] * unit_vector(angle[i % n]); };
@@ -186,8 +188,8 @@ void make_convex(const std::vector<double>& angle, std::vector<double>& radius) 
   for (std::size_t i = 0; i < n; ++i) radius[i] = 1 / ((1 - kBulge) * inverse[i] + kBulge * round);
 }
 
-/// Lays the border; nothing where it does not go round the origin once, turning left.
-std::vector<BorderPoint> lay_border(const IslandBorder& border, const FlatMap& map) {
+/// Places the border. Returns nothing if it does not go around the origin exactly once, counter-clockwise.
+std::vector<DiscBorderPoint> lay_border(const IslandBorder& border, const FlatMap& map) {
   const std::size_t n = border.vertices.size();
   std::vector<double> radius(n, 1);
   if (map.border != Border::circle) radius = border.distance;
@@ -199,22 +201,23 @@ std::vector<BorderPoint> lay_border(const IslandBorder& border, const FlatMap& m
   }
   if (map.border == Border::convex) make_convex(angles, radius);
   const std::vector<Vec2> points = lay_round(angles, radius);
-  std::vector<BorderPoint> laid;
+  std::vector<DiscBorderPoint> laid;
   for (std::size_t i = 0; i < n; ++i) laid.push_back({border.vertices[i], points[i]});
   return laid;
 }
 
-/// Directions that are tried for the axes of an island, over a quarter of a turn.
+/// Number of directions that are tried for the axes of an island, over a quarter of a turn.
 constexpr int kTurns = 32;
 
-/// The matrix that gives the points the area `area`, and turns them so that their box is small and lies wide.
-Eigen::Matrix2d fit(const std::vector<BorderPoint>& border, double area, double laid_area) {
+/// The matrix that scales the points to the area `area`, and rotates them so that their box is small and wider than
+/// high.
+Eigen::Matrix2d fit(const std::vector<DiscBorderPoint>& border, double area, double laid_area) {
   Eigen::Matrix2d best = Eigen::Matrix2d::Identity();
   double least = kInfinity;
   for (int k = 0; k < 2 * kTurns; ++k) {
     const Eigen::Matrix2d turn = Eigen::Rotation2Dd(std::numbers::pi / 2 * k / kTurns).toRotationMatrix();
     Box2 box;
-    for (const BorderPoint& b : border) box.extend(turn * b.point);
+    for (const DiscBorderPoint& b : border) box.extend(turn * b.point);
     const Vec2 size = box.sizes();
     if (size.x() < size.y() || !(size.prod() < least)) continue;
     least = size.prod();
@@ -240,7 +243,7 @@ IslandBorder measure_border(const ChartSurface& surface, const Island& island) {
 bool map_flat(const Mesh& mesh, const Island& island, const IslandBorder& measured, int attempt,
               std::vector<PlaneCorners>& corners) {
   const FlatMap& map = kMaps[std::size_t(attempt)];
-  const std::vector<BorderPoint> border = lay_border(measured, map);
+  const std::vector<DiscBorderPoint> border = lay_border(measured, map);
   if (border.empty()) return false;
   const PlaneDisc disc = flatten_disc(mesh, island.faces, border, map.weights);
   double area = 0;

@@ -1,4 +1,4 @@
-// A cut mesh whose regions are taken apart, and its islands.
+// Separates the regions of a cut mesh, and finds its islands.
 #include "chart_surface.hpp"
 
 #include "diagram/diagram_windows.hpp"
@@ -22,7 +22,7 @@ std::vector<Island> find_islands(const Mesh& separated, const IdVector<FaceId, G
   const IdVector<FaceId, std::int32_t> component = compute_face_components(separated);
   const std::vector<ComponentTopology> topologies = compute_topologies(separated, component);
   std::vector<Island> islands;
-  std::vector<std::int32_t> number;  // of the island of each component; -1: without a label
+  std::vector<std::int32_t> number;  // the island of each component; -1 for faces without a label
   for (const FaceId f : separated.faces()) {
     const auto c = std::size_t(component[f]);
     if (c == number.size()) {

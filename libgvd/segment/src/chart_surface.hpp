@@ -20,34 +20,34 @@ struct Island {
   std::vector<FaceId> faces;              ///< ascending
 };
 
-/// The islands of regions that were separated, ascending by their first face; none for faces without a label. Cost:
+/// Finds the islands of separated regions, ascending by their first face. Faces without a label belong to none. Cost:
 /// O(n).
 std::vector<Island> find_islands(const Mesh& separated, const IdVector<FaceId, GeneratorId>& label);
 
-/// The points of a face's corners in the plane; not numbers for one that is not placed.
+/// The points of a face's corners in the plane; NaN if the face is not placed.
 using PlaneCorners = std::array<Vec2, 3>;
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 inline const Vec2 kNowhere(kNaN, kNaN);
 
-/// A cut mesh whose regions are taken apart, with the paths from their generators.
+/// A cut mesh with separated regions, and the shortest paths from their generators.
 class ChartSurface {
  public:
-  /// The arguments must outlive this.
+  /// The arguments must outlive this object.
   ChartSurface(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut, const ChartOptions& options);
 
-  /// The faces of the cut mesh, with vertices of their own in each island.
+  /// The faces of the cut mesh. Each island has vertices of its own.
   const Mesh& mesh() const { return separated_.mesh; }
   const std::vector<Island>& islands() const { return islands_; }
   const ParallelChunks& parallel() const { return parallel_; }
 
   FaceId parent(FaceId f) const { return cut_.parent[f]; }
   GeneratorId label(FaceId f) const { return cut_.label[f]; }
-  /// The mesh of the diagram, whose points the paths connect.
+  /// The mesh of the diagram, on which paths run.
   const Mesh& surface() const { return surface_; }
   bool is_on_boundary(GeneratorId g) const { return gvd::is_on_boundary(surface_, diagram_.generators[g.index()]); }
   const ExactField& field() const { return field_; }
 
-  /// A corner of a face, on its parent.
+  /// A corner of face f, as a point of its parent.
   SurfacePoint point(FaceId f, int corner) const;
   /// The shortest path from a corner's vertex to the region's generator.
   GeodesicPath path(VertexId v) const {

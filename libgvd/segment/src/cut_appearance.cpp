@@ -1,8 +1,9 @@
-// Texture coordinates and materials on a cut mesh.
+// Carries texture coordinates and materials over to a cut mesh.
 //
-// A face keeps the coordinates at the corners that it has in common with its parent. A vertex that was added inside a
-// parent takes what is linear in the parent. One on an edge takes what is linear along the edge, from the same end in
-// both faces: interpolated in each face, the last bits would differ, and writers would see a seam.
+// A face keeps the coordinates at the corners that it shares with its parent. At a vertex added inside a parent,
+// coordinates are interpolated in the parent. At a vertex added on an edge, they are interpolated along the edge, from
+// the same end in both faces; if each face interpolated by itself, the last bits would differ, and writers would see a
+// seam.
 // Invariant: two faces that share an edge of the cut mesh agree along it exactly where their parents agree.
 #include <algorithm>
 #include <array>
@@ -18,7 +19,7 @@
 namespace gvd {
 namespace {
 
-/// The edge between two faces that is nearest to a point.
+/// The edge between two faces; if there are several, the edge nearest to a point.
 EdgeId shared_edge(const Mesh& mesh, FaceId a, FaceId b, const Vec3& point) {
   std::pair nearest(kInfinity, EdgeId());
   for (const HalfedgeId h : Mesh::halfedges(a)) {
@@ -31,7 +32,8 @@ EdgeId shared_edge(const Mesh& mesh, FaceId a, FaceId b, const Vec3& point) {
   return nearest.second;
 }
 
-/// The edge of the input on which each added vertex lies, where faces of two parents meet; invalid for other vertices.
+/// The edge of the input on which each added vertex lies; invalid for other vertices. Faces of two parents meet at such
+/// a vertex.
 IdVector<VertexId, EdgeId> find_input_edges(const Mesh& mesh, const CutMesh& cut) {
   IdVector<VertexId, EdgeId> edges(cut.mesh.vertex_count());
   IdVector<VertexId, FaceId> first(cut.mesh.vertex_count());
@@ -45,7 +47,7 @@ IdVector<VertexId, EdgeId> find_input_edges(const Mesh& mesh, const CutMesh& cut
   return edges;
 }
 
-/// The nearest point of an edge, seen from either face with the same weights.
+/// The nearest point of an edge, as a point of `face`. Its weights are the same in both faces of the edge.
 SurfacePoint nearest_on_edge(const Mesh& mesh, EdgeId e, FaceId face, const Vec3& point) {
   const HalfedgeId first = mesh.halfedge(e), own = Mesh::face(first) == face ? first : mesh.twin(first);
   const Vec3& from = mesh.position(mesh.from(first));
@@ -56,7 +58,7 @@ SurfacePoint nearest_on_edge(const Mesh& mesh, EdgeId e, FaceId face, const Vec3
   return found;
 }
 
-/// Linear in the point's face; at a corner its own value, bit by bit.
+/// Interpolates in the point's face. At a corner, returns the corner's value bit by bit.
 Uv interpolate_texture(const std::vector<Uv>& texture, const SurfacePoint& point) {
   Uv sum{};
   for (int i = 0; i < 3; ++i) {
@@ -68,7 +70,7 @@ Uv interpolate_texture(const std::vector<Uv>& texture, const SurfacePoint& point
   return sum;
 }
 
-/// In the order of the cut faces' corners.
+/// The texture coordinates of the cut faces' corners, in their order.
 std::vector<Uv> carry_texture(const Mesh& mesh, const std::vector<Uv>& texture, const CutMesh& cut) {
   const IdVector<VertexId, EdgeId> edges = find_input_edges(mesh, cut);
   const auto point_in = [&](FaceId parent, VertexId v) -> SurfacePoint {
@@ -97,7 +99,7 @@ Appearance carry_to_cut_faces(const Mesh& mesh, const Appearance& appearance, co
   };
   if (!fits(appearance.texture.size(), mesh.halfedge_count()) || !fits(appearance.material.size(), mesh.face_count()) ||
       cut.input_vertices != mesh.vertex_count()) {
-    throw Error(ErrorCode::precondition, "the appearance or the cut mesh is of another mesh");
+    throw Error(ErrorCode::precondition, "the appearance or the cut mesh belongs to another mesh");
   }
   Appearance carried{{}, {}, appearance.materials, appearance.material_files, appearance.unread};
   if (!appearance.texture.empty()) carried.texture = carry_texture(mesh, appearance.texture, cut);

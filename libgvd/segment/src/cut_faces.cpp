@@ -1,12 +1,12 @@
 // Cuts the faces of a mesh along the bisectors of its diagram.
 //
 // The points of pieces on an edge are collected from both faces of the edge, sorted along it and numbered once, so that
-// the two faces share vertices and the surface stays closed. Each face is then tiled by its pieces (FaceTiling), and
+// the two faces share vertices and no gap opens between them. Each face is then tiled by its pieces (FaceTiling), and
 // the polygons are cut into triangles. A face whose pieces do not tile it stays whole, with the vertices on its edges.
-// The triangles of a face follow each other, in the order of the faces.
+// The triangles of a face are consecutive, in the order of the faces.
 //
-// Two repairs follow (cut_triangles.cpp): no edge has four faces, and none is without a length.
-// At last, regions that touch themselves at a vertex are parted there (part_touching_regions.cpp).
+// Two repairs follow (cut_triangles.cpp), after which no edge has four faces and none has length 0. Finally, regions
+// that touch themselves at a vertex are separated there (part_touching_regions.cpp).
 #include <algorithm>
 #include <memory>
 #include <span>
@@ -50,8 +50,8 @@ VertexId add_vertex(const Vec3& at, std::vector<Vec3>& positions) {
   return VertexId(positions.size() - 1);
 }
 
-/// The points of pieces on edges, sorted by edge and t. Each has a vertex: that of the point before it or an end of the
-/// edge if they coincide, or a new one.
+/// Collects the points of pieces on edges, sorted by edge and t. If a point coincides with the previous point or with
+/// an end of the edge, it gets the same vertex, and otherwise a new one.
 std::vector<EdgePoint> number_edge_points(const Mesh& mesh, const std::vector<FacePiece>& pieces, double tolerance,
                                           std::vector<Vec3>& positions) {
   std::vector<EdgePoint> points;
@@ -91,7 +91,7 @@ std::span<const EdgePoint> points_on(const std::vector<EdgePoint>& sorted, EdgeI
           std::to_address(std::ranges::upper_bound(sorted, e, {}, &EdgePoint::edge))};
 }
 
-/// The corners of f and the vertices on its edges, in order, each once.
+/// The border of f: its corners and the vertices on its edges, in order, each once.
 std::vector<FaceTiling::Corner> border_of(const Mesh& mesh, FaceId f, const std::vector<EdgePoint>& edge_points,
                                           const std::vector<Vec3>& positions) {
   std::vector<FaceTiling::Corner> border;
@@ -124,7 +124,7 @@ FaceTiling::Corner corner_of(const Mesh& mesh, FaceId f, const std::vector<EdgeP
   return corner;
 }
 
-/// Cuts the polygons of face f into triangles. `polygons`: the number of those before them, which grows.
+/// Cuts the polygons of face f into triangles. `polygons` counts the polygons of all faces so far.
 void add_polygons(FaceId f, FaceTiling& tiling, std::int32_t& polygons, CutTriangles& cut) {
   for (const FaceTiling::Polygon& polygon : tiling.polygons()) {
     std::vector<Vec2> plane_points;
@@ -156,7 +156,8 @@ void build_cut_mesh(CutTriangles cut, CutMesh& result) {
   }
 }
 
-/// The parent of a face at v, one with the label of v where regions were separated: the vertex may lie on their border.
+/// The parent of a face at v. If regions were separated, the face has the label of v, because v may lie on the border
+/// of two regions.
 FaceId parent_at(const CutMesh& cut, VertexId v, GeneratorId label, bool is_separated) {
   FaceId face = Mesh::face(cut.mesh.halfedge(v));
   for_each_outgoing(cut.mesh, v, [&](HalfedgeId h) {
@@ -165,7 +166,7 @@ FaceId parent_at(const CutMesh& cut, VertexId v, GeneratorId label, bool is_sepa
   return cut.parent[face];
 }
 
-/// The smaller one of two labels of faces at a vertex; a label comes before none.
+/// The smaller of two labels of faces at a vertex. A valid label comes before an invalid one.
 GeneratorId smaller_label(GeneratorId a, GeneratorId b) { return !a.valid() || (b.valid() && b < a) ? b : a; }
 
 }  // namespace
@@ -232,11 +233,11 @@ CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, cons
       if (v.value() >= given) result.label[v] = smaller_label(result.label[v], cut.label[f]);
     }
   }
-  // With weights, only their sums with the distances are continuous across bisectors.
+  // With weights, only the sums of distance and weight are continuous across bisectors.
   IdVector<VertexId, double> sums = diagram.vertex_distance;
   for (const VertexId v : sums.ids()) sums[v] += diagram.weight(diagram.vertex_label[v]);
   for (VertexId v(given); v.value() < cut.mesh.vertex_count(); v = VertexId(v.value() + 1)) {
-    // A new vertex on the border of two regions has faces of both, whose distances differ.
+    // A new vertex on the border of two regions has faces in both, whose distances differ.
     const FaceId parent = parent_at(cut, v, result.label[v], known > given);
     const SurfacePoint point = closest_point_on_face(mesh, parent, cut.mesh.position(v)).point;
     result.distance[v] = interpolate_at(mesh, sums, point) - diagram.weight(result.label[v]);

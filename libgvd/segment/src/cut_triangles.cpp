@@ -1,9 +1,10 @@
-// Repairs of the triangles of a cut mesh, before it is built.
+// Repairs the triangles of a cut mesh before the mesh is built.
 //
-// Two edges with the same ends occur in two ways. Two parents with the same three corners are cut between the same
-// points of their sides. Or two polygons on both sides of a bisector, whose points rounding has made collinear, have
-// the same diagonal. Either edge lies inside a parent, so a vertex at its midpoint concerns two triangles only.
-// Corners coincide where rounding has put an added vertex onto another one. The added vertex moves by a few units in
+// Two edges with the same ends arise in two ways: two parents with the same three corners are cut between the same
+// points of their sides, or two polygons on both sides of a bisector, whose points rounding has made collinear, have
+// the same diagonal. In both cases an edge lies inside a parent, so a vertex at its midpoint affects only two
+// triangles.
+// Corners coincide if rounding has put an added vertex onto another vertex. The added vertex is moved by a few units in
 // the last place; vertices of the input never move.
 #include "cut_triangles.hpp"
 
@@ -14,10 +15,10 @@
 namespace gvd {
 namespace {
 
-/// The polygon of a side that lies between two polygons.
+/// Marks a side that lies between two polygons.
 constexpr std::int32_t kBetween = -1;
 
-/// A side of a triangle; its ends ascend.
+/// A side of a triangle, with its ends in ascending order.
 struct Side {
   VertexId low;
   VertexId high;
@@ -41,8 +42,8 @@ std::vector<Side> collect_sides_of_cut_parents(const CutTriangles& cut) {
   return sides;
 }
 
-/// Appends the edges inside parents among sides with the same ends: diagonals of polygons, and edges between two
-/// polygons.
+/// Given sides with the same ends, appends the edges that lie inside parents: diagonals of polygons, and edges between
+/// two polygons.
 void append_inner_edges(std::span<const Side> sides, std::vector<Side>& edges) {
   const Side* single = nullptr;
   for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -59,8 +60,8 @@ void append_inner_edges(std::span<const Side> sides, std::vector<Side>& edges) {
   }
 }
 
-/// The edges inside parents whose two ends are those of sides of more than two triangles, sorted by parent. A diagonal
-/// comes before an edge between two polygons with the same ends.
+/// Finds the edges inside parents whose two ends are joined by sides of more than two triangles, sorted by parent. A
+/// diagonal comes before an edge between two polygons with the same ends.
 std::vector<Side> find_doubled_edges(const CutTriangles& cut) {
   std::vector<Side> sides = collect_sides_of_cut_parents(cut), doubled;
   std::sort(sides.begin(), sides.end());
@@ -74,7 +75,8 @@ std::vector<Side> find_doubled_edges(const CutTriangles& cut) {
   return doubled;
 }
 
-/// Halves the triangles from `begin` on that have the edge as a side; only those of its polygon if it is a diagonal.
+/// Halves the triangles from `begin` on that have the edge as a side. If the edge is a diagonal, halves only triangles
+/// of its polygon.
 void split_edge(const Side& edge, std::size_t begin, CutTriangles& cut) {
   const VertexId middle(cut.positions.size());
   cut.positions.push_back(0.5 * (cut.positions[edge.low.index()] + cut.positions[edge.high.index()]));
@@ -92,7 +94,7 @@ void split_edge(const Side& edge, std::size_t begin, CutTriangles& cut) {
   }
 }
 
-/// Direction of the longest edge of the triangles, a unit vector; zero if all have length zero.
+/// The direction of the longest edge of the triangles, as a unit vector; zero if all edges have length zero.
 Vec3 longest_direction(std::span<const CutTriangle> triangles, const std::vector<Vec3>& positions) {
   Vec3 longest = Vec3::Zero();
   for (const CutTriangle& t : triangles) {
@@ -104,7 +106,8 @@ Vec3 longest_direction(std::span<const CutTriangle> triangles, const std::vector
   return longest.stableNormalized();
 }
 
-/// Moves one of two coincident corners of a triangle. False if there are none, or none that may move.
+/// Moves one of two coincident corners of a triangle. Returns false if no corners coincide, or if none of them may
+/// move.
 bool separate_corners(const CutTriangle& t, std::size_t first_added, const Vec3& shift, std::vector<Vec3>& positions) {
   for (int i = 0; i < 3; ++i) {
     const auto [earlier, later] = std::minmax(t.corners[i], t.corners[(i + 1) % 3]);

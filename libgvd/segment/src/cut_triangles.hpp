@@ -21,8 +21,8 @@ struct CutTriangle {
   bool operator==(const CutTriangle&) const = default;
 };
 
-/// The triangles of a cut mesh before it is built. The triangles of a parent are consecutive, and so are those of a
-/// polygon.
+/// The triangles of a cut mesh before it is built. The triangles of a parent are consecutive, and so are the triangles
+/// of a polygon.
 struct CutTriangles {
   std::vector<Vec3> positions;
   std::vector<CutTriangle> triangles;
@@ -40,22 +40,22 @@ void for_each_parent(std::span<const CutTriangle> all, Visit visit) {
 }
 
 /// Splits each edge inside a parent at its midpoint if another edge joins the same two vertices: inside another parent,
-/// on the border of a parent, or inside another polygon. Each split adds one vertex, and two triangles after those of
-/// the parent. Cost: O(k log k) for the k triangles of parents that are cut, and O(n) in all.
+/// on the border of a parent, or inside another polygon. Each split adds one vertex, and two triangles after the
+/// parent's other triangles. Cost: O(k log k) for k triangles in cut parents, and O(n) in all.
 void split_doubled_edges(CutTriangles& cut);
 
-/// Moves corners of a triangle apart that have the same position, by a small multiple of `tolerance` (mesh units; see
-/// position_tolerance).
+/// Moves apart the corners of triangles that have the same position, by a small multiple of `tolerance` (mesh units;
+/// see `position_tolerance`).
 ///
-/// In a face without area, cuts through two of its sides can have the same position but are different vertices, one on
-/// each side. Vertices from `first_added` on may move, each along the longest edge of its parent; the vertices of the
-/// input do not. Returns the number of rounds that moved a vertex; with kMaxSeparationRounds some may still coincide.
-/// Cost: O(k) for k triangles in each of a few rounds.
+/// In a face without area, points on two sides can have the same position although they are different vertices.
+/// Vertices from `first_added` on may move along the longest edge of their parent; vertices of the input do not move.
+/// Returns the number of rounds that moved a vertex; after kMaxSeparationRounds, corners may still coincide. Cost: O(k)
+/// for k triangles in each of a few rounds.
 int separate_coincident_corners(CutTriangles& cut, std::size_t first_added, double tolerance);
 
-/// Each round moves by twice the length of the one before. It separates vertices that the last one moved onto each
-/// other or onto a third. The last round moves by 2^19 times the tolerance, 5e-10 of the largest coordinate; a longer
-/// move would change the shape.
+/// Each round moves vertices twice as far as the previous round, and separates vertices that the previous round moved
+/// onto each other or onto a third vertex. The last round moves by 2^19 times the tolerance, 5e-10 of the largest
+/// coordinate; a longer move would change the shape.
 inline constexpr int kMaxSeparationRounds = 20;
 
 }  // namespace gvd

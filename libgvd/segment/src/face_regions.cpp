@@ -1,9 +1,10 @@
-// Regions of faces, from numbers of faces or vertices.
+// Makes regions of faces from numbers of faces or vertices.
 //
-// Atlases have labels of vertices. A face takes the number that most of its corners have, so a border between labels
-// runs along edges near that of the vertices; where all three differ, the least number decides. A mask is read in the
-// same way, as 0 and 1. A face that would be a region's only one there, for no better reason than the least number or a
-// mask beside it, joins a neighbour: else it would be a connected part of its own, with a generator of its own.
+// Atlases label vertices. A face takes the number that most of its corners have, so the border between two regions runs
+// along edges near the border between the vertices; if all three corners differ, the least number decides. A mask is
+// read in the same way, as 0 and 1. The least number or a mask can leave a single face cut off from the rest of its
+// region. Such a face joins a neighbour, because otherwise it would be a connected part of its own, with a generator of
+// its own.
 #include "gvd/face_regions.hpp"
 
 #include <fmt/format.h>
@@ -20,14 +21,14 @@
 namespace gvd {
 namespace {
 
-/// The most frequent one of three, of equals the least.
+/// The most frequent of three values; if all differ, the least.
 template <class T>
 T majority(T a, T b, T c) {
   if (a == b || a == c) return a;
   return b == c ? b : std::min({a, b, c});
 }
 
-/// A number for each face, out of those of faces or vertices.
+/// Converts numbers of faces or vertices to numbers of faces.
 std::vector<double> to_faces(const Mesh& mesh, const SoupProperty& numbers) {
   const char* const element = numbers.of_vertices ? "vertex" : "face";
   const std::vector<double>& values = numbers.values;
@@ -48,8 +49,8 @@ std::vector<double> to_faces(const Mesh& mesh, const SoupProperty& numbers) {
   return of_faces;
 }
 
-/// Gives each face for which `may_change` holds, and beside which no face has the same region, that of the neighbour
-/// across its longest side. Faces that are left out are no neighbours.
+/// Moves each face that has no neighbour in its own region into the region of the neighbour across its longest side, if
+/// `may_change` holds for the face. Faces that are left out do not count as neighbours.
 template <class MayChange>
 void join_single_faces(const Mesh& mesh, FaceRegions& regions, const MayChange& may_change) {
   for (const FaceId f : mesh.faces()) {
@@ -68,7 +69,7 @@ void join_single_faces(const Mesh& mesh, FaceRegions& regions, const MayChange& 
   }
 }
 
-/// The values of the mesh's vertices, where the file has none for the midpoints of split edges.
+/// Converts values of the file's vertices to values of the mesh's vertices, including the midpoints of split edges.
 std::vector<double> to_vertices(const CheckedMesh& input, const std::vector<double>& values) {
   std::vector<double> of_mesh;
   for (const VertexId v : input.mesh.vertices()) {
@@ -76,7 +77,7 @@ std::vector<double> to_vertices(const CheckedMesh& input, const std::vector<doub
     if (const std::int32_t given = input.input_vertex[v]; given >= 0) value = values[given];
     of_mesh.push_back(value);
   }
-  // Only numbers of the file are passed on: midpoints may have midpoints beside them.
+  // Takes only numbers of the file, because a midpoint may have midpoints as neighbours.
   for (const VertexId v : input.mesh.vertices()) {
     if (input.input_vertex[v] >= 0) continue;
     for_each_neighbour(input.mesh, v, [&](VertexId u, HalfedgeId) {
@@ -127,7 +128,7 @@ FaceRegions make_face_regions(const Mesh& mesh, const SoupProperty& numbers) {
 
 void mask_regions(const Mesh& mesh, const SoupProperty& mask, FaceRegions& regions) {
   SoupProperty flags = mask;
-  // Any two numbers but 0 count as one, so that the majority of corners is that of "not 0"; to_faces refuses NaN.
+  // All numbers other than 0 become 1, so that corners with different numbers count together; to_faces refuses NaN.
   for (double& value : flags.values) value = value == 0 || std::isnan(value) ? value : 1;
   const std::vector<double> left_out = to_faces(mesh, flags);
   for (const FaceId f : regions.ids()) {

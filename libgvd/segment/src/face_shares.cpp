@@ -1,8 +1,9 @@
-// Shares of the cells in the faces that bisectors cut, out of the areas of the diagram's pieces.
+// Computes the shares of the cells in cut faces from the areas of the diagram's pieces.
 //
 // A piece is a polygon in barycentric coordinates, so that its area relative to the face needs no positions. Pieces of
-// one cell in one face are added up in the order of the diagram. The list is sorted twice: by face and generator to
-// unite the pieces, then by face and descending fraction. Both sorts are stable, so that the sums do not depend on
+// the same cell in the same face are added up in the order of the diagram. The list is sorted twice: first by face and
+// generator to unite the pieces, then by face and descending fraction. Both sorts are stable, so that the sums do not
+// depend on
 // the sorting.
 #include "face_shares.hpp"
 

@@ -1,10 +1,10 @@
-// Fits the pieces of one face together, so that adjacent polygons share whole segments.
+// Fits the pieces of a face together, so that adjacent polygons share whole segments.
 //
 // Pieces come from both sides of each bisector with their own rounding. Corners that coincide are merged, and segments
-// are split at the corners on them. The result counts only if it tiles the face: each directed segment occurs once, and
-// so does its reverse, in another polygon or on the border. The corners of the border come first and are never merged
-// or moved, because the adjacent faces share them. Corners are sorted along the face's longest side and along an axis
-// of space, so that a face with many pieces needs no search over all pairs.
+// are split at the corners on them. The result is used only if it tiles the face: each directed segment occurs once,
+// and its reverse occurs once in another polygon or on the border. The corners of the border come first and are never
+// merged or moved, because the adjacent faces share them. Corners are sorted along the face's longest side and along an
+// axis of space, so that a face with many pieces needs no search over all pairs.
 #include "face_tiling.hpp"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ bool coincide(const Bary& a, const Bary& b) {
   return std::abs(a[0] - b[0]) <= kCutWeld && std::abs(a[1] - b[1]) <= kCutWeld && std::abs(a[2] - b[2]) <= kCutWeld;
 }
 
-/// Splits a closed walk over corners (numbers below `corners`) where it repeats a corner into simple loops. Loops of
-/// two corners are dropped.
+/// Splits a closed walk over corners (numbers below `corners`) into simple loops, wherever it repeats a corner. Drops
+/// loops of two corners.
 std::vector<std::vector<std::size_t>> split_at_repeats(const std::vector<std::size_t>& walk, std::size_t corners) {
   std::vector<std::vector<std::size_t>> loops;
   std::vector<std::size_t> stack;
@@ -39,11 +39,11 @@ std::vector<std::vector<std::size_t>> split_at_repeats(const std::vector<std::si
   return loops;
 }
 
-/// Difference of the positions along a side of two points that differ by kCutWeld in each coordinate: a position is a
-/// mean of numbers from 0 to 1 with these weights.
+/// The largest difference along a side between two points whose barycentric coordinates differ by kCutWeld each. The
+/// position along a side is a mean of numbers from 0 to 1 with the coordinates as weights.
 constexpr double kAlongWeld = 3 * kCutWeld;
 
-/// Positions of the face's corners, projected onto its longest side, from 0 to 1. `border`: begins with a corner.
+/// The positions of the face's corners, projected onto its longest side, from 0 to 1. `border` begins with a corner.
 std::array<double, 3> positions_along_longest_side(const std::vector<FaceTiling::Corner>& border) {
   std::array<Vec3, 3> corner{};
   for (const FaceTiling::Corner& c : border) {
@@ -65,7 +65,7 @@ std::array<double, 3> positions_along_longest_side(const std::vector<FaceTiling:
 /// A segment from one corner to another.
 using DirectedSegment = std::pair<std::size_t, std::size_t>;
 
-/// Whether each segment occurs once, and its reverse too.
+/// Whether each segment and its reverse occur exactly once.
 bool is_paired(std::vector<DirectedSegment> segments) {
   std::vector<DirectedSegment> reverse;
   for (const auto& [from, to] : segments) reverse.emplace_back(to, from);
@@ -89,7 +89,7 @@ std::span<const std::pair<double, std::size_t>> FaceTiling::SortedCorners::betwe
 template <class Test>
 std::size_t FaceTiling::SortedCorners::find(double coordinate, double tolerance, std::size_t limit,
                                             const Test& passes) const {
-  // Twice the tolerance, so that rounding of the range's ends excludes no corner.
+  // The range is twice as wide as the tolerance, so that rounding of its ends excludes no corner.
   for (const auto& [at, corner] : between(coordinate - 2 * tolerance, coordinate + 2 * tolerance)) {
     if (corner < limit && passes(corner)) limit = corner;
   }
@@ -136,8 +136,8 @@ std::size_t FaceTiling::find_or_add(const Corner& corner) {
 }
 
 bool FaceTiling::fit() {
-  // Most pieces share their corners already. Splitting at every corner near a segment is only the second attempt: in a
-  // piece thinner than kCutWeld it would fold one side onto the other.
+  // Most pieces already share their corners. Splitting at every corner near a segment is only the second attempt,
+  // because in a piece thinner than kCutWeld it would fold one side onto the other.
   for (const double tolerance : {0.0, kCutWeld}) {
     std::vector<Polygon> fitted;
     for (const Polygon& polygon : polygons_) {
@@ -177,7 +177,7 @@ void FaceTiling::append_corners_between(std::size_t from, std::size_t to, double
   const double length = chord.norm();
   const auto [low, high] = std::minmax({along(corners_[from]), along(corners_[to])});
   std::vector<std::pair<double, std::size_t>> between;
-  // A point on an edge of the face is off it by rounding only: less than kCutWeld.
+  // A point on an edge of the face is off the edge only by rounding, which is less than kCutWeld.
   for (const auto& [position, k] : by_along_.between(low - 2 * kAlongWeld, high + 2 * kAlongWeld)) {
     if (k == from || k == to) continue;
     const Vec2 offset = plane_point(k) - start;

@@ -14,14 +14,14 @@
 namespace gvd {
 
 /// Points of a face whose barycentric coordinates differ by at most this are merged. A crossing computed from two sides
-/// differs by some 1e-15.
+/// differs by about 1e-15.
 inline constexpr double kCutWeld = 1e-12;
 
 /// Positions are merged if their coordinates differ by at most this many units in the last place of the mesh's largest
 /// coordinate. An interpolated position has four rounding errors: one for each of three terms, and one for the sum.
 inline constexpr double kPositionUlps = 4;
 
-/// The tolerance of positions (kPositionUlps) for a mesh, mesh units.
+/// The tolerance of positions in a mesh (kPositionUlps), mesh units.
 double position_tolerance(const Mesh& mesh);
 
 inline bool coincide(const Vec3& p, const Vec3& q, double tolerance) {
@@ -45,8 +45,8 @@ class FaceTiling {
   /// `tolerance`: see position_tolerance.
   FaceTiling(std::vector<Corner> border, double tolerance);
 
-  /// The number of the corner: of the border's corner with the same vertex, or of one inside that coincides in
-  /// barycentric coordinates (kCutWeld) or in position (`tolerance`). Otherwise it becomes a new one.
+  /// Returns the number of the border's corner with the same vertex, or of an inner corner that coincides in
+  /// barycentric coordinates (kCutWeld) or in position (`tolerance`). Otherwise adds the corner.
   /// Cost: O(log n) to find, and O(1) for each corner with nearly the same coordinate along one axis; O(n) to add.
   std::size_t find_or_add(const Corner& corner);
 
@@ -54,7 +54,8 @@ class FaceTiling {
   void add(Polygon polygon) { polygons_.push_back(std::move(polygon)); }
 
   /// Splits segments at the corners that lie on them, so that adjacent polygons share whole segments. Then checks that
-  /// the polygons tile the face: each segment belongs to two polygons, or to one and the border. False if they don't.
+  /// the polygons tile the face: each segment belongs to two polygons, or to a polygon and the border. Returns false if
+  /// they don't.
   /// Cost: O(n log n) if only a few segments are long.
   bool fit();
 
@@ -76,8 +77,8 @@ class FaceTiling {
     }
     /// The corners with a coordinate from `low` to `high`.
     std::span<const std::pair<double, std::size_t>> between(double low, double high) const;
-    /// The smallest number below `limit` of a corner that passes the test, among those within `tolerance` of the
-    /// coordinate; `limit` if there is none.
+    /// The smallest number of a corner within `tolerance` of the coordinate that passes the test and is below `limit`;
+    /// `limit` if there is none.
     template <class Test>
     std::size_t find(double coordinate, double tolerance, std::size_t limit, const Test& passes) const;
 
@@ -90,16 +91,16 @@ class FaceTiling {
     by_position_.insert(corners_[corner].position[axis_], corner);
   }
   std::size_t find_vertex(VertexId vertex) const;
-  /// Position of a corner along the face's longest side, from 0 to 1: there, few corners of a needle lie between the
-  /// ends of a segment that crosses it.
+  /// The position of a corner along the face's longest side, from 0 to 1. Along this side, even a needle has only few
+  /// corners between the ends of a segment that crosses it.
   double along(const Corner& corner) const { return interpolate(corner.bary, along_[0], along_[1], along_[2]); }
   std::vector<std::size_t> split_segments(const std::vector<std::size_t>& polygon, double tolerance) const;
-  /// Appends the corners on the segment in order: those on the same edge of the face, and those within `tolerance`.
+  /// Appends the corners on the segment in order: corners on the same edge of the face, and corners within `tolerance`.
   void append_corners_between(std::size_t from, std::size_t to, double tolerance, std::vector<std::size_t>& out) const;
   bool on_one_edge(std::size_t a, std::size_t b, std::size_t c) const;
   bool tiles(const std::vector<Polygon>& polygons) const;
 
-  std::vector<Corner> corners_;  // the border first
+  std::vector<Corner> corners_;  // the border's corners come first
   std::size_t border_;
   double tolerance_;
   int axis_ = 0;  // the axis along which the face is longest

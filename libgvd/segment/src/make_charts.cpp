@@ -1,11 +1,12 @@
-// Texture coordinates for regions: islands of the cut mesh, laid into the plane and packed into the unit square.
+// Makes texture coordinates for regions: maps the islands of the cut mesh to the plane, and packs them into the unit
+// square.
 //
-// The cut mesh is taken apart along the borders of its labels, so that each island has vertices of its own and a border
-// without a vertex twice. Islands keep their size in mesh units until all are packed; then one scale takes them into
-// the square. Faces are judged by their final coordinates, rounding included. A flat map that turns a face round there
-// is replaced by its next one, and all islands are packed again.
-// The stretch is measured there, too, and divided by the scale. It is a mean of lengths and not of their squares: a
-// face as thin as rounding adds its small area times a large factor, and squares of that would outweigh all others.
+// The cut mesh is separated along the borders of its labels, so that each island has vertices of its own and no vertex
+// occurs twice on a border. Islands keep their size in mesh units until all are packed; then a single scale takes them
+// into the square. Faces are judged by their final coordinates, including rounding. If a flat map flips a face there,
+// the next map replaces it, and all islands are packed again. The stretch is measured in the square, too, and divided
+// by the scale. It is a mean of lengths and not of squared lengths, because the square of a very large stretch, in a
+// face as thin as rounding, would outweigh all other faces.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,19 +30,29 @@ namespace {
 
 constexpr StepPart kFlatMapping{"charts", 0, 0.9};
 
-/// A corner of a face in the square.
+/// A corner of a face, in the square.
 Vec2 corner_in_square(const Charts& charts, FaceId f, std::size_t c) {
   const auto& [u, v] = charts.texture[3 * f.index() + c];
   return Vec2(u, v);
 }
 
-/// 1 if the face is counter-clockwise in the square, for certain.
+/// The orientation of a face in the square; 1 if the face is certainly counter-clockwise.
 int orientation_of(const Charts& charts, FaceId f) {
   return orientation(corner_in_square(charts, f, 0), corner_in_square(charts, f, 1), corner_in_square(charts, f, 2));
 }
 
-/// Packs the islands and sets the texture coordinates. `corners`: of all faces, mesh units, each island round an origin
-/// of its own.
+/// Whether a counter-clockwise face is no longer counter-clockwise if u and 1 - v are rounded to 32-bit floats, as in
+/// glTF, where v runs downwards.
+bool do_floats_flip(const Charts& charts, FaceId f) {
+  const auto at = [&](std::size_t c) {
+    const Vec2 p = corner_in_square(charts, f, c);
+    return Vec2(double(float(p.x())), double(float(1 - p.y())));
+  };
+  return orientation_of(charts, f) > 0 && orientation(at(0), at(1), at(2)) >= 0;
+}
+
+/// Packs the islands and sets the texture coordinates. `corners`: the corners of all faces in mesh units, with an
+/// origin for each island.
 void place_islands(const std::vector<Island>& islands, const std::vector<PlaneCorners>& corners, Charts& charts) {
   std::vector<Box2> boxes;
   std::vector<Vec2> sizes;
@@ -71,13 +82,13 @@ void place_islands(const std::vector<Island>& islands, const std::vector<PlaneCo
   }
 }
 
-/// Lays all islands flat, each by its first map that turns no face round in the square, or by the last one.
+/// Maps all islands by flat maps: each by the first map that flips no face in the square, or by the last map.
 void lay_flat(const ChartSurface& surface, Charts& charts) {
   const std::vector<Island>& islands = surface.islands();
   for (const Island& island : islands) {
     if (island.euler_characteristic == 1) continue;
     throw Error(ErrorCode::no_valid_result,
-                fmt::format("region {} is no disc (Euler characteristic {}), and can't be laid flat; \1disc\2 adds "
+                fmt::format("region {} is not a disc (Euler characteristic {}) and can't be mapped flat; \1disc\2 adds "
                             "generators until every region is a disc",
                             island.generator.value(), island.euler_characteristic),
                 island.generator.value());
@@ -105,7 +116,7 @@ void lay_flat(const ChartSurface& surface, Charts& charts) {
   }
 }
 
-/// Measures a chart whose faces are placed. `torn`: marks faces; empty for none.
+/// Measures a chart after its faces were placed. `torn` marks torn faces, and is empty if there are none.
 void measure_chart(const Mesh& mesh, const Island& island, const IdVector<FaceId, char>& torn, const Charts& charts,
                    Chart& chart) {
   chart.generator = island.generator;
@@ -120,7 +131,7 @@ void measure_chart(const Mesh& mesh, const Island& island, const IdVector<FaceId
       chart.flipped_area += area;
     }
     if (!is_finite(charts.texture[3 * f.index()])) continue;
-    // The root mean square of the singular values of the face's map, by its area.
+    // Adds the root mean square of the singular values of the face's map, weighted by its area.
     const FaceLayout layout(mesh, f);
     Eigen::Matrix2d sides, laid;
     sides << layout.corner[1] - layout.corner[0], layout.corner[2] - layout.corner[0];
@@ -132,9 +143,9 @@ void measure_chart(const Mesh& mesh, const Island& island, const IdVector<FaceId
   if (const double placed = chart.area - chart.unplaced_area; placed > 0) chart.stretch /= placed;
 }
 
-/// Whether an island has two vertices that are copies of one.
+/// Whether an island has two copies of the same vertex.
 bool touches_itself(const SeparatedMesh& separated, const Island& island) {
-  std::vector<std::pair<VertexId, VertexId>> vertices;  // of the input, and of the separated mesh
+  std::vector<std::pair<VertexId, VertexId>> vertices;  // in the input, and in the separated mesh
   for (const FaceId f : island.faces) {
     for (const VertexId v : separated.mesh.vertices(f)) vertices.emplace_back(separated.input_vertex[v], v);
   }
@@ -153,7 +164,7 @@ double Charts::share(double Chart::*area_of) const {
 
 std::vector<GeneratorId> find_non_disc_regions(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& face_label) {
   const SeparatedMesh separated = separate_regions(mesh, to_regions(face_label));
-  std::map<GeneratorId, std::int64_t> parts;  // 2 for a region that can't be a disc
+  std::map<GeneratorId, std::int64_t> parts;  // number of parts; 2 for a region that can't be a disc
   for (const Island& island : find_islands(separated.mesh, face_label)) {
     const bool is_disc = island.euler_characteristic == 1 && !touches_itself(separated, island);
     parts[island.generator] += is_disc ? 1 : 2;
@@ -186,12 +197,14 @@ Charts make_charts(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut,
     measure_chart(surface.mesh(), islands[i], torn, charts, chart);
     charts.covered += chart.area * charts.scale * charts.scale;
   }
+  charts.flipped_by_floats =
+      std::ranges::count_if(surface.mesh().faces(), [&](FaceId f) { return do_floats_flip(charts, f); });
   return charts;
 }
 
 void replace_texture(std::vector<Uv> charts, Appearance& appearance) {
   if (!appearance.texture.empty()) {
-    appearance.unread.emplace_back("texture coordinates of the input, for those of \1uv\2");
+    appearance.unread.emplace_back("texture coordinates of the input (replaced by \1uv\2)");
   }
   if (!appearance.material.empty()) {
     appearance.unread.emplace_back("materials of the input, whose images do not fit those of \1uv\2");

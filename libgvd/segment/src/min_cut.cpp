@@ -1,4 +1,4 @@
-// Maximum flow by shortest augmenting paths (E. A. Dinic 1970), whose residual graph shows the minimum cut.
+// Finds a maximum flow by shortest augmenting paths (E. A. Dinic 1970). The residual graph then gives the minimum cut.
 #include "min_cut.hpp"
 
 #include <algorithm>

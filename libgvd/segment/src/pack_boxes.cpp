@@ -1,4 +1,4 @@
-// Boxes on the shelves of a square.
+// Packs boxes on the shelves of a square.
 #include "pack_boxes.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace gvd {
 namespace {
 
-/// Fills shelves from below; the lower left corners of the boxes, or none where they do not fit.
+/// Fills shelves from below. Returns the lower left corners of the boxes, or nothing if they do not fit.
 std::vector<Vec2> fill_shelves(const std::vector<Vec2>& sizes, const std::vector<std::size_t>& order, double side,
                                double margin) {
   std::vector<Vec2> at(sizes.size());

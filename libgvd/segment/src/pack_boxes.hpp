@@ -6,15 +6,15 @@
 
 namespace gvd {
 
-/// Boxes in a square.
+/// Boxes packed in a square.
 struct Packing {
-  std::vector<Vec2> at;  ///< their lower left corners
+  std::vector<Vec2> at;  ///< lower left corners of the boxes
   double side = 0;       ///< of the square
 };
 
-/// Puts boxes of these sizes on shelves, the highest first, with free space round each (kChartMargin). Sides of the
-/// square are tried in steps of 1 %, and the first that holds all is taken. Ties keep the order. Cost: O(n log n) for
-/// each side.
+/// Packs boxes of these sizes on shelves, the highest first, with free space around each (kChartMargin). Tries sides of
+/// the square in steps of 1 %, and takes the first that holds all boxes. Boxes of equal height keep their order. Cost:
+/// O(n log n), and O(n) for each side tried.
 Packing pack_boxes(const std::vector<Vec2>& sizes);
 
 }  // namespace gvd

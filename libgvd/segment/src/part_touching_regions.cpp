@@ -1,16 +1,18 @@
-// Regions of a cut mesh that touch themselves at a vertex, taken apart there.
+// Separates regions of a cut mesh that touch themselves at a vertex.
 //
-// In a diagram no cell touches itself: the cells at a branch point differ, and so do those at a crossing. But two
-// branch points that are nearer to each other than rounding become one vertex of the cut mesh, as where four cells
-// nearly meet, and so do two bisectors that pass a vertex on both sides. Round that vertex the labels are then a b a c:
-// the faces with label a are no disc as a mesh, though their cell is one. One of the two sectors of a gives its corner
-// at the vertex, a tiny part of its faces, to a neighbour. A strip of a cell that is thinner than rounding may also
-// have vanished at the vertex, so that the two sectors of a are not connected any more; then the sector between them
+// In a diagram no cell touches itself: the cells at a branch point are different, and so are the cells at a crossing.
+// But two branch points that are closer than rounding, as where four cells nearly meet, become a single vertex of the
+// cut mesh, and so can two bisectors that pass a vertex on both sides. The labels around that vertex are then a b a c,
+// so the faces with label a are not a disc as a mesh, although their cell is. One of the two sectors of a gives its
+// corner at the vertex, a tiny part of its faces, to a neighbour. A strip of a cell that is thinner than rounding may
+// also have vanished at the vertex, so that the two sectors of a are no longer connected; then the sector between them
 // gives its corner to a.
 //
 // A sector gives its corner only to a label that has a bisector with its own, so that no label crosses the border of a
-// given region, and never to a label on both of its sides that is connected already, which would close a ring.
-// Invariant: open regions keep their topology, or become connected; each change leaves fewer sectors at its vertex.
+// given region. It never gives it to a label that lies on both of its sides and is already connected, because that
+// would close a ring.
+// Invariant: open regions keep their topology or become connected, and each change reduces the number of sectors at its
+// vertex.
 #include "part_touching_regions.hpp"
 
 #include <algorithm>
@@ -27,14 +29,15 @@
 namespace gvd {
 namespace {
 
-/// The part of an edge that a corner takes, from its vertex on. A face loses a millionth of its area, less than the
-/// chord tolerance leaves undecided.
+/// The part of an edge that a corner takes. A face loses about a millionth of its area, which is less than the chord
+/// tolerance leaves undecided.
 constexpr double kCornerShare = 0x1p-10;
 
-/// The shortest side of a corner, in tolerances of positions: its vertices stay distinct, up to the half of an edge.
+/// The shortest side of a corner in tolerances of positions, so that its vertices stay distinct; at most half of an
+/// edge.
 constexpr double kCornerTolerances = 16;
 
-/// Consecutive faces round a vertex that have one label, by their halfedges that leave the vertex, counter-clockwise.
+/// Consecutive faces around a vertex with the same label, as the halfedges that leave the vertex, counter-clockwise.
 struct Sector {
   GeneratorId label;
   std::vector<HalfedgeId> halfedges;
@@ -42,7 +45,7 @@ struct Sector {
 
 struct VertexSectors {
   std::vector<Sector> sectors;  ///< counter-clockwise
-  bool closed = false;          ///< the last one is beside the first one
+  bool closed = false;          ///< whether the last sector is beside the first
 };
 
 VertexSectors collect_sectors(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, VertexId v) {
@@ -61,8 +64,8 @@ VertexSectors collect_sectors(const Mesh& mesh, const IdVector<FaceId, Generator
   return found;
 }
 
-/// The vertices round which a label may have several sectors: where labels change four times, or twice from boundary to
-/// boundary.
+/// The vertices at which a label may have several sectors: labels change four times around them, or twice between
+/// boundary and boundary.
 std::vector<VertexId> find_candidates(const CutMesh& cut) {
   const Mesh& mesh = cut.mesh;
   IdVector<VertexId, std::int32_t> changes(mesh.vertex_count(), 0);
@@ -79,7 +82,7 @@ std::vector<VertexId> find_candidates(const CutMesh& cut) {
   return found;
 }
 
-/// One round of changes, which do not concern the same faces.
+/// A round of changes to different faces.
 class CornerRound {
  public:
   CornerRound(const IdVector<GeneratorId, Cell>& cells, double tolerance, const CutMesh& cut)
@@ -90,7 +93,7 @@ class CornerRound {
         parts_(std::size_t(mesh_.face_count())),
         positions_(mesh_.positions()) {}
 
-  /// Returns whether a corner changed its label.
+  /// Changes corners, and returns whether any corner changed its label.
   bool run(const std::vector<VertexId>& candidates) {
     for (const EdgeId e : mesh_.edges()) {
       const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
@@ -101,7 +104,7 @@ class CornerRound {
     return !edits_.empty();
   }
 
-  /// The mesh with the corners as faces of their own.
+  /// Makes the mesh in which the changed corners are faces of their own.
   CutMesh make_mesh() && {
     CutMesh made;
     made.input_vertices = cut_.input_vertices;
@@ -124,8 +127,8 @@ class CornerRound {
  private:
   /// The change of a face at one of its corners.
   struct Edit {
-    HalfedgeId outgoing;                ///< of the face, from the corner
-    VertexId on_next, on_before;        ///< new vertices on the sides after and before the corner; invalid for none
+    HalfedgeId outgoing;          ///< the halfedge of the face that leaves the corner
+    VertexId on_next, on_before;  ///< new vertices on the sides after and before the corner; invalid if there is none
     std::optional<GeneratorId> corner;  ///< the new label of the corner between the two
   };
 
@@ -134,7 +137,7 @@ class CornerRound {
     std::map<GeneratorId, int> count;
     for (const Sector& sector : round.sectors) ++count[sector.label];
     if (std::ranges::all_of(count, [](const auto& label) { return label.second == 1; })) return;
-    // First what connects regions: what is taken apart afterwards is connected elsewhere.
+    // First connect regions, so that parts that are separated afterwards are connected elsewhere.
     for (const bool connects : {true, false}) {
       for (std::size_t i = 0; i < round.sectors.size(); ++i) {
         const std::optional<GeneratorId> taker =
@@ -158,7 +161,7 @@ class CornerRound {
 
   std::int32_t part_of(const Sector& sector) { return parts_.find(Mesh::face(sector.halfedges.front()).value()); }
 
-  /// Whether the two cells have a bisector.
+  /// Whether the two cells have a common bisector.
   bool may_give(GeneratorId from, GeneratorId to) const {
     return from.valid() && to.valid() && std::ranges::binary_search(cells_[from].neighbours, to);
   }
@@ -171,7 +174,8 @@ class CornerRound {
     return connects && may_give(round.sectors[i].label, after->label) ? std::optional(after->label) : std::nullopt;
   }
 
-  /// A label beside one of the `count` sectors of another label, if it is on one side only.
+  /// A label to which sector i, one of `count` sectors with the same label, can give its corner; it must be on one side
+  /// of the sector only.
   std::optional<GeneratorId> find_label_to_part(const VertexSectors& round, std::size_t i, int count) const {
     const auto [before, after] = neighbours(round, i);
     if (count < 2 || (before != nullptr && after != nullptr && before->label == after->label)) return std::nullopt;
@@ -181,8 +185,8 @@ class CornerRound {
     return std::nullopt;
   }
 
-  /// Gives the corners of a sector's faces at v to a label. False if another change of this round concerns one of the
-  /// faces, or an edge is too short.
+  /// Gives the corners of a sector's faces at v to a label. Returns false if another change of this round affects one
+  /// of the faces, or if an edge is too short.
   bool give_corner(VertexId v, const Sector& sector, GeneratorId to) {
     std::map<FaceId, Edit> edits;
     std::map<EdgeId, VertexId> points;

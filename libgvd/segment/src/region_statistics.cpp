@@ -1,10 +1,10 @@
-// Figures of regions: of the diagram's cells, and of faces that carry labels.
+// Computes figures of regions, from the diagram's cells and from labelled faces.
 //
-// Area and Euler characteristic are the diagram's own; lengths are those of its polylines. A bisector counts in the
-// perimeter of both of its cells, and so twice where both are the same cell. The mesh's boundary counts where a cell's
-// faces and pieces lie on it. The radius is the largest distance that is known: at vertices, at branch points, and at
-// the corners of pieces in the faces of the generator. Charts belong to the pieces of a cut mesh, and are joined by the
-// labels of these. Sums run over bisectors, halfedges and pieces in their order.
+// Area and Euler characteristic are the diagram's own; lengths are measured on its polylines. A bisector counts in the
+// perimeter of both of its cells, so it counts twice if both are the same cell. The mesh's boundary counts for the
+// cells whose faces and pieces lie on it. The radius is the largest known distance: at vertices, at branch points, and
+// at the corners of pieces in the generator's faces. Charts belong to parts of a cut mesh, and are joined by label.
+// Sums run over bisectors, halfedges and pieces in their order.
 #include "gvd/region_statistics.hpp"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ void add_bisectors(const Mesh& mesh, const Diagram& diagram, Regions& regions) {
   }
 }
 
-/// How much of a face's side bounds the part. Corners on the side have a 0 there, which is exact but for the
+/// The fraction of a face's side that bounds the part. Corners on the side have the coordinate 0, apart from the
 /// rounding of coordinates that were converted from a split face.
 double covered_part(const FacePart& part, int side) {
   const int opposite = (side + 2) % 3;
@@ -64,7 +64,7 @@ double covered_part(const FacePart& part, int side) {
   for (std::size_t i = 0; i < part.corners.size(); ++i) {
     const Bary &a = part.corners[i], &b = part.corners[(i + 1) % part.corners.size()];
     if (a[opposite] > kBarycentricSnap || b[opposite] > kBarycentricSnap) continue;
-    sum += std::max(0.0, a[side] - b[side]);  // pieces are counter-clockwise, as the side is
+    sum += std::max(0.0, a[side] - b[side]);  // pieces are counter-clockwise, like the side
   }
   return sum;
 }
@@ -88,7 +88,7 @@ void measure_radii(const Mesh& mesh, const Diagram& diagram, Regions& regions) {
   }
   std::vector<std::pair<FaceId, GeneratorId>> own;
   for (const GeneratorId g : regions.ids()) {
-    if (!diagram.curves.empty()) continue;  // the first point of a curve is not its nearest one
+    if (!diagram.curves.empty()) continue;  // the first point of a curve need not be the nearest
     for (const FaceId f : faces_around(mesh, diagram.generators[g.index()])) own.emplace_back(f, g);
   }
   std::sort(own.begin(), own.end());
@@ -104,7 +104,7 @@ void measure_radii(const Mesh& mesh, const Diagram& diagram, Regions& regions) {
 constexpr const char *kHeader = "label,area,share,perimeter,radius,compactness,euler_characteristic,neighbours",
                      *kChartsHeader = ",flipped_share,stretch,u_min,v_min,u_max,v_max";
 
-/// The fewest digits that read back as the same double; nothing for a value that is not finite.
+/// The fewest digits that read back as the same double; empty for a value that is not finite.
 std::string shortest(double value) {
   if (!std::isfinite(value)) return "";
   char text[32];
@@ -121,8 +121,8 @@ std::string list_neighbours(const std::vector<RegionNeighbour>& neighbours) {
   return text;
 }
 
-/// The charts of each region as one: a region has several where it is not connected. The stretch is their mean by the
-/// area that is placed.
+/// Joins the charts of each region, because a disconnected region has several. The stretch is their mean, weighted by
+/// placed area.
 IdVector<GeneratorId, Chart> join_charts(const std::vector<Chart>& charts, std::size_t regions) {
   IdVector<GeneratorId, Chart> joined(regions);
   for (const Chart& chart : charts) {
@@ -137,7 +137,7 @@ IdVector<GeneratorId, Chart> join_charts(const std::vector<Chart>& charts, std::
   return joined;
 }
 
-/// The further fields of a region with charts; empty ones without.
+/// The further fields of a region with charts; empty fields without a chart.
 std::string list_chart(const Chart& chart) {
   if (chart.box.isEmpty()) return ",,,,,,";
   const Vec2 &least = chart.box.min(), &most = chart.box.max();
@@ -149,7 +149,7 @@ std::string list_chart(const Chart& chart) {
   return text;
 }
 
-// Readers take the type of each value from these keys.
+// Readers need these keys to know the type of each value.
 constexpr const char* kGraphHead =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
     "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n"
@@ -212,7 +212,7 @@ void write_adjacency_graphml(std::ostream& out, const Mesh& mesh, const std::vec
   }
   for (const GeneratorId g : regions.ids()) {
     for (const auto& [other, length] : regions[g].neighbours) {
-      if (other < g) continue;  // an edge once
+      if (other < g) continue;  // each edge once
       out << "<edge source=\"" + std::to_string(g.value()) + "\" target=\"" + std::to_string(other.value()) + "\">" +
                  graph_value("length", length) + "</edge>\n";
     }

@@ -1,11 +1,11 @@
-// Changes of labels that keep the topology of the regions, for one face by itself and for many together.
+// Decides whether changes of labels keep the topology of the regions, for a single face and for many faces together.
 //
-// The open region of a label is its faces, the edges between them, and the vertices that only they surround. A face
-// that leaves changes F - E + V by -1 + 1 if it has one neighbour of its label. With two neighbours it changes by
-// -1 + 2 - 1, if the corner between the two sides was inside. In every other case the region falls apart or a hole
-// opens. Joining is the same backwards. Many faces together may be allowed where no order of single steps is, such as a
-// ring. Their faces, edges and vertices are then counted before and after. Nothing else changes, so equal sums mean
-// equal Euler characteristics; that the regions are still connected takes a search.
+// The open region of a label consists of its faces, the edges between them, and the vertices that only they surround.
+// If a face with one neighbour of its label leaves the region, F - E + V changes by -1 + 1. With two neighbours it
+// changes by -1 + 2 - 1, if the corner between the two sides was inside. In every other case the region falls apart or
+// a hole opens. A face that joins is the reverse of this. Many faces together, such as a ring, may be allowed to change
+// although no order of single steps is. Then their faces, edges and vertices are counted before and after. Nothing else
+// changes, so equal sums mean equal Euler characteristics; a search decides whether the regions are still connected.
 #include "region_topology.hpp"
 
 #include <algorithm>
@@ -37,15 +37,15 @@ bool RegionSearch::connects(std::span<const FaceId> targets) {
 
 namespace {
 
-/// The sides of a face behind which a label lies.
-struct Sides {
+/// The sides of a face across which a label lies.
+struct LabelSides {
   int count = 0;
   int with = 0;     // the last side with the label
   int without = 0;  // the last side without it
 };
 
-Sides find_sides(const Mesh& mesh, const FaceLabelling& label, FaceId f, GeneratorId g) {
-  Sides sides;
+LabelSides find_sides(const Mesh& mesh, const FaceLabelling& label, FaceId f, GeneratorId g) {
+  LabelSides sides;
   for (int corner = 0; corner < 3; ++corner) {
     const HalfedgeId twin = mesh.twin(Mesh::halfedge(f, corner));
     const bool same = twin.valid() && label[Mesh::face(twin)] == g;
@@ -57,12 +57,13 @@ Sides find_sides(const Mesh& mesh, const FaceLabelling& label, FaceId f, Generat
 
 }  // namespace
 
-/// Faces that change together, with what they touch, and what the labels are there.
+/// Faces that change together, the elements at them, and the counts of the labels there.
 struct RegionTopology::Patch {
-  std::vector<FaceId> faces;                              // ascending
-  std::vector<VertexId> vertices;                         // ascending
-  std::map<GeneratorId, std::int32_t> euler;              // F - E + V of each label, of what belongs to the faces
-  std::map<std::pair<VertexId, GeneratorId>, int> parts;  // of each label's faces round each vertex
+  std::vector<FaceId> faces;                  // ascending
+  std::vector<VertexId> vertices;             // ascending
+  std::map<GeneratorId, std::int32_t> euler;  // F - E + V of each label, over the elements of the faces
+  // Number of groups of consecutive faces with the label around the vertex.
+  std::map<std::pair<VertexId, GeneratorId>, int> parts;
 
   Patch(const Mesh& mesh, std::span<const FaceChange> changes) {
     for (const FaceChange& change : changes) {
@@ -99,7 +100,7 @@ RegionTopology::Fan RegionTopology::count_faces_round(VertexId v, GeneratorId g)
 bool RegionTopology::allows(FaceId f, GeneratorId to) {
   const GeneratorId from = label_[f];
   const auto opposite = [&](int side) { return mesh_.opposite(Mesh::halfedge(f, side)); };
-  const Sides left = find_sides(mesh_, label_, f, from), joined = find_sides(mesh_, label_, f, to);
+  const LabelSides left = find_sides(mesh_, label_, f, from), joined = find_sides(mesh_, label_, f, to);
   if (left.count == 0 || left.count == 3 || joined.count == 0) return false;
   if (left.count == 2) {
     const VertexId v = opposite(left.without);
@@ -152,7 +153,7 @@ bool RegionTopology::relabel_together(std::span<const FaceChange> changes) {
   return false;
 }
 
-/// Counts what the labels of the patch have now.
+/// Counts the elements of each label in the patch for the present labels.
 void RegionTopology::describe(Patch& patch) const {
   for (const FaceId f : patch.faces) {
     ++patch.euler[label_[f]];
@@ -173,11 +174,11 @@ void RegionTopology::describe(Patch& patch) const {
     });
     if (mesh_.is_boundary(v)) continue;
     if (parts == 1) ++patch.euler[first];
-    if (parts > 1 && first == last) --patch.parts[{v, first}];  // it goes on where the walk began
+    if (parts > 1 && first == last) --patch.parts[{v, first}];  // the last group continues in the first one
   }
 }
 
-/// Whether each label of the patch is connected: all faces of it in and beside the patch, one of these at least.
+/// Whether for each label of the patch, its faces in and beside the patch are connected, and there is at least one.
 bool RegionTopology::is_connected(const Patch& patch) {
   std::map<GeneratorId, std::vector<FaceId>> inside, beside;
   for (const FaceId f : patch.faces) {

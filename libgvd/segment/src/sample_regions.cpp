@@ -1,9 +1,9 @@
-// Generators inside regions: how many each connected part gets, and where.
+// Samples generators inside regions: decides how many each connected part gets, and places them.
 //
-// A part is sampled as a mesh of its own, whose vertices and faces have the order that they have in the input: the
-// points are those that the part would have if it were cut out and stood alone. The counts follow the method of the
-// largest remainder (A. Hamilton, 1792), first over regions, then over the parts of each one. A share below its least
-// is raised to it, and the rest is shared out again among the others.
+// A part is sampled as a mesh of its own, whose vertices and faces keep the order of the input, so the points are the
+// same as if the part were a separate file. The counts follow the method of the largest remainder (A. Hamilton, 1792),
+// first over regions, then over the parts of each region. A share below its minimum is raised to it, and the rest is
+// divided again among the other shares.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,13 +24,13 @@ namespace {
 struct Part {
   double area = 0;
   std::vector<FaceId> faces;  ///< ascending
-  std::int64_t count = 0;     ///< of generators
+  std::int64_t count = 0;     ///< number of generators
 };
 
 /// The parts of each region, in the order of their first faces.
 using RegionParts = std::map<std::int32_t, std::vector<Part>>;
 
-/// The connected parts of all regions. Faces that are left out are in none.
+/// Collects the connected parts of all regions. Faces that are left out belong to none.
 RegionParts collect_parts(const Mesh& mesh, const FaceRegions& regions) {
   const IdVector<FaceId, std::int32_t> component = compute_face_components(mesh);
   const std::int32_t count = 1 + *std::max_element(component.begin(), component.end());
@@ -54,7 +54,7 @@ std::vector<double> areas_of(const std::vector<Part>& parts) {
   return areas;
 }
 
-/// Shares `count` generators out to the parts of a region; where they are too few, one to each of the largest parts.
+/// Divides `count` generators among the parts of a region. If there are too few, the largest parts get one each.
 void share_out_to_parts(std::int64_t count, std::vector<Part>& parts) {
   if (count >= std::ssize(parts)) {
     const std::vector<std::int64_t> shares =
@@ -68,8 +68,8 @@ void share_out_to_parts(std::int64_t count, std::vector<Part>& parts) {
   for (std::int64_t i = 0; i < count; ++i) parts[order[std::size_t(i)]].count = 1;
 }
 
-/// Shares the generators out to regions first, and then those of each region to its parts: a region gets what its area
-/// is worth, into however many parts it falls.
+/// Divides the generators first among regions and then among the parts of each region, so that a region's number
+/// depends on its area and not on its number of parts.
 void share_out_to_regions(const RegionSamplingOptions& options, RegionParts& regions) {
   const std::int64_t count = options.sampling.count;
   if (!options.each_region && count < std::ssize(regions)) {
@@ -86,7 +86,7 @@ void share_out_to_regions(const RegionSamplingOptions& options, RegionParts& reg
     least.push_back(std::ssize(region));
     parts += std::ssize(region);
   }
-  // Too few for all parts: then at least all regions have one.
+  // If there are too few for all parts, at least each region gets one.
   if (count < parts) least.assign(regions.size(), 1);
   std::vector<std::int64_t> shares(regions.size(), count);
   if (!options.each_region) shares = share_out(count, areas, least);
@@ -102,7 +102,7 @@ std::vector<std::int64_t> share_out(std::int64_t total, const std::vector<double
   std::vector<std::size_t> open(weights.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
   std::vector<double> exact(weights.size());
-  // A raised share takes from the others, which may bring one of these below its least: this ends when no share is
+  // A raised share takes from the others, and may bring one of them below its minimum. This ends when no share is
   // raised.
   for (std::size_t before = 0; before != open.size();) {
     before = open.size();
@@ -111,7 +111,7 @@ std::vector<std::int64_t> share_out(std::int64_t total, const std::vector<double
     const auto exact_share = [&](std::size_t i) {
       return double(total) * (weight > 0 ? weights[i] / weight : 1 / double(before));
     };
-    // All shares are known before one is raised: the result does not depend on the order.
+    // All shares are computed before one is raised, so the result does not depend on the order.
     for (const std::size_t i : open) exact[i] = exact_share(i);
     const auto is_raised = [&](std::size_t i) { return exact[i] < double(least[i]); };
     for (const std::size_t i : open) total -= is_raised(i) ? least[i] : 0;
@@ -134,18 +134,18 @@ RegionSamples sample_regions(const SeparatedMesh& separated, const FaceRegions& 
   if (!covers) share_out_to_regions(options, found);
   RegionSamples result;
   std::size_t done_faces = 0;
-  // Adds the points of a part, with the faces that they have in the whole mesh.
+  // Adds the points of a part, with their faces in the whole mesh.
   const auto sample = [&](std::int32_t region, const Part& part) {
     SamplingOptions sampling = options.sampling;
     sampling.count = static_cast<std::int32_t>(part.count);
     if (!(part.area > 0) && !covers) sampling.kind = Sampling::farthest;
-    // Larger parts take longer; faces measure that well enough for a bar.
+    // Larger parts take longer. The number of faces measures that well enough for a progress bar.
     sampling.progress = [&](std::string_view step, double fraction) {
       const double done = double(done_faces) + fraction * double(part.faces.size());
       return !options.sampling.progress || options.sampling.progress(step, done / separated.mesh.face_count());
     };
     try {
-      // The order of the input's vertices is that which the part would have alone.
+      // Sorted by the input's vertices, the part's vertices have the order that they would have in a file of their own.
       const Submesh alone = make_submesh(separated.mesh, part.faces, separated.input_vertex);
       for (const SurfacePoint& point : sample_generators(alone.mesh, sampling)) {
         result.points.push_back(alone.to_whole(point));

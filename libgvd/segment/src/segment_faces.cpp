@@ -1,9 +1,10 @@
-// Labels of whole faces: the cell with the largest share, then one connected component for each label.
+// Labels whole faces: first with the cell of the largest share, then reduced to one connected component for each label.
 //
-// Every step keeps the regions connected. A face outside of its label's main component loses its label, and takes one
+// Every step keeps the regions connected. A face outside its label's main component loses its label and takes a label
 // from an adjacent face, breadth-first from the labelled faces. A generator without a face then takes one, but only
 // from a region that stays connected without it. Smoothing (smooth_borders.cpp) follows last and keeps the topology.
-// Shares decide between labels, and ids where shares are equal, so that no result depends on the order of a search.
+// Shares decide between labels, and ids decide between equal shares, so that no result depends on the order of a
+// search.
 #include "segment_faces.hpp"
 
 #include <algorithm>
@@ -20,15 +21,15 @@ namespace {
 
 constexpr const char* kLabelStep = "labels";
 
-/// Sorts faces with a share of a generator's cell, which ascend: first those that contain the generator, which are
-/// added where the cell has no share, then by their shares.
+/// Sorts ascending faces in which a generator's cell has a share: first the faces that contain the generator, which are
+/// added if the cell has no share in them, then all others by share.
 void sort_own_faces_first(const Mesh& mesh, const SurfacePoint& generator, std::vector<FaceShare>& candidates) {
   const std::vector<FaceId> own = faces_around(mesh, generator);
   std::vector<FaceId> ascending = own;
   std::sort(ascending.begin(), ascending.end());
   const auto is_own = [&](const FaceShare& s) { return std::ranges::binary_search(ascending, s.face); };
   const std::size_t given = candidates.size();
-  for (const FaceId f : own) {  // each comes once
+  for (const FaceId f : own) {  // each occurs once
     const std::span<const FaceShare> shares(candidates.data(), given);
     if (!std::ranges::binary_search(shares, f, {}, &FaceShare::face)) candidates.push_back({f, {}, 0});
   }
@@ -37,8 +38,8 @@ void sort_own_faces_first(const Mesh& mesh, const SurfacePoint& generator, std::
   });
 }
 
-/// Takes the label from all faces outside of their label's main component: the one with a face of the generator, or
-/// else the one with the largest area. Returns these faces.
+/// Removes the label of all faces outside their label's main component, which is the component with a face of the
+/// generator or otherwise the one with the largest area. Returns these faces.
 std::vector<FaceId> release_minor_components(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                              FaceLabelling& label) {
   const LabelComponents found = find_label_components(mesh, label);
@@ -66,8 +67,8 @@ std::vector<FaceId> release_minor_components(const Mesh& mesh, const std::vector
   return released;
 }
 
-/// Labels released faces breadth-first from the labelled ones: each takes the adjacent label with the largest share of
-/// it, of equals the smallest id, so that every label stays connected. Returns their number.
+/// Labels released faces breadth-first from the labelled ones, so that every label stays connected. Each face takes the
+/// adjacent label with the largest share of it; among equal shares, the smallest id wins. Returns their number.
 std::int32_t label_released_faces(const Mesh& mesh, const FaceShares& shares, const std::vector<FaceId>& released,
                                   FaceLabelling& label) {
   const auto best_adjacent_label = [&](FaceId f) {
@@ -125,7 +126,7 @@ LabelComponents find_label_components(const Mesh& mesh, const FaceLabelling& lab
 void assign_missing_faces(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result,
                           const Progress& progress) {
   FaceLabelling& label = result.face_label;
-  IdVector<GeneratorId, std::int32_t> count(diagram.generators.size(), 0);  // faces of each label
+  IdVector<GeneratorId, std::int32_t> count(diagram.generators.size(), 0);  // number of faces of each label
   for (const GeneratorId g : label) {
     if (g.valid()) ++count[g];
   }

@@ -1,4 +1,4 @@
-// The options of a segmentation, for users.
+// Describes the options of a segmentation.
 
 #include "gvd/segment_options.hpp"
 

@@ -1,9 +1,9 @@
-// A segmentation, or a cut mesh, as JSON: the document of its diagram (gvd-diagram/1) with one more member, so that a
-// reader of diagrams reads it too.
+// Writes a segmentation or a cut mesh as JSON: the document of its diagram (gvd-diagram/1) with one more member, so
+// that readers of diagrams can read it, too.
 //
-// Labels are ids of generators, -1 where none reaches. Whole faces have labels only, since their mesh is the input; a
-// cut mesh comes with its vertices and faces. Invariant: numbers bring the same double back, and a distance that is
-// infinite is null.
+// Labels are ids of generators, or -1 if no generator reaches the face. For whole faces only labels are written,
+// because their mesh is the input; a cut mesh is written with its vertices and faces.
+// Invariant: numbers read back to the same double, and an infinite distance is null.
 #include <ostream>
 
 #include "gvd/segment.hpp"
@@ -12,7 +12,7 @@
 namespace gvd {
 namespace {
 
-/// The member of the numbers, behind another member; nothing without any.
+/// Prints the member with the numbers, after another member; nothing if there are no numbers.
 void print_numbers(io::ByteWriter& out, const std::vector<FaceNumbers>& numbers) {
   if (numbers.empty()) return;
   out.text(",\n\"face_numbers\":{");

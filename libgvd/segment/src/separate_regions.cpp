@@ -1,8 +1,9 @@
-// Regions taken apart along their borders, so that each connected part of one is a component.
+// Separates regions along their borders, so that each connected part of a region is a component.
 //
-// Round each vertex, the faces of one region form one or more fans. The first fan keeps the vertex, each other one gets
-// a copy of it. Both ends of an edge between two regions lie in two fans, so that its faces come apart; no other edge
-// does. The order of the fans depends on regions and faces alone: the least region, and in it the least face, is first.
+// Around each vertex, the faces of a region form one or more fans. The first fan keeps the vertex, and every other fan
+// gets a copy of it. Each end of an edge between two regions lies in two fans, so the faces of the edge are separated;
+// the faces of other edges are not. The order of the fans depends only on regions and faces: the least region comes
+// first, and within a region the least face.
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -14,16 +15,16 @@
 namespace gvd {
 namespace {
 
-/// Faces that follow each other round a vertex, all of one region.
+/// Consecutive faces around a vertex that belong to the same region.
 struct Fan {
   std::uint32_t region;  ///< see order_of
   FaceId least;
-  std::vector<HalfedgeId> halfedges;  ///< that leave the vertex
+  std::vector<HalfedgeId> halfedges;  ///< the halfedges that leave the vertex
 
   bool operator<(const Fan& other) const { return std::tie(region, least) < std::tie(other.region, other.least); }
 };
 
-/// The fans of a vertex, the one that keeps it first.
+/// Collects the fans of a vertex; the first one keeps the vertex.
 void collect_fans(const Mesh& mesh, const FaceRegions& regions, VertexId v, std::vector<Fan>& fans) {
   fans.clear();
   for_each_outgoing(mesh, v, [&](HalfedgeId h) {
@@ -68,7 +69,8 @@ SeparatedMesh separate_regions(const Mesh& mesh, const FaceRegions& regions) {
 }
 
 Diagram restrict_to_input(const SeparatedMesh& separated, Diagram diagram) {
-  // Copies follow the vertices of the input. All else in a diagram refers to faces, which both meshes have in common.
+  // Copies come after the vertices of the input. Everything else in a diagram refers to faces, which are the same in
+  // both meshes.
   diagram.vertex_label.resize(separated.input_vertices);
   diagram.vertex_distance.resize(separated.input_vertices);
   return diagram;

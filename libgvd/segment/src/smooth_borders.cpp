@@ -1,15 +1,15 @@
-// Short borders between regions: free faces are relabelled where that lowers the cost and keeps the topology.
+// Shortens the borders between regions: relabels free faces if that lowers the cost and keeps the topology.
 //
-// Free faces are those that bisectors cross. One face of each generator keeps its label, so that no region vanishes and
-// none leaves its generator. The shortest borders are a minimum multiway cut, which is NP-hard with three labels or
-// more (E. Dahlhaus et al., The complexity of multiterminal cuts, 1994). The start is a forest (see BorderForest).
-// Then the regions expand in turn, until none gains. Of all sets of free faces that a region can take from others, a
-// minimum cut finds the one of least cost (Y. Boykov, O. Veksler and R. Zabih, Fast approximate energy minimization
-// via graph cuts, 2001). The cost is submodular in that set. So where no region gains by faces of others, no two gain
-// by an exchange, and with two regions the cost is the least of all.
+// Free faces are the faces that bisectors cross, except that one face of each generator keeps its label, so that no
+// region vanishes or leaves its generator. The shortest borders are a minimum multiway cut, which is NP-hard with three
+// labels or more (E. Dahlhaus et al., The complexity of multiterminal cuts, 1994). The start is a forest (see
+// BorderForest). Then the regions expand in turn, until no region gains. Among all sets of free faces that a region can
+// take from others, a minimum cut finds the set of least cost (Y. Boykov, O. Veksler and R. Zabih, Fast approximate
+// energy minimization via graph cuts, 2001). The cost is submodular in that set. So if no region gains by taking faces
+// of others, no two regions gain by an exchange, and with two regions the cost is the least possible.
 //
-// Topology is not in the cuts. Faces with a new label form clusters, whose effects on the border do not depend on each
-// other. The faces of a cluster change one by one, each if the topology stays, or all together. Else the steps up to
+// The cuts do not know topology. Faces with a new label form clusters, which affect the border independently of each
+// other. The faces of a cluster change one by one if the topology permits, or all together. Otherwise the steps up to
 // the least cost are kept, and a further cut leaves out the faces that could not change. Every kept change lowers the
 // cost, so the border never becomes longer. docs/developer/segment-borders.md has the proofs.
 #include "smooth_borders.hpp"
@@ -34,7 +34,7 @@ IdVector<FaceId, char> hold_generators(const Mesh& mesh, const Diagram& diagram,
   IdVector<FaceId, char> held(label.size(), 0);
   for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
     const GeneratorId g(i);
-    Least<FaceId, std::pair<double, FaceId>> best{{}, {kInfinity, {}}};  // of the largest share, the smallest id
+    Least<FaceId, std::pair<double, FaceId>> best{{}, {kInfinity, {}}};  // largest share, then smallest id
     for (const FaceId f : faces_around(mesh, diagram.generators[i])) {
       const double fraction = diagram.face_label[f] == g ? 1 : shares.fraction(f, g);
       if (label[f] == g) best.offer({-fraction, f}, f);
@@ -44,27 +44,30 @@ IdVector<FaceId, char> hold_generators(const Mesh& mesh, const Diagram& diagram,
   return held;
 }
 
-/// Forests before the cuts: with one, borders of many regions are 0.1 to 0.2 % longer.
+/// Number of forests before the cuts. With only one, borders of many regions become 0.1 to 0.2 % longer.
 constexpr int kForests = 4;
 
-/// Cuts of one region in a row, each without the faces that topology held back before. The first one does nearly all.
+/// Largest number of consecutive cuts for a region, each without the faces that topology held back before. The first
+/// cut does nearly all of the work.
 constexpr int kCuts = 8;
 
-/// Sweeps to and fro over the faces of a cluster that wait for their neighbours. Nearly all change in the first two;
-/// the limit keeps the time linear.
+/// Largest number of sweeps back and forth over the faces of a cluster that wait for their neighbours. Nearly all faces
+/// change in the first two; the limit keeps the time linear.
 constexpr int kClusterSweeps = 8;
 
-/// Least decrease of the cost, in mean edge lengths: far above the rounding of a few sums of lengths.
+/// The least decrease of the cost that counts, in mean edge lengths. It is far above the rounding of a few sums of
+/// lengths.
 constexpr double kLeastGain = 1e-9;
 
-/// Capacities are integers, and the perimeters of all free faces together 2^60 to 2^61 units: costs are at most half of
-/// that for borders and kShareWeight of it for shares, so no sum reaches 2^62. Lengths are rounded by 2^-61 of all.
+/// Capacities are integers, scaled so that the perimeters of all free faces sum to 2^60 to 2^61 units. Costs are at
+/// most half of that for borders and kShareWeight of it for shares, so no sum reaches 2^62. Lengths are rounded by at
+/// most 2^-61 of the sum.
 constexpr int kCapacityBits = 60;
 
 /// Finds by minimum cuts which free faces a region takes from others.
 class ExpansionCuts {
  public:
-  /// Refers to all arguments, which must outlive this.
+  /// Refers to all arguments, which must outlive this object.
   ExpansionCuts(const Mesh& mesh, const FreeFaces& free, const BorderCosts& costs, const FaceLabelling& label)
       : free_(free), costs_(costs), label_(label), node_(free.count(), kNoNode) {
     double perimeters = 0;
@@ -74,8 +77,8 @@ class ExpansionCuts {
     if (perimeters > 0) exponent_ = kCapacityBits - std::ilogb(perimeters);
   }
 
-  /// Sets the target of the faces that region g takes: of all sets of these candidates, none of which has its label,
-  /// the one of least cost, and the smallest such set.
+  /// Sets `target` for the faces that region g takes. `candidates` must not have the label g. Among their subsets, the
+  /// faces are the subset of least cost, and among several such subsets the smallest.
   void choose(GeneratorId g, std::span<const FreeFaceId> candidates, IdVector<FreeFaceId, GeneratorId>& target) {
     cut_.begin(static_cast<std::int32_t>(candidates.size()));
     for (std::size_t v = 0; v < candidates.size(); ++v) node_[candidates[v]] = static_cast<std::int32_t>(v);
@@ -91,8 +94,8 @@ class ExpansionCuts {
 
   std::int64_t capacity(double cost) const { return std::llround(std::ldexp(cost, exponent_)); }
 
-  /// Adds what face i and its sides cost if it takes label g or keeps its own. A side between two candidates counts for
-  /// the first of them.
+  /// Adds the costs of face i and its sides for taking label g and for keeping its own. A side between two candidates
+  /// is added with the first of them.
   void add_costs(FreeFaceId i, GeneratorId g) {
     const std::int32_t v = node_[i];
     const GeneratorId own = label_[free_.face(i)];
@@ -106,7 +109,7 @@ class ExpansionCuts {
       if (w == kNoNode) {
         cut_.add_preference(v, (is_border ? side : 0) - (label_[f] != g ? side : 0));
       } else if (w > v) {
-        // A side between different labels costs nothing only where both faces take g.
+        // A side between different labels costs nothing only if both faces take g.
         if (is_border) cut_.add_preference(v, side);
         cut_.add_edges(v, w, side, is_border ? 0 : side);
       }
@@ -117,8 +120,8 @@ class ExpansionCuts {
   const BorderCosts& costs_;
   const FaceLabelling& label_;
   MinCut cut_;
-  IdVector<FreeFaceId, std::int32_t> node_;  // of the candidates
-  int exponent_ = 0;                         // a unit of length has 2^this units of capacity
+  IdVector<FreeFaceId, std::int32_t> node_;  // the node of each candidate
+  int exponent_ = 0;                         // a unit of length is 2^exponent_ units of capacity
 };
 
 class BorderSmoother {
@@ -142,7 +145,7 @@ class BorderSmoother {
 
   void run(const Progress& progress) {
     BorderForest forest(free_, costs_, label_, faces_of_.size());
-    for (std::int64_t i = 0; i < kForests; ++i) {  // 64 bits: the product may be large
+    for (std::int64_t i = 0; i < kForests; ++i) {  // 64 bits, because the product may be large
       report_progress(progress, "borders", 0.5 * double(i) / kForests);
       target_ = forest.choose(FreeFaceId(i * free_.count() / kForests));
       for (const FreeFaceId k : free_.ids()) apply_cluster(k);
@@ -161,7 +164,8 @@ class BorderSmoother {
  private:
   GeneratorId label(FreeFaceId i) const { return label_[free_.face(i)]; }
 
-  /// Takes faces for region g from others, as many as lower the cost most. Returns whether there are any.
+  /// Takes faces for region g from other regions, so that the cost drops as far as possible. Returns whether any label
+  /// changed.
   bool expand(GeneratorId g) {
     bool changed = false, complete = false;
     held_back_count_ = 0;
@@ -182,7 +186,7 @@ class BorderSmoother {
 
   bool has_target(FreeFaceId i) const { return target_[i] != label(i); }
 
-  /// Gives the cluster of face i its targets as far as that lowers the cost. Returns whether a label changed.
+  /// Gives the cluster of face i its targets, as far as that lowers the cost. Returns whether any label changed.
   bool apply_cluster(FreeFaceId i) {
     if (!has_target(i)) return false;
     collect_cluster(i);
@@ -191,7 +195,8 @@ class BorderSmoother {
     return changed;
   }
 
-  /// Connected faces with another target. They change the border independently of all others.
+  /// Collects connected faces whose target differs from their label. They affect the border independently of all other
+  /// faces.
   void collect_cluster(FreeFaceId start) {
     cluster_.assign(1, start);
     is_collected_[start] = 1;
@@ -206,15 +211,15 @@ class BorderSmoother {
     for (const FreeFaceId i : cluster_) is_collected_[i] = 0;
   }
 
-  /// Relabels faces one by one as the topology allows, to and fro along the cluster; all together if some remain. Else
-  /// keeps the first steps, as many as give the least cost, and holds the others back.
+  /// Relabels faces one by one as the topology allows, back and forth along the cluster, and all together if some
+  /// remain. If that fails, too, keeps the first steps up to the least cost, and holds the other faces back.
   bool take_best_steps() {
     steps_.clear();
     sum_ = 0;
     best_ = {-least_gain_, 0};
     waiting_ = cluster_;
     for (int sweep = 0; sweep < kClusterSweeps && take_steps(); ++sweep) std::reverse(waiting_.begin(), waiting_.end());
-    for (const FreeFaceId i : waiting_) take_step(i);  // for the sum only
+    for (const FreeFaceId i : waiting_) take_step(i);  // only for the sum
     for (FaceChange& step : steps_) {
       const GeneratorId target = label_[step.face];
       topology_.relabel(step.face, step.label);
@@ -232,7 +237,8 @@ class BorderSmoother {
     return !steps_.empty();
   }
 
-  /// Gives waiting faces their targets; these wait no longer. Returns whether there is such a face.
+  /// Gives waiting faces their targets, if the topology allows it, and removes them from the waiting ones. Returns
+  /// whether any face changed.
   bool take_steps() {
     std::size_t left = 0;
     for (const FreeFaceId i : waiting_) {
@@ -254,7 +260,7 @@ class BorderSmoother {
     topology_.relabel(free_.face(i), target_[i]);
   }
 
-  /// The regions that may gain now that f has another label: whose cells have a share of a face at its vertices.
+  /// Marks the regions that may gain now that f has another label: their cells have a share of a face at a vertex of f.
   void mark_regions_round(FaceId f) {
     for (const VertexId v : mesh_.vertices(f)) {
       int faces = 0;
@@ -274,22 +280,23 @@ class BorderSmoother {
   BorderCosts costs_;
   RegionTopology topology_;
   ExpansionCuts cuts_;
-  IdVector<GeneratorId, std::vector<FreeFaceId>> faces_of_;  // the free faces that each label is a candidate of
-  IdVector<GeneratorId, char> is_waiting_;                   // whether a region may gain by an expansion
-  IdVector<FreeFaceId, GeneratorId> target_;                 // the present label where no change is planned
-  std::vector<FreeFaceId> outside_;                          // that the region which expands may take
-  IdVector<FreeFaceId, char> held_back_;                     // that topology kept from it
+  // For each label, the free faces of which it is a candidate.
+  IdVector<GeneratorId, std::vector<FreeFaceId>> faces_of_;
+  IdVector<GeneratorId, char> is_waiting_;    // whether a region may gain by an expansion
+  IdVector<FreeFaceId, GeneratorId> target_;  // the present label if no change is planned
+  std::vector<FreeFaceId> outside_;           // faces that the expanding region may take
+  IdVector<FreeFaceId, char> held_back_;      // faces that topology kept from the expanding region
   std::ptrdiff_t held_back_count_ = 0;
 
   // The current cluster.
   std::vector<FreeFaceId> cluster_, waiting_;
   IdVector<FreeFaceId, char> is_collected_;
-  std::vector<FaceChange> steps_;  // the faces relabelled so far, and their labels before
-  double sum_ = 0;                 // change of the cost by all steps
+  std::vector<FaceChange> steps_;  // the faces relabelled so far, with their previous labels
+  double sum_ = 0;                 // change of the cost by all steps so far
   struct {
     double sum;
     std::size_t steps;
-  } best_{};  // change of the cost by the first steps, and their number, where it is least
+  } best_{};  // the least change of the cost after any number of steps, and this number
   double least_gain_;
 };
 

@@ -11,22 +11,23 @@
 namespace gvd {
 
 /// Shortens the borders between the regions of `result`. Only free faces (see FreeFaces) change their label, and only
-/// to that of a cell with a share of the face.
+/// to the label of a cell with a share of the face.
 ///
 /// Properties: (1) the border does not become longer; (2) the regions keep their topology (see RegionTopology); (3) no
 /// region can lower the cost (see BorderCosts) by any set of free faces that it takes from others; (4) no two regions
-/// can by an exchange. With two regions the cost is the least of all. (3) and (4) hold where no change was refused for
-/// (2), and no cut gave up (see MinCut). Counts `smoothed_faces`. Cost: O(n + k) for k shares in practice.
+/// can lower the cost by an exchange, and with only two regions the cost is the least possible. (3) and (4) hold if no
+/// change was refused because of (2), and no cut gave up (see MinCut). Counts `smoothed_faces`. Cost: O(n + k) for k
+/// shares in practice.
 void smooth_borders(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares, Segmentation& result,
                     const Progress& progress = {});
 
 using FreeFaceId = Id<struct FreeFaceTag>;
 
-/// The faces whose label may be chosen: those in which two or more cells have a share. One face of each generator is
-/// not free: of the faces round the generator with its label, the one with its largest share.
+/// The faces whose label may be chosen, because two or more cells have a share of them. One face of each generator is
+/// not free: among the faces around the generator with its label, the face with its largest share.
 class FreeFaces {
  public:
-  /// `label` has the labels to begin with. Refers to `shares`, which must outlive this. Cost: O(n).
+  /// `label` has the initial labels. Refers to `shares`, which must outlive this object. Cost: O(n).
   FreeFaces(const Mesh& mesh, const Diagram& diagram, const FaceShares& shares,
             const IdVector<FaceId, GeneratorId>& label);
 
@@ -36,9 +37,9 @@ class FreeFaces {
   FaceId face(FreeFaceId i) const { return faces_[i].face; }
   /// The id of a face; invalid for a face that is not free.
   FreeFaceId find(FaceId f) const { return id_[f]; }
-  /// The cells with a share above 0, as FaceShares::of sorts them.
+  /// The cells with a share above 0, sorted as in FaceShares::of.
   std::span<const FaceShare> candidates(FreeFaceId i) const { return faces_[i].candidates; }
-  /// The share of the cell that the face was labelled with to begin with.
+  /// The share of the cell with which the face was labelled initially.
   double first_fraction(FreeFaceId i) const { return faces_[i].first_fraction; }
 
  private:
@@ -52,25 +53,25 @@ class FreeFaces {
   IdVector<FaceId, FreeFaceId> id_;
 };
 
-/// The cost of a label with a smaller share than the first one, as a fraction of the side of the equilateral triangle
-/// whose height is that of the face over its longest side.
+/// The cost of a label with a smaller share than the initial label, as a fraction of the side of the equilateral
+/// triangle that has the same height as the face has over its longest side.
 ///
-/// Among borders with nearly the same length it prefers the one near to the bisectors. The height of a needle is nearly
-/// 0, so that its label costs nearly nothing: with its mean side instead, borders on needles would be far from
+/// Among borders of nearly the same length, this cost prefers the border near the bisectors. The height of a needle is
+/// nearly 0, so its label costs nearly nothing; with its mean side instead, borders on needles would be far from
 /// shortest.
 inline constexpr double kShareWeight = 0.1;
 
-/// The cost of the labels of faces, in mesh units: the length of the borders, and little for small shares.
+/// The cost of the labels of faces, in mesh units: the length of the borders, and a small cost for small shares.
 ///
-/// The cost of the first labels is their border's length. No label costs less than its border, so labels that cost less
-/// than the first ones have a shorter border.
+/// The cost of the initial labels is the length of their borders. No labels cost less than the length of their borders,
+/// so labels that cost less than the initial ones have shorter borders.
 class BorderCosts {
  public:
-  /// Refers to all arguments, which must outlive this.
+  /// Refers to all arguments, which must outlive this object.
   BorderCosts(const Mesh& mesh, const FreeFaces& free, const IdVector<FaceId, GeneratorId>& label)
       : mesh_(mesh), free_(free), label_(label) {}
 
-  /// The cost of a label with this share of the face, border apart.
+  /// The cost of a label with this share of the face, without borders.
   double of_share(FreeFaceId i, double fraction) const {
     const double height = 2 * mesh_.area(free_.face(i)) / std::ranges::max(mesh_.shape(free_.face(i)).length);
     return kShareWeight * std::max(0.0, free_.first_fraction(i) - fraction) * height * std::numbers::inv_sqrt3 * 2;
@@ -79,7 +80,7 @@ class BorderCosts {
   /// The change of the cost of all labels if face i takes label `to`. Cost: O(k) for k candidates.
   double change(FreeFaceId i, GeneratorId to) const { return of_label(i, to) - of_label(i, label_[free_.face(i)]); }
 
-  /// Calls visit(face, length) for the other face of each side of face i, twice for one with two sides in common.
+  /// Calls visit(face, length) for the face across each side of face i; twice for a face with two common sides.
   template <class Visit>
   void for_each_side(FreeFaceId i, Visit visit) const {
     for (const HalfedgeId h : Mesh::halfedges(free_.face(i))) {

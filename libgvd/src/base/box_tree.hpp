@@ -15,7 +15,8 @@ class BoxTreeOf {
  public:
   static constexpr std::size_t kNone = -1;
 
-  /// Builds the tree over items 0 .. n - 1, of which `box_of(i)` is the box, in place of what it held. Cost: O(n).
+  /// Builds the tree over items 0 .. n - 1, where `box_of(i)` is the box of item i. Any previous items are discarded.
+  /// Cost: O(n).
   template <class BoxOf>
   void build(std::size_t n, const BoxOf& box_of) {
     leaves_ = std::bit_ceil(n);
@@ -24,7 +25,7 @@ class BoxTreeOf {
     for (std::size_t node = leaves_; node-- > 1;) unite_children(node);
   }
 
-  /// Takes an item out of every later search. Cost: O(log n).
+  /// Removes an item from all later searches. Cost: O(log n).
   void remove(std::size_t item) { move(item, Box()); }
 
   /// Gives an item another box. Cost: O(log n).
@@ -34,22 +35,22 @@ class BoxTreeOf {
     while ((node /= 2) > 0) unite_children(node);
   }
 
-  /// The first item from `from` on that was not removed and for whose box the test holds; kNone where there is none.
-  /// `test(box)` may be false of a box only if it is false of every box within it.
-  /// Cost: O(nodes for which the test holds), O(n) at most.
+  /// Returns the first item, from `from` on, that was not removed and whose box passes the test; kNone if there is
+  /// none. If `test` rejects a box, it must reject every box inside it.
+  /// Cost: O(nodes that pass the test), at most O(n).
   template <class Test>
   std::size_t find(std::size_t from, const Test& test) const {
     return leaves_ > 0 ? find_below(1, {0, leaves_, from}, test) : kNone;
   }
 
-  /// Calls visit(i, j) for every two items i < j whose boxes overlap. Cost: O(n log n) where few overlap.
+  /// Calls visit(i, j) for every pair of items i < j whose boxes overlap. Cost: O(n log n) where few overlap.
   template <class Visit>
   void visit_overlaps(const Visit& visit) const {
     if (leaves_ > 0) visit_within(1, visit);
   }
 
  private:
-  /// Items first .. last - 1 lie below the node at work; those before `from` do not count.
+  /// Items first .. last - 1 lie below the current node; the search skips items before `from`.
   struct Range {
     std::size_t first, last, from;
   };
@@ -74,7 +75,8 @@ class BoxTreeOf {
     visit_between(2 * node, 2 * node + 1, visit);
   }
 
-  /// `left` and `right` are different nodes of one level, in this order.
+  /// Visits the overlapping pairs of an item below `left` and one below `right`, two different nodes of the same level
+  /// in this order.
   template <class Visit>
   void visit_between(std::size_t left, std::size_t right, const Visit& visit) const {
     if (!boxes_[left].intersects(boxes_[right])) return;

@@ -8,10 +8,10 @@ namespace gvd {
 
 /// A queue that returns its items in nearly ascending order of their keys: a ring of first-in-first-out buckets.
 ///
-/// For label-correcting propagation, which mends later what came too early. What else depends on the order has to bear
-/// a difference of one bucket. Items of one bucket are returned in the order in which they were pushed, so runs repeat
-/// exactly. An item with a key before the current bucket goes into the current one, an item with a key beyond the ring
-/// into the last one. Cost: O(1) for each item, and for each bucket that is passed.
+/// It is made for label-correcting propagation, which corrects later what it computed too early. Any other use must
+/// tolerate an order that is off by up to one bucket. Items of the same bucket are returned in the order in which they
+/// were pushed, so that runs are repeatable. An item whose key lies before the current bucket goes into the current
+/// bucket, and one whose key lies beyond the ring into the last bucket. Cost: O(1) per item and per bucket passed.
 template <class Item>
 class BucketQueue {
  public:
@@ -20,7 +20,8 @@ class BucketQueue {
 
   bool empty() const { return size_ == 0; }
 
-  /// The least key of the current bucket. Items in it have a smaller key only if they were pushed with one behind it.
+  /// The least key that belongs to the current bucket. An item in it has a smaller key only if it was pushed after the
+  /// bucket of that key had passed.
   double front() const { return turn_ / inverse_width_; }
 
   void push(double key, const Item& item) {
@@ -37,13 +38,13 @@ class BucketQueue {
   /// Number of items in the current bucket.
   std::size_t front_size() const { return buckets_[current_].size() - next_; }
 
-  /// The item that pop() will return after `count` others; null if the current bucket holds fewer.
+  /// The item that pop() will return after `count` others; null if that item is not in the current bucket.
   const Item* ahead(std::size_t count) const {
     return count < front_size() ? &buckets_[current_][next_ + count] : nullptr;
   }
 
-  /// Number of buckets from the current one to the first one that holds items: 0 if that is the current one, the ring's
-  /// size if there is none. Cost: O(1) for each bucket between.
+  /// How many buckets ahead the next item is: 0 if it is in the current bucket, the size of the ring if the queue is
+  /// empty. Cost: O(1) per bucket in between.
   std::size_t steps_to_next() const {
     if (empty()) return buckets_.size();
     if (front_size() > 0) return 0;
@@ -51,7 +52,7 @@ class BucketQueue {
     while (buckets_[wrapped(current_ + steps)].empty()) ++steps;
     return steps;
   }
-  /// Advances by so many buckets. The current one, and those that are passed, must be empty.
+  /// Advances by `steps` buckets. The current bucket, and the buckets that are skipped, must be empty.
   void advance(std::size_t steps = 1) {
     buckets_[current_].clear();
     next_ = 0;
@@ -69,7 +70,7 @@ class BucketQueue {
   /// Number of buckets in the ring.
   std::size_t bucket_count() const { return buckets_.size(); }
 
-  /// Begins again with the bucket of key 0. The queue must be empty.
+  /// Starts over with the bucket of key 0. The queue must be empty.
   void restart() {
     buckets_[current_].clear();
     next_ = 0;
@@ -84,7 +85,7 @@ class BucketQueue {
   }
 
  private:
-  /// `index` < twice the size of the ring.
+  /// Wraps an index, which must be less than twice the size of the ring.
   std::size_t wrapped(std::size_t index) const { return index < buckets_.size() ? index : index - buckets_.size(); }
 
   double inverse_width_;

@@ -1,10 +1,12 @@
-// Ear clipping for simple polygons of the plane: the best ear is cut off until a triangle is left.
+// Ear clipping for simple polygons in the plane: cuts off the best ear until a single triangle remains.
 //
 // Source: G. H. Meisters, Polygons have ears, 1975. Each corner waits in a queue with the quality that it would have as
-// an ear, and the best one is tried first. Where another corner lies in its triangle, it waits until that one is cut
-// off, because it can't be an ear before. So the search through a corner's triangle visits each other corner once,
-// however often it is interrupted. It starts anew only where a neighbour is cut off.
-// Invariant: a corner whose triangle has no area comes behind every ear, so the loop ends for folded polygons too.
+// an ear, and the best one is tried first. If another corner lies in its triangle, the corner can't be an ear before
+// that other corner is cut off, and waits for that. Its search for corners in its triangle then continues where it
+// stopped, so that it visits every other corner once, however often it is interrupted. It starts over only when a
+// neighbour is cut off.
+// Invariant: a corner whose triangle has no area is queued behind every ear, so that the loop ends even for folded
+// polygons.
 #include "base/ear_clipping.hpp"
 
 #include <algorithm>
@@ -16,10 +18,10 @@
 namespace gvd {
 namespace {
 
-using Triangle = std::array<std::size_t, 3>;
+using CornerTriple = std::array<std::size_t, 3>;
 
-/// Three corners count as collinear where twice their signed area is below this fraction of the square of the
-/// triangle's longest side: far above the rounding of collinear points with coordinates in [0, 1]. Dimensionless.
+/// Three corners count as collinear if twice their signed area is below this fraction of the square of the triangle's
+/// longest side. That is far above the rounding error of collinear points with coordinates in [0, 1]. Dimensionless.
 constexpr double kCollinear = 1e-12;
 
 double longest_square(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -34,9 +36,9 @@ struct ThickTriangle {
   ThickTriangle(const Vec2& a, const Vec2& b, const Vec2& c)
       : corners{a, b, c}, slack(-kCollinear * longest_square(a, b, c)) {}
 
-  /// Whether the box has a point on the inner side of each side of the triangle. Exact for a box of one point. Never
-  /// false of a box that contains such a point: the corner of the box that is tested lies farther inside, and rounding
-  /// keeps the order.
+  /// Whether the box has, for each side of the triangle, a point on the inner side of it. The answer is exact for a box
+  /// of one point, and never false for a box that contains a point of the triangle: the tested corner of the box lies
+  /// at least as far inside, and rounding preserves the order.
   bool may_contain(const Box2& box) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec2 &from = corners[i], &to = corners[(i + 1) % 3];
@@ -56,8 +58,8 @@ class EarClipper {
     for (std::size_t i = 0; i < corners.size(); ++i) enqueue(i);
   }
 
-  std::vector<Triangle> run() {
-    std::vector<Triangle> triangles;
+  std::vector<CornerTriple> run() {
+    std::vector<CornerTriple> triangles;
     while (ring_.left_count() > 3) {
       const std::size_t ear = take_ear();
       triangles.push_back(ring_.triangle(ear));
@@ -72,7 +74,7 @@ class EarClipper {
 
   struct Search {
     std::size_t searched = 0;     ///< no corner before this one lies in the corner's triangle
-    std::size_t waiting = kNone;  ///< the first in the list of those that wait for this corner to be cut off
+    std::size_t waiting = kNone;  ///< head of the list of corners that wait for this one to be cut off
   };
 
   struct Waiting {
@@ -84,7 +86,7 @@ class EarClipper {
     return twice_signed_area(corners_[ring_.before(i)], corners_[i], corners_[ring_.after(i)]);
   }
 
-  /// Queues corner i as an ear. Its quality is twice the area over the square of the longest side, which is positive.
+  /// Queues corner i as an ear. Its quality, twice the area over the square of the longest side, is positive.
   void enqueue(std::size_t i) {
     const double area = twice_area_at(i);
     const double longest = longest_square(corners_[ring_.before(i)], corners_[i], corners_[ring_.after(i)]);
@@ -95,10 +97,12 @@ class EarClipper {
     }
   }
 
-  /// Queues corner i, which is no ear, behind every ear: for polygons that rounding has folded.
+  /// Queues corner i, which is not an ear, behind every ear. It is taken from there only if rounding has folded the
+  /// polygon.
   void enqueue_last(std::size_t i) { queue_.push(ring_.candidate(i, twice_area_at(i) - 4)); }
 
-  /// The ear that leaves the roundest triangle.
+  /// Takes the ear with the roundest triangle from the queue or, if no ear is left, the corner with the largest signed
+  /// area.
   std::size_t take_ear() {
     while (true) {
       const EarCandidate best = queue_.top();
@@ -114,10 +118,10 @@ class EarClipper {
     }
   }
 
-  /// The first corner from `from` on in the triangle of corner i. A corner at the position of one of the triangle's own
-  /// is a point where the polygon touches itself, and does not count.
+  /// Returns the first corner, from `from` on, that lies in the triangle of corner i. A corner at the position of one
+  /// of the triangle's own corners does not count: there the polygon touches itself.
   std::size_t find_inside(std::size_t i, std::size_t from) const {
-    const Triangle own = ring_.triangle(i);
+    const CornerTriple own = ring_.triangle(i);
     const ThickTriangle triangle(corners_[own[0]], corners_[own[1]], corners_[own[2]]);
     const auto may_contain = [&triangle](const Box2& box) { return triangle.may_contain(box); };
     const auto is_corner = [&](std::size_t k) {
@@ -141,7 +145,7 @@ class EarClipper {
   const std::vector<Vec2>& corners_;
   PolygonRing ring_;
   std::vector<Search> searches_;  ///< per corner
-  BoxTree boxes_;                 ///< of the corners that are left
+  BoxTree boxes_;                 ///< holds the remaining corners
   std::vector<Waiting> waiting_;
   std::priority_queue<EarCandidate> queue_;
 };

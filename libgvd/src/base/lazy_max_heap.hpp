@@ -6,12 +6,11 @@
 
 namespace gvd {
 
-/// A heap that gives the largest of many keys, where keys may only decrease. A key is updated when its item reaches the
-/// top.
+/// A max-heap for keys that only decrease. The heap updates a key when its item reaches the top.
 ///
-/// The key in the heap is an upper bound of the true one, so the first top item whose key is up to date is the largest
-/// of all. Among equal keys the smallest id comes first. `Value` is the type of the keys. Cost: O(log n) for each
-/// outdated key that reaches the top.
+/// The stored key of an item is an upper bound of its current key, so the first top item whose key is up to date is the
+/// largest of all. Among equal keys the smallest id comes first. `Value` is the type of the keys. Cost: O(log n) for
+/// each outdated key that reaches the top.
 template <class Value = double>
 class LazyMaxHeap {
  public:
@@ -21,7 +20,7 @@ class LazyMaxHeap {
     bool operator<(const Item& other) const { return key < other.key || (key == other.key && id > other.id); }
   };
 
-  /// Inserts the ids 0 .. count - 1. `key(id)` is the current key of an item.
+  /// Inserts the ids 0 .. count - 1. `key(id)` returns the current key of an item.
   template <class Key>
   LazyMaxHeap(std::int32_t count, Key key) {
     items_.reserve(count);

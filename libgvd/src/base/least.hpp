@@ -4,10 +4,10 @@
 
 namespace gvd {
 
-/// A search for the value of least rank: the first one offered of those with the same rank. Ranks are compared by `<`.
+/// Keeps the value of least rank among all that are offered, and of equal ranks the first. Ranks are compared by `<`.
 template <class Value, class Rank = double>
 struct Least {
-  Value value{};  ///< the default value as long as no offer has had a rank below the first one
+  Value value{};  ///< the default value until an offer has a rank below the initial `rank`
   Rank rank = kInfinity;
 
   /// Takes the value if its rank is below the least so far.

@@ -1,9 +1,9 @@
-// A run of chunks on oneTBB's threads, or on plain ones: each thread takes the next chunk that nobody has taken, until
+// Runs chunks on oneTBB's threads or on plain threads: each thread takes the next chunk that no thread has taken, until
 // none is left.
 //
-// Invariant: chunks start in their order, and none after a failed one starts. So all chunks before a failed one run,
-// the failure with the least index is known at the end, and it is the one that the caller sees, for any number of
-// threads. Only the calling thread calls the progress callback.
+// Invariant: chunks start in order, and no chunk after a failed one starts. All chunks before a failed one therefore
+// run, and the caller sees the failure with the least index, for any number of threads. Only the calling thread calls
+// the progress callback.
 #include "base/parallel_chunks.hpp"
 
 #ifdef GVD_WITH_TBB
@@ -28,7 +28,7 @@ class SharedRun {
             const Progress& progress)
       : count_(count), step_(step), work_(work), progress_(progress) {}
 
-  /// Takes items in their order until none is left. Called by any thread; throws nothing.
+  /// Takes items in order until none is left. Any thread may call it; it throws nothing.
   void take_items() {
     for (std::size_t i = next_++; i < count_; i = next_++) {
       if (cancelled_ || i > failed_) return;
@@ -36,9 +36,9 @@ class SharedRun {
     }
   }
 
-  /// Called by the calling thread when all items were taken.
+  /// Called by the calling thread once all items have been taken.
   void finish() {
-    // Also after a failure: other threads may have done all work so far, and then nobody has asked yet.
+    // After a failure, too: if other threads have done all the work, the callback has not been asked yet.
     if (count_ > 0 && !cancelled_) report(failure_ ? fraction_done() : 1);
     if (cancellation_) std::rethrow_exception(cancellation_);
     if (failure_) std::rethrow_exception(failure_);
@@ -81,10 +81,10 @@ class SharedRun {
   std::atomic<std::size_t> next_ = 0;
   std::atomic<std::size_t> done_ = 0;
   std::atomic<bool> cancelled_ = false;
-  std::exception_ptr cancellation_;  // the calling thread's
-  // Items are started in their order, and those before a failed one all run: so the least failed index remains here.
+  std::exception_ptr cancellation_;  // only the calling thread uses it
+  // Items start in order, and all items before a failed one run, so that the least failed index remains here.
   std::atomic<std::size_t> failed_ = std::numeric_limits<std::size_t>::max();
-  std::exception_ptr failure_;  // under the mutex
+  std::exception_ptr failure_;  // guarded by mutex_
   std::mutex mutex_;
 };
 
@@ -92,16 +92,16 @@ class SharedRun {
 std::size_t most_threads(int) { return tbb::this_task_arena::max_concurrency(); }
 
 void take_in_threads(std::size_t threads, SharedRun& shared) {
-  // One task for each thread that may work; a task that starts late finds no item left. No separate arena: with
-  // oneTBB 2021.8, once an arena was destroyed, sometimes no worker joins any more. Isolated, so that the calling
-  // thread takes no other work of its program while it waits.
+  // This starts one task for each thread that may work; a task that starts late finds no item left. It uses no separate
+  // arena, because with oneTBB 2021.8, once an arena was destroyed, sometimes no worker joins any more. It is isolated
+  // so that the calling thread takes no other work of its program while it waits.
   tbb::this_task_arena::isolate([&] {
     tbb::parallel_for(
         std::size_t{0}, threads, [&](std::size_t) { shared.take_items(); }, tbb::simple_partitioner());
   });
 }
 #else
-/// More plain threads than cores gain nothing, but tests ask for them.
+/// Using more plain threads than cores gains nothing, but tests ask for it.
 constexpr std::size_t kMostPlainThreads = 8;
 
 std::size_t most_threads([[maybe_unused]] int asked) {
@@ -137,7 +137,7 @@ void ParallelChunks::run(std::size_t count, const StepPart& step, const std::fun
     shared.take_items();
   } else {
     take_in_threads(threads, shared);
-    // If a surrounding loop of the caller's was cancelled, oneTBB starts no task: then all items are left.
+    // If a surrounding oneTBB loop of the caller was cancelled, oneTBB starts no task, and all items are still to do.
     shared.take_items();
   }
   shared.finish();

@@ -18,10 +18,10 @@ struct Chunk {
 /// Cuts a list of `count` items into chunks of `size` >= 1 items; the last one may be shorter.
 std::vector<Chunk> cut_into_chunks(std::size_t count, std::size_t size);
 
-/// Size of a chunk for lists whose items take no more than a few look-ups each.
+/// Size of a chunk for lists whose items cost no more than a few look-ups each.
 inline constexpr std::size_t kScanChunk = 1 << 13;
 
-/// Cuts a list into chunks, each of which ends as soon as its work reaches `enough`; `work(i)` is that of item i.
+/// Cuts a list into chunks that end as soon as their work reaches `enough`. `work(i)` is the work of item i.
 template <class Work>
 std::vector<Chunk> cut_by_work(std::size_t count, std::size_t enough, Work work) {
   std::vector<Chunk> chunks;
@@ -36,22 +36,22 @@ std::vector<Chunk> cut_by_work(std::size_t count, std::size_t enough, Work work)
   return chunks;
 }
 
-/// Work by several threads, with the same result to the last bit for any number of them.
+/// Runs work on several threads, with bit-identical results for any number of threads.
 ///
-/// Reason: a list is cut into chunks by its contents alone, never by the number of threads. A chunk reads
-/// only what nobody writes meanwhile, and has results and scratch memory of its own. The results are joined in the
-/// order of the chunks. Chance decides which thread takes which chunk, and when, but no result depends on it. Sums over
-/// several chunks must therefore be formed after the run, in the order of the chunks.
+/// This works because a list is cut into chunks by its contents alone, never by the number of threads; because a chunk
+/// reads only data that nothing writes meanwhile, and has its own results and scratch memory; and because the results
+/// are joined in the order of the chunks. It varies which thread takes which chunk, and when, but no result depends on
+/// that. Sums over several chunks must therefore be formed after the run, in the order of the chunks.
 ///
-/// Progress: only the calling thread calls the callback, after each chunk of its own and at the end. If it cancels, no
-/// further chunk is started, and those that run are waited for.
-/// Errors: if chunks throw, the exception of the first one in the list is thrown, not of the first one in time. Chunks
-/// after it are not started any more. Cancelling takes precedence over errors.
+/// Progress: only the calling thread calls the callback, after each chunk that it ran itself and at the end. If the
+/// callback cancels, no further chunk starts, and the run waits for the chunks that have started.
+/// Errors: if several chunks throw, the exception of the first of them in the list is thrown, not of the first in time.
+/// No further chunk after a failed one starts. Cancelling takes precedence over errors.
 class ParallelChunks {
  public:
-  /// `threads` >= 1, or 0 for all cores. Never more are used than oneTBB provides: one for each core or, within an
-  /// arena of the caller's, as many as that allows; without oneTBB, eight or one for each core. `progress` has to
-  /// outlive this.
+  /// `threads` is at least 1, or 0 for all cores. With oneTBB, at most as many threads run as oneTBB provides: one per
+  /// core or, inside an arena of the caller, the size of that arena. Without oneTBB, the limit is eight or one per
+  /// core, whichever is larger. `progress` must outlive this object.
   ParallelChunks(int threads, const Progress& progress) : threads_(threads), progress_(progress) {}
 
   const Progress& progress() const { return progress_; }
@@ -59,7 +59,7 @@ class ParallelChunks {
   /// Runs work(i) for i = 0 .. count - 1.
   void run(std::size_t count, const StepPart& step, const std::function<void(std::size_t)>& work) const;
 
-  /// The results of compute(chunk) for every chunk, in their order. The result's type has a default.
+  /// Returns the results of compute(chunk) in the order of the chunks. The result's type must be default-constructible.
   template <class Compute>
   auto map(const std::vector<Chunk>& chunks, const StepPart& step, const Compute& compute) const {
     std::vector<std::invoke_result_t<const Compute&, const Chunk&>> results(chunks.size());
@@ -67,7 +67,7 @@ class ParallelChunks {
     return results;
   }
 
-  /// The results of `map` where they are vectors, joined to one in the order of the chunks.
+  /// Like `map`, for results that are vectors: joins them into one vector, in the order of the chunks.
   template <class Compute>
   auto collect(const std::vector<Chunk>& chunks, const StepPart& step, const Compute& compute) const {
     auto results = map(chunks, step, compute);

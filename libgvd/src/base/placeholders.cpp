@@ -1,4 +1,5 @@
-// Placeholders in texts, as the header describes them.
+// Writes placeholders, and replaces them by the names of options as a reader spells them. gvd/placeholders.hpp has the
+// syntax.
 
 #include "gvd/placeholders.hpp"
 
@@ -16,7 +17,7 @@ std::string spell_one(std::string_view inside, const OptionSpelling& spelling) {
   return spelling.spell(inside.substr(0, equals), equals == inside.npos ? "" : inside.substr(equals + 1));
 }
 
-/// Joined by "or".
+/// Spells the options that the user gave, or all of them if none was given, joined by "or".
 std::string spell_given(std::string_view inside, const OptionSpelling& spelling) {
   std::vector<std::string_view> all, given;
   for (std::size_t begin = 0; begin <= inside.size();) {
@@ -34,7 +35,7 @@ std::string spell_given(std::string_view inside, const OptionSpelling& spelling)
   return spelled;
 }
 
-/// Words, and behind a bar the option that they advise.
+/// Spells advice: words and, behind a bar, the option that they advise. Empty if the reader can't give that option.
 std::string spell_advice(std::string_view inside, const OptionSpelling& spelling) {
   const std::size_t bar = inside.find('|');
   const std::string_view option = inside.substr(bar + 1);

@@ -14,11 +14,11 @@ inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y()
 /// v, rotated counter-clockwise by 90 degrees.
 inline Vec2 turned_left(const Vec2& v) { return {-v.y(), v.x()}; }
 
-/// The vector of length 1 at this angle from the x axis, radians.
+/// The unit vector at this angle from the x axis, in radians.
 inline Vec2 unit_vector(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// Twice the signed area of a triangle: > 0 where a, b, c are counter-clockwise. Subject to rounding; `orientation`
-/// gives the sign where it is certain.
+/// Twice the signed area of a triangle: > 0 if a, b, c are counter-clockwise. Rounding can change the sign;
+/// `orientation` returns the sign where it is certain.
 inline double twice_signed_area(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
 /// Twice the signed area of a polygon of n corners (the shoelace formula). `corner(i)` is a Vec2.
@@ -33,7 +33,7 @@ double twice_signed_area(std::size_t n, const Corner& corner) {
 /// rounding unit e = 2^-53, rounded up. Dimensionless.
 inline constexpr double kOrientationError = 3.4e-16;
 
-/// The side of the line from a to b on which c lies: 1 on the left, -1 on the right, 0 where rounding leaves it open.
+/// The side of the line from a to b on which c lies: 1 on the left, -1 on the right, 0 if rounding makes it uncertain.
 ///
 /// Source: the filter of J. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates,
 /// 1997. A result other than 0 is exact, unless a product underflows.
@@ -44,24 +44,25 @@ inline int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   return area > 0 ? 1 : -1;
 }
 
-/// Foot of a triangle's apex on its base, measured from the base's first end, from the lengths of the three sides. The
-/// sides may be distances to a point source, whose image is then the apex. By the law of cosines, with the difference
-/// of two squares as a product: nothing cancels where the sides are long and nearly equal.
+/// The foot of a triangle's apex on its base, measured from the base's first end and computed from the lengths of the
+/// three sides. The two other sides may be distances to a point source, whose image is then the apex. This is the law
+/// of cosines, with the difference of two squares written as a product so that nothing cancels if the sides are long
+/// and nearly equal.
 ///
-/// Inputs: mesh units, base > 0. Returns: mesh units; outside of [0, base] where an angle at the base is obtuse.
+/// Inputs: mesh units, base > 0. Returns: mesh units; outside [0, base] if an angle at the base is obtuse.
 inline double apex_foot(double base, double first_side, double second_side) {
   return 0.5 * (base + (first_side - second_side) * (first_side + second_side) / base);
 }
 
-/// `apex_foot` by 1 / base, for loops that have it at hand. It may differ from apex_foot in the last digit.
+/// Like `apex_foot`, for loops that have already computed 1 / base. The results may differ in the last digit.
 inline double apex_foot_by_inverse(double base, double inverse_base, double first_side, double second_side) {
   return 0.5 * (base + (first_side - second_side) * (first_side + second_side) * inverse_base);
 }
 
-/// An axis-aligned box of the plane, with its border; empty at first.
+/// An axis-aligned box in the plane, border included. A default-constructed box is empty.
 using Box2 = Eigen::AlignedBox2d;
 
-/// The box of two points.
+/// The smallest box that contains two points.
 inline Box2 bounding_box(const Vec2& a, const Vec2& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
 
 /// A straight line segment in the plane.
@@ -69,15 +70,15 @@ struct PlaneSegment {
   Vec2 from, to;
 };
 
-/// The position of the point of a segment that is nearest to p: 0 at its beginning `from`, 1 at its end from + along.
-/// 0 for a segment without length. In the plane or in space.
+/// The parameter of the point of a segment that is nearest to p: 0 at its beginning `from`, 1 at its end from + along;
+/// 0 for a segment of length 0. `Point` is Vec2 or Vec3.
 template <class Point>
 double nearest_on_segment(const Point& from, const Point& along, const Point& p) {
   const double square = along.squaredNorm();
   return square > 0 ? std::clamp((p - from).dot(along) / square, 0.0, 1.0) : 0;
 }
 
-/// The parameters of the point p + s d = q + t e.
+/// The parameters of the common point p + s d = q + t e of two lines.
 struct LineIntersection {
   double s, t;
 };
@@ -89,10 +90,10 @@ inline LineIntersection intersect_lines(const Vec2& p, const Vec2& d, const Vec2
   return {cross(between, e) / denominator, cross(between, d) / denominator};
 }
 
-// Three predicates tell whether segments cross. They differ in what they answer where rounding leaves it open.
+// The next three predicates tell whether segments cross. They differ in their answer when rounding makes it uncertain.
 
-/// Whether two segments cross or touch elsewhere than at a common end, or rounding leaves that open. For a search that
-/// must not miss a crossing. Never false of segments that cross.
+/// Whether two segments may cross or touch other than at a common end. The answer is never false for segments that
+/// cross, so that a search based on it misses no crossing.
 inline bool may_intersect(const PlaneSegment& a, const PlaneSegment& b) {
   if (!bounding_box(a.from, a.to).intersects(bounding_box(b.from, b.to))) return false;
   if (a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to) return false;
@@ -100,9 +101,9 @@ inline bool may_intersect(const PlaneSegment& a, const PlaneSegment& b) {
          orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) <= 0;
 }
 
-/// Whether two segments cross by more than `tolerance`: the ends of each lie on both sides of the other's line, and
-/// both triangles that they form with it have more than this twice the area. For a check that must not fail by
-/// rounding.
+/// Whether two segments cross by more than `tolerance`: the ends of each lie on different sides of the other's line,
+/// and each end forms a triangle with the other segment whose area, doubled, exceeds the tolerance. This is for checks
+/// that must not fail because of rounding.
 inline bool intersect_beyond(const PlaneSegment& a, const PlaneSegment& b, double tolerance) {
   const auto separates = [tolerance](const PlaneSegment& line, const PlaneSegment& other) {
     const double from = twice_signed_area(line.from, line.to, other.from);
@@ -112,7 +113,7 @@ inline bool intersect_beyond(const PlaneSegment& a, const PlaneSegment& b, doubl
   return separates(a, b) && separates(b, a);
 }
 
-/// Whether p and q lie strictly on one side of the segment's line, as rounded.
+/// Whether p and q lie strictly on the same side of the segment's line; rounding can change the answer.
 inline bool lie_on_one_side(const PlaneSegment& line, const Vec2& p, const Vec2& q) {
   return twice_signed_area(line.from, line.to, p) * twice_signed_area(line.from, line.to, q) > 0;
 }

@@ -16,16 +16,18 @@ inline std::array<double, 2> quadratic_roots(double a, double half_b, double c) 
   return {q / a, c / q};
 }
 
-/// An interval at whose begin a continuous function is negative, and at whose end it is positive.
+/// An interval over which a continuous function changes its sign: it is negative at the beginning and positive at the
+/// end.
 struct SignChange {
   double begin, end;
   double at_begin, at_end;  ///< the function's values there, < 0 and > 0
 };
 
-/// A root of `function` in `bracket`: by the secant through the bracket's ends, and by halving in every third step, so
-/// that it converges where the secant stagnates.
+/// Finds a root of `function` in `bracket`. Steps use the secant through the ends of the bracket; every third step
+/// halves it instead, so that the search converges even where the secant stagnates.
 ///
-/// Returns: a root, or the middle of a bracket that is not wider than `width`.
+/// Returns: a point where the function is 0, or the middle of the last bracket, which is not wider than `width` unless
+/// 100 evaluations were not enough.
 /// Cost: at most 100 evaluations, which halve the bracket 33 times at least; 19 for x^2 - 2 in [0, 2] to 1e-14.
 template <class Function>
 double find_root(SignChange bracket, double width, const Function& function) {
@@ -42,8 +44,9 @@ double find_root(SignChange bracket, double width, const Function& function) {
   return 0.5 * (begin + end);
 }
 
-/// The last number in [0, 1) that `holds` accepts, if it accepts 0 and all up to some number below 1: by `halvings`
-/// halvings. Where it accepts several intervals, the end of one of them.
+/// Finds the end of an interval of numbers that begins at 0 and that `holds` accepts, by bisection of [0, 1]: returns
+/// the last accepted number of `halvings` steps, or 0. If `holds` accepts several intervals, this is near the end of
+/// one of them.
 template <class Holds>
 double find_last(int halvings, const Holds& holds) {
   double accepted = 0, refused = 1;

@@ -5,7 +5,7 @@
 
 namespace gvd {
 
-/// Sorts items, and keeps one of those that are equal. Cost: O(n log n).
+/// Sorts items and removes duplicates. Cost: O(n log n).
 template <class Item>
 void sort_unique(std::vector<Item>& items) {
   std::sort(items.begin(), items.end());

@@ -2,10 +2,10 @@
 
 namespace gvd {
 
-// The lattice of a triangle whose sides are cut into k parts: point (i, j), with i + j <= k, has the weights i / k and
-// j / k of two corners. It cuts the triangle into k * k equal ones.
+// The lattice of a triangle whose sides are cut into k equal parts: at point (i, j), with i + j <= k, two of the
+// corners have the weights i / k and j / k. The lattice cuts the triangle into k * k congruent triangles.
 
-/// Calls visit(i, j) for each point, by i, then by j.
+/// Calls visit(i, j) for each point, in the order of i, then of j.
 template <class Visit>
 void for_each_lattice_point(int k, const Visit& visit) {
   for (int i = 0; i <= k; ++i) {
@@ -16,8 +16,9 @@ void for_each_lattice_point(int k, const Visit& visit) {
 /// The number of a point in that order.
 constexpr int lattice_number(int k, int i, int j) { return i * (2 * k + 3 - i) / 2 + j; }
 
-/// Calls visit(i, j, is_upright) for each of the triangles, by i, then by j. An upright one has the points (i, j),
-/// (i + 1, j) and (i, j + 1); the other one at (i, j) is beyond it: (i + 1, j + 1), (i, j + 1) and (i + 1, j).
+/// Calls visit(i, j, is_upright) for each triangle, in the order of i, then of j. The upright triangle at (i, j) has
+/// the points (i, j), (i + 1, j) and (i, j + 1). The inverted triangle at (i, j) lies beyond the side of the last two:
+/// it has the points (i + 1, j + 1), (i, j + 1) and (i + 1, j).
 template <class Visit>
 void for_each_lattice_triangle(int k, const Visit& visit) {
   for (int i = 0; i < k; ++i) {

@@ -12,7 +12,7 @@ class UnionFind {
  public:
   explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
 
-  /// Adds a set with one new member, and returns it.
+  /// Adds a set with one new member, and returns the member.
   std::int32_t add() {
     parent_.push_back(static_cast<std::int32_t>(parent_.size()));
     return parent_.back();
@@ -22,14 +22,14 @@ class UnionFind {
     while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;
   }
-  /// Makes one set of those of i and j.
+  /// Joins the set of i and the set of j.
   void unite(std::int32_t i, std::int32_t j) {
     i = find(i);
     j = find(j);
     if (i < j) parent(j) = i;
     if (j < i) parent(i) = j;
   }
-  /// Number of members of all sets.
+  /// The number of members of all sets together.
   std::size_t size() const { return parent_.size(); }
 
  private:

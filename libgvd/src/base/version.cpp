@@ -1,4 +1,4 @@
-// The release, which the build system alone knows: CMakeLists.txt names it once.
+// The release of the library. CMakeLists.txt has the number, and passes it on as GVD_VERSION.
 
 #include "gvd/version.hpp"
 

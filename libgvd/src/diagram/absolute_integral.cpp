@@ -1,4 +1,4 @@
-// The integral of |f| from four samples: the cubic through them is split at its roots, which bisection finds.
+// Integrates |f| from four samples: bisection finds the roots of the cubic through the samples, which is split there.
 #include "diagram/absolute_integral.hpp"
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace gvd {
 namespace {
 
-/// Bisections that reduce an interval of length 1 to the spacing of doubles near 1.
+/// Number of bisections that reduce an interval of length 1 to the spacing of doubles near 1.
 constexpr int kBisections = 53;
 
 /// The cubic through the four samples, in Lagrange's form.

@@ -1,4 +1,4 @@
-// The length of a bisector, for the diagram's own figures, the regions' and the choice of new generators.
+// The length of a bisector, for the figures of diagrams and regions, and for the choice of new generators.
 //
 // Each point's position is computed once, and segments are added in their order.
 #include "diagram/bisector_length.hpp"

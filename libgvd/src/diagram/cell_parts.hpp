@@ -8,7 +8,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/ids.hpp"
 
-// The parts of the cells in the faces of the mesh: whole faces, and the pieces of those that bisectors cut.
+// The parts of the cells in the faces of the mesh: whole faces, and the pieces of faces that bisectors cut.
 
 namespace gvd {
 
@@ -16,20 +16,20 @@ namespace gvd {
 struct FacePart {
   FaceId face;
   GeneratorId generator;
-  std::span<const Bary> corners;  ///< counter-clockwise; all three of the face where the cell has all of it
+  std::span<const Bary> corners;  ///< counter-clockwise; the three corners of the face if the cell has all of it
 };
 
 inline FacePart part_of(const FacePiece& piece) { return {piece.face, piece.generator, piece.corners}; }
 
-/// The pieces of a face that bisectors cut; none of another one. Cost: O(log p) for p pieces of the diagram.
+/// The pieces of a face that bisectors cut; none for any other face. Cost: O(log p) for p pieces of the diagram.
 inline std::span<const FacePiece> pieces_in(const Diagram& diagram, FaceId f) {
   const auto begin = std::ranges::lower_bound(diagram.pieces, f, {}, &FacePiece::face);
   const auto end = std::find_if(begin, diagram.pieces.end(), [f](const FacePiece& piece) { return piece.face != f; });
   return {std::to_address(begin), std::to_address(end)};
 }
 
-/// Calls visit(FacePart) for the cells' parts of a face, in the order of the diagram's pieces. Cost: O(1) for a face in
-/// one cell, O(log p) for another one beside its parts.
+/// Calls visit(FacePart) for the parts of a face that belong to cells, in the order of the diagram's pieces. Cost: O(1)
+/// for a face in one cell; otherwise O(log p) for p pieces of the diagram, and the parts of the face.
 template <class Visit>
 void for_each_cell_part(const Diagram& diagram, FaceId f, const Visit& visit) {
   const GeneratorId whole = diagram.face_label[f];
@@ -37,7 +37,7 @@ void for_each_cell_part(const Diagram& diagram, FaceId f, const Visit& visit) {
   for (const FacePiece& piece : pieces_in(diagram, f)) visit(part_of(piece));
 }
 
-/// Calls visit(FacePart) for all faces: first those in one cell, ascending, then the pieces of the others. Cost: O(n).
+/// Calls visit(FacePart) for all faces: first whole faces, ascending, then the pieces of cut faces. Cost: O(n).
 template <class Visit>
 void for_each_cell_part(const Diagram& diagram, const Visit& visit) {
   for (const FaceId f : diagram.face_label.ids()) {

@@ -1,11 +1,11 @@
-// Check of a finished diagram, from its public data alone.
+// Checks a finished diagram from its public data alone.
 //
-// Ids come first, because every other check looks them up. Then each property of gvd/check.hpp is tested by itself:
-// the partition of the surface into cells, generators, the points and ends of bisectors, branch points, and the
-// topology of the cells. Nothing that the tracer computed on its way is read, so an error of the tracer can't hide.
-// Cells partition the surface where the label or the pieces of every reached face cover it once, and each vertex has
-// the label of all faces and pieces at it: then cells fit each other across edges.
-// Euler's formula counts what no local check sees: a cell that is missing, or one with a hole that has no bisector.
+// Ids come first, because every other check looks them up. Then each property of gvd/check.hpp is tested by itself: the
+// partition of the surface into cells, generators, the points and ends of bisectors, branch points, and the topology of
+// the cells. The checks read nothing that the tracer computed on its way, so that an error of the tracer can't hide.
+// Cells partition the surface if the label or the pieces of every reached face cover it once, and each vertex has the
+// label of all faces and pieces at it, because then cells fit each other across edges.
+// Euler's formula finds errors that no local check sees: a missing cell, or a cell with a hole that has no bisector.
 // Invariant: no check throws or stops at its first finding. Each finding names the number of its property. Faces and
 // pieces are visited in one order, ascending by face, and areas are summed in that order.
 #include "diagram/check_diagram.hpp"
@@ -51,7 +51,7 @@ bool labels_fit(const Diagram& d, const Mesh& mesh) {
          std::ranges::all_of(d.face_label, is_known) && std::ranges::all_of(d.pieces, is_piece);
 }
 
-/// Relative tolerance of areas: they are sums of up to a million rounded terms.
+/// Relative tolerance of areas, which are sums of up to a million rounded terms.
 constexpr double kAreaTolerance = 1e-9;
 
 /// Change of a triangle's area by rounding of a corner's coordinates, relative to the largest coordinate times the
@@ -69,7 +69,7 @@ double area_rounding(const Mesh& mesh, const Diagram& diagram) {
 
 /// Checks that labels and pieces cover the reached faces, and that cells have the area of their faces and pieces.
 void check_areas(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& reached, Violations& violations) {
-  IdVector<GeneratorId, double> cell_area(diagram.cells.size(), 0.0);  // of its faces and pieces
+  IdVector<GeneratorId, double> cell_area(diagram.cells.size(), 0.0);  // sum over its faces and pieces
   std::size_t next = 0;                                                // first piece that is not yet counted
   double total = 0;
   for (const FaceId f : mesh.faces()) {
@@ -99,8 +99,8 @@ void check_areas(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& r
   if (next < diagram.pieces.size()) violations.add(2, "piece", next, "pieces are not sorted by face");
 }
 
-/// The largest distance of a generator from its cell, relative to the bounding box's diagonal: rounding, and a thousand
-/// times the distance within which a generator is taken for a vertex.
+/// The largest distance of a generator from its cell, relative to the bounding box's diagonal. It allows for rounding,
+/// and is a thousand times the distance within which a generator is taken for a vertex.
 constexpr double kDistanceTolerance = 1e-9;
 
 /// Whether a piece contains a point of its face, within the tolerance.
@@ -126,8 +126,8 @@ bool is_in_cell_within_face(const Mesh& mesh, const Diagram& diagram, const Surf
                              [&](const FacePiece& piece) { return piece.generator == g && contains(mesh, piece, p); });
 }
 
-/// A point on an edge belongs to the faces on both sides. In a face without area other points lie at the same position,
-/// and the cell may reach the point only from the other side.
+/// Whether a point lies in a cell. A point on an edge belongs to the faces on both sides: in a face without area, other
+/// points have the same position, and the cell may reach the point only from the other side.
 bool is_in_cell(const Mesh& mesh, const Diagram& diagram, const SurfacePoint& p, GeneratorId g) {
   if (p.kind() == SurfacePoint::Kind::vertex) return diagram.vertex_label[vertex(mesh, p)] == g;
   if (is_in_cell_within_face(mesh, diagram, p, g)) return true;
@@ -158,7 +158,7 @@ void check_ends(const Mesh& mesh, const Bisector& b, std::size_t i, Violations& 
   }
 }
 
-/// Lists for every branch point the cells whose sector begins at a bisector that ends there.
+/// Lists for every branch point the cells whose sectors begin at the bisectors that end there.
 IdVector<BranchPointId, std::vector<GeneratorId>> cells_at_branch_points(const Diagram& diagram) {
   IdVector<BranchPointId, std::vector<GeneratorId>> cells(diagram.branch_points.size());
   for (const Bisector& b : diagram.bisectors) {
@@ -192,8 +192,8 @@ void check_components(const Diagram& diagram, Violations& violations) {
 
 /// The surface is the disjoint union of four sets: the cells' interiors, the bisectors without their ends
 /// (characteristic -1 each, 0 if closed), the branch points (+1 each) and the mesh's boundary. Along each loop of that
-/// boundary, its pieces and the bisector ends on it cancel. The interior of a cell counts as much as the cell: its
-/// boundary loops count 0.
+/// boundary, its pieces and the bisector ends on it cancel. The interior of a cell has the same characteristic as the
+/// cell, because boundary loops have the characteristic 0.
 void check_euler(const Mesh& mesh, const Diagram& diagram, const ReachedFaces& reached, Violations& violations) {
   std::int64_t cells = 0, open = 0;
   for (const Cell& c : diagram.cells) cells += c.euler_characteristic;
@@ -261,7 +261,7 @@ void check_partition(const Mesh& mesh, const Diagram& diagram, const ReachedFace
   for_each_cell_part(diagram, [&](const FacePart& part) {
     for (const Bary& corner : part.corners) {
       for (int k = 0; k < 3; ++k) {
-        // Exactly the vertex, since a crossing may be as close to it as rounding allows.
+        // This looks for the exact vertex, because a crossing may be as close to it as rounding allows.
         if (corner[(k + 1) % 3] != 0 || corner[(k + 2) % 3] != 0) continue;
         const VertexId v = mesh.vertices(part.face)[k];
         if (diagram.vertex_label[v] == part.generator) continue;
@@ -275,7 +275,7 @@ void check_generators(const Mesh& mesh, const Diagram& diagram, Violations& viol
   for (const GeneratorId g : IdRange<GeneratorId>(diagram.generators.size())) {
     if (!is_in_cell(mesh, diagram, diagram.generators[g.index()], g))
       violations.add(1, "generator", g.index(), "lies outside its cell");
-    // An area of 0 is sound: the faces around the generator may have none.
+    // An area of 0 is valid, because the faces around the generator may have no area.
     if (!(diagram.cells[g].area >= 0)) violations.add(1, "cell", g.index(), "its area is negative or not a number");
   }
 }

@@ -12,7 +12,7 @@
 #include "gvd/mesh.hpp"
 #include "gvd/surface_point.hpp"
 
-// The parts of `check_diagram` in their order. Each adds its findings to `violations`.
+// The parts of `check_diagram`, in their order. Each of them adds its findings to `violations`.
 namespace gvd {
 
 /// The findings of a check, one line each: "(property) element id: what is wrong".
@@ -30,14 +30,14 @@ class Violations {
   std::vector<std::string> lines_;
 };
 
-/// The faces of the mesh's components that have a generator; cells have to cover them. Cost: O(n).
+/// The faces of all components of the mesh that have a generator. Cells must cover them. Cost: O(n).
 class ReachedFaces {
  public:
   /// Every generator must lie in a face of the mesh.
   ReachedFaces(const Mesh& mesh, const std::vector<SurfacePoint>& generators);
 
   bool contains(FaceId f) const { return has_generator_[component_[f]] != 0; }
-  /// Counts over all reached faces. `mesh`: that of the constructor. Cost: O(n).
+  /// The Euler characteristic of all reached faces. `mesh` is the mesh of the constructor. Cost: O(n).
   std::int64_t euler_characteristic(const Mesh& mesh) const;
 
  private:
@@ -45,8 +45,9 @@ class ReachedFaces {
   std::vector<char> has_generator_;  // per component
 };
 
-/// Checks that all arrays have the mesh's sizes and that every id names an element of the mesh or of the diagram; the
-/// other checks look these ids up. Findings count under properties (1) to (4) of `check_diagram`. Cost: O(n).
+/// Checks that all arrays have the sizes of the mesh, and that every id names an element of the mesh or of the diagram,
+/// because the other checks look these ids up. Violations belong to properties (1) to (4) of `check_diagram`. Cost:
+/// O(n).
 void check_ids(const Mesh& mesh, const Diagram& diagram, Violations& violations);
 
 /// Checks property (2) of `check_diagram`. Labels and pieces cover each reached face once. Cells have the area of their

@@ -2,9 +2,9 @@
 //
 // Several threads take chunks of faces. Each sums up the shares of the cells in its chunk (CellShares), and the shares
 // are added in the order of the chunks, so that every sum has the same bits for any number of threads.
-// A cell's Euler characteristic is counted over its open interior: along its closed boundary curves vertices and edges
-// cancel. So neither bisectors nor the mesh's boundary are counted. The boundary loops are counted on their own, by
-// union-find over the sides of arcs; tests compare the two.
+// A cell's Euler characteristic is counted over its open interior, because along its closed boundary curves vertices
+// and edges cancel. Neither bisectors nor the mesh's boundary are therefore counted. Boundary loops are counted
+// separately, by union-find over the sides of arcs; tests compare the two counts.
 // Source: not in the paper, which stops at the bisectors. Cost: O(n) for n faces, of which only those with arcs are cut.
 #include "diagram/collect_cells.hpp"
 
@@ -24,19 +24,19 @@
 namespace gvd {
 namespace {
 
-/// Faces in a chunk. Some are cut into pieces, which takes longer than a look-up.
+/// Number of faces in a chunk. Some faces are cut into pieces, which takes longer than a look-up.
 constexpr std::size_t kChunkFaces = 1 << 11;
 
-/// In place of the first side of a loop at an end.
+/// Stands for the first side of a loop at an end as long as there is none.
 constexpr std::int32_t kNoSide = -1;
 
-/// The shares of cells in a chunk of faces, and the pieces of those faces that are cut.
+/// The shares of cells in a chunk of faces, and the pieces of the cut faces.
 struct CollectedFaces {
   CellShares shares;
   std::vector<FacePiece> pieces;
 };
 
-/// The known pieces of face f. `next`: the piece after those of the face before.
+/// The known pieces of face f. `next` is the index after the pieces of the previous face, where the search begins.
 std::span<FacePiece> known_pieces_in(std::vector<FacePiece>& pieces, FaceId f, std::size_t& next) {
   if (next == pieces.size() || pieces[next].face != f) {
     next = std::ranges::lower_bound(pieces, f, {}, &FacePiece::face) - pieces.begin();
@@ -46,8 +46,8 @@ std::span<FacePiece> known_pieces_in(std::vector<FacePiece>& pieces, FaceId f, s
   return std::span(pieces).subspan(first, next - first);
 }
 
-/// Labels the faces of a chunk, and cuts those with arcs into pieces, or moves pieces that are known. Writes labels of
-/// its own faces only.
+/// Labels the faces of a chunk. Faces with arcs are cut into pieces, or their known pieces are moved to the result.
+/// Writes the labels of the chunk's own faces only.
 CollectedFaces collect_faces(const WorkingMesh& working, const TracedDiagram& traced, KnownPieces* known,
                              const Chunk& chunk, IdVector<FaceId, GeneratorId>& face_label) {
   const Mesh& mesh = working.mesh();
@@ -62,7 +62,7 @@ CollectedFaces collect_faces(const WorkingMesh& working, const TracedDiagram& tr
     result.pieces.push_back({working.parent(f), g, std::move(corners)});
   };
   const auto area_of = [](const std::vector<Bary>& corners) {
-    return std::max(0.0, area_share(corners));  // negative only by rounding
+    return std::max(0.0, area_share(corners));  // it can be negative by rounding
   };
   std::vector<BoundaryCrossing> boundary;  // of the current face
   WorkingPieces cut;                       // of the current face
@@ -131,18 +131,19 @@ void find_neighbours(Diagram& diagram) {
   }
 }
 
-/// Unites the sides of arcs and the label intervals of boundary edges that follow each other around a cell: each set is
-/// a loop.
+/// Unites the sides of arcs and the label intervals of boundary edges that follow each other around a cell, so that
+/// each set is a loop.
 IdVector<GeneratorId, std::int32_t> count_boundary_loops(const WorkingMesh& working, const TracedDiagram& traced) {
   const Mesh& mesh = working.mesh();
   const Crossings& crossings = traced.crossings;
   UnionFind sets(0);
-  std::vector<GeneratorId> label;  // of each member
+  std::vector<GeneratorId> label;  // label of each member
   const auto add = [&](GeneratorId g) {
     label.push_back(g);
     return sets.add();
   };
-  // The cells at a crossing or at a branch point differ, so that the end and the cell of a side determine what follows.
+  // The cells at a crossing or at a branch point differ, so that the end of a side and its cell determine which side
+  // follows.
   IdVector<CrossingId, std::array<std::int32_t, 2>> at_crossing(crossings.size(), {kNoSide, kNoSide});
   IdVector<BranchPointId, std::map<GeneratorId, std::int32_t>> at_branch(traced.faces.branches.size());
   std::map<VertexId, std::int32_t> at_vertex;
@@ -221,7 +222,7 @@ void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, cons
     }
     std::ranges::move(faces.pieces, std::back_inserter(pieces));
   }
-  // Only the pieces of faces that generators split are out of order. They come last.
+  // Only the pieces of faces that generators split are out of order, and they come last.
   const auto by_face = [](const FacePiece& a, const FacePiece& b) { return a.face < b.face; };
   const auto last = std::is_sorted_until(pieces.begin(), pieces.end(), by_face);
   std::stable_sort(last, pieces.end(), by_face);

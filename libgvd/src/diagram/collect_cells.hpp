@@ -13,23 +13,24 @@
 
 namespace gvd {
 
-/// Pieces of faces that an earlier diagram has, too.
+/// Pieces of faces that are the same in an earlier diagram.
 struct KnownPieces {
-  IdVector<FaceId, std::uint8_t> is_known;  ///< 1 for faces of the working mesh that have the arcs that they had
-  std::vector<FacePiece>& pieces;           ///< of the earlier diagram; those of known faces are moved out of it
+  IdVector<FaceId, std::uint8_t> is_known;  ///< 1 for faces of the working mesh whose arcs have not changed
+  std::vector<FacePiece>& pieces;           ///< pieces of the earlier diagram; those of known faces are moved out of it
 };
 
-/// Fills in face labels, pieces and cells by several threads; expects the bisectors in `diagram`, for a cell's
-/// neighbours. `known`: null if all pieces are to be traced. Reports the second half of the step "cells". Cost: O(n).
+/// Fills in face labels, pieces and cells. Several threads take part. The bisectors must be in `diagram` already, for
+/// the neighbours of cells. `known` is null if all pieces have to be traced. Reports the second half of the step
+/// "cells". Cost: O(n).
 void collect_cells(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
                    Diagram& diagram, KnownPieces* known = nullptr);
 
-/// Fills in the neighbours of the cells: those with a bisector in common. Part of `collect_cells`; a diagram of another
-/// origin may need it, too. Cost: O(b log b) for b bisectors.
+/// Fills in the neighbours of the cells, which are the cells with a bisector in common. `collect_cells` calls it;
+/// diagrams of other origins may need it, too. Cost: O(b log b) for b bisectors.
 void find_neighbours(Diagram& diagram);
 
-/// The boundary loops of every cell, made of bisectors and of the mesh's boundary. Cost: O(k) for k arcs and boundary
-/// edges.
+/// Counts the boundary loops of every cell, which consist of bisectors and of the mesh's boundary. Cost: O(k) for k
+/// arcs and boundary edges.
 IdVector<GeneratorId, std::int32_t> count_boundary_loops(const WorkingMesh& working, const TracedDiagram& traced);
 
 /// The contribution of a subset of the mesh's elements to a cell.
@@ -43,7 +44,7 @@ struct CellShare {
 /// subset, not on the number of generators.
 class CellShares {
  public:
-  /// The share of cell g, new if there is none; valid until the next call.
+  /// The share of cell g, which is added if there is none. The reference is valid until the next call.
   CellShare& operator[](GeneratorId g) {
     if (last_ < shares_.size() && shares_[last_].generator == g) return shares_[last_];
     const auto [known, is_new] = index_.try_emplace(g.value(), shares_.size());
@@ -56,9 +57,9 @@ class CellShares {
   std::vector<CellShare> take() { return std::move(shares_); }
 
  private:
-  std::unordered_map<std::int32_t, std::size_t> index_;  // of each cell's share
+  std::unordered_map<std::int32_t, std::size_t> index_;  // index of each cell's share
   std::vector<CellShare> shares_;
-  std::size_t last_ = 0;  // of the last call: most calls ask for the same cell again
+  std::size_t last_ = 0;  // index of the last call, because most calls ask for the same cell again
 };
 
 }  // namespace gvd

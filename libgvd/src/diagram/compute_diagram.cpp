@@ -1,12 +1,12 @@
 // The whole pipeline: a working mesh, in which every generator is a vertex; distances by the solver; bisectors by the
 // tracer, in rounds that connect every cell; and the cells.
 //
-// Any solver works with any tracer. The envelope tracer reads a `DistanceField`, the tracers of the paper read the
-// generator tables of the faces: each solver provides both. What follows the tracer is the same for all methods.
+// Any solver works with any tracer. The envelope tracer reads a `DistanceField`, and the tracers of the paper read the
+// generator tables of the faces. Each solver provides both. The steps after the tracer are the same for all methods.
 // Source: section 4 of the paper, whose steps `Method::paper` keeps one by one. The paper's complexity is O((n + m) log
 // (n + m)); marching in buckets is linear in its events, and everything after it is linear in the faces.
-// Invariant: a run throws before it begins, or says in its report what it could not do. Symbolic offsets decide ties in
-// every step and are taken out of the distances at the end.
+// Invariant: a run throws before it begins, or its report says what it could not do. Symbolic offsets decide ties in
+// every step, and are taken out of the distances at the end.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,17 +43,17 @@ double least_weight(const std::vector<double>& weights) {
   return weights.empty() ? 0 : *std::ranges::min_element(weights);
 }
 
-/// How much longer the distances of each generator are made before they are compared: by their weights, which must not
-/// be negative for that, and by the symbolic offsets of marching.
+/// How much is added to the distances of each generator before they are compared: the weights, made non-negative, and
+/// the symbolic offsets of marching.
 struct AddedLengths {
-  std::vector<double> weights = {};  ///< >= 0, the least is 0; empty without
+  std::vector<double> weights = {};  ///< >= 0, the least is 0; empty if there are none
   SymbolicOffset symbolic = {};
 
   double of(GeneratorId g) const { return symbolic.of(g) + (weights.empty() || !g.valid() ? 0 : weights[g.index()]); }
 };
 
-/// Labels and distances of the input's own vertices, without what was added to them. A vertex that was relabelled keeps
-/// the distance from its nearest generator.
+/// Takes the labels and distances of the input's own vertices, and subtracts the added lengths. A vertex that was
+/// relabelled keeps the distance from its nearest generator.
 void take_vertex_labels(const WorkingMesh& working, const TracedDiagram& traced, const AddedLengths& added,
                         Diagram& diagram) {
   const NearestLabels& nearest = traced.nearest();
@@ -79,7 +79,7 @@ TracedDiagram trace_tables(const WorkingMesh& working, const GeneratorTable& tab
 /// The result of solver and tracer, for the steps that all methods share.
 struct Traced {
   TracedDiagram diagram;
-  AddedLengths added;  ///< contained in the distances of the labels
+  AddedLengths added;  ///< lengths that the distances of the labels contain
 };
 
 Traced trace_marched(const WorkingMesh& working, const FastMarchingResult& marched, const DiagramOptions& options,
@@ -95,7 +95,7 @@ Traced trace_marched(const WorkingMesh& working, const FastMarchingResult& march
   return {trace_connected(working, std::move(labels), tracer, options.progress), {.symbolic = marched.offset}};
 }
 
-/// The first generator with a vertex that another one is nearer to by their weights.
+/// The first generator to whose own vertex another generator is nearer, by their weights.
 std::optional<HiddenGenerator> find_hidden(const WorkingMesh& working, const WindowField& field) {
   for (const GeneratorId g : working.generator_vertices().ids()) {
     const GeneratorId owner = field.label[working.vertex(g)];
@@ -128,7 +128,7 @@ Traced trace_windows(const WorkingMesh& working, const WindowField& field, const
   return {trace_connected(working, std::move(labels), tracer, options.progress), {from_zero(options.weights)}};
 }
 
-/// How many faces have each class: n1, n2 and n3 of section 4.4 of the paper.
+/// The number of faces in each class: n1, n2 and n3 of section 4.4 of the paper.
 FaceClassCounts count_face_classes(const Mesh& mesh, const IdVector<VertexId, GeneratorId>& label) {
   FaceClassCounts counts;
   for (const FaceId f : mesh.faces()) {
@@ -179,7 +179,8 @@ Diagram compute_by_tables(const Mesh& mesh, const std::vector<SurfacePoint>& gen
   return diagram;
 }
 
-/// All steps of the exact solver, after the working mesh; up to the windows if they tell that a generator has no cell.
+/// Runs all steps of the exact solver after the working mesh. Stops after the windows if a generator has no cell, and
+/// returns that generator.
 std::optional<HiddenGenerator> trace_and_read(const WorkingMesh& working, const DiagramOptions& options,
                                               KeepWindows keep, const WindowReader& read, Diagram& diagram) {
   const ParallelChunks parallel(options.threads, options.progress);
@@ -216,7 +217,7 @@ void check_diagram_options(const DiagramOptions& options) {
   }
   if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
   if (!options.weights.empty() && options.method != Method::exact) {
-    throw Error(ErrorCode::invalid_option, "only the exact method takes weights");
+    throw Error(ErrorCode::invalid_option, "weights need the exact method; choose it, or leave them out");
   }
 }
 
@@ -224,12 +225,12 @@ void check_weights(const std::vector<double>& weights, std::size_t generators) {
   if (weights.empty()) return;
   if (weights.size() != generators) {
     throw Error(ErrorCode::invalid_option,
-                fmt::format("the weights are {} and the generators {}; give one for each", weights.size(), generators));
+                fmt::format("there are {} weights for {} generators; give one for each", weights.size(), generators));
   }
   const auto bad = std::ranges::find_if(weights, [](double w) { return !std::isfinite(w); });
   if (bad == weights.end()) return;
-  throw Error(ErrorCode::invalid_option, fmt::format("weight {} is {}", bad - weights.begin(), *bad),
-              bad - weights.begin());
+  throw Error(ErrorCode::invalid_option,
+              fmt::format("weight {} is {}; give a finite number", bad - weights.begin(), *bad), bad - weights.begin());
 }
 
 Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
@@ -271,11 +272,12 @@ Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoin
 }
 
 Error HiddenGenerator::error() const {
-  return Error(ErrorCode::precondition,
-               fmt::format("generator {} has no cell: by their weights, generator {} is nearer even there; weights of "
-                           "two generators must differ by less than their distance",
-                           generator.value(), nearer.value()),
-               generator.value());
+  return Error(
+      ErrorCode::precondition,
+      fmt::format("generator {} has no cell, because with these weights generator {} is nearer even at its place; "
+                  "weights of two generators must differ by less than their distance",
+                  generator.value(), nearer.value()),
+      generator.value());
 }
 
 std::variant<Diagram, HiddenGenerator> try_to_compute_and_read(const Mesh& mesh,
@@ -294,8 +296,10 @@ std::variant<Diagram, HiddenGenerator> try_to_compute_and_read(const Mesh& mesh,
 
 Diagram compute_diagram(const Mesh& mesh, const std::vector<GeneratorCurve>& curves, const DiagramOptions& options) {
   check_diagram_options(options);
-  if (options.method != Method::exact) throw Error(ErrorCode::invalid_option, "only the exact method takes curves");
-  if (!options.weights.empty()) throw Error(ErrorCode::invalid_option, "curves have no weights");
+  if (options.method != Method::exact)
+    throw Error(ErrorCode::invalid_option, "curves need the exact method; choose it, or give points");
+  if (!options.weights.empty())
+    throw Error(ErrorCode::invalid_option, "diagrams of curves take no weights; leave them out");
   Diagram diagram;
   const WorkingMesh working(mesh, curves, options.progress);
   diagram.curves = curves;

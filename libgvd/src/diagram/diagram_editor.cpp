@@ -1,13 +1,14 @@
 // A diagram that follows changes of its generators.
 //
 // A change of one generator leaves most windows, crossings and arcs as they are. `EditableWindows` finds the faces
-// whose windows change, and `RetracingTracer` traces these. Labels, bisectors and cells are then collected as in
-// `compute_diagram`. Beyond the neighbourhood of the change there is only copying and counting: the working mesh, the
-// lists of crossings and arcs, the sums of the cells. With a hundred generators, this takes most of the time.
-// A generator that is removed leaves its number to the last one. Otherwise all later numbers would change, and with
+// whose windows change, and `RetracingTracer` traces these faces again. Labels, bisectors and cells are then collected
+// as in `compute_diagram`. Outside the neighbourhood of the change, data is only copied and counted: the working mesh,
+// the lists of crossings and arcs, the sums of the cells. With a hundred generators, this takes most of the time.
+// When a generator is removed, the last generator gets its number. Otherwise all later numbers would change, and with
 // them the ties that numbers decide.
-// Source: none. Invariant: the diagram is that of `compute_diagram` with the same generators, except where shortest
-// paths tie to the last bit.
+// Source: none.
+// Invariant: the diagram is that of `compute_diagram` with the same generators, except where shortest paths tie to the
+// last bit.
 #include "gvd/diagram_editor.hpp"
 
 #include <fmt/format.h>
@@ -41,15 +42,15 @@ std::vector<VertexId> vertices_of(const Mesh& mesh, const std::vector<FaceId>& f
   return vertices;
 }
 
-/// The labels of the windows, of which only those near the change are looked at for support.
+/// The labels of the windows. Only vertices near the change are tested for support.
 NearestLabels labels_of(const WorkingMesh& working, const WindowField& windows, const KnownTrace& known) {
-  std::vector<VertexId> before;  // by their present numbers; inserted vertices are generators, or have changed
+  std::vector<VertexId> before;  // input vertices keep their numbers; inserted ones are generators, or have changed
   const auto is_of_input = [&](VertexId v) { return v.value() < working.input().vertex_count(); };
   std::ranges::copy_if(known.traced.nearest().unsupported, std::back_inserter(before), is_of_input);
   return take_labels(working, windows.distance, windows.label, before, vertices_of(working.mesh(), known.changed));
 }
 
-/// Whether crossings can stay: their symbolic offsets are the same for both numbers of generators.
+/// Whether crossings can stay because their symbolic offsets are the same for both numbers of generators.
 bool have_same_offsets(const Mesh& mesh, std::size_t before, std::size_t after) {
   const double diagonal = mesh.bbox_diagonal();
   return SymbolicOffset::of_envelope(diagonal, before).step == SymbolicOffset::of_envelope(diagonal, after).step;
@@ -72,19 +73,19 @@ struct DiagramEditor::State {
   TracedDiagram traced{};
   Diagram diagram{};
   std::int32_t propagated = 0;
-  bool is_current = false;  ///< whether the windows are those of the diagram: not after an interruption
+  bool is_current = false;  ///< whether the windows are those of the diagram; false after an interruption
 };
 
 void DiagramEditor::State::check(GeneratorId g) const {
   const std::vector<SurfacePoint>& points = diagram.generators;
   if (g.valid() && g.index() < points.size()) return;
   throw Error(ErrorCode::precondition,
-              fmt::format("there is no generator {} among {}", g.value(),
+              fmt::format("there is no generator {}; the diagram has {}", g.value(),
                           counted(std::ssize(points), "generator", "generators")),
               g.value());
 }
 
-/// Takes over what a change has computed. Throws nothing.
+/// Takes over the result of a change. Throws nothing.
 void DiagramEditor::State::take(std::unique_ptr<WorkingMesh> new_working, TracedDiagram new_traced, Diagram next) {
   working = std::move(new_working);
   traced = std::move(new_traced);
@@ -111,15 +112,15 @@ void DiagramEditor::State::compute(std::vector<SurfacePoint> generators) {
   take(std::move(after), std::move(new_traced), std::move(next));
 }
 
-/// Refused generators throw before the windows change. An interruption loses the windows, so that the next change
-/// starts from scratch.
+/// If the generators are refused, this throws before the windows change. An interruption loses the windows, so that the
+/// next change starts from scratch.
 void DiagramEditor::State::change(std::vector<SurfacePoint> generators, const ChangedGenerators& changed) {
   auto after = std::make_unique<WorkingMesh>(mesh, generators, options.progress);
   if (!std::exchange(is_current, false)) return compute(std::move(generators));
   const CommonElements common = find_common_elements(*working, *after, changed);
   WindowChange update = windows->update({*working, *after, common, changed}, options.progress);
   if (!have_same_offsets(mesh, diagram.generators.size(), generators.size())) {
-    update.is_changed.assign(update.is_changed.size(), 1);  // not `changed`: labels are the same elsewhere
+    update.is_changed.assign(update.is_changed.size(), 1);  // not `changed`, because labels are the same elsewhere
   }
   const KnownTrace known{working->mesh(), traced, common, update.is_changed, update.changed};
   const WindowField& field = windows->field();
@@ -132,7 +133,7 @@ void DiagramEditor::State::change(std::vector<SurfacePoint> generators, const Ch
   next.generators = std::move(generators);
   next.report.propagation_events = field.carried;
   report_progress(options.progress, steps::kCells, 0);
-  // From here on pieces move out of the present diagram. Nothing is reported, so that nothing can interrupt.
+  // From here on, pieces move out of the present diagram. No progress is reported, so that nothing can interrupt.
   const Progress silent;
   KnownPieces pieces{retracing.take_kept(), diagram.pieces};
   finish_diagram(*after, new_traced, ParallelChunks(options.threads, silent), next, &pieces);

@@ -1,4 +1,4 @@
-// The options of a diagram, for users.
+// Describes the options of a diagram for users.
 
 #include "gvd/diagram_options.hpp"
 
@@ -22,7 +22,7 @@ void describe_rules(OptionList& list, const DiagramOptions& options) {
              }});
   list.rule({"front", {"method", "chord_tolerance"}, [&options](const Given&) -> std::string {
                if (options.method != Method::exact) return "";
-               return "\1front\2 does nothing here: add \1method=gbgvd\2 or \1method=paper\2, or leave "
+               return "\1front\2 has no effect here: add \1method=gbgvd\2 or \1method=paper\2, or leave "
                       "\1front\2 out";
              }});
 }

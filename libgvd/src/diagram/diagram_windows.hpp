@@ -13,29 +13,30 @@
 
 namespace gvd {
 
-/// Reads the windows from which a diagram was traced. They live during the call only.
+/// A function that reads the windows from which a diagram was traced. They are valid only during the call.
 using WindowReader = std::function<void(const WorkingMesh&, const WindowField&, const Diagram&)>;
 
-/// The distances at which generators with these weights start: the weights less the least one. Empty for none.
+/// The distances at which generators with these weights start: the weights minus the least weight. Empty if there are
+/// none.
 std::vector<double> from_zero(std::vector<double> weights);
 
-/// Throws Error{invalid_option} where `compute_diagram` does.
+/// Throws the Error{invalid_option} that `compute_diagram` throws for these options.
 void check_diagram_options(const DiagramOptions& options);
 
-/// `compute_diagram` with the windows as the solver. `read` may be empty; else it is called once, at the end, with the
-/// windows that `keep` names, and with departures where that is all of them. Rounding differs between the two, because
-/// windows come in another order, and so may the points within the chord tolerance.
+/// `compute_diagram` with windows as the solver. If `read` is not empty, it is called once, at the end, with the
+/// windows that `keep` names; with KeepWindows::all they have departures. The order of windows depends on `keep`, so
+/// that distances may differ by rounding, and points of bisectors within the chord tolerance.
 Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                  const DiagramOptions& options, KeepWindows keep, const WindowReader& read);
 
-/// A generator without a cell: by their weights, another one is nearer even at its own place.
+/// A generator without a cell: by their weights, another generator is nearer even at this generator's own position.
 struct HiddenGenerator {
   GeneratorId generator, nearer;
-  Error error() const;  ///< that `compute_diagram` throws then
+  Error error() const;  ///< the error that `compute_diagram` throws in this case
 };
 
-/// The same for weights that may leave a generator without a cell: returns the first such generator in place of an
-/// error, without a call of `read`.
+/// The same for weights that may leave a generator without a cell. Instead of throwing an error, it returns the first
+/// such generator, and does not call `read`.
 std::variant<Diagram, HiddenGenerator> try_to_compute_and_read(const Mesh& mesh,
                                                                const std::vector<SurfacePoint>& generators,
                                                                const DiagramOptions& options, KeepWindows keep,

@@ -2,9 +2,9 @@
 //
 // Every segment of a bisector is cut into panels with four Gauss-Lobatto samples each. Neighbouring panels share the
 // sample between them.
-// Source: equations (11) and (12); the paper names no quadrature. The points of a bisector between two vertices of it
-// are taken to lie on the straight segment, as they are drawn and written.
-// Invariant: each generator is asked for its distances once, and the sums run in the order of the bisectors.
+// Source: equations (11) and (12); the paper names no quadrature. Between two vertices of a bisector, its points are
+// taken to lie on the straight segment, as it is drawn and written.
+// Invariant: there is one query for each generator, and the sums run in the order of the bisectors.
 #include "gvd/error_measure.hpp"
 
 #include <fmt/format.h>
@@ -29,8 +29,8 @@ struct Panel {
   double length;
 };
 
-/// A point with its two distances, which come from two queries.
-struct Sample {
+/// A point with its two distances, which two queries answer.
+struct SampledPoint {
   SurfacePoint point;
   BisectorId bisector;
   double left = 0;
@@ -43,7 +43,7 @@ struct Sample {
 
 /// The samples along all bisectors. Neighbouring panels share the sample between them.
 struct BisectorSamples {
-  std::vector<Sample> samples;
+  std::vector<SampledPoint> samples;
   std::vector<Panel> panels;
 
   std::size_t add(BisectorId id, const SurfacePoint& point) {
@@ -55,10 +55,12 @@ struct BisectorSamples {
 void check_bisector(const Mesh& mesh, const Diagram& diagram, BisectorId id) {
   const Bisector& bisector = diagram.bisectors[id];
   const auto check_point = [&](const SurfacePoint& p) {
-    if (!p.face.valid() || p.face.value() >= mesh.face_count()) refuse(id, "refers to no face of the mesh");
+    if (!p.face.valid() || p.face.value() >= mesh.face_count())
+      refuse(id, "refers to a face that the mesh does not have");
   };
   for (const GeneratorId g : {bisector.left, bisector.right}) {
-    if (!g.valid() || g.index() >= diagram.generators.size()) refuse(id, "refers to no generator of the diagram");
+    if (!g.valid() || g.index() >= diagram.generators.size())
+      refuse(id, "refers to a generator that the diagram does not have");
     check_point(diagram.generators[g.index()]);
   }
   std::ranges::for_each(bisector.points, check_point);
@@ -72,7 +74,7 @@ void sample_bisector(const Mesh& mesh, BisectorId id, const Bisector& bisector, 
   const std::size_t segments = bisector.closed ? count : count - 1;
   for (std::size_t i = 0; i < segments; ++i) {
     const auto view = find_common_view(mesh, bisector.points[i], bisector.points[(i + 1) % count]);
-    if (!view) refuse(id, fmt::format("has no face in common for its points {} and {}", i, (i + 1) % count));
+    if (!view) refuse(id, fmt::format("has two points, {} and {}, that no face contains", i, (i + 1) % count));
     const auto& [a, b] = *view;
     const double length = (position(mesh, b) - position(mesh, a)).norm();
     if (length == 0) continue;
@@ -88,8 +90,8 @@ void sample_bisector(const Mesh& mesh, BisectorId id, const Bisector& bisector, 
   }
 }
 
-/// Queries and stores the distances of all samples with their weights, in one query for each generator.
-void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sample>& samples) {
+/// Queries and stores the distances of all samples, weights included, with one query for each generator.
+void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<SampledPoint>& samples) {
   struct Wanted {
     std::vector<SurfacePoint> points;
     std::vector<double*> slots;
@@ -99,7 +101,7 @@ void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sa
     by_generator[g].points.push_back(point);
     by_generator[g].slots.push_back(&slot);
   };
-  for (Sample& sample : samples) {
+  for (SampledPoint& sample : samples) {
     want(diagram.bisectors[sample.bisector].left, sample.point, sample.left);
     want(diagram.bisectors[sample.bisector].right, sample.point, sample.right);
   }
@@ -117,13 +119,13 @@ void measure(const Diagram& diagram, const ExactDistances& exact, std::vector<Sa
   }
 }
 
-/// d_left - d_right; infinite if either is, since infinity - infinity has no value.
-double difference(const Sample& sample) {
+/// d_left - d_right; infinite if either is, because infinity - infinity has no value.
+double difference(const SampledPoint& sample) {
   const double d = sample.left - sample.right;
   return std::isfinite(d) ? d : kInfinity;
 }
 
-double integrate(const Panel& panel, const std::vector<Sample>& samples) {
+double integrate(const Panel& panel, const std::vector<SampledPoint>& samples) {
   std::array<double, 4> values{};
   for (std::size_t i = 0; i < 4; ++i) {
     values[i] = difference(samples[panel.samples[i]]);
@@ -149,7 +151,7 @@ ErrorMeasure compute_error_measure(const Mesh& mesh, const Diagram& diagram, con
     result.error_integral += integrate(panel, sampled.samples);
     result.length += panel.length;
   }
-  for (const Sample& sample : sampled.samples) {
+  for (const SampledPoint& sample : sampled.samples) {
     result.error_max = std::max(result.error_max, std::abs(difference(sample)));
   }
   if (result.length > 0) result.error_mean = result.error_integral / result.length;

@@ -8,8 +8,8 @@
 
 namespace gvd {
 
-/// Turns a traced diagram of exact distances without weights into the `Diagram` of the input, which has its generators.
-/// Fills in all that is not counted by the solver. `known`: null if all pieces are to be traced.
+/// Turns a traced diagram of exact distances without weights into the `Diagram` of the input. `diagram` must have its
+/// generators already. Fills in everything except the solver's counts. `known` is null if all pieces have to be traced.
 void finish_diagram(const WorkingMesh& working, const TracedDiagram& traced, const ParallelChunks& parallel,
                     Diagram& diagram, KnownPieces* known = nullptr);
 

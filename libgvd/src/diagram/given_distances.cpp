@@ -1,9 +1,10 @@
-// Distances that the caller gives, row by row, as the tables that tracers read.
+// Makes the tables that tracers read from distances that the caller gives row by row.
 //
-// A row is checked, completed on the vertices of the working mesh, and merged into the candidates of every face: those
-// generators that no other one beats at all three corners (equation (3) of the paper). No update of a front decreases
-// when its distances grow, so a beaten generator is nowhere the nearest in the face. After the last row the candidates
-// become the tables. So memory holds one row and the candidates, whatever the number of generators.
+// A row is checked, completed on the vertices of the working mesh, and merged into the candidates of every face: the
+// generators that no other generator beats at all three corners (equation (3) of the paper). No update of a front
+// decreases when its distances grow, so that a beaten generator is nowhere the nearest in the face. After the last row,
+// the candidates become the tables. Memory therefore holds only one row and the candidates, whatever the number of
+// generators.
 // Source: section 4.1 of the paper for the tables and the test.
 // Invariant: the result depends on the rows alone. Candidates of a face are ascending by generator, and the offsets
 // that decide ties are those of marching.
@@ -24,33 +25,33 @@
 namespace gvd {
 namespace {
 
-using Corners = std::array<double, 3>;
+using CornerDistances = std::array<double, 3>;
 
-/// The least distance of a generator at another one's vertex, in lengths of the shortest edge there. What is nearer
-/// would win the vertex that the other one owns; the bisector moves by half of this.
+/// The least distance of a generator from another generator's vertex, in lengths of the shortest edge there. A nearer
+/// generator would win the vertex that the other one owns. The bisector moves by half of this.
 constexpr double kLeastSeparation = 1e-3;
 
 /// Whether the first generator is nearer at all corners of a face.
-bool beats(const Corners& a, const Corners& b) { return a[0] < b[0] && a[1] < b[1] && a[2] < b[2]; }
+bool beats(const CornerDistances& a, const CornerDistances& b) { return a[0] < b[0] && a[1] < b[1] && a[2] < b[2]; }
 
-/// A generator that may be the nearest one of points of a face, with its distances at the corners.
-struct Candidate {
+/// A generator that may be the nearest one for some points of a face, with its distances at the corners.
+struct Contender {
   GeneratorId generator;
-  Corners distance{};
+  CornerDistances distance{};
 };
 
-/// Adds a generator to those of a face, unless one of them beats it; removes those that it beats.
-void merge(std::vector<Candidate>& candidates, const Candidate& added) {
-  const auto beats_added = [&](const Candidate& c) { return beats(c.distance, added.distance); };
+/// Adds a generator to the candidates of a face, unless one of them beats it, and removes the candidates that it beats.
+void merge(std::vector<Contender>& candidates, const Contender& added) {
+  const auto beats_added = [&](const Contender& c) { return beats(c.distance, added.distance); };
   if (std::ranges::any_of(candidates, beats_added)) return;
-  std::erase_if(candidates, [&](const Candidate& c) { return beats(added.distance, c.distance); });
+  std::erase_if(candidates, [&](const Contender& c) { return beats(added.distance, c.distance); });
   candidates.push_back(added);
 }
 
 /// The distances of one generator to the vertices of the working mesh.
 using DistanceRow = IdVector<VertexId, double>;
 
-/// Goes on along the edges from the vertices whose distance is known.
+/// Fills in unknown distances along the edges from the vertices whose distances are known.
 void extend_row(const Mesh& mesh, DistanceRow& row) {
   using Offer = std::pair<double, VertexId>;
   std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
@@ -71,7 +72,7 @@ void extend_row(const Mesh& mesh, DistanceRow& row) {
   }
 }
 
-/// The distance at a point of the input, linear in its face.
+/// The distance at a point of the input, interpolated linearly in its face.
 double interpolate_row(const Mesh& input, const SurfacePoint& point, const DistanceRow& row) {
   double distance = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -89,7 +90,7 @@ void check_distance(GeneratorId g, VertexId v, double d) {
               v.value());
 }
 
-GeneratorTable make_table(const Mesh& mesh, const IdVector<FaceId, std::vector<Candidate>>& candidates) {
+GeneratorTable make_table(const Mesh& mesh, const IdVector<FaceId, std::vector<Contender>>& candidates) {
   GeneratorTable table(mesh.vertex_count(), mesh.face_count());
   for (const FaceId f : mesh.faces()) {
     for (const auto& [generator, distance] : candidates[f]) {
@@ -109,13 +110,13 @@ FastMarchingResult tabulate_distances(const WorkingMesh& working, const std::vec
   const auto offset = SymbolicOffset::of_marching(mesh.mean_edge_length(), generators.size());
   const IdVector<FaceId, std::int32_t> component = compute_face_components(mesh);
   const auto component_of = [&](VertexId v) { return component[Mesh::face(mesh.halfedge(v))]; };
-  IdVector<GeneratorId, double> separation;  // least distance of the others at its vertex
+  IdVector<GeneratorId, double> separation;  // least distance of other generators from its vertex
   for (const VertexId v : working.generator_vertices()) {
     double shortest = kInfinity;
     for_each_neighbour(mesh, v, [&](VertexId, HalfedgeId h) { shortest = std::min(shortest, mesh.length(h)); });
     separation.push_back(kLeastSeparation * shortest);
   }
-  IdVector<FaceId, std::vector<Candidate>> candidates(mesh.face_count());
+  IdVector<FaceId, std::vector<Contender>> candidates(mesh.face_count());
   DistanceRow row;
   for (const GeneratorId g : working.generator_vertices().ids()) {
     report_progress(progress, steps::kDistances, double(g.value()) / double(generators.size()));
@@ -129,7 +130,7 @@ FastMarchingResult tabulate_distances(const WorkingMesh& working, const std::vec
         row[v] = kInfinity;
       }
     }
-    // The solver does not know the generators that are vertices of the working mesh alone.
+    // The solver does not know vertices that only the working mesh has.
     for (const GeneratorId other : working.generator_vertices().ids()) {
       const VertexId v = working.vertex(other);
       if (component_of(v) != own_component) continue;

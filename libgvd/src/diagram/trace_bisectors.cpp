@@ -1,13 +1,14 @@
-// The last stop of an arc: from arcs inside faces to bisectors from branch point to branch point.
+// Joins the arcs inside faces to bisectors from branch point to branch point.
 //
-// Every crossing ends one arc in each of its faces, and every branch point ends the arcs of its ring. So a bisector is
-// a chain: it begins at a branch point or on the mesh's boundary, and goes on at each crossing with the other arc
-// there. Arcs that remain belong to closed bisectors. The chains are found first, by one thread; several threads then
-// compute their points, in the faces of the input mesh, and the lengths are added in the order of the bisectors.
+// At every crossing, one arc in each of its faces ends, and at every branch point, the arcs of its ring end. A bisector
+// is therefore a chain: it begins at a branch point or on the mesh's boundary, and continues at each crossing with the
+// other arc there. Arcs that remain belong to closed bisectors. The chains are found first, by one thread; several
+// threads then compute their points, in the faces of the input mesh, and the lengths are added in the order of the
+// bisectors.
 //
 // Source: the paper's bisectors grow as wholes (section 4.3); here they follow from the arcs of any tracer.
-// Invariant: every arc belongs to exactly one bisector, and the cell on its left is one and the same all along it. Ends
-// that nothing continues, inside the mesh, are counted: a sound diagram has none.
+// Invariant: every arc belongs to exactly one bisector, and the cell on a bisector's left is the same all along it.
+// Ends inside the mesh that no arc continues are counted; a valid diagram has none.
 #include "diagram/trace_bisectors.hpp"
 
 #include <algorithm>
@@ -21,10 +22,10 @@ namespace {
 
 constexpr std::int32_t kNoArc = -1;
 
-/// Arcs of the bisectors in a chunk.
+/// Number of arcs of the bisectors in a chunk.
 constexpr std::size_t kChunkArcs = 512;
 
-/// The arcs that end at each crossing, two at most, and at each branch point, counter-clockwise.
+/// The arcs that end at each crossing, at most two, and at each branch point, counter-clockwise.
 struct ArcLinks {
   IdVector<CrossingId, std::array<std::int32_t, 2>> at_crossing;
   IdVector<BranchPointId, std::vector<std::int32_t>> at_branch;
@@ -74,8 +75,8 @@ struct ArcChain {
 std::vector<ArcChain> find_chains(const std::vector<FaceArc>& arcs, const ArcLinks& links) {
   std::vector<ArcChain> chains;
   std::vector<bool> visited(arcs.size(), false);
-  // Adds the chain that begins with `arc` at `from`, if that arc is new: it ends at a branch point, at a crossing where
-  // no further arc begins, or where it began.
+  // Adds the chain that begins with `arc` at `from`, if that arc is new. The chain ends at a branch point, at a
+  // crossing where no further arc begins, or where it began.
   const auto follow = [&](std::int32_t arc, const ArcEnd& from, bool closed) {
     if (visited[arc]) return;
     ArcChain& chain = chains.emplace_back(ArcChain{from, from, closed, {}});
@@ -102,12 +103,12 @@ std::vector<ArcChain> find_chains(const std::vector<FaceArc>& arcs, const ArcLin
   return chains;
 }
 
-/// A point of a face of the working mesh, in the input's faces.
+/// A point of a face of the working mesh as a point of the input.
 SurfacePoint input_point(const WorkingMesh& working, FaceId f, const Bary& bary) {
   return make_surface_point(working.parent(f), working.parent_bary(f, bary));
 }
 
-/// All points of a bisector, in the input's faces, except for the first one of a closed bisector.
+/// All points of a bisector, in the input's faces. For a closed bisector, the first point is not repeated.
 std::vector<SurfacePoint> build_polyline(const WorkingMesh& working, const TracedDiagram& traced,
                                          const ArcChain& chain) {
   const auto point = [&](const ArcEnd& end) {

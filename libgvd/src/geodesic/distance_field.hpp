@@ -25,40 +25,42 @@ struct EdgeSource {
   double offset;      ///< distance from the generator to the image
   GeneratorId generator;
 
-  /// The parallel paths from a segment of a curve: lengths start + slope t. A negative depth, which no image has, tells
-  /// them; `x` is the slope then.
+  /// Makes the source of the parallel paths from a segment of a curve, whose lengths are start + slope t. A negative
+  /// depth, which no image has, marks such a source; `x` is the slope then.
   static EdgeSource parallel(double begin, double end, double slope, double start, GeneratorId g) {
     return {begin, end, slope, -1, start, g};
   }
   bool is_parallel() const { return depth < 0; }
 
-  /// Length of the straight path to t: a path of the surface for t in [begin, end].
+  /// Length of the straight path to t. It lies on the surface only for t in [begin, end].
   double straight(double t) const {
     if (is_parallel()) [[unlikely]]
       return offset + x * t;
     return offset + std::sqrt((t - x) * (t - x) + depth * depth);
   }
-  /// Derivative of that length, where it is not `offset`. `length`: straight(t).
+  /// Derivative of straight(t). `length` is straight(t), and must differ from `offset` unless paths are parallel.
   double slope(double t, double length) const { return is_parallel() ? x : (t - x) / (length - offset); }
-  /// The least of the lengths on the interval.
+  /// The least length of a straight path to the interval.
   double least() const { return is_parallel() ? straight(x > 0 ? begin : end) : straight(std::clamp(x, begin, end)); }
-  /// Length of the path to t that is straight to the interval, then follows the edge. Continuous in t.
+  /// Length of the path to t that runs straight to the nearest point of the interval and then along the edge. It is
+  /// continuous in t.
   double distance(double t) const {
     const double nearest = std::clamp(t, begin, end);
     return straight(nearest) + std::abs(t - nearest);
   }
 };
 
-/// Straight paths that enter a face through the same opening. In the coordinates of the face's layout (FaceLayout).
+/// The straight paths from one image, or from one segment of a curve, that enter a face through the same opening.
+/// Points are in the coordinates of the face's layout (FaceLayout).
 struct FaceSource {
   enum class Kind : std::uint8_t {
     window,    ///< from an image, through an interval of a side
-    corner,    ///< from a corner of the face: it is the image and the opening
+    corner,    ///< from a corner of the face, which is both image and opening
     parallel,  ///< from a segment of a curve at right angles, through an interval of a side
   };
-  Vec2 image;       ///< of parallel paths their direction: use direction()
+  Vec2 image;       ///< for parallel paths, their direction: use direction()
   Vec2 begin, end;  ///< the opening's left and right end, as seen from the image
-  double offset;    ///< distance from the generator to the image; of parallel paths -infinity, which bounds nothing
+  double offset;    ///< distance from the generator to the image; -infinity, which bounds nothing, for parallel paths
   GeneratorId generator;
   HalfedgeId halfedge;  ///< the side of the opening; for a corner the halfedge that leaves it
   Kind kind;
@@ -72,17 +74,19 @@ struct FaceSource {
   /// The unit vector of parallel paths.
   const Vec2& direction() const { return image; }
 
-  /// A path that makes a smaller angle with its opening, in radians, enters at the nearer end: where it crosses is
-  /// rounding, and the path round that end is longer by half the square of the angle at most, 5e-19 of itself.
+  /// A path whose angle with its opening is smaller than this, in radians, is taken to enter at the nearer end.
+  /// Rounding alone would decide where it crosses the opening, and the path round that end is longer by at most half
+  /// the square of the angle, 5e-19 of itself.
   static constexpr double kEdgeOn = 1e-9;
 
   struct Path {
     double distance;  ///< length of the whole path
     Vec2 from;        ///< beginning of its last straight piece
   };
-  /// The shortest path of this source to p: straight where the image sees p through the opening, round an end of the
-  /// opening elsewhere. Always a path of the surface, so its length is an upper bound of the distance; continuous in p.
-  /// In the innermost loop over sources: a call would cost a quarter of it.
+  /// The shortest path of this source to p: straight if the image sees p through the opening, otherwise round an end of
+  /// the opening. It always lies on the surface, so its length is an upper bound of the distance; the length is
+  /// continuous in p. It is always inlined, because a call would take a quarter of the time of the innermost loop over
+  /// sources.
   [[gnu::always_inline]] Path shortest_path(const Vec2& p) const {
     if (is_parallel()) [[unlikely]]
       return shortest_parallel_path(p);
@@ -93,24 +97,26 @@ struct FaceSource {
   }
   [[gnu::always_inline]] double distance(const Vec2& p) const { return shortest_path(p).distance; }
 
-  /// Where the line of a straight path to p passes an end of the opening on its left, this cross product is > 0; < 0 on
-  /// its right. Times the length of the path, unless paths are parallel.
+  /// Tells on which side of the straight line to p an end of the opening lies: > 0 on its left, < 0 on its right. The
+  /// value is the distance from the line, times the length of the line unless paths are parallel.
   double beside(const Vec2& p, const Vec2& opening_end) const {
     return is_parallel() ? cross(direction(), opening_end - p) : cross(p - image, opening_end - image);
   }
-  /// The same for parallel paths. A straight one begins at a point of the segment.
+  /// `shortest_path` for parallel paths. A straight path begins at a point of the segment.
   Path shortest_parallel_path(const Vec2& p) const {
     if (beside(p, begin) < 0) return {distance_begin + (p - begin).norm(), begin};
     if (beside(p, end) > 0) return {distance_end + (p - end).norm(), end};
     return {straight_parallel(p), origin(p)};
   }
   double straight_parallel(const Vec2& p) const { return distance_begin + direction().dot(p - begin); }
-  /// The image, or the point of the segment from which a straight path comes to p.
+  /// Where the straight path to p begins: the image or, for parallel paths, a point of the segment.
   Vec2 origin(const Vec2& p) const { return is_parallel() ? p - straight_parallel(p) * direction() : image; }
-  /// The point where that path enters the face: the one of the opening that is nearest to the line from the image to p.
+  /// The point where the path to p enters the face. It is the point of the opening that is nearest to the line from the
+  /// image to p.
   Vec2 entry(const Vec2& p) const {
     if (is_corner()) return image;
-    // Twice the areas between the line from the image to p and the two ends: >= 0 where the line crosses the opening.
+    // Twice the areas of the triangles between the line from the image to p and the two ends. Both are >= 0 if the line
+    // crosses the opening.
     const double to_begin = beside(p, begin), to_end = -beside(p, end);
     const double sine = to_begin + to_end, square = is_parallel() ? 1 : (p - image).squaredNorm();  // times lengths
     if (to_begin <= 0 || to_end <= 0 || sine * sine <= kEdgeOn * kEdgeOn * (end - begin).squaredNorm() * square) {
@@ -120,11 +126,12 @@ struct FaceSource {
   }
 };
 
-/// The sources of an edge or of a face by generator. One object serves one list after the other, to save allocations.
+/// The sources of an edge or of a face, sorted by generator. One object is used for list after list, to save
+/// allocations.
 template <class Source>
 class SourcesByGenerator {
  public:
-  /// Takes over a list. Sources of one generator keep their order. Cost: O(k log k) for k sources.
+  /// Copies a list and sorts it. Sources of the same generator keep their order. Cost: O(k log k) for k sources.
   void build(const std::vector<Source>& sources) {
     // Numbers are sorted several times faster than sources.
     order_.resize(sources.size());
@@ -139,7 +146,8 @@ class SourcesByGenerator {
   std::vector<Source>& all() { return sources_; }
   const std::vector<Source>& all() const { return sources_; }
 
-  /// The sources of generator g. Binary search: a large face beside hundreds of small cells has thousands of sources.
+  /// The sources of generator g. They are found by binary search, because a large face beside hundreds of small cells
+  /// has thousands of sources.
   /// Cost: O(log k + sources of g).
   std::span<const Source> of(GeneratorId g) const {
     const auto begin =

@@ -24,7 +24,8 @@ struct FaceLayout {
 
   FaceLayout(const Mesh& mesh, FaceId f) {
     const auto& [l0, l1, l2] = mesh.shape(f).length;
-    // Computed from the vectors of the sides: the law of cosines cancels where side 0 is much shorter than the others.
+    // This uses the vectors of the sides, because the law of cosines loses digits if side 0 is much shorter than the
+    // others.
     const auto& [a, b, c] = mesh.vertices(f);
     const Vec3 base = mesh.position(b) - mesh.position(a), side = mesh.position(c) - mesh.position(a);
     const double height = std::max(mesh.shape(f).twice_area / l0, kLeastHeight * std::max({l0, l1, l2}));

@@ -30,8 +30,9 @@ struct TableEntry {
 
 /// The generator tables of all triangles and vertices.
 ///
-/// Nearly every vertex and triangle has one generator. So the first item of each is in the array at the index of its
-/// vertex or face. The others are a linked list, behind all first ones. Memory: about 60 bytes a face.
+/// Nearly every vertex and triangle has a single generator. The first item of each is therefore stored in an array at
+/// the index of its vertex or face. Further items form a linked list behind all first items. Memory: about 60 bytes a
+/// face.
 class GeneratorTable {
  public:
   GeneratorTable(std::int32_t vertices, std::int32_t faces)

@@ -54,8 +54,8 @@ class GeodesicWalker {
     if (walking_) enter(next->point, next->direction);
   }
 
-  /// Continues in the face of `point`. The line does not leave through a side that contains the point: only rounding
-  /// makes the direction point out of it.
+  /// Continues in the face of `point`. The line does not leave through a side that contains the point; if the direction
+  /// points out of such a side, this is only by rounding.
   void enter(const SurfacePoint& point, const Vec2& direction) {
     point_ = point;
     direction_ = direction;
@@ -139,7 +139,7 @@ class GeodesicWalker {
 GeodesicTrace trace_geodesic(const Mesh& mesh, const SurfacePoint& start, const Vec2& tangent) {
   if (!start.face.valid() || start.face.value() >= mesh.face_count()) {
     throw Error(ErrorCode::precondition,
-                fmt::format("a geodesic can't start in face {}: the mesh has {}", start.face.value(),
+                fmt::format("there is no face {} to start a geodesic in; the mesh has {}", start.face.value(),
                             counted(mesh.face_count(), "face", "faces")),
                 start.face.value());
   }

@@ -6,11 +6,11 @@
 #include "geodesic/distance_field.hpp"
 #include "gvd/vec.hpp"
 
-// The nearest of the sources of an edge or of a face.
+// Functions that find the nearest of the sources of an edge or of a face.
 
 namespace gvd {
 
-/// Replaces `best` by the path of a source to p where that is shorter. Returns whether it is.
+/// Replaces `best` by the path of a source to p if that is shorter. Returns whether it is.
 [[gnu::always_inline]] inline bool take_nearer(const FaceSource& source, const Vec2& p, FaceSource::Path& best) {
   // No path of a source is shorter than the straight one. This test costs no square root.
   const double rest = best.distance - source.offset;
@@ -21,13 +21,14 @@ namespace gvd {
   return true;
 }
 
-/// The shortest path over some sources of a face, and its source: null, and infinite, where there is none.
+/// The shortest path of several sources of a face, and its source. If there is none, the source is null and the path
+/// infinite.
 struct NearestSource {
   const FaceSource* source;
   FaceSource::Path path;
 };
 
-/// The shortest path to p over these sources; the first one of those that are equally long. Cost: O(sources).
+/// The shortest path of these sources to p; if several are equally long, that of the first source. Cost: O(sources).
 inline NearestSource nearest(std::span<const FaceSource> sources, const Vec2& p) {
   NearestSource best{nullptr, {kInfinity, p}};
   for (const FaceSource& source : sources) {
@@ -36,7 +37,7 @@ inline NearestSource nearest(std::span<const FaceSource> sources, const Vec2& p)
   return best;
 }
 
-/// The source with the shortest path to p. Ties go to the lower generator, then to the one that comes first. Null if
+/// The source with the shortest path to p. Ties go to the lower generator, then to the source that comes first. Null if
 /// there is none.
 template <class Source, class Point>
 const Source* nearest_source(const std::vector<Source>& sources, const Point& p, double& distance) {

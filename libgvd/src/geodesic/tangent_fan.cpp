@@ -1,7 +1,7 @@
 // The tangent plane of a surface point.
 //
-// Idea: round a vertex the angles of the corners follow each other. Where they do not add up to 2 pi, one factor scales
-// them all, so that a direction has an opposite one. Inside a face and on an edge the factor is 1.
+// Idea: round a vertex the angles of the corners follow each other. If they don't add up to 2 pi, one factor scales
+// them all, so that every direction has an opposite direction. Inside a face and on an edge the factor is 1.
 // Source: Polthier and Schmies, Straightest geodesics on polyhedral surfaces, 1998.
 // Invariant: the sectors of a tangent plane follow each other counter-clockwise from tangent angle 0, without gaps, and
 // have the widths of their faces' corners times `scale_`.

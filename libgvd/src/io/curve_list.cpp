@@ -1,9 +1,9 @@
-// Lists of curves: reading them, and their points and segments on a mesh.
+// Reads lists of curves, and finds their points and segments on a mesh.
 //
-// Lines of OBJ and PLY are edges between numbered vertices, often two points each. Connected ones are one curve, so
-// that it does not matter how a program parts a polyline. Points without a line are left out. JSON and text have points
-// in order.
-// Cost: O(length), and a field of distances for each two points that have to be joined.
+// OBJ and PLY store lines as edges between numbered vertices, often two vertices a line. Connected edges become one
+// curve, so that it does not matter how a program splits a polyline. Points without a line are left out. JSON and text
+// list the points of a curve in order.
+// Cost: O(length), and one field of distances for each pair of points that a shortest path has to join.
 #include "gvd/curve_list.hpp"
 
 #include <fmt/format.h>
@@ -28,8 +28,8 @@
 namespace gvd {
 namespace {
 
-/// The curves of edges between positions. Vertices that no edge has are those of the surface, or of nothing. An edge
-/// from a vertex to itself is none.
+/// Joins edges between positions to curves. Vertices without an edge belong to the surface or to nothing, and are left
+/// out. An edge from a vertex to itself is ignored.
 CurveList connect_edges(const LineSoup& soup, const std::string& name) {
   UnionFind sets(soup.positions.size());
   std::vector<bool> is_used(soup.positions.size(), false);
@@ -37,7 +37,7 @@ CurveList connect_edges(const LineSoup& soup, const std::string& name) {
     sets.unite(a, b);
     is_used[a] = is_used[b] = true;
   }
-  // Points by their curves, and curves by their first vertices.
+  // The vertices of each curve, by the representative of its set.
   std::map<std::int32_t, std::vector<std::int32_t>> curves;
   for (std::int32_t v = 0; v < std::ssize(soup.positions); ++v) {
     if (is_used[v]) curves[sets.find(v)].push_back(v);
@@ -72,7 +72,8 @@ void add_polyline(CurveList& list, const std::vector<GeneratorEntry>& points, bo
   if (closed && count > 2) list.segments.push_back({first + count - 1, first});
 }
 
-/// Adds a curve with its segments, as diagrams have it. Segments are checked here: their numbers come from the file.
+/// Adds a curve with its segments, as documents of diagrams store it. Checks the segments, because their numbers come
+/// from the file.
 void add_segments(CurveList& list, const std::vector<GeneratorEntry>& points, const nlohmann::json& segments,
                   const detail::ListLocation& location) {
   const auto first = std::int32_t(list.curve.size()), count = std::int32_t(points.size());
@@ -89,10 +90,10 @@ void add_segments(CurveList& list, const std::vector<GeneratorEntry>& points, co
   }
 }
 
-/// A blank line between two entries parts two curves; a comment does not.
+/// A blank line between two entries separates two curves; a comment does not.
 CurveList parse_text_curves(std::string_view content, const std::string& name) {
   CurveList list{{name, {}}, {}, {}};
-  std::vector<bool> is_blank;  // [line]
+  std::vector<bool> is_blank;  // for each line
   for (std::size_t start = 0; start < content.size();) {
     const std::size_t end = std::min(content.find('\n', start), content.size());
     is_blank.push_back(content.substr(start, end - start).find_first_not_of(" \t\r\v\f") == std::string_view::npos);
@@ -110,7 +111,7 @@ CurveList parse_text_curves(std::string_view content, const std::string& name) {
   return list;
 }
 
-/// Adds a curve of an array of a document. `place` names it in messages: 'element 3 of "paths"'.
+/// Adds a curve from an array of a document. `place` names it in messages: 'element 3 of "paths"'.
 void add_json_curve(CurveList& list, const nlohmann::json& curve, const std::string& place,
                     const detail::ListLocation& location) {
   if (!curve.is_object() || !curve.contains("points") || !curve["points"].is_array()) {
@@ -118,7 +119,7 @@ void add_json_curve(CurveList& list, const nlohmann::json& curve, const std::str
   }
   std::vector<GeneratorEntry> points;
   for (const nlohmann::json& point : curve["points"]) {
-    if (!point.is_object()) location.refuse(fmt::format("a point of {} is no object", place));
+    if (!point.is_object()) location.refuse(fmt::format("a point of {} is not an object", place));
     points.push_back(detail::read_object(point, location));
   }
   if (curve.contains("segments")) {
@@ -129,8 +130,8 @@ void add_json_curve(CurveList& list, const nlohmann::json& curve, const std::str
   if (!points.empty()) add_polyline(list, points, closed);
 }
 
-/// Reads the first of the arrays that is not empty. A diagram of curves has `curves` and `bisectors`: the generators
-/// are meant. Without lines for messages, since LineReader knows those of generators alone.
+/// Reads the first array that is not empty. The document of a diagram of curves has both `curves` and `bisectors`, and
+/// its generators are the curves. All messages name line 1, because LineReader records only the lines of generators.
 CurveList parse_json_curves(std::string_view content, const std::string& name) {
   const nlohmann::json document = detail::parse_document(content, name);
   const detail::ListLocation location{name, 1};
@@ -150,8 +151,8 @@ CurveList parse_json_curves(std::string_view content, const std::string& name) {
   return list;
 }
 
-/// A point nearer to a side of its face than this fraction of the height lies on it. Positions are rounded, and a point
-/// beside an edge would be seen from one of its faces only.
+/// A point that is nearer to a side of its face than this fraction of the face's height is moved onto the side.
+/// Positions are rounded, and a point just beside an edge would belong to only one of the edge's faces.
 constexpr double kOnSide = 1e-9;
 
 SurfacePoint moved_to_side(const SurfacePoint& point) {
@@ -160,8 +161,8 @@ SurfacePoint moved_to_side(const SurfacePoint& point) {
   return bary == point.bary ? point : make_surface_point(point.face, bary);
 }
 
-/// The number of each point's curve, where curves that have a point in common are one: the paths from one source, or
-/// the bisectors of a diagram. `first`: of each point, the first one in its place.
+/// The number of each point's curve, after curves with a common point were united, such as the paths from one source or
+/// the bisectors of a diagram. `first`: for each point, the first point at the same place.
 std::vector<std::int32_t> unite_touching(const std::vector<std::int32_t>& curve,
                                          const std::vector<std::int32_t>& first) {
   UnionFind sets(curve.back() + 1);
@@ -207,7 +208,7 @@ std::vector<GeneratorCurve> resolve_curves(const Mesh& mesh, const CurveList& li
   const std::vector<std::int32_t> first = find_coincident(mesh, snapped.points);
   const std::vector<std::int32_t> curve_of = unite_touching(list.curve, first);
   std::vector<GeneratorCurve> curves(*std::ranges::max_element(curve_of) + 1);
-  std::vector<std::int32_t> number;  // of each point in its curve
+  std::vector<std::int32_t> number;  // of each point within its curve
   for (std::size_t i = 0; i < curve_of.size(); ++i) {
     GeneratorCurve& curve = curves[curve_of[i]];
     const bool is_first = first[i] == std::int32_t(i);
@@ -217,7 +218,7 @@ std::vector<GeneratorCurve> resolve_curves(const Mesh& mesh, const CurveList& li
   for (const auto& [a, b] : list.segments) {
     GeneratorCurve& curve = curves[curve_of[a]];
     std::int32_t last = number[a];
-    if (last == number[b]) continue;  // two points in one place
+    if (last == number[b]) continue;  // both points are at the same place
     for (const SurfacePoint& p : join_points(mesh, snapped.points[a], snapped.points[b])) {
       curve.segments.push_back({last, std::int32_t(curve.points.size())});
       last = std::int32_t(curve.points.size());

@@ -1,9 +1,10 @@
-// The table of formats: each one's names, how its content is told, what it holds, its reader and its writer.
+// The table of formats: the names of each, how its content is recognised, what it holds, its reader and its writer.
 //
-// A mark at the beginning decides first. A binary STL has none; its length must be the one that its triangle count asks
-// for. Words decide between the other texts: OFF and solid are keywords, MNI's surfaces begin with a P and numbers, and
-// an OBJ begins with one of eleven statements. So MNI's files, which are called .obj, are not taken for Wavefront's.
-// Invariant: no content is that of two rows, so their order decides nothing but the order of lists.
+// A mark at the beginning decides first. A binary STL has no mark, but its length must follow from its number of
+// triangles. The other texts are told apart by their words: OFF and solid are keywords, MNI's surfaces begin with a P
+// and numbers, and an OBJ begins with one of eleven statements. So MNI's files, which are also called .obj, are not
+// mistaken for Wavefront's.
+// Invariant: no content matches two rows, so the order of the rows only decides the order of lists in messages.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@
 namespace gvd {
 namespace {
 
-/// Whether the first word of the first line is ply, as its reader demands, byte order mark and blanks included.
+/// Whether the first word of the first line is ply, as the reader demands. A byte order mark and blanks may precede it.
 bool is_ply(std::string_view bytes) {
   constexpr std::string_view kBlanks = " \t\v\f";
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
@@ -47,7 +48,7 @@ bool is_gltf(std::string_view bytes) {
 }
 bool is_mni_text(std::string_view bytes) { return is_mni(bytes) && !has_stl_length(bytes); }
 
-/// The word that tells other texts apart: empty where something else tells the format.
+/// The first word, which tells the other texts apart; empty if a mark or the length already decides the format.
 std::string keyword(std::string_view bytes) {
   return has_mark(bytes) || has_stl_length(bytes) ? std::string() : first_word(bytes);
 }
@@ -60,7 +61,7 @@ bool is_obj(std::string_view bytes) {
   return std::ranges::find(kStatements, keyword(bytes)) != kStatements.end();
 }
 
-/// A reader of files that refer to no others.
+/// A reader for files that refer to no other files.
 template <PolygonSoup (*parse)(std::string_view, std::string_view)>
 PolygonSoup read_alone(std::string_view bytes, std::string_view name, const std::optional<std::filesystem::path>&) {
   return parse(bytes, name);

@@ -1,13 +1,14 @@
-// Lists of generators: the format of a list, reading and writing it, and its entries as points of a mesh; and plain
-// lists of numbers.
+// Detects the format of a list of generators, reads and writes the list, and turns its entries into points of a mesh.
+// Also reads plain lists of numbers.
 //
-// The extension of a file picks its format, else its content does: JSON begins with a brace or bracket, and CSV has a
-// comma in its first line, or the header `vertex`.
-// Text keeps face and coordinates alone; the other formats write the position beside them, for other programs to read.
+// The extension of a file decides on its format; without a known extension the content decides: JSON begins with a
+// brace or bracket, and CSV has a comma in its first line, or the header `vertex`.
+// Text holds only the face and its coordinates; the other formats also hold the position, which other programs can
+// read.
 //
 // Invariant: barycentric coordinates of a surface point are kept bit by bit, so that a written list reads back bit by
-// bit, in any locale: fmt writes a double with the fewest digits that read back to the same bits. An entry is refused
-// with its name and line, whichever step finds out.
+// bit, in any locale: fmt writes a double with the fewest digits that read back to the same bits. Whichever step
+// refuses an entry, the message gives the name of the list and the line.
 #include "gvd/generator_list.hpp"
 
 #include <fmt/format.h>
@@ -33,11 +34,11 @@
 namespace gvd {
 namespace {
 
-/// Refuses content that is no list of any format.
+/// Refuses content that no format of lists allows.
 void refuse_foreign(std::string_view content, const std::string& name) {
   if (content.starts_with("\x93NUMPY")) {
     throw Error(ErrorCode::unreadable_input,
-                name + ": the file is an array of NumPy; write the points as .ply, .xyz or text");
+                name + ": the file is a NumPy array; write the points as .ply, .xyz or text");
   }
   const std::string_view program = find_compression(content);
   if (program.empty()) return;
@@ -222,7 +223,7 @@ class Resolver {
     result_ = std::move(kept);
   }
 
-  /// By the vertices of the input, where the entries name some.
+  /// Names the entries by their vertices of the input, if they have some.
   std::string describe_coincident(std::size_t entry, std::size_t twin) const {
     const auto name = [&](std::size_t i) {
       const GeneratorEntry& named = list_.entries[i];
@@ -294,7 +295,7 @@ std::vector<double> parse_numbers(std::string_view content, const std::string& n
   for (const auto& [text, line] : detail::split_lines(content)) {
     for (const std::string_view field : detail::split_fields(text, ',')) {
       const auto number = parse_number<double>(field);
-      if (!number) detail::ListLocation{name, line}.refuse(fmt::format("{} is no number", quoted(field)));
+      if (!number) detail::ListLocation{name, line}.refuse(fmt::format("{} is not a number", quoted(field)));
       numbers.push_back(*number);
     }
   }

@@ -1,10 +1,10 @@
-// Meshes in any format: the extension picks the row of the table, and the arrays are checked before the first byte is
-// written.
+// Writes meshes in any format. The extension selects the row of the table, and the arrays are checked before the first
+// byte is written.
 //
-// An OBJ with materials of regions is two files. These are written while the geometry is complete but has no name yet,
-// so both files are complete before either gets its name.
-// Invariant: what a format can't hold is refused by `check_format`, which a command calls before long work, too. No
-// writer checks the arrays again.
+// An OBJ with materials of regions is two files. The materials are written when the geometry is complete but has no
+// name yet, so both files are complete before either gets its name.
+// Invariant: `check_format` refuses everything that a format can't hold, so no writer checks the arrays again. Commands
+// also call it before long work.
 #include "gvd/io/mesh_writer.hpp"
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ void check_lengths(const LabelledMesh& mesh) {
   }
 }
 
-/// The origin of the positions in a format.
+/// The point that a format's positions are relative to.
 Vec3 origin_in(const Mesh& mesh, const Format& format) {
   return has_any(format.carries, Content::place) ? io::glb_translation(mesh) : Vec3(Vec3::Zero());
 }

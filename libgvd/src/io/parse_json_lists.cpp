@@ -1,8 +1,8 @@
-// Lists as JSON: the array `generators` of any object is one, so that a diagram or a report serves as a list.
+// Parses lists from JSON. The array `generators` of any object is a list, so that a diagram or a report serves as one.
 //
-// The documents of nlohmann/json know no lines. So JSON is read twice: by events from a stream, whose position gives
-// the lines of elements and of a syntax error, and then as a document. One parse with a callback would do both, but
-// after each object nlohmann/json 3.11 looks through all elements before it, which takes quadratic time.
+// The documents of nlohmann/json do not know their lines. So JSON is read twice: first as events from a stream, whose
+// position gives the lines of elements and of a syntax error, and then as a document. One parse with a callback would
+// do both, but nlohmann/json 3.11 looks through all earlier elements after each object, which takes quadratic time.
 // Source: RFC 8259, as nlohmann/json reads it. Cost: O(length).
 #include "io/parse_json_lists.hpp"
 
@@ -22,10 +22,11 @@ namespace {
 
 using nlohmann::json;
 
-/// Characters of the parser's reason that a message repeats: its own words, and a token of moderate length.
+/// How many characters of the parser's reason a message repeats: enough for its own words and a token of moderate
+/// length.
 constexpr std::size_t kReasonLength = 200;
 
-/// The events of a parse, for the line on which each object in the array "generators" begins.
+/// Handles the events of a parse, and records the line on which each object of the array "generators" begins.
 class LineReader : public nlohmann::json_sax<json> {
  public:
   LineReader(std::string_view content, const std::string& name)
@@ -58,8 +59,8 @@ class LineReader : public nlohmann::json_sax<json> {
   bool end_array() override { return close(); }
 
   bool parse_error(std::size_t, const std::string&, const json::exception& error) override {
-    // The library's text begins with its own name in brackets: "[json.exception.parse_error.101] parse error at ...",
-    // and quotes what it has read since the last token, whatever that is.
+    // The library's text begins with the name of the exception in brackets, "[json.exception.parse_error.101] parse
+    // error at ...", and quotes everything that it has read since the last token.
     const std::string text = error.what();
     const std::size_t bracket = text.find("] ");
     const std::string reason = printable(text.substr(bracket == text.npos ? 0 : bracket + 2), kReasonLength);
@@ -70,7 +71,7 @@ class LineReader : public nlohmann::json_sax<json> {
   bool open() { return ++depth_ > 0; }
   bool close() { return --depth_ >= 0; }
 
-  /// The line up to which the stream is read. Each line is counted once.
+  /// The line up to which the stream has been read. Counts each line only once, so all calls together take linear time.
   std::int32_t current_line() {
     const std::ptrdiff_t at = in_.rdbuf()->pubseekoff(0, std::ios::cur, std::ios::in);
     line_ += static_cast<std::int32_t>(std::count(content_.begin() + counted_to_, content_.begin() + at, '\n'));
@@ -84,7 +85,7 @@ class LineReader : public nlohmann::json_sax<json> {
   std::vector<std::int32_t> lines_;
   std::int32_t line_ = 1;
   std::ptrdiff_t counted_to_ = 0;
-  int depth_ = 0;  ///< of objects and arrays that are open
+  int depth_ = 0;  ///< number of open objects and arrays
   bool inside_ = false;
 };
 

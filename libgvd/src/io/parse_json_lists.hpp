@@ -7,16 +7,16 @@
 
 #include "io/parse_lists.hpp"
 
-// Lists as JSON. `name` is the list's in all messages.
+// Parses lists from JSON. `name` is how messages call the list.
 namespace gvd::detail {
 
-/// A JSON document. Throws Error{unreadable_input} with name and line.
+/// Parses a JSON document. Throws Error{unreadable_input} with name and line.
 nlohmann::json parse_document(std::string_view content, const std::string& name);
 
-/// The entry of a JSON object: a face with coordinates, a vertex or a position.
+/// Reads the entry of a JSON object: a face with coordinates, a vertex or a position.
 GeneratorEntry read_object(const nlohmann::json& object, const ListLocation& location);
 
-/// Parses JSON: the array `generators` of any object, such as a diagram or a report.
+/// Parses the array `generators` of a JSON object, which may be a diagram or a report.
 /// Throws Error{unreadable_input} with name and line. Cost: O(length).
 std::vector<GeneratorEntry> parse_json(std::string_view content, const std::string& name);
 

@@ -1,13 +1,13 @@
-// Lists line by line, as text and as comma-separated values; the vertices of a PLY; and tables of numbers.
+// Parses lists line by line, as text and as comma-separated values; the vertices of a PLY; and tables of numbers.
 //
-// An entry says by the number of its fields what it is: one is a vertex, four a face with coordinates or a position
-// behind `p`, three a position. Whether three whole numbers are a position or three vertices only the whole list tells.
-// Comma-separated values without a header have the same fields. Below a header each row fills the columns of one kind:
-// a face with coordinates before a vertex, and a vertex before a position, as an element of JSON does. So a list that
-// this library wrote, which has both face and position, comes back bit by bit.
+// The number of fields tells what an entry is: one field is a vertex, four are a face with coordinates or a position
+// after `p`, three are a position. Only the whole list tells whether three whole numbers are a position or three
+// vertices. Comma-separated values without a header have the same fields. With a header, a row is read as a face with
+// coordinates if it fills these columns, otherwise as a vertex, otherwise as a position; elements of JSON are read
+// alike. So a list that this library wrote, with both face and position, comes back bit by bit.
 //
-// Invariant: a list that could be read in two ways is refused, never guessed at. Every message names list and line, and
-// is printable whatever the file holds.
+// Invariant: a list that could be read in two ways is refused, never guessed at. Every message gives the name of the
+// list and the line, and is printable whatever the file holds.
 #include "io/parse_lists.hpp"
 
 #include <fmt/format.h>
@@ -33,27 +33,27 @@ std::string_view trim(std::string_view text, std::string_view blanks = kBlanks) 
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// An index >= 0. `what` names the element: "vertex".
+/// Parses an index >= 0. `what` names the element in messages: "vertex".
 std::int64_t parse_index(std::string_view field, std::string_view what, const ListLocation& location) {
   const auto index = parse_number<std::int64_t>(field);
   if (!index || *index < 0) {
-    location.refuse(fmt::format("{} is no index of a {}; indices are whole numbers from 0", quoted(field), what));
+    location.refuse(fmt::format("{} is not an index of a {}; indices are whole numbers from 0", quoted(field), what));
   }
   return *index;
 }
 
-/// Three finite numbers.
+/// Parses three finite numbers.
 std::array<double, 3> parse_values(const std::array<std::string_view, 3>& fields, const ListLocation& location) {
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto value = parse_number<double>(fields[i]);
-    if (!value || !std::isfinite(*value)) location.refuse(fmt::format("{} is no finite number", quoted(fields[i])));
+    if (!value || !std::isfinite(*value)) location.refuse(fmt::format("{} is not a finite number", quoted(fields[i])));
     values[i] = *value;
   }
   return values;
 }
 
-/// Whether the three fields are different indices. Coordinates are seldom all whole, not negative and different.
+/// Whether the three fields are different indices. Coordinates are seldom all whole, non-negative and different.
 bool could_be_vertices(const Fields& fields) {
   std::array<std::int64_t, 3> indices{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -64,16 +64,16 @@ bool could_be_vertices(const Fields& fields) {
   return indices[0] != indices[1] && indices[1] != indices[2] && indices[2] != indices[0];
 }
 
-/// "p x y z" with the separator of the list.
+/// Spells a form such as "p x y z" with the separator of the list.
 std::string spell(std::string fields, char separator) {
   std::replace(fields.begin(), fields.end(), ' ', separator);
   return fields;
 }
 
-/// The first of four fields, which is not `p`.
+/// Parses the first of four fields, which is not `p`, as a face.
 std::int64_t parse_face(std::string_view field, const ListLocation& location, char separator) {
   if (!parse_number<double>(field)) {
-    location.refuse(fmt::format("{} is no index of a face; write '{}' or, for a position, '{}'", quoted(field),
+    location.refuse(fmt::format("{} is not an index of a face; write '{}' or, for a position, '{}'", quoted(field),
                                 spell("F b0 b1 b2", separator), spell("p x y z", separator)));
   }
   return parse_index(field, "face", location);
@@ -88,7 +88,7 @@ GeneratorEntry parse_entry(const Fields& fields, const ListLocation& location, c
     entry.kind = fields[0] == "p" ? GeneratorEntry::Kind::position : GeneratorEntry::Kind::face;
     if (entry.kind == GeneratorEntry::Kind::face) entry.index = parse_face(fields[0], location, separator);
     entry.values = parse_values({fields[1], fields[2], fields[3]}, location);
-  } else if (fields.size() == 3 || (fields.size() == 6 && separator == ' ')) {  // six: with a normal
+  } else if (fields.size() == 3 || (fields.size() == 6 && separator == ' ')) {  // six fields: with a normal
     entry.kind = GeneratorEntry::Kind::position;
     entry.values = parse_values({fields[0], fields[1], fields[2]}, location);
     if (fields.size() == 6) parse_values({fields[3], fields[4], fields[5]}, location);
@@ -113,24 +113,24 @@ Fields split_at(std::string_view text, char separator) {
 
 Fields split_commas(std::string_view text) { return split_at(text, ','); }
 
-/// The column of this name; -1 where there is none.
+/// The column of this name; -1 if there is none.
 std::ptrdiff_t find_column(const Fields& names, std::string_view name) {
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? -1 : found - names.begin();
 }
 
-/// The column that numbers the elements of a table: `vertex`, else `face`; -1 where there is none.
+/// The column that numbers the elements of a table: `vertex`, else `face`; -1 if there is neither.
 std::ptrdiff_t find_element_column(const Fields& names) {
   const std::ptrdiff_t vertex = find_column(names, "vertex");
   return vertex >= 0 ? vertex : find_column(names, "face");
 }
 
-/// The first field of a header is a name: neither a number nor the `p` of a position.
+/// Whether a row is a header: its first field is a name, neither a number nor the `p` of a position.
 bool is_header(const Fields& fields) {
   return fields[0] != "p" && !fields[0].empty() && !parse_number<double>(fields[0]);
 }
 
-/// The columns of each field; -1 where the header has none.
+/// The column of each field; -1 if the header does not have it.
 struct Columns {
   std::ptrdiff_t vertex = -1, face = -1;
   std::array<std::ptrdiff_t, 3> bary{-1, -1, -1}, position{-1, -1, -1};
@@ -156,7 +156,7 @@ Columns read_header(const Fields& names, const ListLocation& location) {
   return columns;
 }
 
-/// The entry of a row: the first of face, vertex and position that the row fills.
+/// Reads the entry of a row: the first of face, vertex and position that the row fills.
 GeneratorEntry read_row(const Columns& columns, const Fields& fields, const ListLocation& location) {
   if (fields.size() != columns.count) {
     location.refuse(fmt::format("{}, but the header has {}; give as many as the header",
@@ -235,7 +235,7 @@ std::vector<GeneratorEntry> parse_text(std::string_view content, const std::stri
   for (const auto& [text, number] : split_lines(content)) {
     if (text.find(',') != text.npos) {
       ListLocation{name, number}.refuse(
-          "has a comma; part the fields by blanks, or give the list as CSV with \1generators_format=csv\2");
+          "has a comma; separate the fields by blanks, or give the list as CSV with \1generators_format=csv\2");
     }
     rows.push_back({split_fields(text), number});
   }
@@ -286,7 +286,7 @@ std::vector<GeneratorEntry> parse_ply_points(std::string_view content, const std
     const double index = has_faces ? (*face)[i] : 0;
     constexpr double kMostFaces = 2147483647;
     if (!is_finite || !(index >= 0 && index <= kMostFaces) || index != std::floor(index)) {
-      ListLocation{name, 0}.refuse(fmt::format("point {} of the PLY has numbers that are no {}", i,
+      ListLocation{name, 0}.refuse(fmt::format("point {} of the PLY has numbers that are not a {}", i,
                                                has_faces ? "face and coordinates in it" : "position"));
     }
     entry.index = static_cast<std::int64_t>(index);
@@ -316,8 +316,8 @@ void refuse_other_table(std::string_view content, const std::string& name) {
   const bool is_title = is_word && lines.size() > 1 && parse_number<double>(lines[1].text).has_value();
   if (!has_separators && !is_title) return;
   ListLocation{name, first.number}.refuse(
-      "the header has no column vertex or face, with commas between columns; name the column of indices so, or give "
-      "the numbers alone, in order and without a header");
+      "the header has no column vertex or face, with commas between columns; name the column of indices 'vertex' or "
+      "'face', or give the numbers alone, in order and without a header");
 }
 
 ElementTable parse_element_table(std::string_view content, const std::string& name) {
@@ -349,7 +349,7 @@ ElementTable parse_element_table(std::string_view content, const std::string& na
     }
     if (std::exchange(is_known[index], 1) != 0) location.refuse(fmt::format("{} {} has a second row", kind, index));
     const auto number = parse_number<double>(fields[last]);
-    if (!number) location.refuse(fmt::format("{} is no number", quoted(fields[last])));
+    if (!number) location.refuse(fmt::format("{} is not a number", quoted(fields[last])));
     table.numbers[index] = *number;
   }
   return table;

@@ -1,4 +1,4 @@
-// Mesh files: finds the format, and hands the unpacked bytes to the reader of its row in the table.
+// Reads mesh files: finds the format, and passes the unpacked bytes to the reader in the format's row of the table.
 //
 // The content decides on the format before the name does, because files with a wrong extension are common.
 // Invariant: no count in a header reserves memory that the rest of the file could not fill.
@@ -22,13 +22,13 @@ constexpr std::string_view kGzipExtension = ".gz";
   throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name, message));
 }
 
-/// Refuses content that is known and no mesh, whatever the name or the user says.
+/// Refuses content of a known kind that is no mesh, whatever the name or the user says.
 void refuse_foreign_file(std::string_view bytes, std::string_view name) {
   const std::string content = describe_content(bytes);
   if (!content.empty()) refuse_file(name, "the file is " + content);
 }
 
-/// Calls parse(content) with bytes as `unpack` makes them, which are copied only where they change.
+/// Calls parse(content) with the bytes after `unpack`, which are copied only if unpacking changes them.
 template <class Parse>
 auto with_unpacked(std::string_view bytes, std::string_view name, const Parse& parse) {
   if (!is_gzip(bytes) && !is_utf16(bytes)) return parse(bytes);
@@ -37,11 +37,12 @@ auto with_unpacked(std::string_view bytes, std::string_view name, const Parse& p
   return parse(std::string_view(content));
 }
 
-/// Says what a file has, which is no surface.
+/// Refuses a file without faces, and says what it has instead.
 [[noreturn]] void refuse_faceless(const PolygonSoup& soup, std::string_view bytes, MeshFormat format,
                                   std::string_view name) {
   const auto vertices = std::ssize(soup.positions);
-  if (vertices == 0 && soup.notes.empty() && format == MeshFormat::obj) {  // skips what it does not know
+  // The reader of OBJ skips statements that it does not know.
+  if (vertices == 0 && soup.notes.empty() && format == MeshFormat::obj) {
     const std::string word = first_word(bytes);
     refuse_file(name,
                 fmt::format("as an OBJ, the file has neither a vertex nor a face, and it {}; name the format with {}",
@@ -54,7 +55,7 @@ auto with_unpacked(std::string_view bytes, std::string_view name, const Parse& p
                           soup.notes.empty() ? "" : fmt::format(" ({})", fmt::join(soup.notes, "; "))));
 }
 
-/// `folder`: where the buffers of a glTF may be.
+/// `folder`: where the buffers of a glTF may lie.
 PolygonSoup parse_unpacked(std::string_view bytes, MeshFormat format, std::string_view name,
                            const std::optional<std::filesystem::path>& folder) {
   if (bytes.empty()) refuse_file(name, "the file is empty");
@@ -67,7 +68,7 @@ PolygonSoup parse_unpacked(std::string_view bytes, MeshFormat format, std::strin
   return soup;
 }
 
-/// The format that the content has a mark of.
+/// The format whose mark the content has.
 std::optional<MeshFormat> find_format(std::string_view bytes) {
   for (const Format& format : formats()) {
     if (format.is_content != nullptr && format.is_content(bytes)) return format.id;
@@ -75,7 +76,7 @@ std::optional<MeshFormat> find_format(std::string_view bytes) {
   return std::nullopt;
 }
 
-/// The names of all formats that are read.
+/// The names of all formats that can be read.
 std::vector<std::string_view> list_titles() {
   std::vector<std::string_view> titles;
   for (const Format& format : formats()) {
@@ -84,7 +85,7 @@ std::vector<std::string_view> list_titles() {
   return titles;
 }
 
-/// The format of a file that must have one.
+/// The format of a file. Refuses a file of no known format.
 MeshFormat require_format(std::string_view bytes, std::string_view name) {
   if (bytes.empty()) refuse_file(name, "the file is empty");
   if (const auto format = detect_format(bytes, name)) return *format;
@@ -129,7 +130,7 @@ PolygonSoup read_soup(const std::filesystem::path& path, std::optional<MeshForma
   const std::string bytes = read_file_bytes(path);
   if (!format) format = require_format(bytes, name);
   std::error_code ignored;
-  const bool has_folder = std::filesystem::is_regular_file(path, ignored);  // which a pipe has not
+  const bool has_folder = std::filesystem::is_regular_file(path, ignored);  // a pipe has no folder
   return parse_unpacked(bytes, *format, name, has_folder ? std::optional(path.parent_path()) : std::nullopt);
 }
 

@@ -1,12 +1,13 @@
-// Numbers of vertices or faces: finds the format by the content, and hands the bytes to its reader. NumPy's is here.
+// Reads a number for each vertex or face: finds the format by the content, and passes the bytes to its reader. The
+// reader of NumPy's arrays is in this file.
 //
-// A table has a header with a column `face` or `vertex`; any other text is a list of numbers.
-// A text begins with a character, a FreeSurfer annotation with a zero: the highest byte of a count below 16 million.
-// The header of an NPY is a dictionary of Python. Three of its keys are looked for by name, and values follow.
-// Files number the vertices and polygons that they hold; a checked mesh has lost some, has triangles for polygons, and
-// may have new vertices where edges were split. So values fit by their number: one for each vertex of the mesh's file,
-// one for each polygon, or one for each vertex or face of the checked mesh. How many polygons it had is known only up
-// to those that the repair removed.
+// A text is a table if it has a header with a column `face` or `vertex`, and a list of numbers otherwise.
+// A text begins with a character, whereas a FreeSurfer annotation begins with a zero, the highest byte of a count below
+// 16 million. The header of an NPY is a Python dictionary. The reader searches it for the names of three keys.
+// Values belong to the vertices and polygons of a file, but the checked mesh may have lost some, has triangles in place
+// of polygons, and may have new vertices where edges were split. So the count of the values decides what they belong
+// to: the vertices of the mesh's file, its polygons, or the vertices or faces of the checked mesh. The number of
+// polygons in the file is not known exactly if the repair removed some.
 // Source: NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays", versions 1 to 3.
 #include "gvd/read_values.hpp"
 
@@ -33,7 +34,7 @@ constexpr std::string_view kNumPyMark = "\x93NUMPY";
   throw Error(ErrorCode::unreadable_input, fmt::format("{}: {}", name, message));
 }
 
-/// The text between two characters behind a key of the header; empty where there is none.
+/// The text between two characters after a key of the header; empty if there is none.
 std::string_view find_in_header(std::string_view header, std::string_view key, std::string_view ends) {
   const std::size_t at = header.find(key);
   if (at == header.npos) return {};
@@ -42,7 +43,7 @@ std::string_view find_in_header(std::string_view header, std::string_view key, s
   return close == header.npos ? std::string_view() : header.substr(open + 1, close - open - 1);
 }
 
-/// The letters behind a key of the header, with or without blanks between.
+/// The word after a key of the header, with or without blanks between them.
 std::string_view word_in_header(std::string_view header, std::string_view key) {
   const std::size_t at = header.find(key);
   if (at == header.npos) return {};
@@ -51,7 +52,7 @@ std::string_view word_in_header(std::string_view header, std::string_view key) {
   return rest.substr(0, rest.find_first_of(" ,}"));
 }
 
-/// "<f8": the order of bytes, the kind and the size.
+/// Parses a type such as "<f8": byte order, kind and size.
 std::optional<StoredNumber> parse_numpy_type(std::string_view type) {
   using NumberKind = StoredNumber::Kind;
   if (type.size() != 3 || std::string_view("<>|=").find(type[0]) == type.npos) return std::nullopt;
@@ -65,7 +66,7 @@ std::optional<StoredNumber> parse_numpy_type(std::string_view type) {
                       size, type[0] == '>'};
 }
 
-/// Numbers of a file, and whether it says what has them.
+/// The numbers of a file, and whether they belong to vertices or faces if the file says so.
 struct FileValues {
   std::optional<bool> of_vertices;  ///< otherwise of faces
   std::vector<double> values;
@@ -76,8 +77,8 @@ struct ArrayShape {
   std::uint64_t rows = 1, columns = 1;
 };
 
-/// The shape that text such as "12," or "1, 12" or "12, 3" stands for. A single dimension with several elements counts
-/// as the rows. None where more than two have several, or where they are too many.
+/// Parses a shape such as "12,", "1, 12" or "12, 3". If only one dimension has several elements, it counts as the rows.
+/// Returns nothing if more than two dimensions have several elements, or if the array is too large.
 std::optional<ArrayShape> parse_shape(std::string_view shape) {
   std::vector<std::uint64_t> several;
   std::uint64_t count = 1;
@@ -98,7 +99,7 @@ std::optional<ArrayShape> parse_shape(std::string_view shape) {
   return ArrayShape{several[0], several[1]};
 }
 
-/// `columns`: what becomes of an array with several of them.
+/// `columns`: how to treat an array with several columns.
 FileValues parse_npy(std::string_view bytes, ValueColumns columns, std::string_view name) {
   constexpr std::size_t kVersion = kNumPyMark.size(), kLength = kVersion + 2;
   const StoredNumber length{StoredNumber::Kind::unsigned_integer,
@@ -127,7 +128,7 @@ FileValues parse_npy(std::string_view bytes, ValueColumns columns, std::string_v
                                     counted(std::ssize(bytes), "byte", "bytes")));
   }
   if (shape->columns <= 1) return {{}, type->read_all(bytes)};
-  // By rows, unless the header says that columns follow each other.
+  // Numbers are stored row by row, unless the header says column by column.
   const bool by_columns = word_in_header(header, "'fortran_order':") == "True";
   const std::uint64_t first = by_columns ? (shape->columns - 1) * shape->rows : shape->columns - 1;
   const std::uint64_t step = by_columns ? 1 : shape->columns;
@@ -156,7 +157,7 @@ FileValues parse_file(std::string_view bytes, ValueColumns columns, std::string_
   return {{}, parse_numbers(bytes, std::string(name))};
 }
 
-/// How many polygons the file of the mesh had at least: one more than the last one that became a face.
+/// A lower bound for the number of polygons in the mesh's file: one more than the last polygon that became a face.
 std::int64_t least_polygons(const CheckedMesh& input) {
   return 1 + *std::max_element(input.input_polygon.begin(), input.input_polygon.end());
 }
@@ -169,16 +170,16 @@ bool lost_polygons(const CheckedMesh& input) {
          0;
 }
 
-/// Refuses a property that some polygons lack: strips of triangles have none.
+/// Refuses a property that some polygons lack, as strips of triangles do.
 void check_count(const CheckedMesh& input, const SoupProperty& property, const std::string& name) {
   if (property.of_vertices || std::ssize(property.values) >= least_polygons(input)) return;
   refuse_values(name, fmt::format("{} for {}", counted(std::ssize(property.values), "number", "numbers"),
                                   counted(least_polygons(input), "polygon", "polygons")));
 }
 
-/// Tells by their count what the numbers of a list belong to: the vertices of the input's file, its polygons, or
-/// the vertices or faces that the repair made of them, as files of this library have them. Where several could be, and
-/// the file does not say it, the first of these counts.
+/// Decides by the count of numbers what they belong to: the vertices of the input's file, its polygons, or the vertices
+/// or faces of the repaired mesh, for which this library writes numbers. If the count fits several of them and the file
+/// does not say which, the first in this order wins.
 ElementValues assign(const CheckedMesh& input, FileValues&& found, const std::string& name) {
   const auto count = std::ssize(found.values);
   const bool may_be_vertices = found.of_vertices.value_or(true), may_be_faces = !found.of_vertices.value_or(false);
@@ -208,7 +209,7 @@ std::vector<double> read_values(const std::filesystem::path& path) {
 std::optional<ElementValues> read_element_values(const CheckedMesh& input, const std::string& name,
                                                  const std::filesystem::path& mesh_file, SoupElement preferred,
                                                  ValueColumns columns) {
-  // A file, also a pipe, goes before a property of the same name.
+  // A file or pipe takes precedence over a property of the same name.
   std::error_code ignored;
   const auto status = std::filesystem::status(name, ignored);
   if (std::filesystem::exists(status) && !std::filesystem::is_directory(status)) {

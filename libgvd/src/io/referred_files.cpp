@@ -1,7 +1,7 @@
-// The files that a mesh refers to, without reading the mesh.
+// Lists the files that a mesh file refers to, without reading the mesh.
 //
-// The first bytes of a file that is not packed tell its format, so that no large mesh of another one is read. In an OBJ
-// the statements are found by their keyword, which is much faster than reading all lines.
+// If a file is not packed, its first bytes tell its format, so a large mesh of another format is not read at all. The
+// statements of an OBJ are found by searching for their keyword, which is much faster than parsing all lines.
 #include "gvd/referred_files.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// This many bytes tell what a file is, unless all are blank.
+/// How many bytes are read to tell a file's format. They suffice unless all are blank.
 constexpr std::size_t kOpeningBytes = 4096;
 
 constexpr std::string_view kLineBlanks = " \t\v\f", kLineEnds = "\r\n";
@@ -31,7 +31,8 @@ std::string read_head(const fs::path& mesh) {
   return head;
 }
 
-/// Whether the first bytes of a file tell its format. What tells a glTF in text from other JSON may come later.
+/// Whether the first bytes of a file tell its format. They may not for JSON, where the key that marks a glTF can come
+/// later.
 bool has_telling_head(const fs::path& mesh) {
   const std::string head = read_head(mesh);
   const bool is_blank = head.find_first_not_of(" \t\r\n") == head.npos;
@@ -42,7 +43,7 @@ bool may_refer(MeshFormat format) {
   return format == MeshFormat::obj || format == MeshFormat::gltf || format == MeshFormat::glb;
 }
 
-/// The names in the statements `mtllib`: all that follows the keyword.
+/// The arguments of the `mtllib` statements: everything after the keyword.
 std::vector<std::string> find_material_statements(std::string_view obj) {
   constexpr std::string_view kKeyword = "mtllib";
   std::vector<std::string> statements;

@@ -1,12 +1,14 @@
-// The points of a surface that are closest to points in space.
+// Finds the point of a surface that is closest to a point in space.
 //
-// They come from a tree of bounding boxes. It halves the faces at the median of their centres along the longest axis of
-// their box. Its leaves have at most four faces. A search goes to the nearer box first, with the nearest face as a
-// first bound.
-// Source: the tree's quick distance from a triangle is that of C. Ericson, Real-time collision detection, 2005, section
-// 5.1.5: the region of the plane, then the projection. `closest_point_on_face` is slower and decides.
-// Invariant: `query` skips a box only where it is farther than the best face by more than rounding. So its result does
-// not depend on the shape of the tree: the least distance wins, then the smallest face.
+// The search uses a tree of bounding boxes, which halves the faces at the median of their centres along the longest
+// axis of their box. Its leaves have at most four faces. A search visits the nearer box first, with the nearest face as
+// a first bound.
+// Source: C. Ericson, Real-time collision detection, 2005, section 5.1.5, for the tree's quick distance from a
+// triangle: first the region of the plane, then the projection. `closest_point_on_face` is slower, and has the last
+// word.
+// Invariant: `query` skips a box only if it is farther away than the best face by more than rounding. So the result
+// does not depend on the shape of the tree: the least distance wins, and among equal distances the face with the
+// smallest id.
 #include "gvd/closest_point.hpp"
 
 #include <algorithm>
@@ -21,26 +23,27 @@ namespace gvd {
 namespace {
 
 constexpr std::int32_t kLeafFaces = 4;
-/// A box is skipped if it is farther than the best face by more than this fraction of the distance. Dimensionless. Far
-/// above the rounding of the two distances (about ten units in the last place), so that no closer face is ever skipped.
+/// A box is skipped if it is farther away than the best face by more than this fraction of the distance. Dimensionless.
+/// It is far above the rounding of the two distances (about ten units in the last place), so that no closer face is
+/// ever skipped.
 constexpr double kPruneSlack = 1e-12;
 
-struct Candidate {
+struct ClosestOnFace {
   Bary bary{1, 0, 0};
   double distance = kInfinity;
 };
 
-Candidate closest_on_edge(const std::array<Vec3, 3>& corners, int from, const Vec3& query) {
+ClosestOnFace closest_on_edge(const std::array<Vec3, 3>& corners, int from, const Vec3& query) {
   const int to = (from + 1) % 3;
   const double t = std::clamp(foot_on_line(corners[from], corners[to], query), 0.0, 1.0);
-  Candidate candidate{{0, 0, 0}, (corners[from] + t * (corners[to] - corners[from]) - query).norm()};
+  ClosestOnFace candidate{{0, 0, 0}, (corners[from] + t * (corners[to] - corners[from]) - query).norm()};
   candidate.bary[from] = 1 - t;
   candidate.bary[to] = t;
   return candidate;
 }
 
 /// The foot of the perpendicular if it lies inside the triangle; otherwise a candidate at infinite distance.
-Candidate closest_inside(const std::array<Vec3, 3>& corners, const Vec3& query) {
+ClosestOnFace closest_inside(const std::array<Vec3, 3>& corners, const Vec3& query) {
   const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double square = normal.squaredNorm();
   if (!(square > 0)) return {};
@@ -59,7 +62,7 @@ double square_distance_to_box(const Eigen::AlignedBox3d& box, const Vec3& query)
   return (box.min() - query).cwiseMax(query - box.max()).cwiseMax(0.0).squaredNorm();
 }
 
-/// The parameter in [0, 1] of the point of a segment that is nearest: its projection, from the products.
+/// The parameter in [0, 1] of the nearest point of a segment, as the clamped quotient of two scalar products.
 double clamp_ratio(double numerator, double denominator) {
   return denominator > 0 ? std::clamp(numerator / denominator, 0.0, 1.0) : 0;
 }
@@ -87,16 +90,16 @@ std::vector<FaceId> faces_within(const Mesh& mesh, const SurfacePoint& point, do
 ClosestPoint closest_point_on_face(const Mesh& mesh, FaceId f, const Vec3& query) {
   const auto& [a, b, c] = mesh.vertices(f);
   const std::array<Vec3, 3> corners{mesh.position(a), mesh.position(b), mesh.position(c)};
-  Candidate best = closest_inside(corners, query);
+  ClosestOnFace best = closest_inside(corners, query);
   for (int i = 0; i < 3; ++i) {
-    const Candidate other = closest_on_edge(corners, i, query);
+    const ClosestOnFace other = closest_on_edge(corners, i, query);
     if (other.distance < best.distance) best = other;
   }
   return {make_surface_point(f, best.bary), best.distance};
 }
 
 ClosestPointTree::ClosestPointTree(const Mesh& mesh) : mesh_(&mesh) {
-  std::vector<Vec3> centres;  // times three
+  std::vector<Vec3> centres;  // three times the centre of each face
   for (const FaceId f : mesh.faces()) {
     const Triangle t = make_triangle(f);
     centres.push_back(3 * t.origin + t.u + t.v);
@@ -157,7 +160,7 @@ double ClosestPointTree::square_distance(const Triangle& t, const Vec3& query) {
   return least;
 }
 
-/// The two children of an inner node by the square distances of their boxes, the nearer first.
+/// The two children of an inner node with the squared distances of their boxes, the nearer child first.
 std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::int32_t index, const Vec3& query) const {
   const auto square = [&](std::int32_t child) {
     return std::pair(square_distance_to_box(nodes_[child].box, query), child);
@@ -167,9 +170,10 @@ std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::i
   return both;
 }
 
-/// Looks for a better face below a node, in nearer boxes first. The distance of a NearestFace is a square here.
+/// Looks for a better face below a node, in nearer boxes first. The distance of a NearestFace is squared here, and so
+/// is `enough`, which only counts for it.
 template <class Best>
-void ClosestPointTree::visit(std::int32_t index, const Vec3& query, Best& best) const {
+void ClosestPointTree::visit(std::int32_t index, const Vec3& query, double enough, Best& best) const {
   constexpr bool kDecides = std::is_same_v<Best, ClosestPoint>;
   const Node& node = nodes_[index];
   for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
@@ -183,26 +187,27 @@ void ClosestPointTree::visit(std::int32_t index, const Vec3& query, Best& best) 
   }
   if (node.count > 0) return;
   for (const auto& [near, child] : children(index, query)) {
-    const bool may_hold = kDecides ? std::sqrt(near) <= best.distance * (1 + kPruneSlack) : near < best.distance;
-    if (may_hold) visit(child, query, best);
+    const bool may_hold = kDecides ? std::sqrt(near) <= best.distance * (1 + kPruneSlack)
+                                   : near < best.distance && best.distance > enough;
+    if (may_hold) visit(child, query, enough, best);
   }
 }
 
-NearestFace ClosestPointTree::nearest_face(const Vec3& query, FaceId guess) const {
+NearestFace ClosestPointTree::nearest_face(const Vec3& query, FaceId guess, double enough) const {
   NearestFace best{guess, square_distance(triangle(guess), query)};
-  visit(0, query, best);
+  visit(0, query, enough * enough, best);
   best.distance = std::sqrt(best.distance);
   return best;
 }
 
-/// The nearest face bounds the search from the start; it may not be the one that wins.
+/// The quick search gives a first bound. Its face need not be the final one.
 ClosestPoint ClosestPointTree::query(const Vec3& query) const {
   ClosestPoint best;
   best.distance = kInfinity;
   if (query.allFinite() && !nodes_.empty()) {
     const ClosestPoint guess = closest_point_on_face(*mesh_, nearest_face(query).face, query);
     if (std::isfinite(guess.distance)) best = guess;
-    visit(0, query, best);
+    visit(0, query, 0, best);
   }
   if (!best.point.face.valid()) {
     throw Error(ErrorCode::precondition,

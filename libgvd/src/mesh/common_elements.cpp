@@ -1,8 +1,8 @@
-// Faces and vertices that two working meshes of one input have in common.
+// Finds the faces and vertices that two working meshes of the same input have in common.
 //
-// Points are inserted edge by edge, then face by face, and flips stay inside one face of the input. So the order of the
-// parts of a face depends on the points in it and on its sides alone, whatever happens elsewhere. Both lists of
-// appended parts, without those of faces with other points, correspond one by one.
+// Points are inserted edge by edge, then face by face, and flips stay inside one face of the input. So the order of a
+// face's parts depends only on the points in the face and on its sides. If we leave out the parts of faces whose points
+// differ, the appended parts of both meshes correspond one by one.
 #include "mesh/common_elements.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ CommonElements find_common_elements(const WorkingMesh& before, const WorkingMesh
                         {},
                         {}};
   const auto is_common = [&](const WorkingMesh& working, FaceId f) { return differs[working.parent(f)] == 0; };
-  FaceId old_face(input.face_count());  // the next appended part before
+  FaceId old_face(input.face_count());  // the next appended part of `before`
   for (const FaceId f : mesh.faces()) {
     if (!is_common(after, f)) {
       common.only_after.push_back(f);

@@ -8,30 +8,31 @@
 
 namespace gvd {
 
-/// Generators that differ between two working meshes of one input: moved, added, removed, or with another number. All
-/// others have the same number and the same point in both.
+/// The generators that differ between two working meshes of the same input, because they were moved, added, removed or
+/// renumbered. Every other generator has the same number and the same point in both meshes.
 struct ChangedGenerators {
-  std::vector<GeneratorId> before, after;  ///< by their numbers in either mesh
-  std::vector<SurfacePoint> points;        ///< all their points, in the input
+  std::vector<GeneratorId> before, after;  ///< their numbers in each mesh
+  std::vector<SurfacePoint> points;        ///< all their points, old and new, on the input
 };
 
-/// The faces and vertices that two working meshes of one input have in common. A face of the input that no changed
-/// generator splits is split by both in the same way, so that its parts, and its own vertices, correspond in their
-/// order.
+/// The faces and vertices that two working meshes of the same input have in common. If no changed generator lies in a
+/// face of the input, both meshes split the face in the same way, so that its parts and the vertices inside it
+/// correspond in their order.
 struct CommonElements {
-  IdVector<FaceId, FaceId> before, after;       ///< of each face in the other mesh; invalid for a part of another split
-  IdVector<VertexId, VertexId> vertex_before;   ///< of each vertex after; invalid for a changed generator's own
-  std::vector<FaceId> only_before, only_after;  ///< faces of other splits, ascending
+  /// The same face in the other mesh; invalid if the two meshes split its parent differently.
+  IdVector<FaceId, FaceId> before, after;
+  IdVector<VertexId, VertexId> vertex_before;  ///< for each vertex after; invalid for the vertex of a changed generator
+  std::vector<FaceId> only_before, only_after;  ///< faces without a counterpart, ascending
 };
 
-/// The step from one set of generators to another one. Refers to what the caller holds.
+/// The change from one set of generators to another. Refers to objects that the caller owns.
 struct GeneratorChange {
   const WorkingMesh &before, &after;
   const CommonElements& common;
   const ChangedGenerators& changed;
 };
 
-/// Cost: O(n).
+/// Finds the common faces and vertices. Cost: O(n).
 CommonElements find_common_elements(const WorkingMesh& before, const WorkingMesh& after,
                                     const ChangedGenerators& changed);
 

@@ -1,7 +1,7 @@
-// Euler's number and the boundary loops of each component of a mesh.
+// Computes the Euler characteristic and the number of boundary loops of each component of a mesh.
 //
-// Components have no vertex in common, because a vertex of a mesh has one fan of faces. So each vertex and each edge
-// counts where one of its faces is.
+// Components have no vertex in common, because a vertex of a mesh has a single fan of faces. So each vertex and each
+// edge counts for the component of one of its faces.
 #include "mesh/component_topology.hpp"
 
 #include "mesh/vertex_ring.hpp"

@@ -15,10 +15,10 @@ struct ComponentTopology {
   bool operator==(const ComponentTopology&) const = default;
 };
 
-/// The topology of each component. `component`: compute_face_components(mesh). Cost: O(n).
+/// Computes the topology of each component. `component` is the result of `compute_face_components(mesh)`. Cost: O(n).
 std::vector<ComponentTopology> compute_topologies(const Mesh& mesh, const IdVector<FaceId, std::int32_t>& component);
 
-/// Twice the genus, the number of handles, over all components. Source: Euler's formula.
+/// Twice the genus (the number of handles), summed over all components. Source: Euler's formula.
 constexpr std::int32_t twice_genus(std::int32_t components, std::int32_t boundary_loops,
                                    std::int32_t euler_characteristic) {
   return 2 * components - boundary_loops - euler_characteristic;

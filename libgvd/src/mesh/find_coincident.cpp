@@ -1,9 +1,9 @@
-// Points in the same place of the surface.
+// Finds points at the same place of the surface.
 //
-// Two points coincide where they are close along the surface: two sheets that touch hold different points at one
-// position. Near each other, points lie in faces with a common vertex, whose fan is unrolled into a plane to measure
-// the distance. A grid of cubes, whose side is the tolerance, finds the points so far that are near in space: those of
-// 27 cubes.
+// Two points coincide if they are close along the surface; points of two sheets that touch are different points at one
+// position. Points that are close lie in faces with a common vertex, whose fan is unrolled into a plane to measure
+// their distance. A grid of cubes, whose side is the tolerance, finds the earlier points that are near in space: they
+// lie in 27 cubes.
 #include "mesh/find_coincident.hpp"
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 namespace gvd {
 namespace {
 
-/// The place of a point in the unrolled fan of a vertex of its face: its distance from the vertex, and its angle from
-/// the side by which one enters the face counter-clockwise.
+/// The place of a point in the unrolled fan of a vertex: its distance from the vertex, and its angle from the first
+/// side of its face, counter-clockwise.
 struct Polar {
   double radius, angle;
   Polar(const Mesh& mesh, HalfedgeId outgoing, const Vec3& p) {
@@ -37,8 +37,8 @@ struct Polar {
   }
 };
 
-/// Distance from p, in the face of a halfedge, to q in face g, counter-clockwise through the fan of the vertex that the
-/// halfedge leaves; infinite where the fan does not lead there.
+/// The distance from p to q, counter-clockwise through the fan of the vertex that the halfedge `from` leaves. p lies in
+/// the face of `from`, and q in face g. Infinite if the fan does not reach g.
 double distance_through_fan(const Mesh& mesh, HalfedgeId from, const Vec3& p, FaceId g, const Vec3& q) {
   const Polar start(mesh, from, p);
   double turn = 0;
@@ -51,8 +51,9 @@ double distance_through_fan(const Mesh& mesh, HalfedgeId from, const Vec3& p, Fa
   return kInfinity;
 }
 
-/// Distance of two points along the surface, through the fans of the vertices that their faces have in common: exact
-/// for points that are much nearer than their faces are large. Infinite where the faces have no vertex in common.
+/// The distance of two points along the surface, through the fans of the vertices that their faces have in common. It
+/// is exact for points that are much nearer to each other than their faces are large, and infinite if the faces have no
+/// common vertex.
 double distance_along_surface(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   const Vec3 p = position(mesh, a), q = position(mesh, b);
   if (a.face == b.face) return (p - q).norm();
@@ -77,7 +78,7 @@ std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<Su
     std::int32_t index;
   };
   using Cube = std::array<std::int64_t, 3>;
-  std::map<Cube, std::vector<Kept>> cubes;  // of points that coincide with no earlier one
+  std::map<Cube, std::vector<Kept>> cubes;  // the points that coincide with no earlier point
   const double tolerance = std::max(coincidence(mesh), std::numeric_limits<double>::denorm_min());
   const Vec3 origin = mesh.vertex_count() > 0 ? mesh.position(VertexId(0)) : Vec3(0, 0, 0);
   std::vector<std::int32_t> first;

@@ -8,9 +8,9 @@
 
 namespace gvd {
 
-/// For each point the index of the first point that coincides with it, which may be itself. Two points coincide where
-/// they are closer than the coincidence distance of the mesh and lie in faces that share a vertex: points of two sheets
-/// that touch do not.
+/// Returns for each point the index of the first point that coincides with it, which may be the point itself. Two
+/// points coincide if they are closer than the coincidence distance of the mesh and lie in faces that share a vertex.
+/// So points of two sheets that touch do not coincide.
 /// Cost: O(n log n).
 std::vector<std::int32_t> find_coincident(const Mesh& mesh, const std::vector<SurfacePoint>& points);
 

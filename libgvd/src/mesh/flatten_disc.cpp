@@ -1,8 +1,8 @@
-// The convex combination map of a disc: every inner vertex is the weighted mean of its neighbours.
+// Computes the convex combination map of a disc, in which every inner vertex is the weighted mean of its neighbours.
 //
-// If the border is convex and the weights are positive, the map is one-to-one. Mean value weights nearly keep the
-// angles; those of needles are limited to a range, beyond which rounding would decide. The check that no triangle is
-// turned round is certain: it counts a triangle only where the orientation's sign does not depend on rounding.
+// If the border is convex and the weights are positive, the map is one-to-one. Mean value weights nearly preserve
+// angles; the weights of needles are limited to a range, beyond which rounding would decide. `is_oriented` is certain:
+// it accepts a triangle only if the sign of its orientation does not depend on rounding.
 // Sources: M. Floater, One-to-one piecewise linear mappings over triangulations, 2003; for the weights, M. Floater, Mean
 // value coordinates, 2003.
 
@@ -18,8 +18,8 @@
 namespace gvd {
 namespace {
 
-/// Weights of one vertex differ by this factor at most: needles have nearly infinite ones, and nearly none. With more,
-/// rounding would decide where their corners are.
+/// The weights of one vertex differ at most by this factor. The weights of needles can be nearly infinite or nearly 0,
+/// and with a larger range rounding would decide where their corners are.
 constexpr double kWeightRange = 1e4;
 
 /// The tangent of half the angle at `at`; large where the angle is nearly pi.
@@ -29,8 +29,8 @@ double half_tangent(const Vec3& at, const Vec3& a, const Vec3& b) {
   return to_a.cross(to_b).norm() / std::max(lengths + to_a.dot(to_b), lengths / kWeightRange);
 }
 
-/// The vertices of the faces, ascending, with the border's points.
-PlaneDisc number_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border) {
+/// Collects the vertices of the faces in ascending order, with the given points on the border.
+PlaneDisc number_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<DiscBorderPoint>& border) {
   PlaneDisc disc;
   for (const FaceId f : faces) {
     for (const VertexId v : mesh.vertices(f)) disc.vertices.push_back(v);
@@ -38,17 +38,17 @@ PlaneDisc number_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const 
   std::sort(disc.vertices.begin(), disc.vertices.end());
   disc.vertices.erase(std::unique(disc.vertices.begin(), disc.vertices.end()), disc.vertices.end());
   disc.points.assign(disc.vertices.size(), Vec2::Zero());
-  for (const BorderPoint& b : border) disc.points[disc.number(b.vertex)] = b.point;
+  for (const DiscBorderPoint& b : border) disc.points[disc.number(b.vertex)] = b.point;
   return disc;
 }
 
-/// The weight of vertex `to` in the mean of vertex `from`; numbers in the disc.
+/// The weight of vertex `to` in the mean of vertex `from`. Both are numbers within the disc.
 struct MeanWeight {
   std::size_t from, to;
   double value;
 };
 
-/// The weights of the inner vertices' neighbours, those of each vertex with the sum 1. `row`: -1 for the border.
+/// Collects the weights of the inner vertices' neighbours, which sum to 1 for each vertex. `row`: -1 on the border.
 std::vector<MeanWeight> collect_weights(const Mesh& mesh, const std::vector<FaceId>& faces, const PlaneDisc& disc,
                                         const std::vector<int>& row, DiscWeights kind) {
   const bool uniform = kind == DiscWeights::uniform;
@@ -101,11 +101,11 @@ std::vector<Vec2> lay_round(const std::vector<double>& angles, const std::vector
   return points;
 }
 
-PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<BorderPoint>& border,
+PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<DiscBorderPoint>& border,
                        DiscWeights weights) {
   PlaneDisc disc = number_disc(mesh, faces, border);
-  std::vector<int> row(disc.vertices.size(), 0);  // of the matrix, -1 on the border
-  for (const BorderPoint& b : border) row[disc.number(b.vertex)] = -1;
+  std::vector<int> row(disc.vertices.size(), 0);  // row of the matrix for each vertex, -1 on the border
+  for (const DiscBorderPoint& b : border) row[disc.number(b.vertex)] = -1;
   int rows = 0;
   for (int& r : row) {
     if (r == 0) r = rows++;

@@ -1,6 +1,6 @@
-// Curves that can be generators: those of a mesh, and what all of them have to fulfil.
+// Makes curves that can be generators, and checks curves.
 //
-// A curve is checked before work begins, so that what inserts it may count on points in faces and on connected
+// A curve is checked before work begins, so that the code that inserts it can rely on points in faces and on connected
 // segments.
 //
 // The curves of a mesh are connected groups of its edges: see creases.hpp.
@@ -18,7 +18,7 @@
 namespace gvd {
 namespace {
 
-/// Throws with the curve's number, which `element` of the error holds too.
+/// Throws an error that names the curve by its number, also in `Error::element`.
 [[noreturn]] void refuse(std::size_t curve, const std::string& why) {
   throw Error(ErrorCode::precondition, fmt::format("curve {} {}", curve, why), std::int64_t(curve));
 }
@@ -46,11 +46,11 @@ void check_curve(const Mesh& mesh, const GeneratorCurve& curve, std::size_t numb
     sets.unite(a, b);
     --parts;
   }
-  if (parts > 1) refuse(number, fmt::format("has {} parts; make each one a curve of its own", parts));
+  if (parts > 1) refuse(number, fmt::format("consists of {} separate parts; make each part a curve of its own", parts));
 }
 
-/// The connected groups of some edges, each with its vertices in their order. So the first point of a curve is the
-/// vertex with the least number, whatever edges it has.
+/// Makes a curve of each connected group of edges. Its points are the group's vertices in ascending order, so the first
+/// point does not depend on the order of the edges.
 std::vector<GeneratorCurve> collect_curves(const Mesh& mesh, const std::vector<EdgeId>& edges) {
   std::vector<GeneratorCurve> curves;
   for (const CreaseGroup& group : group_creases(mesh, edges)) {

@@ -1,11 +1,11 @@
-// Curves become chains of edges of the working mesh.
+// Turns curves into chains of edges of the working mesh.
 //
-// First, segments of one curve that cross inside a face are divided there. Then all points become vertices, as
-// generators do. At last each segment is walked through its face: it ends at a vertex on the way, or the edges that it
-// crosses are flipped until one edge joins its ends.
+// First, segments of one curve that cross inside a face are divided at the crossing. Then all points become vertices,
+// as generators do. Finally, each segment is followed through its face, from one vertex on it to the next; the edges
+// that it crosses on the way are flipped until an edge joins the two vertices.
 // Source: S. W. Sloan, A fast algorithm for generating constrained Delaunay triangulations (1993).
 // Cost: O(k^2) for k segments and crossings in one face, and O(edges crossed) flips on average for each segment.
-// Invariant: only edges inside a face of the input are flipped, and none that a curve has; the surface stays the same.
+// Invariant: only edges inside a face of the input are flipped, and no edge of a curve, so the surface stays the same.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,24 +25,24 @@
 namespace gvd {
 namespace {
 
-/// A vertex lies on a segment if it is no farther from it, in the affine plane of the face: what the coordinates of a
-/// surface point are snapped by.
+/// A vertex counts as on a segment up to this distance in the affine plane of the face, which is also the distance by
+/// which coordinates of surface points are snapped.
 constexpr double kOnSegment = kBarycentricSnap;
 
-/// Most flips for each edge that a segment crosses. Each flip of a convex quadrilateral either ends a crossing or
-/// leaves it to a later one; more are only seen where rounding turns slivers over.
+/// The limit on flips, for each edge that a segment crosses. Each flip of a convex quadrilateral either ends a crossing
+/// or leaves it to a later flip; only needles turned over by rounding can need more flips.
 constexpr std::size_t kMostFlips = 100;
 
-/// A straight piece of a curve in a face of the input, from one of its points to another.
+/// A straight part of a curve in a face of the input, between two points.
 struct Segment {
   FaceId face;
   std::array<PointId, 2> points;
-  std::array<Bary, 2> ends;  // of the points in the face
+  std::array<Bary, 2> ends;  // the coordinates of `points` in the face
   GeneratorId generator;
 };
 
-/// The points of all curves, in their order, and their segments. Points where a curve crosses itself follow behind, so
-/// that those of the user keep their numbers.
+/// The points of all curves in their order, and the segments. Points where a curve crosses itself are appended, so that
+/// the user's points keep their numbers.
 struct CurvePoints {
   std::vector<SurfacePoint> points;
   IdVector<PointId, GeneratorId> owner;
@@ -68,7 +68,8 @@ CurvePoints collect_points(const Mesh& mesh, const std::vector<GeneratorCurve>& 
   return all;
 }
 
-/// Where two segments of a face cross, as fractions of both: inside of both, and not at a common end.
+/// Where two segments of a face cross, as a fraction of each. Only crossings inside both segments count, not a common
+/// end.
 std::optional<std::array<double, 2>> find_crossing(const Segment& a, const Segment& b) {
   const PlaneSegment first{affine_point(a.ends[0]), affine_point(a.ends[1])};
   const PlaneSegment second{affine_point(b.ends[0]), affine_point(b.ends[1])};
@@ -78,11 +79,12 @@ std::optional<std::array<double, 2>> find_crossing(const Segment& a, const Segme
   return std::array{s, t};
 }
 
-/// Divides the segments that cross others of their curve. Those of two curves must not cross.
+/// Divides segments where they cross other segments of their curve. Refuses segments of two different curves that
+/// cross.
 void divide_at_crossings(CurvePoints& all) {
   std::map<FaceId, std::vector<std::size_t>> in_face;
   for (std::size_t i = 0; i < all.segments.size(); ++i) in_face[all.segments[i].face].push_back(i);
-  std::map<std::size_t, std::vector<std::pair<double, PointId>>> divisions;  // of a segment
+  std::map<std::size_t, std::vector<std::pair<double, PointId>>> divisions;  // for each segment
   for (const auto& [face, segments] : in_face) {
     for (std::size_t i = 0; i < segments.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) {
@@ -91,7 +93,7 @@ void divide_at_crossings(CurvePoints& all) {
         if (!crossing) continue;
         if (a.generator != b.generator) {
           throw Error(ErrorCode::precondition,
-                      fmt::format("curves {} and {} cross in face {}; make them one curve, or part them there",
+                      fmt::format("curves {} and {} cross in face {}; make them one curve, or separate them there",
                                   a.generator.value(), b.generator.value(), face.value()),
                       b.generator.value());
         }
@@ -123,7 +125,7 @@ void divide_at_crossings(CurvePoints& all) {
 
 }  // namespace
 
-/// Makes segments edges, one after the other.
+/// Turns segments into edges, one after the other.
 class CurveInsertion {
  public:
   explicit CurveInsertion(WorkingMesh& working) : working_(working) {}
@@ -131,7 +133,7 @@ class CurveInsertion {
   void insert(const Segment& segment) {
     VertexId at = working_.point_vertex_[segment.points[0]];
     const VertexId target = working_.point_vertex_[segment.points[1]];
-    // Each step comes to another vertex of the face on the way.
+    // Each step reaches another vertex on the way.
     for (std::int32_t steps = 0; at != target; ++steps) {
       if (steps > mesh().vertex_count()) fail(segment);
       const VertexId next = step(segment, at, target);
@@ -141,8 +143,8 @@ class CurveInsertion {
     }
   }
 
-  /// Collects the edges of all curves. Only now: a flip gives the halfedges of two faces to other edges, so that until
-  /// then an edge is known by its ends.
+  /// Collects the edges of all curves. This is possible only after the last flip, because each flip reassigns the
+  /// halfedges of two faces to other edges. Until then an edge is identified by its ends.
   void finish() {
     CurveEdges& curves = working_.curves_;
     std::set<VertexId> vertices;
@@ -158,15 +160,14 @@ class CurveInsertion {
   const Mesh& mesh() const { return working_.mesh(); }
 
   [[noreturn]] static void fail(const Segment& segment) {
-    throw Error(
-        ErrorCode::precondition,
-        fmt::format("curve {} can't be drawn in face {}: it runs beside itself too near for doubles, or the face "
-                    "is too thin; leave out points there",
-                    segment.generator.value(), segment.face.value()),
-        segment.generator.value());
+    throw Error(ErrorCode::precondition,
+                fmt::format("curve {} can't be drawn in face {}: it runs too close to itself for double precision, or "
+                            "the face is too thin; leave out points there",
+                            segment.generator.value(), segment.face.value()),
+                segment.generator.value());
   }
 
-  /// A halfedge that joins two vertices, from either of them.
+  /// A halfedge that joins two vertices, in either direction.
   std::optional<HalfedgeId> find(VertexId a, VertexId b) const {
     std::optional<HalfedgeId> found;
     for_each_neighbour(mesh(), a, [&](VertexId v, HalfedgeId h) {
@@ -175,7 +176,8 @@ class CurveInsertion {
     return found;
   }
 
-  /// Distance of p from the line of a way, times its length: > 0 on the left. In the affine plane of the face.
+  /// The distance of p from the line, times the distance of `from` and `to`, in the affine plane of the face. Positive
+  /// on the left.
   static double beside(const Bary& from, const Bary& to, const Bary& p) {
     return twice_signed_area(affine_point(from), affine_point(to), affine_point(p));
   }
@@ -185,8 +187,9 @@ class CurveInsertion {
     return std::abs(cross(way, step)) <= kOnSegment * way.norm() && along > 0 && along < way.squaredNorm();
   }
 
-  /// The next vertex on the segment after `at`, joined to it by an edge: one that is there already, or one that flips
-  /// make. Of the faces round `at`, either one has a corner on the segment, or exactly one lies on both sides of it.
+  /// Returns the next vertex on the segment after `at`. An edge then joins the two, which exists already or is made by
+  /// flips. Either a face around `at` has a corner on the segment, or exactly one face around `at` lies on both sides
+  /// of the segment.
   VertexId step(const Segment& segment, VertexId at, VertexId target) {
     const Bary& to = segment.ends[1];
     std::optional<VertexId> next;
@@ -202,7 +205,8 @@ class CurveInsertion {
         const VertexId v = mesh().vertices(f)[k];
         if (v == target || is_on(from, to, corners[k])) next = v;
       }
-      // Corners are counter-clockwise: from the right of the way to its left, they turn over its direction.
+      // The corners are counter-clockwise, so the segment leaves the face through the side that runs from its right to
+      // its left.
       if (beside(from, to, corners[(i + 1) % 3]) < 0 && beside(from, to, corners[(i + 2) % 3]) > 0) {
         across = Mesh::next(h);
       }
@@ -212,12 +216,13 @@ class CurveInsertion {
     return flip_to_edge(segment, from, *across, target);
   }
 
-  /// An edge by its ends, of which `right` lies on the right of the segment.
+  /// An edge by its ends on the two sides of the segment.
   struct Crossed {
     VertexId right, left;
   };
 
-  /// Flips the edges that the segment crosses from `first` on, up to the next vertex on it, and returns that.
+  /// Flips the edges that the segment crosses, beginning with `first`, up to the next vertex on the segment. Returns
+  /// this vertex.
   VertexId flip_to_edge(const Segment& segment, const Bary& from, HalfedgeId first, VertexId target) {
     std::deque<Crossed> crossed;
     const VertexId end = collect_crossed(segment, from, first, target, crossed);
@@ -240,7 +245,7 @@ class CurveInsertion {
       }
       postponed = 0;
       if (--flips == 0) fail(segment);
-      // The new diagonal runs between the third corners of the two faces.
+      // The new diagonal joins the third corners of the two faces.
       const FaceId f = Mesh::face(h);
       const VertexId a = mesh().vertices(f)[0], b = mesh().vertices(f)[2];
       if (a == end || b == end) continue;
@@ -252,7 +257,8 @@ class CurveInsertion {
     return end;
   }
 
-  /// Collects the edges that the segment crosses, in its order, and returns the vertex where it leaves the last face.
+  /// Collects the edges that the segment crosses, in order, and returns the vertex at which the segment leaves the last
+  /// face.
   VertexId collect_crossed(const Segment& segment, const Bary& from, HalfedgeId h, VertexId target,
                            std::deque<Crossed>& crossed) const {
     const Bary& to = segment.ends[1];
@@ -270,7 +276,7 @@ class CurveInsertion {
   }
 
   WorkingMesh& working_;
-  std::set<std::pair<VertexId, VertexId>> edges_;  // ascending ends
+  std::set<std::pair<VertexId, VertexId>> edges_;  // the edges of curves by their ends, the smaller one first
 };
 
 WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<GeneratorCurve>& curves, const Progress& progress)

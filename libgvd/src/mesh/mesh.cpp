@@ -1,20 +1,22 @@
-// The connectivity of a triangle mesh: twins, edges and a halfedge for each vertex; splits and flips that change it;
-// and the figures of the whole mesh.
+// Builds the connectivity of a triangle mesh (twins, edges and a halfedge for each vertex), changes it by splits and
+// flips, and measures the whole mesh.
 //
 // Halfedge 3 f + i runs from corner i of face f to the next corner, so only twins and edges need tables. `visit_edges`
-// lists the halfedges of each edge by a counting sort. Edges get their numbers in the order of their first halfedge.
-// A vertex keeps its boundary halfedge where it has one: so one direction suffices to walk round every vertex. Lengths
-// and areas of a face lie together, as distances read them. Cost: O(n) time, about 100 bytes a face.
-// A split or flip first reads the twins and edges outside of the faces that it rewrites, then writes the faces, then
-// links their halfedges again. A split of an edge is a split of the face on each of its sides, so that the boundary
-// needs no case of its own.
-// Shape figures of triangles and valences are those that section 5 of the paper tabulates for remeshes. Q compares the
-// area with the half perimeter and the longest edge, and is 1 for equilateral triangles alone. Angles come from atan2
-// of cross and dot product, which keeps the digits of very small and very flat ones. Invariant: a mesh that breaks one
-// of the properties in mesh.hpp is refused here, so no later step checks them again. At a boundary vertex, the stored
-// halfedge is the boundary one, as the walk in vertex_ring.hpp needs it; a split or flip restores that by
-// `set_halfedge` for every vertex of the rewritten faces. Faces that it leaves keep their ids. Sums run over the faces
-// in the order of their ids, so that a figure has the same last digit on every run.
+// lists the halfedges of each edge by a counting sort. Edges are numbered in the order of their first halfedges. A
+// boundary vertex stores its boundary halfedge, so that walking in one direction visits all faces around any vertex.
+// The lengths and the area of a face are stored together, because distances read them together. Cost: O(n) time, about
+// 100 bytes a face.
+// A split or flip first reads the twins and edges around the faces that it rewrites, then writes the faces, then links
+// their halfedges again. Splitting an edge means splitting the face on each of its sides, so that edges on the boundary
+// need no special case.
+// The quality figures of triangles and valences are the figures that section 5 of the paper tabulates for remeshes. Q
+// relates the area to the half perimeter and the longest edge, and is 1 only for equilateral triangles. Angles are
+// computed as atan2 of cross and dot product, which is accurate for very small and very flat angles, too.
+// Invariant: a mesh that breaks one of the properties in mesh.hpp is refused here, so no later step checks them again.
+// The stored halfedge of a boundary vertex is its boundary halfedge, which the walk in vertex_ring.hpp needs; a split
+// or flip restores it by `set_halfedge` for every vertex of the rewritten faces. Faces that a split or flip does not
+// touch keep their ids. Sums run over the faces in the order of their ids, so that a figure has the same last digit in
+// every run.
 #include "gvd/mesh.hpp"
 
 #include <fmt/format.h>
@@ -65,12 +67,12 @@ std::string edge_name(const Mesh& mesh, HalfedgeId h) {
   return fmt::format("{}-{}", mesh.from(h).value(), mesh.to(h).value());
 }
 
-/// An angle counts as below 30 degrees if it is smaller by more than this. In degrees. With coordinates of 12 digits an
+/// An angle counts as below 30 degrees if it is smaller by more than this, in degrees. With coordinates of 12 digits an
 /// angle of 30 degrees is off by about 1e-10, and the triangles of a regular mesh must not count.
 constexpr double kAngleSlack = 1e-9;
 
-/// The least angle is opposite to the shortest side. Sides of up to this multiple of its square count as well, so that
-/// rounding does not decide: a million times the rounding.
+/// The least angle is opposite the shortest side. Sides whose squared length is at most this multiple of the shortest
+/// one's are measured as well, so that rounding does not decide. The slack is a million times the rounding.
 constexpr double kShortest = 1 + 1e-9;
 
 double angle_at(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -184,7 +186,7 @@ IdVector<FaceId, std::int32_t> compute_face_components(const Mesh& mesh) {
   IdVector<FaceId, std::int32_t> component(mesh.face_count());
   std::int32_t count = 0;
   for (const FaceId f : mesh.faces()) {
-    const FaceId first(sets.find(f.value()));  // the smallest of its component
+    const FaceId first(sets.find(f.value()));  // the component's smallest face
     component[f] = first == f ? count++ : component[first];
   }
   return component;

@@ -6,15 +6,16 @@
 
 namespace gvd {
 
-/// Splits faces and edges and flips edges of a mesh in place. The only code that changes a built mesh.
+/// Splits faces and edges and flips edges of a mesh in place. No other code changes a built mesh.
 ///
-/// Faces, edges and vertices that an operation does not touch keep their ids. New ones are appended. A face or edge
-/// that is split keeps its id for one of its parts. Every operation costs O(1).
+/// Faces, edges and vertices that an operation does not touch keep their ids. New elements are appended. A split face
+/// or edge passes its id to one of its parts. Every operation costs O(1).
 class MeshEditor {
  public:
   explicit MeshEditor(Mesh& mesh) : mesh_(mesh) {}
 
-  /// Makes the mesh a copy of another one, with room for so many vertices more, each with two faces and three edges.
+  /// Makes the mesh a copy of another mesh, and reserves memory for `vertices` more vertices, each with two faces and
+  /// three edges.
   void copy(const Mesh& other, std::size_t vertices);
 
   /// Inserts a vertex v at `position` into f = (a, b, c): f becomes (a, b, v), and (b, c, v) and (c, a, v) are appended
@@ -46,9 +47,9 @@ class MeshEditor {
   }
   /// Makes h and t the two halfedges of edge e. On the boundary t is invalid.
   void link(HalfedgeId h, HalfedgeId t, EdgeId e);
-  /// Makes h, which leaves v, the halfedge of v, or at a boundary vertex the boundary halfedge that leaves it. An
-  /// operation on other faces leaves the boundary halfedge alone. In the faces of an operation it is h or, where an
-  /// edge at v was split, the one before it: so nothing walks round v.
+  /// Makes h, which leaves v, the halfedge of v, or at a boundary vertex the boundary halfedge that leaves it. This
+  /// takes no walk around v: an operation on other faces does not change the boundary halfedge, and after an operation
+  /// on its face it is h or, if an edge at v was split, the halfedge before h.
   void set_halfedge(VertexId v, HalfedgeId h);
 
   Mesh& mesh_;

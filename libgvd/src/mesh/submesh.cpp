@@ -1,8 +1,8 @@
-// Some of the faces of a mesh as a mesh of their own.
+// Makes a mesh of some faces of another mesh.
 //
-// A corner of a face is found by a binary search among the faces, so that a small part of a large mesh costs no more
-// than it is large. From a corner without a vertex, all corners of its fan are numbered, counter-clockwise and
-// clockwise, until the faces end.
+// A face is found by binary search in the list of faces, so that the cost depends on the size of the part and not of
+// the whole mesh. From each corner that has no vertex yet, all corners of its fan are numbered, counter-clockwise and
+// clockwise, until the fan ends.
 #include "mesh/submesh.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace gvd {
 namespace {
 
-/// Numbers the vertices anew, ascending by their orders.
+/// Renumbers the vertices in ascending order of `order`.
 void sort_vertices(const IdVector<VertexId, VertexId>& order, FanFaces& fans) {
   const IdVector<VertexId, VertexId> whole = std::move(fans.whole_vertex);
   std::vector<VertexId> sorted;

@@ -1,10 +1,10 @@
-// Points of the surface: their kinds, positions, normals, and how they look from each face that contains them.
+// Points of the surface: their kinds, positions and normals, and their coordinates in each face that contains them.
 //
-// A point on an edge lies in two faces, and one at a vertex in all faces round it. Its view in each of them names the
-// same point; the canonical one is that of the face with the smallest id.
+// A point on an edge lies in two faces, and a point at a vertex lies in all faces around it. Its view in each of these
+// faces names the same point; the canonical view is the view in the face with the smallest id.
 // Invariant: a barycentric coordinate is exactly 0 where a point lies on an edge or a vertex, so its kind is a fact and
-// no later step needs a tolerance. A point on an edge has the same two weights seen from both faces, and each view of a
-// vertex has one weight of 1: so equal points have equal canonical forms.
+// no later step needs a tolerance. A point on an edge has the same two weights in both faces, and each view of a vertex
+// has one weight of 1, so equal points have equal canonical views.
 #include "gvd/surface_point.hpp"
 
 #include <fmt/format.h>
@@ -22,12 +22,12 @@ namespace {
 
 using PointKind = SurfacePoint::Kind;
 
-/// How far given coordinates may lie below 0 (rounding of a projection), and how far their sum may differ from 1 (six
-/// printed digits). Dimensionless.
+/// How far given coordinates may lie below 0, because of a rounded projection, and how far their sum may differ from 1,
+/// because of six printed digits. Dimensionless.
 constexpr double kNegativeSlack = 1e-9;
 constexpr double kSumSlack = 1e-6;
 
-/// The vertex from which a halfedge leaves.
+/// The vertex that a halfedge leaves, as a point.
 SurfacePoint corner_point(HalfedgeId h) { return edge_point(h, 0); }
 
 Vec3 normalized_or_zero(const Vec3& v) {
@@ -35,8 +35,9 @@ Vec3 normalized_or_zero(const Vec3& v) {
   return length > 0 ? Vec3(v / length) : Vec3::Zero();
 }
 
-/// Largest difference of the sum of three coordinates from 1 at which they are kept bit by bit. Dimensionless: above
-/// the rounding error of computed coordinates, and below that of coordinates with few printed digits, which are scaled.
+/// If the sum of three coordinates differs from 1 by at most this, the coordinates are kept bit by bit. Dimensionless.
+/// It is above the rounding error of computed coordinates, and below the error of coordinates with few printed digits,
+/// which are scaled.
 constexpr double kExactSum = 1e-12;
 
 }  // namespace
@@ -68,7 +69,7 @@ SurfacePoint make_surface_point(FaceId face, const std::array<double, 3>& bary) 
 SurfacePoint restore_surface_point(FaceId face, const std::array<double, 3>& bary) {
   const auto is_kept = [](double b) { return b == 0 || (b >= 0.5 * kBarycentricSnap && b <= 1); };
   const bool whole = std::all_of(bary.begin(), bary.end(), is_kept);
-  // JSON has no -0: the sum turns it into 0, so that a list means the same in each format.
+  // JSON has no -0. Adding 0 turns it into 0, so that a list means the same in each format.
   if (whole && std::abs(bary[0] + bary[1] + bary[2] - 1) <= kExactSum) {
     return {face, {bary[0] + 0.0, bary[1] + 0.0, bary[2] + 0.0}};
   }

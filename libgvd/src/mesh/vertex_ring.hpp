@@ -4,20 +4,20 @@
 
 namespace gvd {
 
-// All ways round a vertex of a `Mesh`, and along its boundary, are here. Two kinds of meshes have rings of their own,
-// because they are not a `Mesh`: the window propagation (geodesic/windows/vertex_fan.hpp), whose faces lie together for
-// the cache's sake, and the repair of soups, whose vertices may have several fans (mesh/repair/cut_apart.cpp).
+// Walks around the vertices of a `Mesh` and along its boundary. Two data structures that are not a `Mesh` have walks of
+// their own: the window propagation (geodesic/windows/vertex_fan.hpp), which stores faces together for the cache's
+// sake, and the repair of soups, whose vertices may have several fans (mesh/repair/cut_apart.cpp).
 
-/// From a halfedge that leaves a vertex to the one of the next face counter-clockwise; invalid at the boundary.
+/// The halfedge that leaves the same vertex in the next face counter-clockwise; invalid at the boundary.
 inline HalfedgeId next_outgoing(const Mesh& mesh, HalfedgeId outgoing) { return mesh.twin(Mesh::previous(outgoing)); }
 
-/// From a halfedge that leaves a vertex to the one of the next face clockwise; invalid at the boundary.
+/// The halfedge that leaves the same vertex in the next face clockwise; invalid at the boundary.
 inline HalfedgeId previous_outgoing(const Mesh& mesh, HalfedgeId outgoing) {
   const HalfedgeId twin = mesh.twin(outgoing);
   return twin.valid() ? Mesh::next(twin) : twin;
 }
 
-/// From a halfedge on the boundary to the one that follows it along the boundary loop.
+/// The halfedge after h along its boundary loop. h must lie on the boundary.
 inline HalfedgeId next_on_boundary(const Mesh& mesh, HalfedgeId h) { return mesh.halfedge(mesh.to(h)); }
 
 /// Calls visit(halfedge) for the first halfedge of each boundary loop, ascending.
@@ -52,7 +52,7 @@ void for_each_neighbour(const Mesh& mesh, VertexId v, Visit visit) {
   });
 }
 
-/// Whether test(neighbour) holds for a vertex that an edge joins to v. Stops at the first one.
+/// Whether test(neighbour) holds for any vertex that an edge joins to v. Stops at the first such vertex.
 template <class Test>
 bool any_neighbour(const Mesh& mesh, VertexId v, Test test) {
   const HalfedgeId start = mesh.halfedge(v);

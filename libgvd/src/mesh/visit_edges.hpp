@@ -14,7 +14,7 @@ namespace gvd {
 /// The halfedges of one edge, ascending.
 class EdgeHalfedges {
  public:
-  /// Each of the `keys` has a halfedge in its lower 32 bits.
+  /// The lower 32 bits of each key are a halfedge.
   explicit EdgeHalfedges(std::span<const std::uint64_t> keys) : keys_(keys) {}
 
   std::size_t size() const { return keys_.size(); }
@@ -32,12 +32,12 @@ class EdgeHalfedges {
 inline std::uint64_t vertex_number(std::int32_t v) { return static_cast<std::uint64_t>(v); }
 inline std::uint64_t vertex_number(VertexId v) { return v.index(); }
 
-/// Calls visit(EdgeHalfedges) for each edge of a list of triangles, whatever the direction of its halfedges, in the
-/// order of its smaller vertex, then of its larger one. Halfedge 3 f + i runs from corner i of face f to the next.
-/// Vertices are numbers or ids; those of a face are three different ones.
+/// Calls visit(EdgeHalfedges) for each edge of a list of triangles, whatever the direction of its halfedges, sorted by
+/// its smaller vertex, then by its larger one. Halfedge 3 f + i runs from corner i of face f to the next corner.
+/// Vertices are numbers or ids; the three vertices of a face must differ.
 ///
-/// A counting sort on the smaller vertex, then a short sort in each bucket. Cost: O(n) time where degrees are bounded,
-/// O(n log n) at worst; 8 bytes a halfedge and 4 a vertex meanwhile.
+/// Sorts by counting on the smaller vertex, and then sorts each short bucket. Cost: O(n) time if degrees are bounded,
+/// O(n log n) at worst; temporary memory of 8 bytes a halfedge and 4 bytes a vertex.
 template <class Faces, class Visit>
 void visit_edges(const Faces& faces, std::size_t vertex_count, const Visit& visit) {
   const auto for_each_halfedge = [&](const auto& take) {
@@ -56,7 +56,7 @@ void visit_edges(const Faces& faces, std::size_t vertex_count, const Visit& visi
   for_each_halfedge([&](std::uint64_t a, std::uint64_t b, std::uint64_t h) {
     keys[first[std::min(a, b)]++] = std::max(a, b) << 32 | h;
   });
-  // Now first[v] is where the bucket of v ends.
+  // Now first[v] is the end of v's bucket.
   std::size_t begin = 0;
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const std::size_t end = first[v];

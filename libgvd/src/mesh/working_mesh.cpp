@@ -1,10 +1,13 @@
-// Generators become vertices: those on edges first, edge by edge, then those inside of faces, face by face.
+// Turns generators into vertices: first the generators on edges, edge by edge, then the generators inside faces, face
+// by face.
 //
 // A point splits the edge or the face in which it lies, and Lawson's flips (C. L. Lawson, Software for C1 surface
-// interpolation, 1977) make the triangles inside a parent face Delaunay again. Each child keeps its corners'
-// barycentric coordinates in its parent: predicates use these, because needles have no area in space.
-// A generator that coincides with a vertex takes it, and two that coincide are refused with their numbers.
-// Cost: O(n) for the copy; k generators in one face cost O(k^2) at worst, since each one is looked for in all children.
+// interpolation, 1977) make the triangles inside a parent face Delaunay again. Each child stores the barycentric
+// coordinates of its corners in its parent. Predicates use these coordinates, because needles have no area in space.
+// A generator that coincides with a vertex takes this vertex. Two generators that coincide are refused with their
+// numbers.
+// Cost: O(n) for the copy; k generators in one face cost O(k^2) at worst, because each generator is looked up in all
+// children.
 // Invariant: edges of the input are split but never flipped, so the surface stays the same.
 #include "mesh/working_mesh.hpp"
 
@@ -24,8 +27,8 @@
 namespace gvd {
 namespace {
 
-/// Two ways lead to a new point from the ends of an edge. If both make a smaller angle with the edge, in radians, the
-/// point splits the edge instead of the face. A split of the face would leave a triangle with these two angles.
+/// A new point splits an edge instead of the face if the lines from both ends of the edge to the point make smaller
+/// angles with the edge than this, in radians. A split of the face would leave a triangle with these two angles.
 constexpr double kOnEdge = 1e-9;
 
 /// A flip must gain more than this, relative to the product of four edge lengths, so that rounding can't cause endless
@@ -35,8 +38,8 @@ constexpr double kFlipGain = 1e-10;
 /// Number of inserted generators between two reports of progress.
 constexpr std::size_t kInsertionStride = 1 << 6;
 
-/// Twice the signed area of a, b, c in the affine plane of two barycentric coordinates. The largest one is left out:
-/// near a corner of the face it has lost the digits that the two others have.
+/// Twice the signed area of a, b, c in the affine plane of two barycentric coordinates. The largest coordinate is left
+/// out, because near a corner of the face it has lost digits that the other two still have.
 double signed_area(const Bary& a, const Bary& b, const Bary& c) {
   const auto largest = std::max_element(a.begin(), a.end()) - a.begin();
   const auto i = (largest + 1) % 3, k = (largest + 2) % 3;
@@ -96,7 +99,7 @@ WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& gen
   vertex_generator_.resize(mesh().vertex_count());
 }
 
-/// Makes all points vertices.
+/// Turns all points into vertices.
 void WorkingMesh::insert(const std::vector<SurfacePoint>& points, const Progress& progress) {
   const SortedPoints sorted = sort_points(*input_, points);
   for (const auto& [v, point] : sorted.on_vertices) claim(v, point);
@@ -129,7 +132,7 @@ void WorkingMesh::claim(VertexId v, PointId point) {
   claim_for(v, owner_.empty() ? GeneratorId(point.value()) : owner_[point]);
 }
 
-/// Points of one curve may coincide: they have owners. Of two generators that are points none do.
+/// Gives vertex v to generator g. Refuses a vertex that belongs to another generator; points of one curve may coincide.
 void WorkingMesh::claim_for(VertexId v, GeneratorId g) {
   if (v.index() >= vertex_generator_.size()) vertex_generator_.resize(v.index() + 1);
   GeneratorId& known = vertex_generator_[v];
@@ -149,8 +152,9 @@ void WorkingMesh::claim_for(VertexId v, GeneratorId g) {
   if (!generator_vertex_[g].valid()) generator_vertex_[g] = v;
 }
 
-/// Refuses inserted generators that coincide with a neighbour. While they were inserted they met the corners of one
-/// face only: on two edges next to their common vertex they can be nearer to each other than to that.
+/// Refuses inserted generators that coincide with a neighbour. On insertion a generator was compared only with the
+/// corners of its face, but two generators on different edges near a common vertex can be nearer to each other than to
+/// the vertex.
 void WorkingMesh::check_inserted() {
   for (std::int32_t i = input_->vertex_count(); i < copy_.vertex_count(); ++i) {
     const VertexId v(i);
@@ -175,7 +179,7 @@ void WorkingMesh::set_corners(FaceId f, FaceId parent, const Corners& corners) {
 }
 
 void WorkingMesh::insert_on_edges(const std::vector<PointOnEdge>& points, const Progress& progress) {
-  HalfedgeId current, rest;  // the input's halfedge at work, and the copy's for the part of it that is not split yet
+  HalfedgeId current, rest;  // the input's halfedge, and the copy's halfedge for the rest that is not split yet
   double done = 0;           // the parameter at which `rest` begins
   std::vector<FaceId> touched;
   for (const auto& [h, t, id] : points) {
@@ -186,7 +190,8 @@ void WorkingMesh::insert_on_edges(const std::vector<PointOnEdge>& points, const 
       done = 0;
     }
     const Vec3 p = position(*input_, edge_point(h, t));
-    // The input's corners are tested too: after splits of other edges they need not be opposite to `rest` any more.
+    // The input's corners are tested, too, because after splits of other edges they need not be opposite `rest` any
+    // more.
     const VertexId corner = vertex_at(copy_, p, rest), v = corner.valid() ? corner : vertex_at(*input_, p, h);
     if (v.valid()) {
       claim(v, id);
@@ -206,8 +211,8 @@ void WorkingMesh::insert_on_edges(const std::vector<PointOnEdge>& points, const 
   make_delaunay(touched);
 }
 
-/// The corner of the two faces at h that coincides with the point p of its edge; invalid where none does. In a face
-/// without area the corner opposite to an edge can lie on the edge: a split there would leave an edge of length 0.
+/// The corner of the two faces at h that coincides with the point p on h's edge; invalid if none does. In a face
+/// without area the corner opposite an edge can lie on the edge, and a split there would leave an edge of length 0.
 VertexId WorkingMesh::vertex_at(const Mesh& mesh, const Vec3& p, HalfedgeId h) const {
   const HalfedgeId twin = mesh.twin(h);
   const VertexId beyond = twin.valid() ? mesh.opposite(twin) : mesh.from(h);
@@ -217,8 +222,8 @@ VertexId WorkingMesh::vertex_at(const Mesh& mesh, const Vec3& p, HalfedgeId h) c
   return VertexId();
 }
 
-/// The copy's halfedge for the input's halfedge h, whose own edge is not split yet. Splits of other edges may have
-/// moved it to another child of its face.
+/// The copy's halfedge for the input's halfedge h, whose edge is not split yet. Splits of other edges may have moved it
+/// to another child of its face.
 HalfedgeId WorkingMesh::find_copied(HalfedgeId h) const {
   const VertexId from = input_->from(h), to = input_->to(h);
   HalfedgeId found = h;
@@ -229,7 +234,8 @@ HalfedgeId WorkingMesh::find_copied(HalfedgeId h) const {
 }
 
 /// Splits the edge of h for a point at p. Its coordinates are `here` in the parent of h's face and `there` in that
-/// of its twin's. Returns h's face, the one appended beside it, and where there is a twin the same for its side.
+/// of its twin's. Returns h's face and the face appended beside it, and the same two faces on the side of the twin if h
+/// has one.
 std::vector<FaceId> WorkingMesh::split_edge(HalfedgeId h, PointId id, const Vec3& p, const Bary& here,
                                             const Bary& there) {
   std::vector<FaceId> changed;
@@ -252,7 +258,7 @@ std::vector<FaceId> WorkingMesh::split_edge(HalfedgeId h, PointId id, const Vec3
 void WorkingMesh::insert_in_face(FaceId parent_face, const std::vector<PointId>& ids,
                                  const std::vector<SurfacePoint>& points, const Progress& progress) {
   std::vector<FaceId> children{parent_face};
-  // Earlier splits of edges may have appended children: they are found across the edges inside the parent.
+  // Earlier splits of edges may have appended children, which are found across the edges inside the parent.
   for (std::size_t i = 0; i < children.size(); ++i) {
     for (const HalfedgeId h : Mesh::halfedges(children[i])) {
       const HalfedgeId twin = copy_.twin(h);
@@ -279,9 +285,9 @@ WorkingMesh::Location WorkingMesh::locate(const std::vector<FaceId>& children, c
   return best;
 }
 
-/// Whether a point in the face of `side` lies on that edge, inside a parent, up to kOnEdge or to rounding. The distance
-/// from the edge alone does not tell: next to an end of the edge it is small in all directions. A split of the edge
-/// must leave four triangles that do not overlap.
+/// Whether a point in the face of `side` should split this edge, which must lie inside a parent: whether the point lies
+/// on the edge up to kOnEdge or to rounding. The distance from the edge is not enough to decide, because near an end of
+/// the edge it is small in all directions. The split must leave four triangles that do not overlap.
 bool WorkingMesh::splits_edge(HalfedgeId side, const Vec3& p, const Bary& bary) const {
   const HalfedgeId twin = copy_.twin(side);
   if (!twin.valid() || parent(Mesh::face(twin)) != parent(Mesh::face(side))) return false;
@@ -303,7 +309,7 @@ void WorkingMesh::insert_point(std::vector<FaceId>& children, PointId id, const 
   }
   const auto thin = std::min_element(local.begin(), local.end()) - local.begin();
   const HalfedgeId side = Mesh::next(HalfedgeId(3 * child.value() + thin));
-  // A face without area has all its points on its sides in space, but not in its own coordinates.
+  // In space, all points of a face without area lie on its sides, but not in its own coordinates.
   if (smallest < kOnEdge && splits_edge(side, p, point.bary)) {
     if (const VertexId v = vertex_at(copy_, p, side); v.valid()) return claim(v, id);
     const auto changed = split_edge(side, id, p, point.bary, point.bary);
@@ -343,16 +349,16 @@ void WorkingMesh::make_delaunay(const std::vector<FaceId>& children) {
   }
 }
 
-/// The two faces at an edge, and the corners of the quadrilateral that they form: the edge runs from a to b, c is
-/// opposite to it in its face and d in the other one.
+/// The two faces at an edge, and the corners of the quadrilateral that they form. The edge runs from a to b; c is
+/// opposite the edge in `face`, and d is opposite it in `other`.
 struct WorkingMesh::Quadrilateral {
   FaceId face, other, parent;
   Bary a{}, b{}, c{}, d{};
-  /// Whether the diagonal can be the one from d to c.
+  /// Whether the edge can be flipped to the diagonal from d to c.
   bool is_convex() const { return signed_area(d, b, c) > 0 && signed_area(c, a, d) > 0; }
 };
 
-/// Nothing where the edge is not inside a face of the input.
+/// The quadrilateral at h; nothing if the edge does not lie inside a face of the input.
 std::optional<WorkingMesh::Quadrilateral> WorkingMesh::quadrilateral(HalfedgeId h) const {
   const HalfedgeId t = copy_.twin(h);
   const FaceId f = Mesh::face(h);
@@ -381,7 +387,8 @@ bool WorkingMesh::flip_if_not_delaunay(HalfedgeId h) {
   const auto& [face, other, parent_face, a, b, c, d] = *quad;
   const auto at = [&, f = parent_face](const Bary& bary) { return position(*input_, {f, bary}); };
   const Vec3 ca = at(a) - at(c), cb = at(b) - at(c), da = at(a) - at(d), db = at(b) - at(d);
-  // The edge is not Delaunay if the two opposite angles sum to more than pi: sin(c + d) < 0, times four lengths.
+  // The edge is not Delaunay if the two opposite angles sum to more than pi, that is, if sin(c + d) < 0. `gain` is
+  // -sin(c + d) times four lengths.
   const double gain = -(ca.cross(cb).norm() * da.dot(db) + da.cross(db).norm() * ca.dot(cb));
   if (gain <= kFlipGain * ca.norm() * cb.norm() * da.norm() * db.norm()) return false;
   flip(h, *quad);

@@ -17,32 +17,32 @@
 
 namespace gvd {
 
-/// A point that becomes a vertex: a generator, or one of the points of a curve. Without curves they have the same
-/// numbers.
+/// A point that becomes a vertex: a generator or a point of a curve. Without curves, points and generators have the
+/// same numbers.
 using PointId = Id<struct PointTag>;
 
-/// A point on an edge: at (1 - t) from(halfedge) + t to(halfedge), where `halfedge` is the edge's first one.
+/// A point on an edge: (1 - t) from(halfedge) + t to(halfedge), where `halfedge` is the first halfedge of the edge.
 struct PointOnEdge {
   HalfedgeId halfedge;
   double t;  ///< in ]0, 1[
   PointId point;
 };
 
-/// Points by what they lie on.
+/// Points, sorted by the kind of element on which they lie.
 struct SortedPoints {
   std::vector<std::pair<VertexId, PointId>> on_vertices;  ///< ascending by point
   std::vector<PointOnEdge> on_edges;                      ///< ascending by (halfedge, t, point)
   std::map<FaceId, std::vector<PointId>> in_faces;        ///< per face ascending by point
 };
 
-/// The points, sorted. Throws Error{precondition} where there is none or the face of one does not exist. Cost:
-/// O(n log n).
+/// Sorts the points. Throws Error{precondition} if there is no point or the face of a point does not exist. Cost: O(n
+/// log n).
 SortedPoints sort_points(const Mesh& mesh, const std::vector<SurfacePoint>& points);
 
 /// The generators of a working mesh that are curves: chains of its edges.
 struct CurveEdges {
-  std::vector<std::pair<VertexId, GeneratorId>> vertices;  ///< of all curves, each once; ascending
-  std::vector<HalfedgeId> edges;  ///< one halfedge of each edge, ascending; its ends lie on one curve
+  std::vector<std::pair<VertexId, GeneratorId>> vertices;  ///< the vertices of all curves, each once; ascending
+  std::vector<HalfedgeId> edges;  ///< one halfedge of each edge, ascending; both ends lie on the same curve
 
   bool empty() const { return vertices.empty(); }
 };
@@ -51,24 +51,26 @@ struct CurveEdges {
 ///
 /// Generators inside a face or on an edge split it. The surface itself does not change. So every generator has a
 /// vertex, no cell lies entirely inside a face, and the labels on the boundary of a face determine the cells inside it.
-/// Where all generators lie on vertices, the input itself is used and no mesh is copied.
+/// If all generators lie on vertices, the input itself is used and no mesh is copied. In any case the working mesh
+/// refers to the input, which must outlive it.
 class WorkingMesh {
  public:
-  /// Throws Error{precondition} where a generator's face does not exist or two generators coincide (both are named).
-  /// Reports the step "working mesh". Cost: O(n) for the copy; k generators in one face cost O(k^2) at worst.
+  /// Inserts generators that are points. Throws Error{precondition} if the face of a generator does not exist or two
+  /// generators coincide; the message names both. Reports the step "working mesh". Cost: O(n) for the copy; k
+  /// generators in one face cost O(k^2) at worst.
   WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators, const Progress& progress = {});
-  /// The same for curves. One that crosses itself has a vertex there. Throws what the other one throws, also where two
-  /// curves touch or cross, and what `check_curves` throws.
+  /// Inserts generators that are curves. A curve that crosses itself gets a vertex at the crossing. Throws as the other
+  /// constructor does, also if two curves touch or cross, and throws what `check_curves` throws.
   WorkingMesh(const Mesh& input, const std::vector<GeneratorCurve>& curves, const Progress& progress = {});
 
   const Mesh& mesh() const { return split_ ? copy_ : *input_; }
   const Mesh& input() const { return *input_; }
   VertexId vertex(GeneratorId g) const { return generator_vertex_[g]; }
-  /// The generator at vertex v of mesh(); invalid where there is none.
+  /// The generator at vertex v of mesh(); invalid if there is none.
   GeneratorId generator(VertexId v) const { return vertex_generator_[v]; }
-  /// The vertex of each generator; for a curve, that of its first point.
+  /// The vertex of each generator; for a curve, the vertex of its first point.
   const IdVector<GeneratorId, VertexId>& generator_vertices() const { return generator_vertex_; }
-  /// Empty where all generators are points. A curve of one point is none.
+  /// The generators that are curves; empty if all generators are points. A curve of a single point counts as a point.
   const CurveEdges& curves() const { return curves_; }
 
   /// The input's face that contains face f of mesh().
@@ -90,11 +92,11 @@ class WorkingMesh {
   void insert_on_edges(const std::vector<PointOnEdge>& points, const Progress& progress);
   void insert_in_face(FaceId parent, const std::vector<PointId>& ids, const std::vector<SurfacePoint>& points,
                       const Progress& progress);
-  /// A point in one of the children of its face.
+  /// Where a point lies among the children of its face.
   struct Location {
     FaceId child;
     Bary bary{};                   // in the child
-    double smallest = -kInfinity;  // of `bary`: < 0 outside by rounding
+    double smallest = -kInfinity;  // of the coordinates; < 0 if rounding puts the point outside
   };
   Location locate(const std::vector<FaceId>& children, const Bary& bary) const;
   bool splits_edge(HalfedgeId side, const Vec3& p, const Bary& bary) const;
@@ -115,7 +117,7 @@ class WorkingMesh {
   void check_inserted();
   void report_inserted(const Progress& progress);
 
-  friend class CurveInsertion;  // makes the segments of curves edges
+  friend class CurveInsertion;  // turns the segments of curves into edges
 
   const Mesh* input_;
   bool split_ = false;
@@ -123,8 +125,8 @@ class WorkingMesh {
   IdVector<FaceId, FaceId> parent_;
   IdVector<FaceId, std::int32_t> child_slot_;  // into child_corners_; -1 for a face that is not split
   std::vector<Corners> child_corners_;
-  IdVector<PointId, GeneratorId> owner_;      // of each point; empty if each is a generator
-  IdVector<PointId, VertexId> point_vertex_;  // where there are curves
+  IdVector<PointId, GeneratorId> owner_;      // the generator of each point; empty if each point is a generator
+  IdVector<PointId, VertexId> point_vertex_;  // only with curves
   CurveEdges curves_;
   IdVector<GeneratorId, VertexId> generator_vertex_;
   IdVector<VertexId, GeneratorId> vertex_generator_;
@@ -132,17 +134,17 @@ class WorkingMesh {
   std::size_t inserted_ = 0;  // generators inserted so far, without those on vertices
 };
 
-/// A point by its barycentric coordinates in a triangle, and how far it lies outside: the less the better.
+/// A point by its barycentric coordinates in a triangle, and how far it lies outside the triangle.
 struct PlacedInTriangle {
   Bary local{};
   double outside = 0;
 };
 
-/// The faces of a working mesh in each face of the input that it splits.
+/// Finds the faces of a working mesh in each face of the input that it splits.
 class SplitFaces {
  public:
   struct Part {
-    FaceId parent, face;          // of the input, of the working mesh
+    FaceId parent, face;          // in the input, in the working mesh
     std::array<Bary, 3> corners;  // in the parent
   };
 
@@ -154,7 +156,7 @@ class SplitFaces {
     std::ranges::sort(parts_, {}, [](const Part& part) { return std::pair(part.parent, part.face); });
   }
 
-  /// The parts of a face of the input, ascending by face; none if it is not split. Cost: O(log k).
+  /// The parts of a face of the input, ascending by face; none if the face is not split. Cost: O(log k).
   std::span<const Part> parts_of(FaceId parent) const {
     return {std::to_address(std::ranges::lower_bound(parts_, parent, {}, &Part::parent)),
             std::to_address(std::ranges::upper_bound(parts_, parent, {}, &Part::parent))};
@@ -164,8 +166,9 @@ class SplitFaces {
   std::vector<Part> parts_;  // ascending by parent and face
 };
 
-/// The part in which a point of its parent lies, and the point's coordinates there: the first one for which
-/// `place(corners)`, a PlacedInTriangle, is the least outside. The face is invalid if there is no number for any.
+/// Finds the part in which a point of the parent lies, and the point's coordinates there. `place(corners)` returns a
+/// PlacedInTriangle, and the first part for which the point is least outside wins. The face of the result is invalid if
+/// `outside` is NaN or infinite for all parts.
 template <class Place>
 SurfacePoint locate_in_parts(std::span<const SplitFaces::Part> parts, Place place) {
   SurfacePoint best;

@@ -1,7 +1,7 @@
-// The list of options, and the rules on which of them go together.
+// Keeps the list of options, and the rules on which options go together.
 //
-// Rules are by name, so that parts of a list can be described apart. A name that is wrong would make a rule that never
-// holds: find_unknown_names, which the tests call for every list, tells them.
+// Rules refer to options by name, so that parts of a list can be described separately. A rule with a misspelt name
+// would never apply; the tests call find_unknown_names for every list to detect it.
 
 #include "gvd/option_list.hpp"
 
@@ -20,7 +20,7 @@ std::function<void()> restore(T* field) {
   return [field, initial = *field] { *field = initial; };
 }
 
-/// Stores the values that the fields of an option have now.
+/// Makes a function that restores the present values of an option's fields.
 std::function<void()> make_reset(const Field& field) {
   const auto any_pointer = [](auto* value) { return restore(value); };
   const auto both = [](std::function<void()> first, std::function<void()> second) {
@@ -52,7 +52,7 @@ std::function<void()> make_reset(const Field& field) {
                     field);
 }
 
-/// Their placeholders, as in "A, B or C".
+/// Lists the placeholders of options, as in "A, B or C".
 std::string list_placeholders(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -62,13 +62,13 @@ std::string list_placeholders(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Two given options that exclude each other.
+/// Finds two given options that exclude each other.
 std::optional<Problem> find_exclusion(const OptionList& list, const Given& given) {
   const std::vector<const Option*> all = list.options();
   for (auto a = all.begin(); a != all.end(); ++a) {
     for (auto b = a + 1; given.has((*a)->name) && b != all.end(); ++b) {
       if (!given.has((*b)->name) || !list.exclude_each_other((*a)->name, (*b)->name)) continue;
-      // The later one is to blame: options of a file come behind those of the command line.
+      // The message blames the later option. Options of a file come after those of the command line.
       const bool is_first_later = given.find((*a)->name)->order > given.find((*b)->name)->order;
       const std::string& blamed = is_first_later ? (*a)->name : (*b)->name;
       const std::string why = list.why_excluded((*a)->name, (*b)->name);

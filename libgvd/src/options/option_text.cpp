@@ -1,5 +1,5 @@
-// Values of options as texts. Numbers are read without a locale and without the C library's "010 is 8". Each kind of
-// option has one function that reads it, one that shows it and one that names it.
+// Reads and writes values of options as texts. Numbers do not depend on the locale, and "010" is 10 and not octal as in
+// the C library. Each kind of option has a function that reads it, one that shows it and one that names it.
 
 #include "gvd/option_text.hpp"
 
@@ -50,7 +50,7 @@ struct Plain<std::optional<T>> {
   using Type = T;
 };
 
-/// Whether a number lies in a range. No NaN does.
+/// Whether a number lies in a range. NaN lies in none.
 template <class T>
 bool lies_in(const Range& range, T value) {
   const auto number = static_cast<double>(value);
@@ -76,7 +76,7 @@ std::string read_number(const Number& number, const std::string& text) {
       number.value);
 }
 
-/// "true" and "false" stand for the implied number and for none: those of a file of options.
+/// Reads a number that may be implied. In a file of options, "true" stands for the implied number and "false" for none.
 std::string read_implied(const Number& number, const Texts& texts) {
   const bool off = texts == Texts{"false"};
   if (!off && !texts.empty() && texts != Texts{"true"}) return read_number(number, texts.front());
@@ -96,7 +96,8 @@ std::string describe_whole_range(double least, double most, double largest, cons
   return fmt::format("a whole number from {} to {}", end(least), end(most));
 }
 
-/// "2147483647" for 32 bits; wider ones are powers of two.
+/// Describes the range of whole numbers. Limits of 32 bits are written out ("2147483647"), wider limits as powers of
+/// two.
 template <class T>
 std::string describe_whole_range(const Range& range) {
   using Limits = std::numeric_limits<T>;
@@ -148,7 +149,7 @@ std::string read_choices(const ChoiceList& list, const Texts& texts) {
   return "";
 }
 
-/// Pipes, "-", /dev and /proc may have any name.
+/// Refuses a file with an unknown extension. Pipes, "-", /dev and /proc may have any name.
 std::string check_extension(const std::string& file, const Texts& extensions) {
   std::error_code ignored;
   const auto status = std::filesystem::status(file, ignored);
@@ -202,7 +203,7 @@ std::string read_points(const PointList& list, const Texts& texts) {
       return takes_vertices ? "the list is empty; write vertices, as in 3,17,99, or name a file"
                             : "the name is empty; name a file";
     }
-    // A number below 0 is rather a slip than a file's name.
+    // A number below 0 is more likely a slip than the name of a file.
     const bool is_file = !takes_vertices || (takes_file && !parse_number<double>(text) &&
                                              text.find_first_not_of("0123456789, ") != text.npos);
     if (takes_file && (!found.file.empty() || (is_file && found.vertices))) {
@@ -250,10 +251,10 @@ std::string read_values(const ValueSource& values, const std::string& text) {
   return "";
 }
 
-/// Beyond there is no such memory, and rounding begins.
+/// No machine has more memory than this, and larger numbers would be rounded.
 constexpr double kMostBytes = 0x1p60;
 
-/// The factor of a unit in small letters; nothing for a wrong one.
+/// The factor of a unit in lower case; nothing for an unknown unit.
 std::optional<double> unit_factor(std::string_view unit) {
   constexpr std::string_view kUnits = "kmgt";
   if (unit.ends_with('b')) unit.remove_suffix(1);
@@ -265,8 +266,8 @@ std::optional<double> unit_factor(std::string_view unit) {
   return std::ldexp(1.0, 10 * (static_cast<int>(index) + 1));
 }
 
-/// A number, maybe with a fraction, and K, M, G or T for 1024 to the first to fourth; nothing for bytes. "B" or "iB"
-/// may follow.
+/// Reads a size in bytes: a number, which may have a fraction, and optionally K, M, G or T for a power of 1024. "B" or
+/// "iB" may follow.
 std::string read_size(const ByteSize& size, const std::string& text) {
   const std::string lower = to_lower(text);
   const char* const last = lower.data() + lower.size();
@@ -305,7 +306,7 @@ std::string read_angle(const CreaseAngle& angle, const std::string& text) {
   return "";
 }
 
-// ---- the way back
+// ---- from values back to texts
 
 using Written = std::optional<Texts>;
 
@@ -316,7 +317,7 @@ Written write_any(const std::optional<T>& value) {
   return value ? Written(Texts{fmt::format("{}", *value)}) : Written();
 }
 
-// Function objects, so that std::visit takes them beside lambdas.
+// These are function objects, so that they can be passed to std::visit together with lambdas.
 
 const auto kWriteNumber = [](const Number& number) {
   return std::visit(
@@ -337,7 +338,7 @@ const auto kWritePoints = [](const PointList& list) {
 const auto kWriteBound = [](const SizeOrPercent& size) {
   if (!*size.value) return Written();
   const auto& [value, in_diagonals] = **size.value;
-  return in_diagonals ? write_text(fmt::format("{:.15g}%", value * 100))  // without the rounding of the division
+  return in_diagonals ? write_text(fmt::format("{:.15g}%", value * 100))  // 15 digits hide the rounding of the division
                       : write_text(fmt::format("{}", value));
 };
 

@@ -1,4 +1,4 @@
-// The name that a misspelt one may have been meant for.
+// Suggests the name that the user may have meant by a misspelt one.
 
 #include <algorithm>
 #include <string_view>
@@ -9,17 +9,18 @@
 namespace gvd {
 namespace {
 
-/// A shorter beginning fits too many options. Of what is no option, and written in capitals, there is one at most.
+/// The fewest letters of a name that count as its beginning: shorter beginnings would fit too many options. Names in
+/// capitals, which are no options, need only one letter.
 std::size_t least_beginning(const std::string& name) { return name.front() >= 'A' && name.front() <= 'Z' ? 1 : 3; }
 
-/// "--Sampling=random" as "sampling".
+/// Reduces a text such as "--Sampling=random" to "sampling".
 std::string bare_name(const std::string& text) {
   const std::size_t first = text.find_first_not_of('-');
   return first == text.npos ? "" : to_lower(text.substr(first, text.find('=') - first));
 }
 
-/// Whether `typed` has the beginnings of words of `name`, in their order and with its first one, with or without the
-/// dashes between them: "outdir" or "out-d" for "output-dir".
+/// Whether `typed` consists of beginnings of words of `name`, in order and including the first word, with or without
+/// dashes: "outdir" or "out-d" for "output-dir".
 bool abbreviates(std::string_view typed, std::string_view name) {
   if (typed.empty()) return true;
   if (!name.empty() && typed.front() == name.front() && abbreviates(typed.substr(1), name.substr(1))) return true;
@@ -29,8 +30,8 @@ bool abbreviates(std::string_view typed, std::string_view name) {
   return !rest.empty() && rest.front() == next.front() && abbreviates(rest.substr(1), next.substr(1));
 }
 
-/// Insertions, deletions, replacements and swaps of neighbours that lead from one text to the other: the distance of
-/// Damerau and Levenshtein, with no letter changed twice.
+/// The least number of insertions, deletions, replacements and swaps of neighbours that turn one text into the other
+/// (the distance of Damerau and Levenshtein, with no letter changed twice).
 std::size_t count_edits(const std::string& from, const std::string& to) {
   std::vector<std::size_t> before, last, now(to.size() + 1);
   for (std::size_t j = 0; j <= to.size(); ++j) now[j] = j;
@@ -58,7 +59,7 @@ std::optional<std::string> suggest_name(const std::string& wrong, const std::vec
     // At least this many letters have to be inserted or deleted.
     const std::size_t fewest = std::max(typed.size(), bare.size()) - std::min(typed.size(), bare.size());
     const std::size_t edits = fewest < least ? count_edits(typed, bare) : least;
-    // An option of one letter is nobody's misspelling.
+    // An option of a single letter is not suggested for a misspelt name.
     if (edits < least && (bare.size() > 1 || edits == 0)) {
       least = edits;
       nearest = name;

@@ -1,9 +1,9 @@
-// The part of a mesh that the shortest paths of a query can visit.
+// Extracts the part of a mesh that the shortest paths of a query can visit.
 //
 // Idea: Dijkstra's algorithm on the edges bounds the largest distance R of the query's points. No path of that length
-// leaves the ball of radius R round the generator, so CGAL need not see the faces outside of it.
-// Invariant: the faces of the submesh are connected across edges, oriented as in the mesh, and each of its vertices has
-// one fan of them (number_fans). Each vertex is in a face.
+// leaves the ball of radius R around the generator, so CGAL does not need the faces outside the ball.
+// Invariant: the faces of the submesh are connected across edges and oriented as in the mesh. Each vertex is in a face,
+// and all its faces form a single fan (number_fans).
 #include "path_submesh.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace gvd {
 namespace {
 
-/// Relative enlargement of the radius. The lengths compared are sums of at most 1e5 rounded terms. Their relative
+/// Relative enlargement of the radius. The compared lengths are sums of at most 1e5 rounded terms, so their relative
 /// error is below 1e5 units in the last place.
 constexpr double kRadiusSlack = 1e-10;
 
@@ -32,7 +32,7 @@ void check_point(const Mesh& mesh, const SurfacePoint& point) {
 }
 
 /// Upper bounds of the exact distances: Euclidean from the generator to the corners of its faces, then along edges.
-/// Stops when the values of all `wanted` vertices are final.
+/// Stops as soon as the values of all `wanted` vertices are final.
 IdVector<VertexId, double> compute_edge_distances(const Mesh& mesh, const std::vector<SurfacePoint>& views,
                                                   const std::vector<VertexId>& wanted) {
   IdVector<VertexId, double> distance(mesh.vertex_count(), kInfinity);
@@ -79,7 +79,7 @@ std::vector<std::size_t> measure_near_points(const Mesh& mesh, const DistanceQue
 }
 
 /// The radius of a ball that the shortest paths to the far points do not leave, from upper bounds of their lengths.
-/// Points without a path get infinity, and are no longer far.
+/// Points without a path get infinity, and are removed from `far`.
 double bound_paths(const Mesh& mesh, const DistanceQuery& query, const std::vector<SurfacePoint>& views,
                    std::vector<std::size_t>& far, std::vector<double>& distances) {
   std::vector<VertexId> wanted;
@@ -111,7 +111,8 @@ bool may_intersect_ball(const Mesh& mesh, FaceId f, const Vec3& origin, double r
   return (centre - origin).norm() - extent <= radius;
 }
 
-/// The faces that may intersect the ball and are so connected to the generator's; ascending.
+/// Collects the faces that may intersect the ball and are connected to the generator's faces through such faces;
+/// ascending.
 std::vector<FaceId> collect_faces(const Mesh& mesh, const std::vector<SurfacePoint>& views, const Vec3& origin,
                                   double radius) {
   IdVector<FaceId, char> is_added(mesh.face_count(), 0);
@@ -130,13 +131,13 @@ std::vector<FaceId> collect_faces(const Mesh& mesh, const std::vector<SurfacePoi
   return faces;
 }
 
-/// Splits the faces that contain the generator into triangles at it; the others stay whole. The triangle without
-/// corner i has the fraction bary[i] of the area; it is omitted if that is 0. Returns the number of each face in the
-/// part; invalid for one that is split.
+/// Splits the faces that contain the generator into triangles at the generator; all other faces stay whole. The
+/// triangle without corner i has the fraction bary[i] of the area, and is omitted if that is 0. Returns the number of
+/// each face in the submesh; invalid for a face that is split.
 std::vector<FaceId> split_at_generator(const Mesh& mesh, const std::vector<SurfacePoint>& views, const Vec3& origin,
                                        const std::vector<FaceId>& faces, PathSubmesh& part) {
   FanFaces fans = number_fans(mesh, faces);
-  const VertexId source = fans.whole_vertex.push_back({});  // at no vertex of the mesh
+  const VertexId source = fans.whole_vertex.push_back({});  // stands for no vertex of the mesh
   std::vector<FaceId> number(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const auto view = std::ranges::find(views, faces[i], &SurfacePoint::face);

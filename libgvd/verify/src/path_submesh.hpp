@@ -12,25 +12,25 @@ namespace gvd {
 /// vertex.
 struct PathSubmesh {
   std::vector<Vec3> positions;
-  std::vector<std::array<VertexId, 3>> faces;  ///< oriented and manifold, with all vertices; in the mesh's order
+  std::vector<std::array<VertexId, 3>> faces;  ///< oriented, manifold, in the mesh's order; they use all vertices
   VertexId source;                             ///< the generator's vertex; invalid if there is no target
   /// A point whose distance needs the solver.
   struct Target {
     std::size_t point;  ///< index into the query's points
-    FaceId face;        ///< of the submesh
+    FaceId face;        ///< a face of the submesh
     std::array<double, 3> bary;
   };
   std::vector<Target> targets;
-  /// The distance of every point of the query that needs no solver: Euclidean in the faces that contain the generator,
+  /// The distance of each point of the query that needs no solver: Euclidean in the faces that contain the generator,
   /// infinity without a path. NaN for the targets.
   std::vector<double> distances;
 };
 
-/// Let R be the largest distance of a target along edges, an upper bound of the exact one. A path of length R stays in
-/// the ball of radius R round the generator. The faces that it visits are connected across edges: all faces round a
-/// vertex that it passes intersect the ball. The submesh consists of the faces that intersect the ball and are
-/// so connected to the generator's. A vertex where several fans of them remain is duplicated; no shortest path passes
-/// through it.
+/// Extracts the submesh for a query. Let R be the largest distance of a target along edges, an upper bound of the exact
+/// distance. A path of length R stays in the ball of radius R around the generator. The faces that it visits are
+/// connected across edges, because all faces around a vertex on the path intersect the ball. So the submesh consists of
+/// the faces that intersect the ball and are connected to the generator's faces through such faces. A vertex at which
+/// several fans of these faces remain is duplicated; no shortest path passes through it.
 /// Throws Error{precondition} if a point or the generator lies in no face. Cost: O(n log n).
 PathSubmesh extract_path_submesh(const Mesh& mesh, const DistanceQuery& query);
 

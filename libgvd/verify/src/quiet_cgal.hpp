@@ -2,7 +2,7 @@
 
 namespace gvd {
 
-/// While an object of this class exists, a failed check of CGAL throws and prints nothing. Implemented in verify.cpp,
+/// While an object of this class exists, a failed check of CGAL throws and does not print. Implemented in verify.cpp,
 /// the only file that includes CGAL.
 class QuietCgal {
  public:

@@ -1,9 +1,14 @@
-// Exact distances by CGAL, independent of the library's own solvers. The only file that includes CGAL.
+// Computes exact distances by CGAL, independently of the library's own solvers. This is the only file that includes
+// CGAL.
 //
 // Idea: one query for each generator, on the part of the mesh that its shortest paths can visit, on several threads.
+// CGAL constructs windows in doubles. On needles it can lose one, and then takes a longer way. What it says is no
+// longer exact where there is a path on the surface that is shorter: its length, measured along its points, is taken
+// instead. The library's solver proposes such paths, and can't make a distance too short by that: what counts is the
+// length of a path that is there.
 // Source: Xin and Wang, Improving Chen and Han's algorithm on the discrete geodesic problem, 2009, as CGAL's
 // Surface_mesh_shortest_path implements it.
-// Invariant: a query reads and writes nothing of another one, so the results are the same for any number of threads.
+// Invariant: queries share no data, so the results are the same for any number of threads.
 #include "gvd/verify.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -18,6 +23,8 @@
 
 #include "base/parallel_chunks.hpp"
 #include "gvd/error.hpp"
+#include "gvd/exact_field.hpp"
+#include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
 #include "path_submesh.hpp"
 #include "quiet_cgal.hpp"
@@ -47,11 +54,12 @@ SurfaceMesh build_surface(const PathSubmesh& submesh) {
   return surface;
 }
 
-/// CGAL's distance; infinity for a negative one, which means "no path", and for NaN, which degenerate faces can give.
+/// CGAL's distance, with infinity in place of a negative number, which means "no path", and of NaN, which degenerate
+/// faces can give.
 double checked(double distance) { return distance >= 0 ? distance : kInfinity; }
 
-/// The minimum of CGAL's distance in the target's face and of the paths through the face's corners. The latter matter
-/// where a path passes very close to a corner: by rounding it can miss the windows on both sides.
+/// The minimum of CGAL's distance in the target's face and the lengths of paths through the face's corners. The latter
+/// matter if a path passes very close to a corner, because rounding can make it miss the windows on both sides.
 double solve_target(ShortestPath& paths, const PathSubmesh& submesh, const PathSubmesh::Target& target) {
   const std::array<VertexId, 3>& corners = submesh.faces[target.face.index()];
   Vec3 at = Vec3::Zero();
@@ -65,22 +73,65 @@ double solve_target(ShortestPath& paths, const PathSubmesh& submesh, const PathS
   return best;
 }
 
-/// Writes the exact distances of the targets to `submesh.distances`.
-/// Throws Error{no_valid_result} if CGAL rejects the surface or reaches a target by no path.
-void solve_targets(PathSubmesh& submesh, const DistanceQuery& query) {
+/// Paths that are shorter than a distance by less than this fraction of it are as long: the error of the oracle.
+constexpr double kOracleError = 1e-9;
+
+/// The length of a path on the surface, from its points alone; infinity where two of them have no face in common.
+double measure_path(const Mesh& mesh, const std::vector<SurfacePoint>& points) {
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto view = find_common_view(mesh, points[i - 1], points[i]);
+    if (!view) return kInfinity;
+    length += (position(mesh, view->second) - position(mesh, view->first)).norm();
+  }
+  return length;
+}
+
+/// The answers to one query.
+struct Answer {
+  std::vector<double> distances;
+  std::int64_t corrected = 0;  ///< those for which a shorter path than CGAL's is there
+};
+
+/// Takes the lengths of shorter paths for distances that are too long.
+void take_shorter_paths(const PathSubmesh& submesh, Answer& answer) {
+  const Mesh part(submesh.positions, submesh.faces);
+  const SurfacePoint source = vertex_point(part, submesh.source);
+  const ExactField field(part, {source}, {.threads = 1});
+  for (const PathSubmesh::Target& target : submesh.targets) {
+    double& distance = answer.distances[target.point];
+    const SurfacePoint point = make_surface_point(target.face, target.bary);
+    const double least = (1 - kOracleError) * distance;
+    if (!(field.nearest(point).distance < least)) continue;
+    std::vector<SurfacePoint> path = field.path(point).points;
+    path.insert(path.begin(), point);
+    path.push_back(source);
+    const double length = measure_path(part, path);
+    if (!(length < least)) continue;
+    distance = length;
+    ++answer.corrected;
+  }
+}
+
+/// Writes the exact distances of the targets to `answer`.
+/// Throws Error{no_valid_result} if CGAL rejects the surface or no path reaches a target.
+void solve_targets(const PathSubmesh& submesh, const DistanceQuery& query, Answer& answer) {
   const SurfaceMesh surface = build_surface(submesh);
   ShortestPath paths(surface);
   paths.add_source_point(vertex_of(submesh.source));
   paths.build_sequence_tree();
   for (const PathSubmesh::Target& target : submesh.targets) {
-    const double distance = submesh.distances[target.point] = solve_target(paths, submesh, target);
-    if (!std::isinf(distance)) continue;
+    answer.distances[target.point] = solve_target(paths, submesh, target);
+  }
+  take_shorter_paths(submesh, answer);
+  for (const PathSubmesh::Target& target : submesh.targets) {
+    if (!std::isinf(answer.distances[target.point])) continue;
     throw Error(ErrorCode::no_valid_result, fmt::format("CGAL's shortest paths do not reach a point of face {}",
                                                         query.points[target.point].face.value()));
   }
 }
 
-std::vector<double> solve_query(const Mesh& mesh, const DistanceQuery& query, std::size_t index) {
+Answer solve_query(const Mesh& mesh, const DistanceQuery& query, std::size_t index) {
   PathSubmesh submesh = extract_path_submesh(mesh, query);
   const auto refuse = [index](const std::string& reason) {
     throw Error(ErrorCode::no_valid_result,
@@ -89,14 +140,15 @@ std::vector<double> solve_query(const Mesh& mesh, const DistanceQuery& query, st
                             index, reason),
                 std::int64_t(index));
   };
+  Answer answer{std::move(submesh.distances)};
   try {
-    if (!submesh.targets.empty()) solve_targets(submesh, query);
+    if (!submesh.targets.empty()) solve_targets(submesh, query, answer);
   } catch (const CGAL::Failure_exception& failure) {
     refuse("CGAL's shortest paths fail on this surface (" + failure.expression() + ")");
   } catch (const Error& error) {
     refuse(error.what());
   }
-  return std::move(submesh.distances);
+  return answer;
 }
 
 void ignore(const char*, const char*, const char*, int, const char*) {}
@@ -110,28 +162,52 @@ QuietCgal::~QuietCgal() {
   CGAL::set_warning_handler(on_warning_);
 }
 
-std::vector<std::vector<double>> compute_exact_distances(const Mesh& mesh, const std::vector<DistanceQuery>& queries,
-                                                         const VerifyOptions& options) {
+namespace {
+
+std::vector<Answer> solve_queries(const Mesh& mesh, const std::vector<DistanceQuery>& queries,
+                                  const VerifyOptions& options) {
   if (options.threads < 0) throw Error(ErrorCode::invalid_option, "the number of threads must not be negative");
-  // CGAL's predicates need a processor that rounds upwards on demand. Valgrind's does not.
+  // CGAL's predicates need a processor that rounds upwards on demand, which valgrind's simulated processor does not.
   if ((CGAL::Interval_nt<>(1) / 3).is_point()) {
     throw Error(ErrorCode::no_valid_result, "no exact distances: this processor only rounds to nearest");
   }
   constexpr std::string_view kStep = "exact distances";
   report_progress(options.progress, kStep, 0);
   const QuietCgal quiet;
-  std::vector<std::vector<double>> distances(queries.size());
+  std::vector<Answer> answers(queries.size());
   ParallelChunks(options.threads, options.progress).run(queries.size(), {kStep}, [&](std::size_t i) {
-    distances[i] = solve_query(mesh, queries[i], i);
+    answers[i] = solve_query(mesh, queries[i], i);
   });
+  return answers;
+}
+
+std::vector<std::vector<double>> take_distances(std::vector<Answer> answers) {
+  std::vector<std::vector<double>> distances;
+  for (Answer& answer : answers) distances.push_back(std::move(answer.distances));
   return distances;
 }
 
+}  // namespace
+
+std::vector<std::vector<double>> compute_exact_distances(const Mesh& mesh, const std::vector<DistanceQuery>& queries,
+                                                         const VerifyOptions& options) {
+  return take_distances(solve_queries(mesh, queries, options));
+}
+
 ErrorMeasure verify_diagram(const Mesh& mesh, const Diagram& diagram, const VerifyOptions& options) {
+  std::int64_t corrected = 0, asked = 0;
   const ExactDistances exact = [&](const std::vector<DistanceQuery>& queries) {
-    return compute_exact_distances(mesh, queries, options);
+    std::vector<Answer> answers = solve_queries(mesh, queries, options);
+    for (const Answer& answer : answers) {
+      corrected += answer.corrected;
+      asked += std::ssize(answer.distances);
+    }
+    return take_distances(std::move(answers));
   };
-  return compute_error_measure(mesh, diagram, exact, {options.panels});
+  ErrorMeasure measure = compute_error_measure(mesh, diagram, exact, {options.panels});
+  measure.distances = asked;
+  measure.corrected = corrected;
+  return measure;
 }
 
 }  // namespace gvd

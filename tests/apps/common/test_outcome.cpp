@@ -86,16 +86,18 @@ TEST_CASE("a shortage is described with the limit and what helps") {
   options.given = &given;
   CHECK_THAT(message(options),
              StartsWith("out of memory: up to ") &&
-                 EndsWith("; take a coarser --chord-tolerance, or a mesh of fewer or rounder triangles; "
-                          "--max-memory ends such a run sooner"));
+                 EndsWith("; use a coarser --chord-tolerance, or a mesh with fewer or better-shaped triangles; "
+                          "use --max-memory to stop such a run earlier"));
   diagram.method = Method::gbgvd;
-  CHECK_THAT(message(options),
-             EndsWith("take a mesh of fewer or rounder triangles; --max-memory ends such a run sooner") &&
-                 !Contains("generators"));
+  CHECK_THAT(
+      message(options),
+      EndsWith("use a mesh with fewer or better-shaped triangles; use --max-memory to stop such a run earlier") &&
+          !Contains("generators"));
   options.compute.max_memory = std::int64_t{2} << 30;
-  CHECK(message(options) ==
-        "out of memory: the run needs more than --max-memory 2 GiB; raise it, or take a mesh of fewer or rounder "
-        "triangles");
+  CHECK(
+      message(options) ==
+      "out of memory: the run needs more than --max-memory 2 GiB; raise it, or use a mesh with fewer or better-shaped "
+      "triangles");
   limit_memory_of({});
 }
 
@@ -132,9 +134,11 @@ void throw_in_destructor(const std::function<void()>& fail) {
 TEST_CASE("an exception that nothing may catch ends the process with one line and an exit code") {
   const Ended memory = terminate_in([] { throw_in_destructor([] { throw std::bad_alloc(); }); });
   CHECK(memory.exit_code == 5);
-  CHECK_THAT(memory.err,
-             StartsWith("gvd-test: error: out of memory: ") &&
-                 EndsWith("; take a mesh of fewer or rounder triangles; --max-memory ends such a run sooner\n"));
+  CHECK_THAT(
+      memory.err,
+      StartsWith("gvd-test: error: out of memory: ") &&
+          EndsWith(
+              "; use a mesh with fewer or better-shaped triangles; use --max-memory to stop such a run earlier\n"));
   const Ended other = terminate_in([] { throw_in_destructor([] { throw std::runtime_error("x"); }); });
   CHECK(other.exit_code == 5);
   CHECK(other.err == "gvd-test: error: unexpected: x; please report it\n");

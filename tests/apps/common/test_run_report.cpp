@@ -85,7 +85,7 @@ TEST_CASE("a report has the contract's keys in its order") {
                                        "ordinary_faces", "branching_faces", "gaps", "gaps_grown", "gaps_assembled",
                                        "unresolved_ends", "relabelled_vertices", "straightened_faces",
                                        "straightened_error", "verify"});
-  CHECK(keys(json["diagram"]["verify"]) == Names{"error_integral", "error_mean", "error_max", "length"});
+  CHECK(keys(json["diagram"]["verify"]) == Names{"error_integral", "error_mean", "error_max", "length", "corrected"});
   CHECK(keys(json["options"]).front() == "input");
   CHECK(keys(json["options"]).back() == "step");
   CHECK(keys(json["input"]["defects"]) ==

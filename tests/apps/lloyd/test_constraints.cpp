@@ -37,7 +37,7 @@ TEST_CASE("gvd-lloyd --fixed: these generators come first and stay, and -n count
   CHECK(a[4] != b[4]);
   const CommandResult few = lloyd(data_file("figure.obj") + " -n 2" + fixed + scratch / "c.txt");
   CHECK(few.exit_code == 4);
-  CHECK_THAT(few.err, Contains("2 generators are asked for, and 3 are fixed or on features; ask for more generators"));
+  CHECK_THAT(few.err, Contains("2 generators are requested, but 3 are fixed or on features; ask for more generators"));
 }
 
 TEST_CASE("gvd-lloyd --fixed: its list has a format of its own") {
@@ -90,7 +90,7 @@ TEST_CASE("gvd-lloyd --density: curvature, files for vertices and faces, and pro
              Contains("the density of face 1 is 0; give finite numbers above 0"));
   write_text(scratch / "word.txt", "1\ntwo\n");
   CHECK_THAT(lloyd(scratch / "triangle.off" + few + scratch / "word.txt").err,
-             Contains("word.txt:2: 'two' is no number"));
+             Contains("word.txt:2: 'two' is not a number"));
   write_text(scratch / "q.ply",
              "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
              "property float quality\nelement face 2\nproperty list uchar int vertex_indices\nproperty float weight\n"

@@ -232,7 +232,7 @@ TEST_CASE("commands: a file of one format may go to a pipe, and one of several i
       "gvd-lloyd", data_file("figure.obj") + " -n 20 --points /dev/stdout -o " + scratch / "generators.txt");
   CHECK(points.exit_code == 2);
   CHECK(points.err ==
-        "gvd-lloyd: error: --points: /dev/stdout does not tell the format; give a file that ends in .ply, .xyz or "
+        "gvd-lloyd: error: --points: /dev/stdout has no known extension; give a file that ends in .ply, .xyz or "
         ".npy\n");
 }
 

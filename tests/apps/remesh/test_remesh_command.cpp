@@ -121,6 +121,14 @@ TEST_CASE("gvd-remesh: the boundary is kept for sampled generators, unless it is
   CHECK_THAT(both.err, Contains("--keep-boundary and --loose-boundary exclude each other: keep one"));
 }
 
+TEST_CASE("gvd-remesh: a single triangle gets as many vertices as asked for, most of them on its boundary") {
+  const ScratchFolder scratch;
+  write_text(scratch / "one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const auto report = report_of(scratch / "one.off" + " -n 10");
+  CHECK(report["results"]["output"]["vertices"] == 10);
+  CHECK(report["results"]["creases"]["followed"] == report["results"]["creases"]["length"]);
+}
+
 TEST_CASE("gvd-remesh: what edges do not follow is at most the whole length, and the note says what helps") {
   const ScratchFolder scratch;
   const std::string bowl = data_file("half_sphere.off");

@@ -55,6 +55,21 @@ TEST_CASE("gvd-remesh: where all generators are in one corner, report and note s
   }
 }
 
+TEST_CASE("gvd-remesh: the line on the distance names the bound as the most, within 1 % of what was found") {
+  const ScratchFolder scratch;
+  const std::string report = scratch / "report.json";
+  const std::string err = run_remesh(data_file("figure.obj") + " -n 60 --report " + report);
+  const auto result = nlohmann::json::parse(read_text(report));
+  const auto& distance = result["results"]["distance"];
+  const auto larger = [&](const char* kind) {
+    return std::max(double(distance["input_to_output"][kind]), double(distance["output_to_input"][kind]));
+  };
+  const double bound = larger("hausdorff_bound"), diagonal = result["input"]["bbox_diagonal"];
+  CHECK(bound <= 1.01 * larger("hausdorff"));
+  CHECK_THAT(err, Contains(fmt::format("distance from the input, in % of the diagonal: {:.3g} at most, {:.3g} RMS",
+                                       100 * bound / diagonal, 100 * larger("rms") / diagonal)));
+}
+
 /// Distance of the nearest vertex from the end of a spindle that has the farther one.
 double farthest_tip(const std::string& coarse) {
   double farthest = 0;
@@ -96,6 +111,18 @@ TEST_CASE("gvd-remesh: no thin triangles at creases") {
     // Without raise_angles, 27.4, 25.5 and 19.4 degrees, and .9 to 2.9 % below 30.
     CHECK(double(results["quality"]["output"]["angle_min"]) > 29);
     CHECK(double(results["quality"]["output"]["percent_below_30"]) <= 0.3);
+  }
+}
+
+TEST_CASE("gvd-remesh: few triangles are good ones beside creases that no edges follow") {
+  const ScratchFolder scratch;
+  const Mesh plate = make_plate(12, 0.2);
+  write_simple_obj(scratch / "plate.obj", plate);
+  // With springs alone, mean Q is .7443 and .7905.
+  for (const auto& [n, least] : {std::pair(60, 0.79), std::pair(200, 0.82)}) {
+    CAPTURE(n);
+    const auto results = report_of(scratch / "plate.obj" + fmt::format(" -n {}", n))["results"];
+    CHECK(double(results["quality"]["output"]["q_average"]) > least);
   }
 }
 

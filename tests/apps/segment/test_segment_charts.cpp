@@ -12,6 +12,7 @@
 
 #include "apps/require_error.hpp"
 #include "apps/run_command.hpp"
+#include "base/plane.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/read_soup.hpp"
 #include "gvd/soup.hpp"
@@ -108,6 +109,30 @@ TEST_CASE("gvd-segment --uv flat: each face is counter-clockwise in the square, 
   CHECK_THAT(read_text(scratch / "a.ply"), Contains("texcoord") || Contains("property double s"));
 }
 
+/// How many faces of a file are not counter-clockwise in the texture, for certain.
+std::int64_t count_flipped(const std::string& file) {
+  const std::vector<Uv> texture = read_soup(file).appearance.texture;
+  REQUIRE(!texture.empty());
+  const auto at = [&](std::size_t i) { return Vec2(texture[i][0], texture[i][1]); };
+  std::int64_t flipped = 0;
+  for (std::size_t i = 0; i < texture.size(); i += 3) flipped += orientation(at(i), at(i + 1), at(i + 2)) <= 0;
+  return flipped;
+}
+
+TEST_CASE("gvd-segment --uv flat: PLY and OBJ flip no face, and a note counts those that the floats of GLB flip") {
+  const ScratchFolder scratch;
+  const std::string notes = run(data_file("figure.obj") + " -n 12 --disc --uv flat -o " + scratch / "a.obj" + " -o " +
+                                scratch / "a.ply" + " -o " + scratch / "a.glb --report " + scratch / "r.json");
+  CHECK(count_flipped(scratch / "a.obj") == 0);
+  CHECK(count_flipped(scratch / "a.ply") == 0);
+  const std::int64_t flipped = count_flipped(scratch / "a.glb");
+  CHECK(flipped > 0);
+  CHECK(read_json(scratch / "r.json")["results"]["charts"]["flipped_by_floats"] == flipped);
+  CHECK_THAT(notes,
+             Contains(std::to_string(flipped) + " faces are flipped in .glb, which rounds texture coordinates to " +
+                      "32-bit floats; .ply and .obj keep doubles, and flip none"));
+}
+
 TEST_CASE("gvd-segment --uv logmap: the report has the generators' places, and distances in the texture are exact") {
   const ScratchFolder scratch;
   run(data_file("figure.obj") + " -n 40 --uv logmap -q -o " + scratch / "a.obj" + " --report " + scratch / "r.json");
@@ -142,7 +167,7 @@ TEST_CASE("gvd-segment --uv: --stats has the charts' columns, and a line says th
   write_text(scratch / "in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
   const std::string notes = run(scratch / "in.obj" + " -n 1 --uv logmap -o " + scratch / "a.obj --stats " +
                                 scratch / "s.csv --report " + scratch / "r.json");
-  CHECK_THAT(notes, Contains("in.obj: left out: texture coordinates of the input, for those of --uv\n"));
+  CHECK_THAT(notes, Contains("in.obj: left out: texture coordinates of the input (replaced by --uv)\n"));
   std::istringstream rows(read_text(scratch / "s.csv"));
   std::string header, row;
   std::getline(rows, header);
@@ -162,7 +187,7 @@ TEST_CASE("gvd-segment --uv: the regions have their own materials, as the input'
              "mtllib paint.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl skin\nf 1/1 2/2 3/3\n");
   const std::string given = scratch / "in.obj" + " --vertices 0,1 --uv flat -o ";
   const std::string notes = run(given + scratch / "a.obj");
-  CHECK_THAT(notes, Contains("in.obj: left out: texture coordinates of the input, for those of --uv; materials of the "
+  CHECK_THAT(notes, Contains("in.obj: left out: texture coordinates of the input (replaced by --uv); materials of the "
                              "input, whose images do not fit those of --uv\n"));
   const std::string written = read_text(scratch / "a.obj");
   CHECK_THAT(written, Contains("mtllib a.mtl\n") && Contains("\nusemtl region_0\n") && Contains("\nusemtl region_1\n"));
@@ -228,7 +253,7 @@ TEST_CASE("gvd-segment --disc --cut: each piece is a disc as a mesh, also where 
     CAPTURE(vertices);
     const std::string notes = run(scratch / "ring.off" + " --vertices " + vertices + " --disc --cut -o " +
                                   scratch / "a.json" + " -o " + scratch / "a.off");
-    CHECK_THAT(notes, !Contains("no disc"));
+    CHECK_THAT(notes, !Contains("not a disc") && !Contains("not discs"));
     const nlohmann::json written = read_json(scratch / "a.json");
     for (const auto& cell : written["cells"]) {
       CHECK(cell["euler_characteristic"] == 1);
@@ -245,7 +270,7 @@ TEST_CASE("gvd-segment --disc: a note names regions of whole faces that touch th
   const ScratchFolder scratch;
   write_text(scratch / "ring.off", cube_ring());
   const std::string notes = run(scratch / "ring.off" + " --vertices 5,10,23 --disc -o " + scratch / "a.json");
-  CHECK_THAT(notes, Contains("1 region is no disc although its cell is: 0; whole faces join or touch there; --cut "
+  CHECK_THAT(notes, Contains("1 region is not a disc, although its cell is: 0; whole faces join or touch there; --cut "
                              "follows the cells\n"));
   nlohmann::json whole = {{"labels", read_json(scratch / "a.json")["face_labels"]}};
   const PolygonSoup soup = read_soup(scratch / "ring.off");

@@ -324,7 +324,7 @@ TEST_CASE("gvd-segment: FreeSurfer's surfaces have any name, and all surfaces gi
   require_error("gvd-segment", data_file("figure.obj") + " -n 5 -o " + file("lh.white"), 2,
                 "the extension must be one of");
   require_error("gvd-segment", data_file("figure.obj") + " -n 5 -o " + file("c.ply") + " --output-format fs", 2,
-                "--output-format does nothing here");
+                "--output-format has no effect here");
 }
 
 }  // namespace gvd::test_segment_command

@@ -279,9 +279,8 @@ TEST_CASE("gvd-segment --within: regions that can't be kept to are errors in one
   require_error(name, figure + "-n 9 --within " + scratch / "short.txt", 3, "short.txt: 3 numbers; give one for each");
   require_error(name, figure + "-n 9 --mask " + scratch / "none.txt", 4, "none.txt: no face is left");
   write_text(scratch / "all.txt", list_of([](int) { return -1; }));
-  require_error(
-      name, figure + "-n 9 --within " + scratch / "all.txt", 4,
-      "all.txt: no face is left, since all numbers are negative; give numbers from 0 for the faces of regions");
+  require_error(name, figure + "-n 9 --within " + scratch / "all.txt", 4,
+                "all.txt: all numbers are negative, so no face remains; give numbers from 0 for the faces of regions");
   require_error(name, figure + "-n 9 --within atlas", 3, "--within atlas: there is no such file, and");
   require_error(name, figure + "--generators " + scratch / "inside.txt" + " --mask " + scratch / "three.txt", 4,
                 "generator 0 lies on a face that is left out; choose another");

@@ -63,6 +63,21 @@ TEST_CASE("texture of corners: OBJ and PLY give it back") {
   }
 }
 
+TEST_CASE("texture of corners: PLY has doubles where floats would flatten a face or turn it round, and then only") {
+  Textured textured;
+  for (const bool ascii : {false, true}) {
+    CHECK(textured.bytes(MeshFormat::ply, ascii).find("property list uchar float texcoord\n") != std::string::npos);
+  }
+  textured.appearance.texture[0] = {0.1, 0.1};
+  textured.appearance.texture[1] = {0.9, 0.9};
+  textured.appearance.texture[2] = {0.5, 0.5 + 1e-10};
+  for (const bool ascii : {false, true}) {
+    const std::string bytes = textured.bytes(MeshFormat::ply, ascii);
+    CHECK(bytes.find("property list uchar double texcoord\n") != bytes.npos);
+    require_texture(textured, read_back(bytes, MeshFormat::ply).texture);
+  }
+}
+
 TEST_CASE("texture of corners: an OBJ has equal coordinates of a vertex once") {
   const std::string bytes = Textured().bytes(MeshFormat::obj);
   std::size_t written = 0;
@@ -87,6 +102,11 @@ TEST_CASE("texture of corners: without a seam a PLY has it as numbers of vertice
     REQUIRE(properties.size() == 1);
     CHECK(properties[0].name == "ids");
   }
+  Textured thin = textured;
+  for (Uv& uv : thin.appearance.texture) uv[1] = 0.5 + 1e-9 * uv[1];
+  const std::string doubles = thin.bytes(MeshFormat::ply);
+  CHECK(doubles.find("property double s\nproperty double t\n") != doubles.npos);
+  CHECK(read_back(doubles, MeshFormat::ply).texture == thin.appearance.texture);
   textured.lists.push_back(
       {"s", NumberType::float32, true, std::vector<double>(textured.mesh.positions().size()), {}, {}});
   const std::string taken = textured.bytes(MeshFormat::ply);

@@ -181,9 +181,9 @@ TEST_CASE("a coordinate beyond a float's range is refused") {
 
 TEST_CASE("a mesh smaller than the step of floats is refused") {
   using Catch::Matchers::Contains;
-  CHECK_THAT(float_refusal(triangle(1, 1e9)), Contains("smaller than the step between two of them") &&
+  CHECK_THAT(float_refusal(triangle(1, 1e9)), Contains("smaller than the distance between neighbouring floats") &&
                                                   Contains("choose .ply, .obj, .off, .coff, .vtp or .vtu"));
-  CHECK_THAT(float_refusal(triangle(1e-40, 0)), Contains("smaller than the step between two of them"));
+  CHECK_THAT(float_refusal(triangle(1e-40, 0)), Contains("smaller than the distance between neighbouring floats"));
 }
 
 }  // namespace gvd::test_mesh_writer

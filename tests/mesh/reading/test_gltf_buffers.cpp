@@ -88,10 +88,10 @@ TEST_CASE("gltf buffers: what is not below the folder of the mesh is refused, ho
   }
   for (const char* uri : {"", "..\\\\outside.bin", "sub%5Cnumbers.bin", "numbers.bin%00", "%0Anumbers.bin"}) {
     INFO(uri);
-    CHECK_THAT(at.refused(uri), Catch::Matchers::Contains("is no name of a file"));
+    CHECK_THAT(at.refused(uri), Catch::Matchers::Contains("is not the name of a file"));
   }
   for (const char* uri : {"a%2", "a%zz", "%", "%+1"})
-    CHECK_THAT(at.refused(uri), Catch::Matchers::Contains("has a '%' without two digits behind it"));
+    CHECK_THAT(at.refused(uri), Catch::Matchers::Contains("has a '%' without two digits after it"));
 }
 
 TEST_CASE("gltf buffers: symbolic links are followed inside of the folder, and not out of it") {
@@ -118,9 +118,9 @@ TEST_CASE("gltf buffers: a file that is missing, or is none, is refused") {
   const Models at;
   CHECK_THAT(at.refused("missing.bin"),
              Catch::Matchers::Contains("buffer 0, 'missing.bin', is not there; put it beside the mesh"));
-  CHECK_THAT(at.refused("sub folder"), Catch::Matchers::Contains("is no file"));
+  CHECK_THAT(at.refused("sub folder"), Catch::Matchers::Contains("is not a file"));
   REQUIRE(mkfifo((at.models / "pipe").c_str(), 0600) == 0);
-  CHECK_THAT(at.refused("pipe"), Catch::Matchers::Contains("is no file"));
+  CHECK_THAT(at.refused("pipe"), Catch::Matchers::Contains("is not a file"));
 }
 
 TEST_CASE("gltf buffers: data URIs are Base64; without a folder there is nothing else") {

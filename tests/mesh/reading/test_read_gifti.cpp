@@ -78,7 +78,7 @@ TEST_CASE("gifti: a transform and further arrays are noted, the identity is not"
                                                 "'NIFTI_XFORM_TALAIRACH' is left out"});
   const std::string more = replaced(kGifti, "</GIFTI>", "<DataArray Intent=\"NIFTI_INTENT_SHAPE\"/></GIFTI>");
   CHECK(parse_gii(more).notes == std::vector<std::string>{"1 array is left out"});
-  require_refused(with_matrix("1 0 x"), MeshFormat::gii, "'x' is no number in an array of Coord");
+  require_refused(with_matrix("1 0 x"), MeshFormat::gii, "'x' is not a number in an array of Coord");
 }
 
 TEST_CASE("gifti: what is wrong with a surface is refused in one line") {
@@ -91,12 +91,12 @@ TEST_CASE("gifti: what is wrong with a surface is refused in one line") {
   refused("\"ASCII\"", "\"ExternalFileBinary\" ExternalFileName=\"a.dat\"", "the numbers are in another file, 'a.dat'");
   refused("\"ASCII\"", "\"Morse\"", "has the encoding 'Morse'");
   refused("Dim0=\"4\"", "Dim0=\"5\"",
-          "an array 'NIFTI_INTENT_POINTSET' should have 15 numbers (Dim0 '5', Dim1 '3'), and its data hold 12 numbers; "
+          "an array 'NIFTI_INTENT_POINTSET' should have 15 numbers (Dim0 '5', Dim1 '3'), but its data hold 12 numbers; "
           "export the file again");
   refused("Dim0=\"4\"", "Dim0=\"4x\"",
           "an array 'NIFTI_INTENT_POINTSET' has Dim0 '4x', and should have a whole number from 0 there; export");
   refused("Dim0=\"4\"", "Dim0=\"-4\"", "has Dim0 '-4', and should");
-  refused("Dim0=\"4\"", "", "should have 0 numbers (Dim1 '3'), and its data hold 12 numbers");
+  refused("Dim0=\"4\"", "", "should have 0 numbers (Dim1 '3'), but its data hold 12 numbers");
   require_tetrahedron(parse_gii(replaced(kGifti, "Dim0=\"4\"", "Dim0=\" 4 \"")));
   refused("Dim0=\"4\"", "Dim0=\"99999999999999\"", "99999999999999 in one dimension are more than the file can hold");
   refused("Dim1=\"3\"", "Dim1=\"4\"", "has 16 numbers in 4 rows; three in a row are needed");
@@ -107,7 +107,7 @@ TEST_CASE("gifti: what is wrong with a surface is refused in one line") {
   require_refused("<?xml version=\"1.0\"?><VTKFile/>", MeshFormat::gii, "the XML has no element GIFTI");
   for (const std::string encoding : {"Base64Binary", "GZipBase64Binary"}) {
     INFO(encoding);
-    const std::string hold = "should have 12 numbers (Dim0 '4', Dim1 '3'), and its data hold ";
+    const std::string hold = "should have 12 numbers (Dim0 '4', Dim1 '3'), but its data hold ";
     require_refused(with_points("FLOAT32", numbers(kFloats).substr(1), encoding), MeshFormat::gii,
                     hold + "11 numbers and 3 more bytes; export");
     require_refused(with_points("FLOAT32", numbers(kFloats) + "more", encoding), MeshFormat::gii, hold + "13 numbers;");
@@ -116,15 +116,15 @@ TEST_CASE("gifti: what is wrong with a surface is refused in one line") {
     require_refused(with_points("FLOAT32", "", encoding), MeshFormat::gii, hold + "0 numbers;");
     // Far more than the file has, and fewer than it could unfold to.
     require_refused(replaced(with_points("FLOAT32", numbers(kFloats), encoding), "Dim0=\"4\"", "Dim0=\"3000000\""),
-                    MeshFormat::gii, "should have 9000000 numbers (Dim0 '3000000', Dim1 '3'), and its data hold 12 ");
+                    MeshFormat::gii, "should have 9000000 numbers (Dim0 '3000000', Dim1 '3'), but its data hold 12 ");
     require_refused(with_points("STRING", numbers(kFloats), encoding), MeshFormat::gii, "the type 'NIFTI_TYPE_STRING'");
   }
   const std::string packed = with_points("FLOAT32", numbers(kFloats), "GZipBase64Binary");
   const std::string once = deflate(numbers(kFloats));
   require_refused(replaced(packed, base64(once), base64(once + "\1")), MeshFormat::gii,
-                  "file: the packed data of an array 'NIFTI_INTENT_POINTSET' end after its numbers, and 1 byte follows "
-                  "behind them; export the file again");
-  require_refused(replaced(packed, base64(once), base64(once + once)), MeshFormat::gii, "bytes follow behind them");
+                  "file: the packed data of an array 'NIFTI_INTENT_POINTSET' end after its numbers, but 1 byte follows "
+                  "them; export the file again");
+  require_refused(replaced(packed, base64(once), base64(once + once)), MeshFormat::gii, "bytes follow them");
   std::string noise = with_points("FLOAT32", numbers(kFloats), "GZipBase64Binary");
   require_refused(replaced(noise, base64(deflate(numbers(kFloats))), "AAAAAAAAAAAAAAAA"), MeshFormat::gii,
                   "the packed data of an array 'NIFTI_INTENT_POINTSET' are damaged");
@@ -173,7 +173,7 @@ TEST_CASE("gifti: values are those of the one array that is no surface") {
   CHECK(refused_values(values_of("VECTOR", "Dimensionality=\"2\" Dim0=\"1\" Dim1=\"3\"", "1 2 3")) ==
         "file: the GIFTI file has 3 numbers for 1 vertex; give one for each");
   CHECK(refused_values(values_of("\x7f.", "Dimensionality=\"1\" Dim0=\"1\"", "one")) ==
-        "file: 'one' is no number in an array of 'NIFTI_INTENT_?.'");
+        "file: 'one' is not a number in an array of 'NIFTI_INTENT_?.'");
   CHECK_THAT(refused_values(values_of("NODE_INDEX", "Dimensionality=\"1\" Dim0=\"1\"", "1")),
              Catch::Matchers::Contains("indices of vertices"));
 }
@@ -188,7 +188,7 @@ TEST_CASE("gifti: a map of one region packs far, and is read") {
   const std::string bomb = base64(deflate(std::string(std::size_t{4} << 22, '\0')));
   std::string large =
       replaced(values_of("LABEL", "Dimensionality=\"1\" Dim0=\"4194304\"", bomb), "ASCII", "GZipBase64Binary");
-  CHECK_THAT(refused_values(large), Catch::Matchers::Contains("unfolds to more than 200 times its size"));
+  CHECK_THAT(refused_values(large), Catch::Matchers::Contains("expands to more than 200 times its size"));
 }
 
 }  // namespace gvd::test_read_gifti

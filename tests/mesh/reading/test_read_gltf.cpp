@@ -114,11 +114,11 @@ TEST_CASE("glb: what is not read is refused in one clear line") {
   refused(R"({"version":"2.0"})", R"({"version":"2.1","minVersion":"2.1"})", "the file has version '2.1' of glTF");
   refused(R"("count":4)", R"("count":5)", "accessor 0 has 5 elements, and its view has 48 bytes");
   refused(R"("count":4)", R"("count":4000000000000000000)", "accessor 0 has 4000000000000000000 elements");
-  refused(R"("count":4)", R"("count":-1)", "'count' is no index or count");
+  refused(R"("count":4)", R"("count":-1)", "'count' is not an index or count");
   refused(R"("count":4)", R"("count":3)", "an index is 3, and there are 3 vertices");
   refused(R"("byteOffset":48)", R"("byteOffset":123)", "view 1 has 12 bytes from 123 on, and buffer 0 has 132");
   refused(R"("POSITION":0)", R"("POSITION":9)", "there is no item 9 of accessors");
-  refused(R"("POSITION":0)", R"("NORMAL":0)", "'POSITION' is no index or count");
+  refused(R"("POSITION":0)", R"("NORMAL":0)", "'POSITION' is not an index or count");
   refused(R"("primitives")", R"("primitive")", "the scene's description is damaged");
   refused(R"([{"mesh":0}])", R"([{"mesh":0,"children":[0]}])", "node 0 has two parents");
   refused(R"([{"mesh":0}])", R"([{"mesh":0,"matrix":[1,2]}])", "the scene's description is damaged");
@@ -159,7 +159,7 @@ TEST_CASE("glb: lengths, steps and counts that don't fit together are refused, a
   const std::string again = "; export the file again";
   refused(R"("byteLength":132})", R"("byteLength":133})", "buffer 0 should have 133 bytes, and has 132" + again);
   refused(R"("byteLength":132})", R"("byteLength":80})", "view 2 has 24 bytes from 60 on, and buffer 0 has 80");
-  refused(R"("byteLength":132})", R"("byteLength":-1})", "'byteLength' is no index or count");
+  refused(R"("byteLength":132})", R"("byteLength":-1})", "'byteLength' is not an index or count");
   refused(R"("byteLength":48})", R"("byteLength":47})", "accessor 0 has 4 elements, and its view has 47 bytes");
   refused(R"("byteLength":48})", R"("byteLength":48,"byteStride":8})",
           "accessor 0 has elements of 12 bytes, and its view steps by 8 ('byteStride')" + again);
@@ -175,10 +175,10 @@ TEST_CASE("glb: lengths, steps and counts that don't fit together are refused, a
   refused(R"("componentType":5123,"count":12,"type":"SCALAR")", R"("componentType":5123,"count":4,"type":"VEC3")",
           "accessor 2 has vectors of 3 numbers, and indices are single numbers" + again);
   refused(R"([{"mesh":0}])", R"([{"mesh":0,"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1, 5]}])",
-          "node 0 has a matrix of 17 numbers that is no affine transform");
-  refused(
-      R"([{"mesh":0}])", R"([{"mesh":0,"matrix":[1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]}])",
-      "node 0 has a matrix of 16 numbers that is no affine transform: it needs 16, and the last row 0 0 0 1" + again);
+          "node 0 has a matrix of 17 numbers that is not an affine transform");
+  refused(R"([{"mesh":0}])", R"([{"mesh":0,"matrix":[1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]}])",
+          "node 0 has a matrix of 16 numbers that is not an affine transform: it needs 16, and the last row 0 0 0 1" +
+              again);
   refused(R"([{"mesh":0}])", R"([{"mesh":0,"rotation":[0,0,0,0]}])", "node 0 has a rotation of length 0" + again);
   refused(R"("indices":2)", R"("indices":2,"mode":7)", "mesh 0 has the unknown mode 7" + again);
   const auto with_mode = [](int mode, int count) {
@@ -246,7 +246,7 @@ TEST_CASE("glb: instances are counted, so that a small file can't take all memor
   description = replaced(description, R"("byteOffset":48,"byteLength":12)", R"("byteOffset":132,"byteLength":100002)");
   description = replaced(description, R"("byteLength":132}])", R"("byteLength":100134}])");
   require_refused(glb_of(description, glb_numbers() + std::string(100002, '\0')), MeshFormat::glb,
-                  "unfolds to more than 200 times its size");
+                  "expands to more than 200 times its size");
 }
 
 }  // namespace gvd::test_read_gltf

@@ -35,7 +35,8 @@ TEST_CASE("MNI: polygons of any size, several objects, and others that are noted
   CHECK(two.polygon(7)[0] == 5);
   const PolygonSoup noted = parse(kMni + "L 1 2\n");
   require_tetrahedron(noted);
-  CHECK(noted.notes == std::vector<std::string>{"line 19: 'L' is no polygons; left out, with what follows"});
+  CHECK(noted.notes ==
+        std::vector<std::string>{"line 19: 'L' is not an object of polygons; it and everything after it are skipped"});
 }
 
 TEST_CASE("MNI: what is wrong is refused with its line") {

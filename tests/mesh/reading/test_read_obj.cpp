@@ -58,9 +58,9 @@ TEST_CASE("OBJ: bad bytes are refused with their line") {
   require_refused(kVertices + "f 1 2 -5\n", MeshFormat::obj,
                   "file:5: a face refers to vertex -5, and there are 4 before it");
   require_refused(kVertices + "f 1 2 99999999999\n", MeshFormat::obj, "file:5: a face refers to vertex 99999999999");
-  require_refused(kVertices + "f 1 2 99999999999999999999\n", MeshFormat::obj, "is no corner of a face");
-  require_refused(kVertices + "f 1 2 x\n", MeshFormat::obj, "file:5: 'x' is no corner of a face");
-  require_refused(kVertices + "f 1 2 3/y\n", MeshFormat::obj, "file:5: '3/y' is no corner of a face");
+  require_refused(kVertices + "f 1 2 99999999999999999999\n", MeshFormat::obj, "is not a corner of a face");
+  require_refused(kVertices + "f 1 2 x\n", MeshFormat::obj, "file:5: 'x' is not a corner of a face");
+  require_refused(kVertices + "f 1 2 3/y\n", MeshFormat::obj, "file:5: '3/y' is not a corner of a face");
   require_refused("v 1 2\n", MeshFormat::obj, "file:1: coordinate z is missing");
   require_refused(kVertices, MeshFormat::obj, "4 vertices and no face");
   require_refused(std::string("\x80\x01\0\xff", 4), MeshFormat::obj,

@@ -91,17 +91,17 @@ TEST_CASE("PLY: bad headers are refused with their line") {
   refused("ply\n", "plx\n", "file:1: the first line of a PLY file should be ply");
   refused("ascii", "ascii_old", "file:2: the format 'ascii_old' is none of");
   refused("format ascii 1.0\n", "", "no line 'format'");
-  refused("comment", "remark", "file:3: 'remark' is no statement of a PLY header");
+  refused("comment", "remark", "file:3: 'remark' is not a statement of a PLY header");
   refused("vertex 4", "vertex", "file:4: the number of elements is missing");
   refused("vertex 4", "vertex -4", "file:4: the number of elements is -4");
-  refused("float x", "real x", "file:5: 'real' is no type");
+  refused("float x", "real x", "file:5: 'real' is not a type");
   refused("float x", "float u", "no number 'x'");
   refused("element vertex 4\n", "", "file:4: a property comes before the first element");
   refused("element face 4", "element vertex 4", "file:8: the element 'vertex' is declared twice");
   refused("element face 4", "element facet 4", "neither an element 'face' nor 'tristrips'");
   refused("vertex_indices", "indices", "no list 'vertex_indices'");
   refused("list uchar int", "list float int", "an integer type");
-  refused("end_header", "end_headers", "is no statement of a PLY header");
+  refused("end_header", "end_headers", "is not a statement of a PLY header");
   require_refused("ply\nformat ascii 1.0\n", MeshFormat::ply, "ends after line 2, and end_header is missing");
 }
 

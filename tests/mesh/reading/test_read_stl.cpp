@@ -37,7 +37,7 @@ TEST_CASE("STL: bad bytes are refused with their line or byte") {
   refused("vertex 1 1 0", "vertex 1 1", "file:5: coordinate z is missing");
   refused("vertex 1 1 0", "vertex 1 x 0", "file:5: coordinate y is 'x'");
   refused("vertex 1 1 0\n", "", "file:6: facet 0 has 2 vertices, and should have 3");
-  refused("vertex 1 1 0", "corner 1 1 0", "file:5: 'corner' is no statement");
+  refused("vertex 1 1 0", "corner 1 1 0", "file:5: 'corner' is not a statement");
   refused("outer loop\n", "", "file:3: 'vertex' is out of place");
   refused("endloop\n", "", "file:7: 'endfacet' is out of place");
   refused("endsolid tetrahedron\n", "", "ends after line 29, and endsolid is missing");

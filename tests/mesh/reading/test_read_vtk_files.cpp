@@ -62,7 +62,7 @@ TEST_CASE("vtp: appended data, raw and in Base64, may hold anything") {
                   "an array of Points has 97 bytes for numbers of 8 bytes; write the file again");
   require_refused(with_appended("raw", point_bytes(), "99999"), MeshFormat::vtp,
                   "an array of Points has the offset '99999', and ");
-  require_refused(with_appended("base64", "YAAAAA==!"), MeshFormat::vtp, "ends before its last byte, or is no Base64");
+  require_refused(with_appended("base64", "YAAAAA==!"), MeshFormat::vtp, "ends before its last byte, or is not Base64");
 }
 
 TEST_CASE("vtu: cells of a surface are read, lines are left out, and other cells are refused") {
@@ -140,7 +140,7 @@ TEST_CASE("vtp, vtu: an array of cells or points gives numbers of the faces and 
                    ErrorCode::unreadable_input);
   };
   CHECK(refused("5 6 7 -1 8", "5 6 7") == "file: the array 'Label' has 3 numbers for 5 cells");
-  CHECK(refused("5 6 7 -1 8", "5 six 7 -1 8") == "file: 'six' is no number in an array of Label");
+  CHECK(refused("5 6 7 -1 8", "5 six 7 -1 8") == "file: 'six' is not a number in an array of Label");
 }
 
 TEST_CASE("vtp: what is wrong is refused in one line") {
@@ -167,7 +167,7 @@ TEST_CASE("vtp: what is wrong is refused in one line") {
   refused("3 6 9 12", "3 6 5 12", "the corners of cell 2 end at 5");
   refused("0 2 3 1 3 2", "0 2 3 1 3 4", "cell 3 refers to point 4, and there are 4");
   refused("0 2 3 1 3 2", "0 2 3 1 3 1.5", "cell 3 refers to point 1.5");
-  refused("0 2 3 1 3 2", "0 2 3 1 3 x", "'x' is no number in an array of Polys");
+  refused("0 2 3 1 3 2", "0 2 3 1 3 x", "'x' is not a number in an array of Polys");
   refused("\"Float64\" NumberOfComponents=\"3\" format=\"ascii\"", "\"String\" format=\"binary\"", "the type 'String'");
   require_refused(replaced(kVtp, "1 0 1 0 1 1<", "1 0 nan 0 1 1<"), MeshFormat::vtp,
                   "a coordinate of point 2 is not a finite number", ErrorCode::precondition);
@@ -183,7 +183,7 @@ TEST_CASE("vtp: pieces that share one array are counted") {
   for (int i = 0; i < 3000; ++i) pieces += piece;
   const std::string bytes = "<VTKFile type=\"PolyData\"><PolyData>" + pieces +
                             "</PolyData><AppendedData encoding=\"raw\">_" + data + "</AppendedData></VTKFile>";
-  require_refused(bytes, MeshFormat::vtp, "unfolds to more than 200 times its size");
+  require_refused(bytes, MeshFormat::vtp, "expands to more than 200 times its size");
 }
 
 TEST_CASE("vtk: text with offsets, strips, fields, metadata and data behind the cells") {
@@ -229,15 +229,15 @@ TEST_CASE("vtk: what is wrong is refused with its line") {
   refused("ASCII", "TEXT", "file:3: the third line is 'text'");
   refused("POLYDATA", "STRUCTURED_GRID", "file:4: the data set is 'structured_grid'");
   refused("4 double", "99 double", "297 numbers are promised");
-  refused("4 double", "99999999999999999999 double", "stands where a count should");
-  refused("4 double", "4 string", "file:5: 'string' is no type of numbers that is read");
+  refused("4 double", "99999999999999999999 double", "expected a count, found '99999999999999999999'");
+  refused("4 double", "4 string", "file:5: 'string' is not a type of numbers that is read");
   refused("4 16", "5 16", "the list has 4 cells, and should have 5; export the file again");
-  refused("3 0 1 2", "9 0 1 2", "file:12: cell 3 should have 2 corners, and the list has 0 numbers behind it; export");
-  refused("3 0 1 2", "99 0 1 2", "cell 0 should have 99 corners, and the list has 15 numbers behind it; export");
+  refused("3 0 1 2", "9 0 1 2", "file:12: cell 3 should have 2 corners, but 0 numbers follow; export");
+  refused("3 0 1 2", "99 0 1 2", "cell 0 should have 99 corners, but 15 numbers follow; export");
   refused("3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2", "14 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 1",
           "cell 1 should have 1 corner, and");
-  refused("1 0 1", "1 x 1", "file:7: 'x' stands where a number should");
-  refused("POLYGONS", "POLYGON", "'polygon' is no section of a surface");
+  refused("1 0 1", "1 x 1", "file:7: expected a number, found 'x'");
+  refused("POLYGONS", "POLYGON", "'polygon' is not a section of a surface");
 }
 
 }  // namespace gvd::test_read_vtk_files

@@ -64,12 +64,12 @@ TEST_CASE("gzip: a damaged, cut or endless file is refused in one line") {
   std::string wrong = packed;
   wrong[packed.size() - 6] ^= 1;  // of the checksum
   require_refused(wrong, MeshFormat::off, "gzip's data are damaged after");
-  require_refused(packed + "more", MeshFormat::off, "4 bytes behind gzip's data are no gzip");
-  require_refused(packed + '\0' + packed, MeshFormat::off, "behind gzip's data are no gzip");
+  require_refused(packed + "more", MeshFormat::off, "4 bytes after the gzip data are not gzip");
+  require_refused(packed + '\0' + packed, MeshFormat::off, "after the gzip data are not gzip");
   require_refused(pack(packed), MeshFormat::off, "compressed by gzip; unpack it first");
   require_refused(pack(""), MeshFormat::off, "the file is empty");
   const std::string bomb = pack(std::string(8 << 20, ' '));
-  require_refused(bomb, MeshFormat::off, "unfolds to more than 200 times its size");
+  require_refused(bomb, MeshFormat::off, "expands to more than 200 times its size");
   // The limit itself: what it allows passes, and one byte more does not.
   ExpansionLimit limit(10, "file");
   limit.spend(kMostExpansion * 10);
@@ -141,7 +141,7 @@ TEST_CASE("content that is no mesh is named, whatever the extension says") {
       {"\x89PNG\r\n", "a PNG image"},
       {"PK\x03\x04", "compressed by zip"},
       {"PK\x03\x04 .... [Content_Types].xml .... 3D/3Dmodel.model", "a 3MF model; export the mesh as STL, PLY or OBJ"},
-      {"{\"generators\":[]}", "JSON, and no glTF"},
+      {"{\"generators\":[]}", "JSON but not glTF"},
       {std::string("v\0 \0"
                    "0\0 \0"
                    "0\0",

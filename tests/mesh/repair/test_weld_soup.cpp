@@ -126,8 +126,8 @@ TEST_CASE(
   CHECK(checked.mesh.face_count() == 3);
   CHECK(checked.defects.count(DefectKind::degenerate_faces) == 2);
   CHECK(checked.defects.messages.front() ==
-        "welding within 0.15: 2 vertices were between others that stay apart, and moved to the nearest; a smaller "
-        "tolerance joins copies only");
+        "welding within 0.15: 2 vertices had several others within the tolerance, and were joined only to the nearest. "
+        "Choose a smaller tolerance to join copies only");
 }
 
 // The rule of weld_soup, with all pairs compared.
@@ -250,12 +250,12 @@ TEST_CASE("welding that joins nothing says so, and how near vertices on open edg
   using Messages = std::vector<std::string>;
   const std::string gap = "; on open edges, the nearest two that no edge joins are 0.25 apart";
   CHECK(messages(make_parted_square(0.25), 0.1) ==
-        Messages{"welding within 0.1 joins nothing: no two vertices are so near" + gap});
+        Messages{"welding within 0.1 joins nothing: no two vertices are that close" + gap});
   CHECK(messages(make_parted_square(0.25), 0) ==
         Messages{"welding joins nothing: no two vertices are at the same coordinates" + gap});
   CHECK_THAT(messages(make_parted_square(0.25), 0.25).front(), Contains("2 vertices are welded to others within 0.25"));
   CHECK(messages(parse_soup(test::kOff, MeshFormat::off, "a.off"), 0.1) ==
-        Messages{"welding within 0.1 joins nothing: no two vertices are so near, and no edge is open"});
+        Messages{"welding within 0.1 joins nothing: no two vertices are that close, and no edge is open"});
 }
 
 /// The number in the note that welding within the tolerance joins nothing.
@@ -313,7 +313,7 @@ TEST_CASE("the nearest vertices on open edges are not told where finding them ta
       soup.close_polygon();
     }
   }
-  CHECK_THAT(weld(soup, 0.1).defects.messages.back(), EndsWith("no two vertices are so near"));
+  CHECK_THAT(weld(soup, 0.1).defects.messages.back(), EndsWith("no two vertices are that close"));
 }
 
 TEST_CASE("welding keeps the texture coordinates of corners") {

@@ -139,6 +139,73 @@ TEST_CASE("the bound holds round a vertex, where its faces are flat, nearly flat
   }
 }
 
+/// Needles as long as `length` and .001 wide, side by side, `count` pairs of them, in the plane z = 0.
+Mesh make_needles(int count, double length) {
+  const Mesh grid = test::make_grid(count, 1);
+  std::vector<Vec3> positions = grid.positions();
+  for (Vec3& p : positions) p = {0.001 * p.x(), length * p.y(), 0};
+  return {std::move(positions), grid.face_vertices()};
+}
+
+TEST_CASE("needles that cross many faces have a bound close to the distance") {
+  const Mesh needles = make_needles(200, 80), grid = test::make_grid(1, 160);
+  std::vector<Vec3> positions = grid.positions();
+  for (Vec3& p : positions) p = {p.x(), p.y() / 2, 0.004 * p.y() * std::sin(2 * p.y())};
+  const SurfaceDistance found = measure_surface_distance(needles, {std::move(positions), grid.face_vertices()});
+  CHECK(found.hausdorff > 0.2);
+  CHECK(found.hausdorff_bound <= (1 + kHausdorffTolerance) * found.hausdorff * (1 + 1e-12));
+}
+
+TEST_CASE("the bound holds for needles, whose longest side is searched in their place") {
+  test::Random random(7);
+  for (int i = 0; i < 100; ++i) {
+    const auto point = [&] { return Vec3(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)); };
+    const Mesh fold = test::make_mesh({point(), point(), point(), point()}, {{0, 1, 2}, {1, 0, 3}});
+    const Vec3 a = point(), b = point(), c = a + random.real(0, 1) * (b - a) + 0.002 * point();
+    const Mesh needle = test::make_mesh({a, b, c}, {{0, 1, 2}});
+    const SurfaceDistance found = measure_surface_distance(needle, fold);
+    CHECK(sample_densely(needle, fold, 100).hausdorff <= found.hausdorff_bound * (1 + 1e-12));
+    CHECK(found.hausdorff_bound <= found.hausdorff * (1 + kHausdorffTolerance) * (1 + 1e-12));
+  }
+}
+
+TEST_CASE("an n-gon that is a fan of needles is measured against a coarse one") {
+  const auto make_fan = [](int corners) {
+    std::vector<Vec3> positions;
+    std::vector<std::array<int, 3>> faces;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+      if (i >= 2) faces.push_back({0, i - 1, i});
+    }
+    return test::make_mesh(positions, faces);
+  };
+  const Mesh fine = make_fan(1200), coarse = make_fan(30);
+  const double sagitta = 1 - std::cos(std::numbers::pi / 30);
+  const SurfaceDistance there = measure_surface_distance(fine, coarse), back = measure_surface_distance(coarse, fine);
+  CHECK(there.hausdorff == Approx(sagitta).epsilon(0.01));
+  CHECK(there.hausdorff_bound >= sagitta * (1 - 1e-6));
+  CHECK(there.hausdorff_bound <= 1.01 * sagitta);
+  CHECK(back.hausdorff < 1e-8);  // rounding, in needles with angles of .0026
+  CHECK(back.hausdorff_bound <= 1.01e-6 * fine.bbox_diagonal());
+}
+
+TEST_CASE("where the search ends at its limit, the bound holds and exceeds the distance by more") {
+  // Triangles without neighbours: over a gap between two of them, only pieces as small as their height are bounded
+  // well.
+  const Mesh grid = test::make_grid(12, 12);
+  std::vector<Vec3> corners;
+  std::vector<std::array<int, 3>> faces;
+  for (std::int32_t f = 0; f < grid.face_count(); ++f) {
+    for (const VertexId v : grid.vertices(FaceId(f))) corners.push_back(grid.position(v));
+    faces.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+  }
+  const SurfaceDistance found = measure_surface_distance(square_at(0, 0, 2e-4, 12), test::make_mesh(corners, faces));
+  CHECK(found.hausdorff == Approx(2e-4));
+  CHECK(found.hausdorff_bound > 1.2 * found.hausdorff);
+  CHECK(found.hausdorff_bound < 0.1);
+}
+
 TEST_CASE("a triangle without area has the distances of its points") {
   const Mesh line({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{VertexId(0), VertexId(1), VertexId(2)}});
   const Mesh square = test::make_grid(1, 1);

@@ -82,7 +82,7 @@ const remesh = (points, listed) => (listed ? mesh.remesh(null, { generators: joi
 
 // What a remesh has kept of the surface. One without a certificate is an error.
 function describe_remesh(made) {
-  const { input_to_output, output_to_input } = made.figures.distance, farthest = Math.max(input_to_output.hausdorff, output_to_input.hausdorff);
+  const { input_to_output, output_to_input } = made.figures.distance, farthest = Math.max(input_to_output.hausdorff_bound, output_to_input.hausdorff_bound);
   const percent = ((100 * farthest) / mesh.summary.bbox_diagonal).toPrecision(3);
   return `A manifold with the topology of the surface; at most ${percent} % of the diagonal from it.`;
 }

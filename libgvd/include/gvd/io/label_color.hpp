@@ -18,7 +18,7 @@ inline constexpr Rgb kUnlabelledColor{0x9c, 0x9a, 0x97};
 
 struct LabelledMesh;
 
-/// The colour of each label up to the largest one, the same in every file of the mesh and on its page.
+/// Chooses the colour of each label up to the largest one. Every file of the mesh, and its page, use these colours.
 ///
 /// Properties: (1) labels that meet along an edge differ by at least 14 in CIEDE2000, also for the colour-blind, on
 /// surfaces with up to three handles; (2) so do labels with a common bisector, unless (1) forbids it; (3) colours are

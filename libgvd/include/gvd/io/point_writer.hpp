@@ -15,7 +15,7 @@ enum class PointFormat { ply, xyz, npy };
 inline const Choices<PointFormat> kPointFormatNames{
     {"ply", PointFormat::ply}, {"xyz", PointFormat::xyz}, {"npy", PointFormat::npy}};
 
-/// A generator and integrals over its cell.
+/// A generator, with the area of its cell and an integral over it.
 struct SurfaceSample {
   SurfacePoint point;
   double area = 0;    ///< square mesh units
@@ -25,10 +25,10 @@ struct SurfaceSample {
 /// Writes samples in their order, each with its position, the unit normal of the surface there (see
 /// surface_point.hpp), its face, its barycentric coordinates, and area and energy of its cell.
 ///
-/// PLY: binary, with the properties of docs/guide/lloyd.md. XYZ: text, a line of position and normal each. NPY: a
-/// little-endian array of doubles of the shape (samples, 12), with the columns x y z nx ny nz face b0 b1 b2 area
-/// energy. Numbers are complete: the same doubles are read back. The stream is flushed and checked.
-/// Throws Error{unwritable_output} where it fails. Cost: O(samples).
+/// PLY: binary, with the properties of docs/guide/lloyd.md. XYZ: text, with one line of position and normal per sample.
+/// NPY: a little-endian array of doubles of the shape (samples, 12), with the columns x y z nx ny nz face b0 b1 b2 area
+/// energy. Numbers have enough digits to read back as the same doubles. The stream is flushed and checked.
+/// Throws Error{unwritable_output} if the stream fails. Cost: O(samples).
 void write_points(std::ostream& out, const Mesh& mesh, const std::vector<SurfaceSample>& samples, PointFormat format);
 
 }  // namespace gvd

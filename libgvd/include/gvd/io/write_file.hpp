@@ -18,20 +18,20 @@ namespace gvd {
 /// killed while it writes leaves no temporary file either.
 /// Data is not forced to the disk: (1) covers an interrupted run, not a power cut. A symbolic link is followed. An
 /// existing file keeps its permissions. A device or a pipe can't be replaced and is written directly.
-/// `progress` may be empty. It is called about once a megabyte, with fraction 0, since the final size is not known; it
-/// can cancel.
-/// Throws what `write` throws; Error{unwritable_output} with the path and the reason; Error{reader_gone} out of a write
-/// to a pipe that nobody reads any more; Error{interrupted} out of a cancelled one.
+/// `progress` may be empty. It is called about once per megabyte, with fraction 0 because the final size is not known,
+/// and can cancel.
+/// Throws what `write` throws; Error{unwritable_output} with the path and the reason; Error{reader_gone} from a write
+/// to a pipe that nobody reads any more; Error{interrupted} if `progress` cancels.
 void write_file(const std::filesystem::path& target, const std::function<void(std::ostream&)>& write,
                 const Progress& progress = {});
 
-/// Finds out, before the work that makes the content, whether `write_file` could open a target. Leaves what is there as
-/// it is. A device or a pipe is not opened, since a pipe's reader would end.
+/// Checks whether `write_file` could open a target; call it before the work that makes the content. An existing file
+/// stays as it is. A device or a pipe is not opened, because the reader of a pipe would end.
 /// Throws Error{unwritable_output} with the path and the reason.
 void check_writable(const std::filesystem::path& target);
 
-/// Writes what `write` puts into its stream to a file that is open, such as stdout, and flushes it. `name` is for
-/// messages. Throws what `write` throws, and Error{unwritable_output} or Error{reader_gone} out of a write that fails.
+/// Writes what `write` puts into its stream to a file that is already open, such as stdout, and flushes it. `name` is
+/// for messages. Throws what `write` throws, and Error{unwritable_output} or Error{reader_gone} if a write fails.
 void write_open_file(std::FILE* file, const std::string& name, const std::function<void(std::ostream&)>& write);
 
 }  // namespace gvd

@@ -8,33 +8,35 @@
 
 namespace gvd {
 
-/// A mesh with fewer faces near the same surface, and the way from each of the two to the other.
+/// A mesh with fewer faces near the same surface, with maps between the vertices of the two meshes.
 ///
 /// Properties: (1) the copy has the components, boundary loops and handles of the input; (2) its vertices are vertices
-/// of the input, and those on the boundary are on the input's; (3) each vertex of the input leads to one of the copy in
-/// the same component, near by; (4) the same for any number of threads.
+/// of the input, and its boundary vertices are boundary vertices of the input; (3) each vertex of the input maps to a
+/// nearby vertex of the copy in the same component; (4) the copy is the same for any number of threads.
 struct CoarseCopy {
   Mesh mesh;
-  IdVector<VertexId, VertexId> input_vertex;  ///< per vertex of the copy, ascending
-  IdVector<VertexId, VertexId> copy_vertex;   ///< per vertex of the input
+  IdVector<VertexId, VertexId> input_vertex;  ///< for each vertex of the copy, ascending
+  IdVector<VertexId, VertexId> copy_vertex;   ///< for each vertex of the input
 };
 
-/// Bounds on the faces of a copy. What generators need goes before `most`.
+/// Bounds on the number of a copy's faces. `per_generator` takes precedence over `most`.
 struct CopySize {
   std::int64_t least = 5'000;
   std::int64_t most = 40'000;
   std::int64_t per_generator = 10;
 };
 
-/// The faces that a copy of a mesh of so many faces needs for so many generators; 0 where it would have more than half
-/// of the mesh's. Meshes of 13,000 to 28,000 faces were relaxed as fast without a copy, and one of 69,451 was not.
+/// The number of faces that a copy of a mesh with `mesh_faces` faces needs for this many generators; 0 if that is more
+/// than half of the mesh's faces.
 std::int64_t default_copy_faces(std::int64_t mesh_faces, std::int64_t generators, const CopySize& size = {});
 
-/// The copy of about so many faces, or of more where no edge can be collapsed without a change of topology or a fold.
+/// Makes a copy of about `faces` faces. It has more if no further edge can be collapsed without changing the topology
+/// or folding the surface.
 ///
-/// Halfedges collapse, the one first that costs the least, by the error quadrics of the faces and of the boundary. A
-/// small cost for long edges keeps flat parts even. `faces` >= 1; `threads` >= 0, 0 for one a core. Throws
-/// Error{interrupted} if the progress callback cancels, and Error{invalid_option} for a number out of its range.
+/// Collapses halfedges in the order of their cost, which comes from the error quadrics of the faces and of the
+/// boundary. A small cost for long edges keeps flat parts even. `faces` >= 1; `threads` >= 0, 0 for as many as there
+/// are cores. Throws Error{interrupted} if the progress callback cancels, and Error{invalid_option} for a number out of
+/// range.
 /// Source: Garland and Heckbert, Surface simplification using quadric error metrics, 1997; Dey et al., Topology
 /// preserving edge contraction, 1999. Cost: O(n log n); 60 bytes a face.
 CoarseCopy make_coarse_copy(const Mesh& mesh, std::int64_t faces, int threads = 0, const Progress& progress = {});

@@ -6,13 +6,13 @@
 
 namespace gvd {
 
-/// Describes how generators are relaxed. The options must outlive the list.
+/// Describes the options of a relaxation. `options` must outlive the list.
 void describe(OptionList& list, LloydOptions& options);
 
-/// Describes what restricts a relaxation, and the copy that it begins on. As above.
+/// Describes the constraints of a relaxation, and the copy on which it begins. `options` must outlive the list.
 void describe(OptionList& list, RelaxationStartOptions& options);
 
-/// Stores the defaults that depend on other options.
+/// Sets the defaults that depend on other options.
 void resolve(LloydOptions& options);
 
 }  // namespace gvd

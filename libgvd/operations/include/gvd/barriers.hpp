@@ -10,53 +10,53 @@
 
 namespace gvd {
 
-/// Why no path leads from a generator or a source to a point.
+/// The reason why no path leads from a generator or source to a point.
 enum class Barrier {
-  no_face,     ///< the point is a vertex in no face
-  left_out,    ///< by --within or --mask
-  inside,      ///< both are in one component: regions or a largest distance part them
-  cut_edge,    ///< the repair cut their sheets apart at a non-manifold edge
-  cut_vertex,  ///< the same at a non-manifold vertex
-  component    ///< they are in components that never met
+  no_face,     ///< the point is a vertex that no face uses
+  left_out,    ///< the point lies in faces that --within or --mask leaves out
+  inside,      ///< both are in the same component, separated by regions or by a largest distance
+  cut_edge,    ///< the repair cut the two sheets apart at a non-manifold edge
+  cut_vertex,  ///< the repair cut the two sheets apart at a non-manifold vertex
+  component    ///< they are in different components, which had no vertex in common in the input either
 };
 
-/// Tells what lies between faces of a mesh.
+/// Finds out why faces of a mesh are not connected.
 class Barriers {
  public:
-  /// Cost: O(n), and O(n log n) for n copies of vertices where the repair cut sheets apart.
+  /// Cost: O(n) for n faces, and O(k log k) for k copies of vertices that the repair made.
   explicit Barriers(const CheckedMesh& input);
 
-  /// Where some faces are: a flag for each set of connected faces.
+  /// The sets of connected faces in which some given faces lie: a flag for each set.
   struct Origin {
-    std::vector<char> components;  ///< of the mesh
-    std::vector<char> by_edges;    ///< connected also by non-manifold edges
-    std::vector<char> by_points;   ///< connected also by non-manifold vertices
+    std::vector<char> components;  ///< by component of the mesh
+    std::vector<char> by_edges;    ///< by set of components that shared non-manifold edges of the input
+    std::vector<char> by_points;   ///< by set of components that shared non-manifold vertices of the input
   };
-  /// Cost: O(components and faces).
+  /// The sets of the given faces. Cost: O(components and faces).
   Origin from(const std::vector<FaceId>& faces) const;
 
-  /// What lies between the nearest of these faces and f, which they do not reach. Cost: O(1).
+  /// The reason why no path leads from the faces of `origin` to f: the weakest barrier that applies. Cost: O(1).
   Barrier between(const Origin& origin, FaceId f) const;
 
  private:
   IdVector<FaceId, std::int32_t> component_;
-  std::vector<std::int32_t> by_edges_, by_points_;  // of each component: the set that it belongs to
+  std::vector<std::int32_t> by_edges_, by_points_;  // for each component, the set to which it belongs
 };
 
-/// How many things are behind each barrier, for a note.
+/// Counts the points behind each barrier, for a note.
 class BarrierCounts {
  public:
   void add(Barrier barrier) { ++counts_[static_cast<std::size_t>(barrier)]; }
 
-  /// "in another component", or with the numbers of all where there are several: "3 in no face; 2 in another
-  /// component". `inside`: words for Barrier::inside.
+  /// For a single barrier "in another component"; for several with their counts, "3 in no face; 2 in another
+  /// component". `inside`: the words for Barrier::inside.
   std::string describe(const std::string& inside) const;
 
  private:
   std::array<std::int64_t, 6> counts_{};
 };
 
-/// One barrier in words that follow "it is".
+/// Describes a barrier in words that can follow "it is".
 std::string describe(Barrier barrier, const std::string& inside);
 
 }  // namespace gvd

@@ -14,18 +14,18 @@
 #include "gvd/parted_mesh.hpp"
 #include "gvd/segment_operation.hpp"
 
-// Two operations that other ones begin with: points on a surface, and their diagram.
+// The operations `sample` and `diagram`: points on a surface, and their diagram.
 namespace gvd {
 
 /// The options of the operation `sample`.
 struct SampleCall {
   GeneratorOptions generators;
-  GivenPoints points;  ///< to move to the surface, in place of generators; they may be in the same place
+  GivenPoints points;  ///< in place of generators: points to move to the surface; they may coincide
 };
 
 void describe(OptionList& list, SampleCall& call);
 
-/// Points on a mesh.
+/// The result of `sample`: points on a mesh.
 class SampleOutcome : public Object {
  public:
   std::string_view kind() const override { return "sample"; }
@@ -35,17 +35,19 @@ class SampleOutcome : public Object {
   ResolvedGenerators found;
 };
 
-/// Chooses points as generators are chosen. Throws what choose_generators throws.
+/// Chooses points in the same way as generators. Throws what `choose_generators` throws. Cost: the cost of the
+/// sampling.
 std::shared_ptr<const SampleOutcome> run(const MeshPtr& input, SampleCall& call, Observer& observer);
 
 /// The options of the operation `diagram`.
 struct DiagramCall : DiagramParts {
-  bool editable = false;  ///< keep what edits need
+  bool editable = false;  ///< keep an editor, so that the operation `edit` is fast
 };
 
 void describe(OptionList& list, DiagramCall& call);
 
-/// A diagram, how equal its cells are where they were balanced, and the regions that they keep to.
+/// The result of `diagram`: a diagram with the regions that it keeps to, and how equal its cells are if they were
+/// balanced.
 class DiagramOutcome : public DiagramObject {
  public:
   DiagramOutcome() = default;
@@ -57,7 +59,8 @@ class DiagramOutcome : public DiagramObject {
   std::optional<BalancedDiagram> balanced_;
 };
 
-/// Chooses generators, and computes their diagram. Options become what they stand for. Throws what its steps throw.
+/// Chooses generators, and computes their diagram. Replaces options such as `auto` in `call` by the values used. Throws
+/// what its steps throw: `choose_inside`, `choose_curves`, `compute_diagram` and `balance_cells`.
 std::shared_ptr<const DiagramOutcome> run(const MeshPtr& input, DiagramCall& call, Observer& observer);
 
 }  // namespace gvd

@@ -12,17 +12,17 @@
 #include "gvd/option_list.hpp"
 #include "gvd/parted_mesh.hpp"
 
-// What the operations that make diagrams share.
+// Options and steps that the operations that make diagrams share.
 namespace gvd {
 
-/// Weights of the generators: given ones, and those by which the cells have their shares.
+/// Weights of the generators: given weights, or shares that the cells must have by weights that are searched for.
 struct GivenWeights {
-  GivenNumbers balance;  ///< "area", or a number for each vertex or face; none: cells as they come
-  GivenNumbers shares;   ///< of the generators; none: equal ones
-  GivenNumbers weights;  ///< of the generators, for `balance` to start from
+  GivenNumbers balance;  ///< "area", or a density for each vertex or face; none: cells are not balanced
+  GivenNumbers shares;   ///< a number > 0 for each generator, in any unit; none: equal shares
+  GivenNumbers weights;  ///< a number for each generator, mesh units; with `balance`, where the search starts
 };
 
-/// The options of a diagram's generators, of how it is computed, and of what its cells keep to.
+/// The options of a diagram: its generators, how to compute it, and the regions that its cells keep to.
 struct DiagramParts {
   GeneratorOptions generators;  ///< points or curves
   DiagramOptions diagram;
@@ -32,31 +32,32 @@ struct DiagramParts {
 
 void describe(OptionList& list, GivenWeights& weights, const DiagramOptions& diagram);
 
-/// Describes `balance`, for whose weights only the exact method serves. `help`: what it does, without what becomes
-/// equal.
+/// Describes `balance`, which needs the exact method. `help`: what it does, without the quantity that becomes equal.
 void describe_balance(OptionList& list, GivenNumbers& balance, const std::string& help, const DiagramOptions& diagram);
-/// Says what curves as generators do not go with: weights, regions, and what is of sampled points.
+/// Adds the rules that exclude other options if curves are the generators: weights, regions, and options of sampled
+/// points.
 void describe_curve_rules(OptionList& list, const DiagramOptions& diagram);
 
-/// Computes the diagram of the generators on the surface, where regions part it, balanced where that is asked for. The
-/// points and the balance are set where there are any. `each`: the number of generators is that of each region. Throws
-/// what choose_inside, choose_curves, compute_diagram and balance_cells throw, and Error{precondition} where there is
-/// not one number for each generator, or one is out of its range.
+/// Chooses generators and computes their diagram on the surface of `parted`, balanced if the options ask for it. Sets
+/// `found` if the generators are points, and `balanced` if the cells were balanced. `each`: the number of generators is
+/// per region. Throws what `choose_inside`, `choose_curves`, `compute_diagram` and `balance_cells` throw, and
+/// Error{precondition} if a weight or share is out of its range. Throws Error{invalid_option}, or
+/// Error{unreadable_input} for a file, if there is not one number for each generator.
 Diagram compute_parts(const CheckedMesh& input, PartedMesh& parted, const DiagramParts& parts, bool each,
                       Observer& observer, ResolvedGenerators& found, std::optional<BalancedDiagram>& balanced);
 
 using DiagramMaker = std::function<Diagram(const DiagramOptions&)>;
 
-/// Makes a diagram in the step `diagram`; what the library calls steps is inside it, as "diagram: NAME".
+/// Computes a diagram as the step `diagram`. The library's own steps are steps inside it, named "diagram: NAME".
 Diagram compute_in_steps(Observer& observer, DiagramOptions options, const DiagramMaker& compute);
 
-/// Notes how equal the cells are, and which have no share of their own.
+/// Notes how equal the cells are, and which cells missed their share.
 void tell_balance(Observer& observer, const BalancedDiagram& balanced);
 
-/// The same as figures, which are empty without a diagram.
+/// Visits the same as figures, which are empty if the cells were not balanced.
 void visit_balance(ObjectVisitor& visitor, const std::optional<BalancedDiagram>& balanced);
 
-/// Notes the numbers of cells, branch points and bisectors, and what is wrong with them.
+/// Notes the numbers of cells, branch points and bisectors, and any defects.
 void tell_diagram(Observer& observer, const Diagram& diagram);
 
 }  // namespace gvd

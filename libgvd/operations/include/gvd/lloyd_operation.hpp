@@ -23,7 +23,8 @@ struct LloydCall {
   RelaxationStartOptions start;
   GivenConstraints constraints;
   GivenRegions regions;
-  GivenNumbers balance;  ///< what cells share in the end: "area" or numbers; none: as they come
+  /// "area" or a density, of which the final cells have equal shares; none: cells are not balanced.
+  GivenNumbers balance;
 };
 
 void describe(OptionList& list, LloydCall& call);
@@ -31,15 +32,15 @@ void describe(OptionList& list, LloydCall& call);
 /// The step in which generators move.
 inline constexpr const char* kRelaxationStep = "relaxation";
 
-// What files and results call the iterations of a relaxation.
+// Names of the iterations of a relaxation in files and results.
 
-/// The measure of an iteration's energy: the name of a method, or `sampled` without a diagram.
+/// How an iteration's energy was measured: the name of a method, or `sampled` without a diagram.
 std::string_view measure_name(const LloydIteration& iteration);
 
-/// How the step of an iteration was found, in one word.
+/// How the step of an iteration was found, as a single word.
 std::string_view step_name(const LloydIteration& iteration);
 
-/// Relaxed generators with their diagram.
+/// The result of `lloyd`: relaxed generators with their diagram.
 class LloydOutcome : public Object {
  public:
   static constexpr Content kContent = DiagramObject::kContent;
@@ -50,15 +51,17 @@ class LloydOutcome : public Object {
   OwnWriters own_writers() const override { return diagram->own_writers(); }
   OwnWriters part_writers(std::string_view part) const override;
 
-  std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();      ///< with balanced cells at the end
-  std::shared_ptr<const DiagramObject> diagram = std::make_shared<DiagramObject>();  ///< of the relaxed generators
-  std::optional<BalancedRelaxation> balanced;                                        ///< without its diagram
-  /// How far each generator is from where it was given; nothing for one that is somewhere else now.
+  /// After balancing, if the cells were balanced.
+  std::shared_ptr<const LloydResult> relaxed = std::make_shared<LloydResult>();
+  /// The diagram of the relaxed generators.
+  std::shared_ptr<const DiagramObject> diagram = std::make_shared<DiagramObject>();
+  std::optional<BalancedRelaxation> balanced;  ///< if the cells were balanced; without the diagram
+  /// How far each listed generator was moved to the surface; nothing for a generator that the relaxation moved.
   std::vector<std::optional<double>> snap_distance;
 };
 
-/// Relaxes generators and, where that is asked for, balances their cells. Options become what they stand for. Throws
-/// what choose_generators, start_relaxation, relax_generators and relax_balanced throw.
+/// Relaxes generators and balances their cells if the options ask for it. Replaces options such as `auto` in `call` by
+/// the values used. Throws what `choose_generators`, `start_relaxation`, `relax_generators` and `relax_balanced` throw.
 std::shared_ptr<const LloydOutcome> run(const MeshPtr& input, LloydCall& call, Observer& observer);
 
 }  // namespace gvd

@@ -22,12 +22,13 @@
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
 
-// What operations take and give: objects that name what they consist of, so that every door reads them alike.
+// Objects, which operations take and return. An object names its parts, so that every door (the C interface, Python,
+// JavaScript and the commands) reads them in the same way.
 namespace gvd {
 
 enum class ArrayType : std::int32_t { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
-/// The type of numbers in memory; a typed id is the number that it has.
+/// The type of numbers in memory. A typed id counts as its number.
 template <class T>
 constexpr ArrayType array_type() {
   if constexpr (std::is_same_v<T, double>) {
@@ -42,7 +43,7 @@ constexpr ArrayType array_type() {
   }
 }
 
-/// Numbers that somebody else owns: of one type, in one or two dimensions.
+/// Numbers of one type that somebody else owns, in one or two dimensions.
 struct ArrayView {
   const void* data = nullptr;
   ArrayType type = ArrayType::float64;
@@ -67,7 +68,7 @@ template <class IdType, class T>
 ArrayView view(const IdVector<IdType, T>& values) {
   return view(values.raw());
 }
-/// One member of each of some structures.
+/// One member of each structure in a list.
 template <class S, class T>
 ArrayView view(const std::vector<S>& values, T S::*member) {
   const void* const first = values.empty() ? nullptr : &(values.front().*member);
@@ -85,9 +86,9 @@ ArrayView view(const std::vector<S>& values, Vec3 S::*member) {
   return {first, ArrayType::float64, 2, {std::ssize(values), 3}, {sizeof(S), sizeof(double)}};
 }
 
-/// Points that somebody else owns, at equal distances in memory.
+/// Points that somebody else owns, at a constant stride in memory.
 struct PointsView {
-  PointsView(const std::vector<SurfacePoint>& points)  // NOLINT(google-explicit-constructor): as views of strings are
+  PointsView(const std::vector<SurfacePoint>& points)  // NOLINT(google-explicit-constructor): like a string view
       : first(points.data()), count(std::ssize(points)), stride(sizeof(SurfacePoint)) {}
   template <class S>
   PointsView(const std::vector<S>& values, SurfacePoint S::*member)
@@ -105,26 +106,27 @@ struct PointsView {
   std::int64_t count, stride;
 };
 
-/// What a door tells of a part of an object: its name, in which a dot parts the levels, its unit, and what it is.
+/// How a door presents a part of an object: its name, whose levels are separated by dots, its unit, and a description.
 struct Meaning {
   std::string_view name;
   std::string_view unit;  ///< empty: none
   std::string_view text;
 };
 
-/// A value that is no array: nothing where there is none.
+/// A value that is no array; std::monostate if there is none.
 using Figure = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
                             std::vector<std::int64_t>, std::vector<std::string>, std::vector<std::vector<std::int64_t>>,
                             std::vector<std::vector<double>>, std::vector<bool>>;
 
-/// Columns of equal length, with a name each; a list without elements is left out of its row.
+/// A named column of a table. All columns of a table have equal length; an element that is an empty list is left out of
+/// its row.
 struct Column {
   std::string name;
   Figure values;  ///< a list of numbers, or of lists of numbers
 };
 using Table = std::vector<Column>;
 
-/// Several lists, such as curves of points, or the neighbours of each cell.
+/// A sequence of lists, such as curves of points or the neighbours of each cell.
 template <class T>
 struct Lists {
   std::int64_t count = 0;
@@ -135,18 +137,18 @@ using GeneratorLists = Lists<GeneratorId>;
 
 /// How a file of an object is written.
 struct FileOptions {
-  std::string part;               ///< a file beside that of the object (Object::part_writers); empty: the object's
+  std::string part;               ///< a part that has its own file (Object::part_writers); empty: the object itself
   std::string title = "gvd";      ///< of a page
   bool no_curves = false;         ///< leave the bisectors out of formats that hold meshes
   bool ascii_ply = false;         ///< PLY as text
-  bool region_materials = false;  ///< in OBJ, those of the regions in place of the mesh's own
-  int threads = 0;                ///< for a page; 0: one a core
+  bool region_materials = false;  ///< in OBJ, write materials of the regions in place of the mesh's own
+  int threads = 0;                ///< for a page; 0: as many as there are cores
 };
 
-/// Writers of formats by extension, without the dot.
+/// Writers of formats, by extension without the dot.
 using OwnWriters = std::map<std::string, std::function<void(std::ostream&)>, std::less<>>;
 
-/// A file that is to hold an object: what messages call it, and its format.
+/// A file that will hold an object: how messages call it, and its format.
 struct WrittenFile {
   std::string name;
   const Format* format;
@@ -155,7 +157,7 @@ struct WrittenFile {
 class Object;
 using PartMaker = std::function<std::shared_ptr<const Object>()>;
 
-/// Reads what an object consists of, in the order of the documents.
+/// Receives the parts of an object, in the order of the JSON documents.
 class ObjectVisitor {
  public:
   virtual ~ObjectVisitor() = default;
@@ -165,34 +167,35 @@ class ObjectVisitor {
   virtual void curves(const Meaning&, const PointLists&) {}
   virtual void lists(const Meaning&, const GeneratorLists&) {}
   virtual void table(const Meaning&, const Table&) {}
-  /// `kind`: of the part. `make` gives it, or null where there is none.
+  /// `kind` is the kind of the part. `make` returns the part, or null if there is none.
   virtual void part(const Meaning&, std::string_view /*kind*/, const PartMaker& /*make*/) {}
 };
 
-/// A mesh, a diagram or the result of an operation. It is complete once it is made, and keeps alive what it refers to.
+/// A mesh, a diagram or the result of an operation.
 ///
-/// Every object of a kind visits the same names; what one lacks is an empty array, an empty figure or a null part. So
-/// an object that was made of nothing describes its kind.
+/// Properties: (1) it never changes, except that a diagram may pass its editor on; (2) it keeps everything alive to
+/// which it refers; (3) all objects of a kind visit the same names. A part that an object lacks is an empty array, an
+/// empty figure or a null part, so a default-constructed object describes its kind.
 class Object {
  public:
   virtual ~Object() = default;
   virtual std::string_view kind() const = 0;  ///< "mesh", "diagram", or the name of the operation
   virtual void visit(ObjectVisitor& visitor) const = 0;
 
-  // What files hold of it. What they return refers to the object, which must outlive it.
+  // The files of the object. The results of these functions refer to the object, which must outlive them.
 
-  /// A file can have any format that carries some of this.
+  /// The content for files: the object can be written in any format that carries some of it.
   virtual Content content() const { return Content::nothing; }
-  /// Throws Error{invalid_option} where a file would lose what was asked for.
+  /// Throws Error{invalid_option} if a file would lose results that the caller asked for.
   virtual void check_file(const WrittenFile&) const {}
-  /// The mesh that formats of meshes have; nothing where there is none.
+  /// The mesh for formats of meshes; nothing if there is none.
   virtual std::optional<LabelledMesh> labelled() const { return std::nullopt; }
-  /// Formats of its own, by extension, which go before those of meshes.
+  /// Formats of its own, by extension. They take precedence over formats of meshes.
   virtual OwnWriters own_writers() const { return {}; }
-  /// The files of a part of it that has its own, such as "points". None: there is no such part.
+  /// The formats of a part that has its own files, such as "points"; empty if there is no such part.
   virtual OwnWriters part_writers(std::string_view /*part*/) const { return {}; }
-  /// The page that shows it: the regions of `labelled`. Throws Error{invalid_option} where there is nothing to show, or
-  /// the library was built without pages.
+  /// The HTML page that shows the object, by default the regions of `labelled`. Throws Error{invalid_option} if there
+  /// is nothing to show, or if the library was built without pages.
   virtual std::string page(const FileOptions& options) const;
 };
 
@@ -200,11 +203,11 @@ class OptionList;
 
 void describe(OptionList& list, FileOptions& options);
 
-/// Writes a complete file or none, in the format of its extension. Throws Error{invalid_option} where that format does
-/// not carry what the object consists of, and what check_file, write_mesh and write_file throw.
+/// Writes a complete file or none, in the format of the extension. Throws Error{invalid_option} if the format carries
+/// nothing of the object, and what `check_file`, `write_mesh` and `write_file` throw.
 void write_object(const std::filesystem::path& path, const Object& object, const FileOptions& options = {},
                   const Progress& progress = {});
-/// The bytes of that file. `format`: an extension, as "ply". An OBJ has no file of materials beside it, and names none.
+/// The bytes of such a file. `format` is an extension such as "ply". An OBJ refers to no file of materials.
 std::string file_bytes(const std::string& format, const Object& object, const FileOptions& options = {});
 
 }  // namespace gvd

@@ -11,37 +11,37 @@
 
 namespace gvd {
 
-/// What an operation tells while it works, for a door to override. Texts name options by placeholders
-/// (gvd/placeholders.hpp). All calls come from the thread that runs the operation, also where it throws later.
+/// Receives the progress and the notes of a running operation. Doors override its functions. Texts name options by
+/// placeholders (gvd/placeholders.hpp). All calls come from the thread that runs the operation.
 class Observer {
  public:
   virtual ~Observer() = default;
-  /// The fraction of a step that is done; false cancels the operation.
+  /// Reports the fraction of a step that is done. Returning false cancels the operation.
   virtual bool progress(std::string_view /*step*/, double /*fraction*/) { return true; }
-  /// A step begins, maybe inside another one. A step that was there already goes on.
+  /// A step begins, possibly inside another step. A name that occurred before continues that step.
   virtual void enter(std::string_view /*step*/) {}
-  /// The last step that began, and has not ended, ends.
+  /// The innermost step ends.
   virtual void leave() {}
-  /// A line that users should not miss, and one that only curious ones want to read.
+  /// `note` reports a line that users should not miss, and `detail` a line for curious users only.
   virtual void note(const std::string& /*text*/) {}
-  /// A note that something is probably not as the user meant it.
+  /// A note about something that the user probably did not intend.
   virtual void warn(const std::string& text) { note(text); }
   virtual void detail(const std::string& /*text*/) {}
-  /// A relaxation has done so many iterations.
+  /// A relaxation has done this many iterations.
   virtual void iterated(std::int64_t /*iterations*/, double /*energy*/,
                         const std::vector<SurfacePoint>& /*generators*/) {}
-  /// What the step has found so far; empty: nothing.
+  /// Shows what the step has found so far; an empty text clears it.
   virtual void status(const std::string& /*text*/) {}
 
-  int threads = 0;  ///< for the operation; 0: one a core
+  int threads = 0;  ///< for the operation; 0: as many as there are cores
 };
 
-/// For the `progress` fields of the library. The observer must outlive it.
+/// A callback for the `progress` fields of the library. The observer must outlive it.
 inline Progress progress_of(Observer& observer) {
   return [&observer](std::string_view step, double fraction) { return observer.progress(step, fraction); };
 }
 
-/// A step, for as long as this lives.
+/// A step of an operation, which lasts as long as this object.
 class Step {
  public:
   Step(Observer& observer, std::string_view name) : observer_(observer) { observer_.enter(name); }
@@ -51,9 +51,9 @@ class Step {
   Step(const Step&) = delete;
   Step& operator=(const Step&) = delete;
 
-  /// Ends it, and begins another one in its place.
+  /// Ends the step and begins another one in its place.
   void next(std::string_view name) {
-    is_inside_ = false;  // where the other one can't begin, none has to end
+    is_inside_ = false;  // if `enter` throws, no step has to end
     observer_.leave();
     observer_.enter(name);
     is_inside_ = true;
@@ -64,7 +64,7 @@ class Step {
   bool is_inside_ = true;
 };
 
-/// The result of `work`, which is a step.
+/// Runs `work` as a step, and returns its result.
 template <class Work>
 decltype(auto) as_step(Observer& observer, std::string_view name, Work&& work) {
   const Step step(observer, name);

@@ -10,18 +10,19 @@
 #include "gvd/observer.hpp"
 #include "gvd/option_list.hpp"
 
-// The operations of the library, as doors see them: options in, an object out.
+// The operations of the library as its doors call them: each takes options and returns an object.
 namespace gvd {
 
 /// One call of an operation, with its options.
 class Call {
  public:
   virtual ~Call() = default;
-  /// Describes the options, which this holds.
+  /// Describes the options, whose values this object holds.
   virtual void describe(OptionList& list) = 0;
-  /// Takes arrays that no option refers to. They must stay until `run` has returned.
+  /// Takes arrays to which no option refers. They must stay valid until `run` has returned.
   virtual void take(std::span<const ArrayView> /*arrays*/) {}
-  /// Runs the operation once, on an object of the kind that it takes. Options become what they stand for.
+  /// Runs the operation on an object of the kind that it takes. Call it only once, because options such as `auto` are
+  /// replaced by the values used.
   /// Throws Error{invalid_option} for an object of another kind, and what the operation throws.
   virtual std::shared_ptr<const Object> run(const std::shared_ptr<const Object>& on, Observer& observer) = 0;
 };
@@ -31,15 +32,16 @@ struct Operation {
   std::string_view summary;
   std::string_view on;                           ///< the kinds of objects that it takes, such as "mesh"; empty: none
   std::unique_ptr<Call> (*call)();               ///< with the default options
-  std::shared_ptr<const Object> (*no_result)();  ///< that describes the results
+  std::shared_ptr<const Object> (*no_result)();  ///< an empty result, which describes the parts of results
 };
 
 const std::vector<Operation>& operations();
 
-/// The mesh that an object is, or is of. Throws Error{invalid_option} for one that the operation does not take.
+/// The mesh of an object, which is a mesh or was made from one. Throws Error{invalid_option} for an object that the
+/// operation does not take.
 const MeshPtr& mesh_of(const Operation& operation, const Object& object);
 
-/// Null where there is none of that name.
+/// Finds an operation by its name; null if there is none.
 const Operation* find_operation(std::string_view name);
 
 }  // namespace gvd

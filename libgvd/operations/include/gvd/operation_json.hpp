@@ -13,39 +13,40 @@
 // Options, figures and descriptions of operations as JSON, for doors that programs use.
 namespace gvd {
 
-/// Stores the options of a JSON object, and returns which ones it has. The numbers of `arrays` are options' values
-/// where the JSON has {"array": 0} for the first one. Numbers may be strings; null is as if the option were not there.
+/// Stores the options of a JSON object, and returns which options it sets. In the JSON, {"array": 0} refers to the
+/// numbers of the first of `arrays`. Numbers may be strings; null means that the option is not set.
 ///
 /// Points are an array of vertices, of positions in three columns, or of faces and barycentric coordinates in four; a
-/// list of vertices or of such rows; or one as in JSON files of generators. Vertices are those of the input;
-/// {"mesh_vertices": 0} is an array of the mesh's own. A list of arrays is all their points. Curves are {"points": ...,
-/// "offsets": ...}, where an offset is the place of the first point of a curve and the last one the number of points,
-/// with "closed": true for loops.
-/// Throws Error{invalid_option} with one line for the first mistake. Cost: O(length and numbers).
+/// list of vertices or of such rows; or a list as in JSON files of generators. Vertices have the numbers of the input;
+/// with {"mesh_vertices": 0}, an array of vertices has the mesh's own numbers. A list of arrays stands for the points
+/// of all of them. Curves are {"points": ..., "offsets": ...}, where each offset is the index of a curve's first point
+/// and the last offset is the number of points. Closed curves have "closed": true.
+/// Throws Error{invalid_option} with one line about the first mistake. Cost: O(length and numbers).
 Given read_json_options(const OptionList& list, const CheckedMesh& input, std::string_view json,
                         std::span<const ArrayView> arrays);
 
-/// Whoever reads a text writes an option as "count": 30, as count=30, or as count: 30.
+/// The interface whose user reads a text. Users of JSON write options as "count": 30, users of Python as count=30, and
+/// users of JavaScript as count: 30.
 enum class Door : std::int32_t { json, python, javascript };
 
-/// A text with each placeholder as users of this door write the option. Advice to give an option is left out where the
-/// call has none of that name, or has one that excludes it; without a call, always.
+/// Replaces the placeholders of a text by options as users of this door write them. Leaves out advice to give an option
+/// if the call has no such option or has one that excludes it; without a call, leaves out all advice.
 std::string spell_for(Door door, const std::string& text);
 std::string spell_for(Door door, const std::string& text, const OptionList& list, const Given& given);
 inline std::string spell_for_json(const std::string& text) { return spell_for(Door::json, text); }
 
-/// The value of an option, and what kind of values it takes.
+/// The value of an option, and the kind of values that it takes.
 std::string value_json(const Field& field);
 std::string kind_json(const Field& field);
 
-/// Every option with its value; null where it is not set or does nothing. Given back, they are the same options:
-/// points, curves and numbers are as they were given, and refer to the same arrays. For JavaScript a whole number that
-/// it would round is a text.
+/// All options with their values; null for an option that is not set or has no effect. `read_json_options` reads the
+/// same options back: points, curves and numbers are as they were given, and refer to the same arrays. For JavaScript,
+/// whole numbers that it would round are texts.
 std::string options_json(const OptionList& list, const Given& given, Door door = Door::json);
 
-/// The figures of an object, nested at the dots of their names.
+/// The figures of an object. Dots in their names become levels of JSON.
 std::string figures_json(const Object& object, Door door = Door::json);
-/// The same of what `visit` tells.
+/// The figures that `visit` passes to its visitor.
 std::string figures_json(const std::function<void(ObjectVisitor&)>& visit, Door door = Door::json);
 
 /// The table of formats: an array of objects with `name`, `title`, `extensions`, `input_extensions`, `is_read`,

@@ -15,45 +15,45 @@
 #include "gvd/observer.hpp"
 #include "gvd/option_list.hpp"
 
-// The operations that only programs call: `mesh`, `saved_mesh`, `values`, `properties`, `curves` and `check`. Commands
-// read files by themselves.
+// The operations for programs only: `mesh`, `saved_mesh`, `values`, `properties`, `curves` and `check`. The commands
+// read files themselves.
 namespace gvd {
 
 /// A file that an operation reads, or its bytes in memory.
 struct GivenFile {
-  std::string file;      ///< empty: none; with `content` its name for messages, whose extension counts
-  bool content = false;  ///< the last array has the bytes
+  std::string file;      ///< empty: no file; with `content` the name for messages, whose extension tells the format
+  bool content = false;  ///< the last array has the bytes of the file
   std::vector<ArrayView> arrays;
-  /// Throws Error{invalid_option} without an array of bytes.
+  /// The bytes in memory. Throws Error{invalid_option} if there is no array of bytes.
   std::string_view bytes() const;
 };
 
-/// The options of the operation `mesh`, of a file or of two arrays: positions in three columns, and polygons, whose
-/// corners are in three columns or more.
+/// The options of the operation `mesh`, which makes a mesh from a file or from two arrays: positions in three columns,
+/// and polygons with their corners in three or more columns.
 struct MeshCall : GivenFile {
   std::optional<MeshFormat> format;
   DefectPolicy on_defect = DefectPolicy::repair;
   std::optional<double> weld;  ///< mesh units
 };
 void describe(OptionList& list, MeshCall& call);
-/// Throws what read_soup, weld_soup and build_mesh throw.
+/// Reads and repairs a mesh. Throws what `read_soup`, `weld_soup` and `build_mesh` throw.
 std::shared_ptr<const MeshObject> run(MeshCall& call, Observer& observer);
 
-/// The options of the operation `saved_mesh`: a mesh out of the arrays that it consists of, in the order in which a
-/// mesh names them, and its figures with lists of texts. So its elements keep their places in the input.
+/// The options of the operation `saved_mesh`, which restores a mesh from its arrays, in the order in which a mesh
+/// visits them, and from its figures that are lists of texts. The elements of the mesh keep their places in the input.
 struct SavedMeshCall {
   std::vector<std::string> repairs, materials, material_files;
   std::vector<ArrayView> arrays;
 };
 void describe(OptionList& list, SavedMeshCall& call);
-/// Throws Error{precondition} for arrays that are of no mesh.
+/// Restores a mesh. Throws Error{precondition} if the arrays do not belong to a mesh.
 std::shared_ptr<const MeshObject> run(SavedMeshCall& call, Observer& observer);
 
-/// The options of the operation `values`: numbers that a file has for each vertex or face.
+/// The options of the operation `values`, which reads a file with a number for each vertex or face.
 struct ValuesCall : GivenFile {};
 void describe(OptionList& list, ValuesCall& call);
 
-/// Numbers by their names: "values", or "vertex NAME" and "face NAME".
+/// Lists of numbers by their names: "values", or "vertex NAME" and "face NAME".
 class NumbersObject : public Object {
  public:
   std::string_view kind() const override { return "numbers"; }
@@ -63,34 +63,34 @@ class NumbersObject : public Object {
 };
 std::shared_ptr<const NumbersObject> run(ValuesCall& call, Observer& observer);
 
-/// The options of the operation `properties`: those of a file of a mesh, but for its coordinates and texture.
+/// The options of the operation `properties`, which reads the properties of a mesh file except coordinates and texture.
 struct PropertiesCall : ValuesCall {};
 std::shared_ptr<const NumbersObject> run(PropertiesCall& call, Observer& observer);
 
-/// The options of the operation `curves`.
+/// The options of the operation `curves`, which finds curves of a mesh.
 struct CurvesCall {
   GeneratorOptions generators;
 };
 void describe(OptionList& list, CurvesCall& call);
 
-/// Curves of a mesh, as polylines.
+/// The result of `curves`: curves of a mesh, as polylines.
 class CurvesOutcome : public Object {
  public:
   std::string_view kind() const override { return "curves"; }
   void visit(ObjectVisitor& visitor) const override;
 
   std::int64_t count = 0;
-  std::vector<Vec3> positions;        ///< of all polylines
-  std::vector<std::int64_t> offsets;  ///< the place of each polyline's first point, and the number of all
-  std::vector<std::int64_t> curve;    ///< that each polyline is of
+  std::vector<Vec3> positions;        ///< the points of all polylines
+  std::vector<std::int64_t> offsets;  ///< the index of each polyline's first point, and the number of all points
+  std::vector<std::int64_t> curve;    ///< for each polyline, the curve to which it belongs
 };
 std::shared_ptr<const CurvesOutcome> run(const MeshPtr& input, CurvesCall& call, Observer& observer);
 
-/// The options of the operation `check`: there are none.
+/// The operation `check` has no options.
 struct CheckCall {};
 inline void describe(OptionList&, CheckCall&) {}
 
-/// The violated invariants of a diagram; none for a sound one.
+/// The result of `check`: the violated invariants of a diagram; empty for a valid diagram.
 class CheckOutcome : public Object {
  public:
   std::string_view kind() const override { return "check"; }

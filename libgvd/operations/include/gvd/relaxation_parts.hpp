@@ -11,43 +11,44 @@
 #include "gvd/option_list.hpp"
 #include "gvd/relaxation_start.hpp"
 
-// What the operations that relax generators share.
+// Options and notes that the operations that relax generators share.
 namespace gvd {
 
-/// What restricts and weighs a relaxation, as users give it.
+/// Fixed generators and the density of a relaxation, as users give them.
 struct GivenConstraints {
-  GivenPoints fixed;     ///< generators that stay
+  GivenPoints fixed;     ///< generators that must not move
   GivenNumbers density;  ///< "curvature", or a number for each vertex or face; none: uniform
 };
 
 void describe(OptionList& list, GivenConstraints& given);
 
-/// A density out of numbers; uniform without. Throws Error{precondition} for numbers that are none.
+/// Makes a density of the given numbers; uniform if there are none. Throws Error{precondition} for numbers that are no
+/// valid density.
 Density find_density(const CheckedMesh& input, const GivenNumbers& given);
 
-/// The options for the start of a relaxation, with the generators and what restricts them. `listed` becomes the
-/// generators of a list, where there is one.
+/// Completes the options for the start of a relaxation with the generators and their constraints. Sets `listed` to the
+/// generators of a list, if there is one.
 RelaxationStartOptions make_start_options(const CheckedMesh& input, const GeneratorOptions& generators,
                                           const DiagramOptions& diagram, const GivenConstraints& given,
                                           RelaxationStartOptions options, ResolvedGenerators& listed,
                                           Observer& observer);
 
-/// How far each of `points` is from where it was given, mesh units; nothing for one that has moved since.
+/// How far each of `points` was moved to the surface, in mesh units; nothing for a point that has moved since.
 std::vector<std::optional<double>> snaps_of_unmoved(const ResolvedGenerators& listed,
                                                     const std::vector<SurfacePoint>& points);
 
-/// Notes how many of a start's generators are fixed, on creases and free, what they do not follow, and why a
-/// copy that was asked for is not used. `is_listed`: the generators were not sampled.
+/// Notes how many of a start's generators are fixed, on creases and free, which curves they do not follow, and why a
+/// requested copy is not used. `is_listed`: the generators were not sampled.
 void tell_start(Observer& observer, const Mesh& mesh, const RelaxationStart& start,
                 const RelaxationStartOptions& options, bool is_listed);
 
-/// Shows iteration and energy from now on.
+/// Reports an iteration with its energy as the status.
 void show_iteration(Observer& observer, std::int64_t iterations, double energy);
 
-/// Notes what was done on a copy of the mesh.
+/// Notes which part of the relaxation ran on a copy of the mesh.
 void tell_copy(Observer& observer, const CoarseRelaxation& used, const RelaxationStart& start, bool ends_on_copy);
 
-/// The part of a relaxation on a copy of the mesh, as figures that begin with `name`.
+/// Visits the figures of a relaxation on a copy of the mesh. Their names begin with `name`.
 void visit_copy(ObjectVisitor& visitor, const CoarseRelaxation& copy, const std::string& name = "coarse");
 
 }  // namespace gvd

@@ -24,21 +24,21 @@ struct RemeshCall {
   DiagramOptions diagram;
   GivenConstraints constraints;
   SurfaceRemeshOptions remesh;
-  bool map = false;                      ///< map the vertices of the input to the remesh, and back
-  bool carry = false;                    ///< carry texture coordinates and materials over, and `properties`
-  std::vector<MeshProperty> properties;  ///< of the input's file
+  bool map = false;                      ///< map the input's vertices to the remesh and back
+  bool carry = false;                    ///< carry over texture coordinates, materials and `properties`
+  std::vector<MeshProperty> properties;  ///< the properties of the input's file
 };
 
-/// Describes them, but for `map` and `carry`: a command has options of its own for what it writes of these.
+/// Describes the options except `map` and `carry`, because the command has options of its own for the files with these
+/// results. `describe_for_programs` describes these.
 void describe(OptionList& list, RemeshCall& call);
-/// Describes the rest.
 void describe_for_programs(OptionList& list, RemeshCall& call);
 
-/// A coarse mesh with its diagram.
+/// The result of `remesh`: a coarse mesh with its diagram.
 class RemeshOutcome : public Object {
  public:
   static constexpr Content kContent = Content::surface | Content::diagram;
-  /// What `carry` takes from the input.
+  /// The content that `carry` takes over from the input.
   static constexpr Content kCarried = Content::properties | Content::texture | Content::materials;
   std::string_view kind() const override { return "remesh"; }
   Content content() const override { return kContent; }
@@ -47,35 +47,36 @@ class RemeshOutcome : public Object {
   const RemeshResult& result() const { return made->result; }
   std::optional<LabelledMesh> labelled() const override;
   OwnWriters own_writers() const override;
-  /// "map": that of the vertices.
+  /// `part` is "map" for the map of the vertices.
   OwnWriters part_writers(std::string_view part) const override;
   std::string page(const FileOptions& options) const override;
 
   MeshPtr input = std::make_shared<CheckedMesh>();
   std::shared_ptr<const SurfaceRemesh> made = std::make_shared<SurfaceRemesh>();
-  DiagramOptions options;                ///< of the diagram
-  std::optional<Fewest> search;          ///< for the fewest generators
-  double search_distance = 0;            ///< that was asked for, mesh units
-  std::optional<RemeshMap> map;          ///< where it was asked for
-  bool carries = false;                  ///< whether what follows was asked for
+  DiagramOptions options;                ///< the options of the diagram
+  std::optional<Fewest> search;          ///< the search for the fewest generators, if `error` is given
+  double search_distance = 0;            ///< the distance that the search had to keep, mesh units
+  std::optional<RemeshMap> map;          ///< if the options ask for it
+  bool carries = false;                  ///< whether the options ask for `properties` and `appearance`
   std::vector<MeshProperty> properties;  ///< carried over
   Appearance appearance;                 ///< carried over
-  /// How far each generator is from where it was given; nothing for one that is somewhere else now.
+  /// How far each listed generator was moved to the surface; nothing for a generator that the relaxation moved.
   std::vector<std::optional<double>> snap_distance;
 };
 
-/// The options of the operation `map`: there are none.
+/// The operation `map` has no options.
 struct MapCall {};
 inline void describe(OptionList&, MapCall&) {}
 
-/// A remesh with its map.
+/// Adds the map of the vertices to a remesh, as `map` of RemeshCall does. Throws what `map_to_remesh` throws.
 std::shared_ptr<const RemeshOutcome> run(const RemeshOutcome& on, MapCall& call, Observer& observer);
 
-/// The notes on a remesh, one line each. `options`: those that gave the result.
+/// The notes on a remesh, one line each. `options`: the options that gave the result.
 std::vector<std::string> describe_remesh(const RemeshResult& result, const RemeshOptions& options);
 
-/// Chooses and relaxes generators, and builds the coarse mesh of their diagram. Options become what they stand for.
-/// Throws what choose_generators, find_remesh_count, remesh_surface and map_to_remesh throw.
+/// Chooses and relaxes generators, and builds the coarse mesh of their diagram. Replaces options such as `auto` in
+/// `call` by the values used. Throws what `choose_generators`, `find_remesh_count`, `remesh_surface` and
+/// `map_to_remesh` throw.
 std::shared_ptr<const RemeshOutcome> run(const MeshPtr& input, RemeshCall& call, Observer& observer);
 
 }  // namespace gvd

@@ -13,32 +13,34 @@
 
 namespace gvd {
 
-/// The kinds of objects that have a scene, in words for messages.
+/// The kinds of objects that have a scene, for messages.
 inline constexpr std::string_view kSceneSubjects = "diagram, distances or remesh";
 
 /// The options of the operation `scene`, which works on a diagram, on distances or on a remesh.
 struct SceneCall {
-  GivenNumbers colors;        ///< of the regions of a scene before: red, green and blue of each; none: chosen anew
-  std::int32_t isolines = 0;  ///< levels up to the largest distance, of distances; 0: the isolines that they have
+  GivenNumbers colors;  ///< red, green and blue of each region in the previous scene; none: new colours are chosen
+  /// For distances, the number of levels up to the largest distance; 0: the isolines that they have.
+  std::int32_t isolines = 0;
 };
 
 void describe(OptionList& list, SceneCall& call);
 
-/// A picture for the page, as `--view` writes it into one: docs/developer/viewer.md has the members of the manifest.
+/// The result of `scene`: a picture for the page, as `--view` writes it. docs/developer/viewer.md lists the members of
+/// the manifest.
 class SceneObject : public Object {
  public:
   std::string_view kind() const override { return "scene"; }
   void visit(ObjectVisitor& visitor) const override;
 
-  std::string manifest;               ///< JSON, with the number of an array wherever it refers to one
-  std::string bytes;                  ///< of all arrays
-  std::vector<std::int64_t> offsets;  ///< the place of each array's first byte, and the number of all
+  std::string manifest;               ///< JSON, which refers to arrays by number
+  std::string bytes;                  ///< the bytes of all arrays
+  std::vector<std::int64_t> offsets;  ///< the index of each array's first byte, and the number of all bytes
   std::vector<Rgb> colors;            ///< of the regions
 };
 
-/// Makes the scene in the coordinates of the mesh that the object was made of, so that scenes of one mesh follow each
-/// other. Regions keep the given colours as far as their neighbours allow. Throws Error{invalid_option} for an object
-/// of another kind, Error{precondition} for what does not fit its mesh. Cost: O(n log n).
+/// Makes the scene in the coordinates of the mesh from which the object was made, so that scenes of the same mesh can
+/// replace each other. Regions keep the given colours as far as their neighbours allow. Throws Error{invalid_option}
+/// for an object of another kind, and Error{precondition} for an object that does not fit its mesh. Cost: O(n log n).
 std::shared_ptr<const SceneObject> run(const Object& on, SceneCall& call, Observer& observer);
 
 }  // namespace gvd

@@ -57,7 +57,7 @@ void check_placement(const PlacementOptions& options, std::size_t generators);
 /// square distances is minimised over all vertices at once. It has the distances of samples of the surface from the
 /// planes of their nearest triangles. It also has those of samples of the remesh from the surface. Springs pull the
 /// vertices along the surface to positions of better triangles. After each round, vertices of thin triangles move to
-/// where their triangles are better and the distances hardly larger.
+/// where their triangles are better and the distances hardly larger; after the last one, all vertices do.
 ///
 /// Properties: (1) with `generator`, the generators' positions, bit by bit; (2) deterministic.
 /// Throws what check_placement throws, and Error{precondition} if the arguments do not belong together.

@@ -13,9 +13,6 @@ struct SurfaceDistance {
   double rms = 0;              ///< root of the mean square distance over the surface's area
 };
 
-/// The largest number of times that triangles are cut in four.
-inline constexpr int kMaxHausdorffRounds = 20;
-
 /// The search for the largest distance ends where the bound exceeds the distance found by no more than this fraction of
 /// it. Dimensionless.
 inline constexpr double kHausdorffTolerance = 0.01;
@@ -27,8 +24,8 @@ inline constexpr double kLeastHausdorffTolerance = 1e-6;
 /// Each face of `from` is cut into equal triangles. In all they are at least 2^15, or eight for each face of the two
 /// meshes where that is less. RMS: a rule that is exact for quadratic functions sums the squares over them. Hausdorff
 /// distance: over a triangle, the distance from one face of `to` is convex, so its largest value is at a corner. That
-/// value bounds the distance from `to`. Triangles whose bound is above the largest distance found are cut in four, at
-/// most kMaxHausdorffRounds times and while they are 2^18 or fewer.
+/// value bounds the distance from `to`. Triangles whose bound is above the largest distance found are cut, those with
+/// the largest bounds first, until none is left or 2^20 and four for each face of `from` were.
 /// Properties: (1) independent of `threads` (0: one a core); (2) invariant under rigid motions within rounding.
 /// Throws Error{precondition} where one of the two has no face. Cost: O(n log m) for n triangles and m faces.
 SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads = 0,

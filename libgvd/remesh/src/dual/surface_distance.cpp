@@ -5,15 +5,21 @@
 // at a corner and bounds the distance from all faces. The closest points of the corners may be in two faces. Then the
 // bound is the largest distance of a corner, and how far the triangle of the closest points leaves the faces. Without
 // it, flat surfaces that agree would be cut as finely as can be along all edges. The same holds round a vertex, where
-// the closest points lie in faces round it that are nearly flat. A triangle that may hold a farther point is cut in
-// four. Sums and pieces are joined in the order of the chunks, so the results do not depend on the number of threads.
+// the closest points lie in faces round it that are nearly flat. Distances also grow no faster than one moves, which is
+// the bound for long triangles that cross many faces. A triangle that may hold a farther point is cut in four, and one
+// that is hardly wider than its longest side is that side, which is cut in two: a needle of length n times its width
+// takes n pieces instead of n^2. Where there are too many pieces, those with the largest bounds come first. Sums and
+// pieces are joined in the order of the chunks, so the results do not depend on the number of threads.
 
 #include "gvd/surface_distance.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 #include "base/parallel_chunks.hpp"
 #include "base/triangle_lattice.hpp"
@@ -37,8 +43,15 @@ constexpr double kLeastTriangles = 1 << 15;
 constexpr double kTrianglesPerFace = 8;
 /// Elements whose closest points one thread finds at a time, each near that of the one before.
 constexpr std::size_t kFacesPerChunk = 128;
-/// The most triangles that the search for the largest distance keeps. With more it ends, with the bound known then.
-constexpr std::size_t kMaxPieces = 1 << 18;
+/// With more pieces than this, a round cuts those with the largest bounds: half of all, or as many as this.
+constexpr std::size_t kLeastCutsInRound = 1 << 18;
+/// The search for the largest distance ends after so many pieces that were cut, with the bound known then: the first
+/// number, and one for each face. A cut takes 2 to 6 microseconds.
+constexpr std::size_t kLeastMaxCuts = 1 << 20, kMaxCutsPerFace = 4;
+
+/// The most faces round a vertex that are looked at for a bound. With more, as where an n-gon is a fan, each piece near
+/// the vertex would cost as much as the fan has faces; smaller pieces meet fewer of them.
+constexpr int kMostFanFaces = 64;
 
 /// A point of the surface and the closest point of the other one.
 struct Sample {
@@ -47,16 +60,26 @@ struct Sample {
   FaceId nearest;
 };
 
+/// Distances below this fraction of the largest coordinate are rounding: four units of it. Dimensionless.
+constexpr double kDistanceRounding = 4 * std::numeric_limits<double>::epsilon();
+
+double rounding_of(const Mesh& mesh) {
+  double largest = 0;
+  for (const Vec3& p : mesh.positions()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return kDistanceRounding * largest;
+}
+
 constexpr StepPart kOfVertices{"distance", 0, 0.3}, kOfFaces{"distance", 0.3, 0.6};
 
-/// The vertices, each search from the face nearest to the vertex before.
-std::vector<Sample> sample_vertices(const Mesh& from, const ClosestPointTree& tree, const ParallelChunks& parallel) {
+/// The vertices, each search from the face nearest to the vertex before. `enough`: that of `nearest_face`.
+std::vector<Sample> sample_vertices(const Mesh& from, const ClosestPointTree& tree, double enough,
+                                    const ParallelChunks& parallel) {
   return parallel.collect(cut_into_chunks(from.vertex_count(), kFacesPerChunk), kOfVertices, [&](const Chunk& chunk) {
     std::vector<Sample> samples;
     FaceId near(0);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const Vec3& at = from.position(VertexId(i));
-      const NearestFace nearest = tree.nearest_face(at, near);
+      const NearestFace nearest = tree.nearest_face(at, near, enough);
       near = nearest.face;
       samples.push_back({at, nearest.distance, near});
     }
@@ -66,11 +89,28 @@ std::vector<Sample> sample_vertices(const Mesh& from, const ClosestPointTree& tr
 
 using Corners = std::array<Sample, 3>;
 
-/// A triangle within a face.
+/// A triangle within a face, or the side of a narrow one, whose last two corners are the same.
 struct Piece {
   Corners corners;
+  bool is_side = false;
+  double width = 0;  ///< no point of the narrow triangle is farther than this from its side; mesh units
   double bound = 0;  ///< no point of the piece is farther than this
 };
+
+/// The longest side of a triangle, from corner `start` to the next one, and the height above it; mesh units. No point
+/// of the triangle is farther from the side than the height, as the angles at its ends are the smaller ones.
+struct LongestSide {
+  std::size_t start;
+  double length, height;
+};
+
+LongestSide longest_side(const Corners& corners) {
+  const auto side = [&](std::size_t k) -> Vec3 { return corners[(k + 1) % 3].position - corners[k].position; };
+  const std::array<double, 3> square{side(0).squaredNorm(), side(1).squaredNorm(), side(2).squaredNorm()};
+  const auto start = std::size_t(std::max_element(square.begin(), square.end()) - square.begin());
+  const double length = std::sqrt(square[start]);
+  return {start, length, length > 0 ? side(start).cross(side((start + 1) % 3)).norm() / length : 0};
+}
 
 /// Faces round a vertex that cover a sector of a disc, seen along the normal of the first one. What lies in the disc,
 /// and in a convex sector, has a face within twice its height above the first one's plane.
@@ -120,13 +160,14 @@ class PieceBounds {
 
   /// The least bound; one above `enough` is worth more work than one below.
   double find(const Corners& corners, double enough) const {
-    const double least = by_one_face(corners);
+    double least = by_one_face(corners);
     for (std::size_t k = 0; k < 3; ++k) {
       const Corners turned{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]};
       const FaceId own = turned[0].nearest, other = turned[1].nearest;
       if (own == other || turned[2].nearest != other) continue;
       if (const HalfedgeId h = common_edge(own, other); h.valid()) return std::min(least, by_two(turned, h));
     }
+    if (least > enough) least = std::min(least, by_size(corners));
     return least > enough ? std::min(least, by_fan(corners)) : least;
   }
 
@@ -144,6 +185,17 @@ class PieceBounds {
       least = std::min(least, largest);
     }
     return least;
+  }
+
+  /// Distances differ by no more than the distance of their points. No point of a triangle is farther from its nearest
+  /// corner than 1 / sqrt(3) of the longest side: an equilateral one's radius. Nor is one farther from the longest side
+  /// than its height, and on this side it is between two corners.
+  double by_size(const Corners& corners) const {
+    const auto [start, length, height] = longest_side(corners);
+    const auto& [a, b, c] = corners;
+    const double by_corners = std::max({a.distance, b.distance, c.distance}) + length / std::numbers::sqrt3;
+    const double on_side = (corners[start].distance + corners[(start + 1) % 3].distance + length) / 2;
+    return std::min(by_corners, on_side + height);
   }
 
   /// The halfedge of a face whose twin is one of another face; invalid where they have none in common.
@@ -201,6 +253,7 @@ class PieceBounds {
     const HalfedgeId first = h;
     std::array<double, 3> distance{kInfinity, kInfinity, kInfinity};
     double reach = 0;
+    int count = 0;
     do {
       if (!sector.add(h)) return kInfinity;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -214,7 +267,7 @@ class PieceBounds {
       const double farthest = *std::max_element(distance.begin(), distance.end());
       if (farthest < kInfinity && sector.is_convex()) return farthest + sector.distance_within(reach);
       h = next_outgoing(to_, h);
-    } while (h.valid() && h != first);
+    } while (h.valid() && h != first && ++count < kMostFanFaces);
     return kInfinity;
   }
 
@@ -236,38 +289,47 @@ class DistanceMeasure {
   /// All arguments but `threads` must outlive this.
   DistanceMeasure(const Mesh& from, const Mesh& to, int threads, const Progress& progress)
       : from_(from),
+        to_(to),
         tree_(to),
         parallel_(threads, progress),
         absolute_tolerance_(kLeastHausdorffTolerance * std::max(from.bbox_diagonal(), to.bbox_diagonal())),
+        rounding_(rounding_of(to)),
         bounds_(to, tree_, absolute_tolerance_ / 2) {
     triangles_ = std::min(kLeastTriangles, kTrianglesPerFace * (from.face_count() + to.face_count()));
   }
 
   SurfaceDistance run() {
-    at_vertex_ = IdVector<VertexId, Sample>(sample_vertices(from_, tree_, parallel_));
+    at_vertex_ = IdVector<VertexId, Sample>(sample_vertices(from_, tree_, rounding_, parallel_));
     for (const Sample& s : at_vertex_) farthest_ = std::max(farthest_, s.distance);
     area_ = compute_area(from_);
     Findings all =
         collect(from_.face_count(), kOfFaces, [&](std::size_t i, Findings& found) { sample_face(FaceId(i), found); });
     SurfaceDistance result;
     result.rms = area_ > 0 ? std::sqrt(all.square_sum / area_) : 0;
-    for (int round = 0; round < kMaxHausdorffRounds; ++round) {
-      if (all.pieces.empty() || all.pieces.size() > kMaxPieces) break;
-      constexpr double kStep = 0.4 / kMaxHausdorffRounds;
-      all = collect(all.pieces.size(), {"distance", 0.6 + kStep * round, 0.6 + kStep * (round + 1)},
-                    [&](std::size_t i, Findings& found) { cut_in_four(all.pieces[i].corners, found); });
-    }
+    result.hausdorff_bound = search(std::move(all.pieces));
     result.hausdorff = farthest_;
-    result.hausdorff_bound = std::max(farthest_, bound_);
-    for (const Piece& piece : all.pieces) {
-      result.hausdorff_bound = std::max(result.hausdorff_bound, piece.bound);
-    }
     return result;
   }
 
  private:
+  /// Walks over faces as long as they become nearer: across a fan of needles, whose boxes tell nothing.
+  FaceId walk(const Vec3& at, FaceId from) const {
+    NearestFace best{from, tree_.distance(at, from)};
+    for (FaceId last; last != best.face && best.distance > rounding_;) {
+      last = best.face;
+      for (const HalfedgeId h : Mesh::halfedges(last)) {
+        if (const HalfedgeId twin = to_.twin(h); twin.valid()) {
+          const double distance = tree_.distance(at, Mesh::face(twin));
+          if (distance < best.distance) best = {Mesh::face(twin), distance};
+        }
+      }
+    }
+    return best.face;
+  }
+
   Sample sample(const Vec3& at, FaceId guess) const {
-    const NearestFace nearest = tree_.nearest_face(at, guess);
+    guess = walk(at, guess);
+    const NearestFace nearest = tree_.nearest_face(at, guess, rounding_);
     return {at, nearest.distance, nearest.face};
   }
 
@@ -280,6 +342,41 @@ class DistanceMeasure {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) find(i, found);
       return found;
     }));
+  }
+
+  /// Cuts pieces until none may hold a farther point, or there were too many. Returns the bound.
+  double search(std::vector<Piece> pieces) {
+    const std::size_t max_cuts = kLeastMaxCuts + kMaxCutsPerFace * std::size_t(from_.face_count());
+    for (std::size_t cuts = 0; !pieces.empty() && cuts < max_cuts;) {
+      const std::size_t most = std::max(kLeastCutsInRound, pieces.size() / 2);
+      const std::vector<Piece> others = set_aside(pieces, std::min(most, max_cuts - cuts));
+      const double done = double(cuts) / double(max_cuts), end = double(cuts + pieces.size()) / double(max_cuts);
+      cuts += pieces.size();
+      Findings found = collect(pieces.size(), {"distance", 0.6 + 0.4 * done, 0.6 + 0.4 * end},
+                               [&](std::size_t i, Findings& all) { cut(pieces[i], all); });
+      for (const Piece& piece : others) keep(piece, farthest_, found);
+      bound_ = std::max(bound_, found.bound);
+      pieces = std::move(found.pieces);
+    }
+    double bound = std::max(farthest_, bound_);
+    for (const Piece& piece : pieces) bound = std::max(bound, piece.bound);
+    return bound;
+  }
+
+  /// Leaves the `count` pieces with the largest bounds, in their order, and returns the others.
+  static std::vector<Piece> set_aside(std::vector<Piece>& pieces, std::size_t count) {
+    if (pieces.size() <= count) return {};
+    std::vector<std::size_t> order(pieces.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::nth_element(order, order.begin() + std::ptrdiff_t(count), [&](std::size_t i, std::size_t k) {
+      return pieces[i].bound != pieces[k].bound ? pieces[i].bound > pieces[k].bound : i < k;
+    });
+    std::sort(order.begin(), order.begin() + std::ptrdiff_t(count));
+    std::sort(order.begin() + std::ptrdiff_t(count), order.end());
+    std::vector<Piece> first, others;
+    for (std::size_t k = 0; k < order.size(); ++k) (k < count ? first : others).push_back(pieces[order[k]]);
+    pieces = std::move(first);
+    return others;
   }
 
   /// Cuts the face into k * k triangles. Point (i, j) of the lattice has the weights i / k of corner 0, and j / k of
@@ -313,7 +410,12 @@ class DistanceMeasure {
     found.square_sum += area * (0.75 * square(centre) + (square(a) + square(b) + square(c)) / 12);
     found.farthest = std::max(found.farthest, centre.distance);
     for (const Sample& corner : corners) found.farthest = std::max(found.farthest, corner.distance);
-    keep({corners, bounds_.find(corners, allowed(found.farthest))}, found.farthest, found);
+    bound_and_keep({.corners = corners}, found);
+  }
+
+  void bound_and_keep(Piece piece, Findings& found) const {
+    piece.bound = bounds_.find(piece.corners, allowed(found.farthest) - piece.width) + piece.width;
+    keep(piece, found.farthest, found);
   }
 
   /// Keeps a piece that may hold points farther than `farthest`.
@@ -329,15 +431,32 @@ class DistanceMeasure {
     return farthest + std::max(kHausdorffTolerance * farthest, absolute_tolerance_);
   }
 
+  void cut(const Piece& piece, Findings& found) const {
+    if (piece.is_side) return cut_in_two(piece.corners[0], piece.corners[1], piece.width, found);
+    const auto [start, length, height] = longest_side(piece.corners);
+    if (height > (allowed(found.farthest) - found.farthest) / 2) return cut_in_four(piece.corners, found);
+    cut_in_two(piece.corners[start], piece.corners[(start + 1) % 3], height, found);
+  }
+
+  /// The middle of two corners.
+  Sample middle(const Sample& a, const Sample& b, Findings& found) const {
+    const Sample between = sample((a.position + b.position) / 2, a.nearest);
+    found.farthest = std::max(found.farthest, between.distance);
+    return between;
+  }
+
+  void cut_in_two(const Sample& a, const Sample& b, double width, Findings& found) const {
+    const Sample ab = middle(a, b, found);
+    for (const Corners& half : {Corners{a, ab, ab}, Corners{ab, b, b}}) {
+      bound_and_keep({.corners = half, .is_side = true, .width = width}, found);
+    }
+  }
+
   void cut_in_four(const Corners& corners, Findings& found) const {
     const auto& [a, b, c] = corners;
-    const auto middle = [&](const Sample& p, const Sample& q) {
-      return sample((p.position + q.position) / 2, p.nearest);
-    };
-    const Sample ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-    for (const Sample& s : {ab, bc, ca}) found.farthest = std::max(found.farthest, s.distance);
+    const Sample ab = middle(a, b, found), bc = middle(b, c, found), ca = middle(c, a, found);
     for (const Corners& part : {Corners{a, ab, ca}, Corners{ab, b, bc}, Corners{ca, bc, c}, Corners{ab, bc, ca}}) {
-      keep({part, bounds_.find(part, allowed(found.farthest))}, found.farthest, found);
+      bound_and_keep({.corners = part}, found);
     }
   }
 
@@ -354,10 +473,10 @@ class DistanceMeasure {
     return all;
   }
 
-  const Mesh& from_;
+  const Mesh &from_, &to_;
   ClosestPointTree tree_;
   ParallelChunks parallel_;
-  double absolute_tolerance_;  // mesh units
+  double absolute_tolerance_, rounding_;  // mesh units
   PieceBounds bounds_;
   double triangles_ = 0;  // least number that the faces are cut into
   double area_ = 0;       // of all faces
@@ -390,7 +509,9 @@ DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int th
   const ParallelChunks parallel(threads, progress);
   DistanceSamples result;
   result.steps = choose_steps(from);
-  for (const Sample& sample : sample_vertices(from, tree, parallel)) result.at_vertex.push_back(sample.distance);
+  const double enough = rounding_of(to);
+  for (const Sample& sample : sample_vertices(from, tree, enough, parallel))
+    result.at_vertex.push_back(sample.distance);
   const auto chunks = cut_into_chunks(from.face_count(), kFacesPerChunk);
   result.lattice = parallel.collect(chunks, {"view"}, [&](const Chunk& chunk) {
     std::vector<double> distances;
@@ -402,7 +523,7 @@ DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int th
       for_each_lattice_point(k, [&, a = a, b = b, c = c](std::int32_t row, std::int32_t column) {
         const double s = double(row) / k, t = double(column) / k, r = double(k - row - column) / k;
         const Vec3 at = s * from.position(a) + r * from.position(b) + t * from.position(c);
-        const NearestFace nearest = tree.nearest_face(at, near);
+        const NearestFace nearest = tree.nearest_face(at, near, enough);
         near = nearest.face;
         distances.push_back(nearest.distance);
       });

@@ -57,14 +57,14 @@ using Path = std::vector<VertexId>;
 constexpr double kLeastCrossing = 0.1;
 
 /// The point where a bisector crosses the edge between the remesh's vertices of its cells.
-struct Crossing {
+struct BisectorCrossing {
   std::size_t number = 0;  ///< of the bisector's vertex
   double t = 0.5;          ///< on the edge, from the vertex of the cell with the smaller id
 };
 
 /// The vertex of a path that is nearest to the edge, the same from both sides: an end on the boundary, or an inner one.
-Crossing find_crossing(const CellSurface& surface, const DualPolygons& polygons, const Path& path,
-                       std::pair<GeneratorId, GeneratorId> cells) {
+BisectorCrossing find_crossing(const CellSurface& surface, const DualPolygons& polygons, const Path& path,
+                               std::pair<GeneratorId, GeneratorId> cells) {
   const Mesh &mesh = surface.cut.mesh, &remesh = polygons.remesh();
   const Vec3& from = remesh.position(VertexId(std::min(cells.first, cells.second).value()));
   const Vec3& to = remesh.position(VertexId(std::max(cells.first, cells.second).value()));
@@ -74,7 +74,7 @@ Crossing find_crossing(const CellSurface& surface, const DualPolygons& polygons,
   } else if (!polygons.at(path.back())) {
     begin = path.size() - 1, end = path.size();
   }
-  Least<Crossing, std::pair<double, VertexId>> nearest{{}, {kInfinity, {}}};
+  Least<BisectorCrossing, std::pair<double, VertexId>> nearest{{}, {kInfinity, {}}};
   for (std::size_t i = begin; i < end; ++i) {
     const Vec3& at = mesh.position(path[i]);
     const double t = std::clamp(foot_on_line(from, to, at), kLeastCrossing, 1 - kLeastCrossing);
@@ -148,7 +148,7 @@ enum class BorderShape {
 /// The border of a cell in the plane. That of a cell at the boundary is a sector, whose corner is the anchor, at the
 /// origin. Its two straight sides are the run along the boundary.
 struct PlaneBorder {
-  std::vector<BorderPoint> points;
+  std::vector<DiscBorderPoint> points;
   std::vector<Vec2> bases;  ///< of the ends of the targets, one more than targets; round: the first one again
 };
 

@@ -5,7 +5,7 @@
 
 namespace gvd {
 
-/// Describes how faces are labelled. The options must outlive the list.
+/// Describes the options for labelling faces. `options` must outlive the list.
 void describe(OptionList& list, SegmentOptions& options);
 
 }  // namespace gvd

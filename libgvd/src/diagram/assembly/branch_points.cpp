@@ -1,10 +1,10 @@
-// Where a branch point lies in a polygon of a face.
+// Finds where a branch point lies in a polygon of a face.
 //
-// A branch point that the paths confirm is used as it is. Three shortest paths of equal length reach it, through the
-// intervals in question, and no other generator is nearer. Where there is none, Newton's method or a linear system
-// gives a guess. A guess is moved to where the arcs that end there can't cross whatever is left of the face: so closing
-// a face never depends on a number. Source: not in the paper, which leaves open how a face with many crossings is
-// closed (section 4.3).
+// A branch point that the paths confirm is used as it is: three shortest paths of equal length reach it through the
+// intervals in question, and no other generator is nearer. If there is none, Newton's method or a linear system gives a
+// guess, which is moved to where the arcs that end there can't cross the rest of the face. Closing a face therefore
+// never depends on a number.
+// Source: not in the paper, which leaves open how a face with many crossings is closed (section 4.3).
 #include "diagram/assembly/branch_points.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace gvd {
 namespace {
 
-/// A polygon's interval i and the intervals before and after it, each by the corner that it begins at.
+/// Interval i of a polygon and the intervals before and after it, each given by the corner at which it begins.
 struct Neighbours {
   const PolygonCorner &before, &own, &after;
   Neighbours(const FacePolygon& polygon, std::size_t i)
@@ -33,28 +33,28 @@ bool is_in_face(const std::optional<Bary>& p) { return p && *std::min_element(p-
 /// the point by at most a millionth of the triangle's height.
 constexpr double kInsideOfGuess = 1e-6;
 
-/// The same for accurate guesses, which lie on a side or at a vertex by a tie: they move by rounding only. A little
-/// less than the coordinate of confirmed points, so that these do not move at all.
+/// The same for accurate guesses, which may lie on a side or at a vertex because of a tie. These only move by rounding.
+/// The value is a little less than the coordinate of confirmed points, so that confirmed points don't move at all.
 constexpr double kInsideExactly = 1.2e-12;
 static_assert(kInsideExactly < kInsideFace);
 
-/// Number of halvings of the way to a point that is not valid: to the last digits of a coordinate.
+/// Number of halvings of the way to a point that is not valid. They determine a coordinate to its last digits.
 constexpr int kHalvings = 45;
 
-/// The last part of the valid way is left out, relative to its length: at its end three points are collinear, and an
-/// arc would touch the end of another one. A point up to kByTie beyond the end, in barycentric coordinates, is invalid
-/// by rounding and stays as near as kShort. An accurate guess farther beyond comes from a tie, or from rounding, in a
-/// thin face: it stays as near as it was beyond. Otherwise a point farther beyond is a bad guess, which needs no
-/// accuracy.
+/// The last part of the valid way is left out, because at its end three points are collinear, and an arc would touch
+/// the end of another arc. The values are relative to the length of the way. A point up to kByTie beyond the end, in
+/// barycentric coordinates, is invalid by rounding, and is moved to kShort before the end. An accurate guess farther
+/// beyond the end comes from a tie or from rounding in a thin face, and is moved as far before the end as it was beyond
+/// it. Any other point beyond the end is a bad guess, which needs no accuracy.
 constexpr double kShort = 1e-12, kShortOfGuess = 0.125, kByTie = 1e-9;
 
-/// The part of the valid way that is left out where the wanted point lies `beyond` its end, in barycentric coordinates.
+/// The part of the valid way that is left out if the wanted point lies `beyond` its end, in barycentric coordinates.
 double left_out(double beyond, bool is_accurate) {
   if (beyond <= kByTie) return kShort;
   return is_accurate ? std::min(beyond, kShortOfGuess) : kShortOfGuess;
 }
 
-/// The point nearest to `wanted` on the way from `safe` that `is_valid` accepts.
+/// The point nearest to `wanted`, on the way from `safe` to it, that `is_valid` accepts.
 template <class IsValid>
 Bary approach(const Bary& safe, const std::optional<Bary>& wanted, bool is_accurate, IsValid is_valid) {
   if (!wanted) return safe;
@@ -64,9 +64,9 @@ Bary approach(const Bary& safe, const std::optional<Bary>& wanted, bool is_accur
   return mix(safe, *wanted, last * (1 - left_out(beyond, is_accurate)));
 }
 
-/// A polygon that a first branch point has left may be much thinner than it is long. An accurate guess may lie beside
-/// it by rounding or a tie: up to this far, in barycentric coordinates. It moves to the nearest point of the polygon,
-/// and not to where the way from the centre leaves it.
+/// After a first branch point, the rest of a polygon may be much thinner than it is long. By rounding or a tie, an
+/// accurate guess may lie beside the polygon, up to this far in barycentric coordinates. It is then moved to the
+/// nearest point of the polygon, and not to where the way from the centre leaves the polygon.
 constexpr double kBesidePolygon = 1e-4;
 
 Bary nearest_of_segment(const Bary& a, const Bary& b, const Bary& p) {
@@ -74,7 +74,7 @@ Bary nearest_of_segment(const Bary& a, const Bary& b, const Bary& p) {
   return mix(a, b, nearest_on_segment(from, along, affine_point(p)));
 }
 
-/// The guess or, where it is just beside the polygon, the nearest point of the polygon.
+/// The guess or, if it is just beside the polygon, the nearest point of the polygon.
 std::optional<Bary> moved_to_polygon(const FacePolygon& polygon, const std::optional<Bary>& wanted) {
   if (!wanted || is_inside(polygon, *wanted, 0)) return wanted;
   std::optional<Bary> nearest = wanted;
@@ -100,7 +100,7 @@ std::optional<BranchSearch::Confirmed> BranchSearch::find_confirmed(const FacePo
     if (!is_first_search(polygon, i, Search::from_nearby)) continue;
     if (const auto p = confirmed_point(polygon, i, mix(midpoint(polygon, i), inside, 0.5))) return Confirmed{i, *p};
   }
-  // The search stagnates at ridges of the distances. So now it starts from every candidate.
+  // The search stagnates at ridges of the distances, so it is repeated from every candidate.
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Neighbours near(polygon, i);
     if (!near.differ() || !is_first_search(polygon, i, Search::everywhere)) continue;
@@ -111,14 +111,15 @@ std::optional<BranchSearch::Confirmed> BranchSearch::find_confirmed(const FacePo
   return std::nullopt;
 }
 
-/// Whether this search for interval i and its neighbours has not been made yet; records it. Most intervals keep their
-/// neighbours when one is closed: without the record, hundreds of generators in one face take minutes.
+/// Whether this search for interval i and its neighbours has not been made yet; records that it is made now. Most
+/// intervals keep their neighbours when another one is closed. Without the record, hundreds of generators in one face
+/// would take minutes.
 bool BranchSearch::is_first_search(const FacePolygon& polygon, std::size_t i, Search search) {
   const Neighbours near(polygon, i);
   return failed_.insert({search, near.before.interval, near.own.interval, near.after.interval}).second;
 }
 
-/// The confirmed branch point of interval i and its neighbours, searched from `start`.
+/// Searches a confirmed branch point of interval i and its neighbours from `start`.
 std::optional<Bary> BranchSearch::confirmed_point(const FacePolygon& polygon, std::size_t i, const Bary& start) {
   const Neighbours near(polygon, i);
   if (!near.differ()) return std::nullopt;
@@ -130,8 +131,8 @@ std::optional<Bary> BranchSearch::confirmed_point(const FacePolygon& polygon, st
   return p;
 }
 
-/// Where the first search by accurate distances ends outside of the face, others start at the polygon's corners and the
-/// face's. By a tie the point lies there: at a vertex, or on an edge that is a bisector.
+/// If the distances are accurate and the first search ends outside the face, further searches start at the corners of
+/// the polygon and of the face, because a tie puts the point there: at a vertex, or on an edge that is a bisector.
 std::optional<Bary> BranchSearch::guess(const FacePolygon& polygon, std::size_t i, const Bary& start) const {
   const Neighbours near(polygon, i);
   const auto search = [&](const Bary& from) {
@@ -181,7 +182,8 @@ Bary place_at_interval(const FacePolygon& polygon, std::size_t i, const std::opt
     rest[0] = p;
     return is_convex(rest, inversion) && is_inside(polygon, p, inversion);
   };
-  // Every point of the quadrilateral of the interval's two corners and their neighbours is valid, so its centre is.
+  // Every point of the quadrilateral of the interval's two corners and their neighbours is valid, so its centre is
+  // valid.
   const FacePolygon around{polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]};
   return approach(centre(around), wanted, is_accurate, is_valid);
 }

@@ -1,9 +1,9 @@
 // Joins the crossings of one face by arcs that never cross.
 //
-// The crossings are the corners of a convex polygon. Two make an arc, three a branch point. With more, two label
-// intervals of one generator are united where that generator is the nearest one between them; otherwise three
-// consecutive intervals are contracted to a branch point. Both leave smaller problems of the same kind, and every step
-// keeps the remaining polygons convex. So the arcs can't cross, whatever the distances are.
+// The crossings are the corners of a convex polygon. Two crossings make an arc, three a branch point. If there are
+// more, two label intervals of the same generator are united if that generator is the nearest one between them;
+// otherwise three consecutive intervals are contracted to a branch point. Both leave smaller problems of the same kind,
+// and every step keeps the remaining polygons convex. Therefore the arcs can't cross, whatever the distances are.
 //
 // Source: sections 4.2 and 4.3 of the paper, which leave open how a face with many crossings is closed.
 #include "diagram/assembly/face_assembly.hpp"
@@ -21,7 +21,7 @@
 namespace gvd {
 namespace {
 
-/// How much farther the generator of interval i is at p than the nearest other one of the polygon.
+/// How much farther the generator of interval i is from p than the nearest other generator of the polygon.
 double excess_at(const FacePolygon& polygon, const FaceDistances& distances, std::size_t i, const Bary& p) {
   double others = kInfinity;
   for (const PolygonCorner& c : polygon) {
@@ -31,20 +31,20 @@ double excess_at(const FacePolygon& polygon, const FaceDistances& distances, std
   return std::isinf(own) ? own : own - others;
 }
 
-/// Segments between two intervals are tried in polygons with at most this many intervals. The usual case is two cells
-/// whose four intervals alternate. The cost grows with the square of their number.
+/// Segments between two intervals are tried only in polygons with at most this many intervals, because the cost grows
+/// with the square of their number. The usual case is two cells whose four intervals alternate.
 constexpr std::size_t kFewIntervals = 6;
 
 /// Where these segments begin and end on their intervals, as fractions.
 constexpr std::array<double, 5> kEnds{0.5, 0.1, 0.9, 0.3, 0.7};
 
-/// Samples of a segment, in the order of multiples of the golden ratio: any number of them is spread evenly. A channel
-/// of the other cell across the segment is found if it is wider than a thirtieth of it.
+/// Number of samples of a segment. They follow multiples of the golden ratio, so that any number of them is spread
+/// evenly. A channel of the other cell across the segment is found if it is wider than a thirtieth of the segment.
 constexpr int kSamples = 48;
 constexpr double kGoldenRatio = 0.61803398874989484;
 
-/// The largest excess along the best of some segments between intervals i and j: below 0 where the segment stays in the
-/// cell, so that they belong to one piece.
+/// The largest excess along the best of several segments between intervals i and j. If it is below 0, the segment stays
+/// in the cell, and the two intervals belong to one piece.
 double excess_along_segments(const FacePolygon& polygon, const FaceDistances& distances, std::size_t i, std::size_t j) {
   const auto point = [&](std::size_t k, double t) {
     return mix(polygon[k].bary, polygon[(k + 1) % polygon.size()].bary, t);
@@ -63,7 +63,7 @@ double excess_along_segments(const FacePolygon& polygon, const FaceDistances& di
   return least;
 }
 
-/// All pairs of one generator, ascending by excess, then by corners.
+/// All pairs of intervals with the same generator, ascending by excess, then by corners.
 std::vector<IntervalPair> collect_pairs(const FacePolygon& polygon, const FaceDistances& distances, bool is_accurate) {
   const auto excess = [&](std::size_t i, std::size_t j) {
     if (is_accurate && polygon.size() <= kFewIntervals) return excess_along_segments(polygon, distances, i, j);
@@ -115,7 +115,7 @@ class FaceAssembly {
   }
 
  private:
-  /// Takes one step with a polygon, and puts what remains of it on open_.
+  /// Takes one step with a polygon, and puts the rest of it on open_.
   void solve(const FacePolygon& polygon) {
     if (polygon.size() == 2) return join(polygon[0], polygon[1]);
     if (split(polygon)) return;
@@ -131,7 +131,7 @@ class FaceAssembly {
     }
   }
 
-  /// Splits the polygon along its united intervals. False where none are.
+  /// Splits the polygon along its united intervals. Returns false if there are none.
   bool split(const FacePolygon& polygon) {
     std::vector<FacePolygon> polygons = split_at_united_intervals(polygon, intervals_);
     for (FacePolygon& smaller : polygons) open_.push_back(std::move(smaller));
@@ -153,7 +153,7 @@ class FaceAssembly {
 
   Bary place_last_branch(const FacePolygon& polygon) const {
     const auto wanted = search_.guess(polygon, 1, centre(polygon));
-    // Where the face has three crossings, the straight arcs may lie anywhere in it.
+    // If the face has three crossings, the straight arcs may lie anywhere in it.
     return boundary_.size() == 3 ? place_in_face(polygon, wanted, is_accurate())
                                  : place_in_polygon(polygon, wanted, is_accurate());
   }
@@ -221,8 +221,8 @@ std::vector<IntervalPair> find_pairs_to_unite(const FacePolygon& polygon, const 
         std::none_of(chosen.begin(), chosen.end(), [&](const IntervalPair& c) { return c.crosses(pair); });
     if (pair.excess <= 0 && fits) chosen.push_back(pair);
   }
-  // The paths of accurate distances have confirmed no branch point here. So two intervals of one cell belong to one
-  // piece, though their paths enter through different sides.
+  // If the distances are accurate, their paths have confirmed no branch point here, so that two intervals of one cell
+  // belong to one piece although their paths enter through different sides.
   const bool must_unite = is_accurate || !has_three_different(polygon);
   if (chosen.empty() && !pairs.empty() && must_unite) chosen.push_back(pairs.front());
   return chosen;
@@ -231,7 +231,7 @@ std::vector<IntervalPair> find_pairs_to_unite(const FacePolygon& polygon, const 
 void assemble_face(FaceId f, const std::vector<BoundaryCrossing>& boundary, const FaceDistances& distances,
                    FaceDiagram& diagram, const FacePaths* paths) {
   if (boundary.empty()) return;
-  if (boundary.size() == 2) {  // most faces: without the lists of the others
+  if (boundary.size() == 2) {  // most faces, which need no lists
     diagram.arcs.push_back({f, at(boundary[0].id), at(boundary[1].id), boundary[1].next, boundary[0].next});
     return;
   }

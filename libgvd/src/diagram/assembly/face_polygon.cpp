@@ -1,10 +1,10 @@
 // Polygons in a face, and the label intervals round them.
 //
-// All tests are in barycentric coordinates, which an affine map takes to the plane: they keep convexity and the order
-// of points, for a needle as for a regular triangle. A shortest path stays in its cell. So the interval through which
-// it enters the face, and the interval that it reaches, belong to one piece; what is on either side of a piece that
-// crosses the polygon can be assembled alone. Source: not in the paper, which leaves open how a face with many
-// crossings is closed (section 4.3).
+// All tests use barycentric coordinates, which an affine map takes to the plane. This keeps convexity and the order of
+// points, for a needle as well as for a regular triangle. A shortest path stays in its cell. Therefore the interval
+// through which it enters the face and the interval that it reaches belong to one piece, and the two sides of a piece
+// that crosses the polygon can be assembled separately.
+// Source: not in the paper, which leaves open how a face with many crossings is closed (section 4.3).
 #include "diagram/assembly/face_polygon.hpp"
 
 #include <algorithm>
@@ -16,10 +16,11 @@
 namespace gvd {
 namespace {
 
-/// A path that enters this near to a crossing, as a fraction of the edge, may belong to the cell on either side of it.
+/// A path that enters within this distance of a crossing, as a fraction of the edge, may belong to the cell on either
+/// side of the crossing.
 constexpr double kNearCrossing = 1e-9;
 
-/// Whether a, b, c are counter-clockwise, with c up to `inversion` on the wrong side.
+/// Whether a, b, c are counter-clockwise; c may lie up to `inversion` on the wrong side.
 bool turns_left(const Bary& a, const Bary& b, const Bary& c, double inversion) {
   const double area = twice_signed_area(affine_point(a), affine_point(b), affine_point(c));
   return area >= 0 || area >= -inversion * std::max({bary_distance(a, b), bary_distance(b, c), bary_distance(c, a)});
@@ -90,7 +91,7 @@ bool LabelIntervals::path_enters_through(int interval, const Bary& p, const Face
     const double distance = std::abs(*entry - position(crossing));
     return std::min(distance, 3 - distance) <= std::max(kNearCrossing, paths.crossing_error(boundary_[crossing]));
   };
-  // Over crossings that are as near as rounding, in both directions.
+  // Look beyond crossings that are within rounding of the entry, in both directions.
   for (int i = entered; is_near(i); i = (i + n - 1) % n) {
     if (are_one_piece((i + n - 1) % n, interval)) return true;
     if (i == (entered + 1) % n) break;
@@ -102,8 +103,8 @@ bool LabelIntervals::path_enters_through(int interval, const Bary& p, const Face
   return false;
 }
 
-// Pieces do not cross. So the smaller polygons are nested, and one pass over the corners cuts each off when its second
-// interval comes, the inner ones first.
+// Pieces do not cross, so the smaller polygons are nested, and one pass over the corners cuts each off when its second
+// interval comes, inner polygons first.
 std::vector<FacePolygon> split_at_united_intervals(const FacePolygon& polygon, LabelIntervals& intervals) {
   std::vector<FacePolygon> polygons;
   FacePolygon rest;
@@ -111,7 +112,7 @@ std::vector<FacePolygon> split_at_united_intervals(const FacePolygon& polygon, L
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const std::size_t last = rest.size();
     auto& own = found[intervals.piece(polygon[k].interval)];
-    // Some of them have been cut off from `rest` with a smaller polygon.
+    // Drop intervals that have been cut off from `rest` with a smaller polygon.
     while (!own.empty() &&
            (own.back() >= last || !intervals.are_one_piece(rest[own.back()].interval, polygon[k].interval)))
       own.pop_back();

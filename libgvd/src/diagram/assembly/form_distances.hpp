@@ -14,11 +14,11 @@
 namespace gvd {
 
 /// A generator's distance over a triangle, in a form whose difference between two generators is linear in barycentric
-/// coordinates. So bisectors are straight, and a branch point solves a 2 x 2 system.
+/// coordinates. With such forms, bisectors are straight, and a branch point solves a 2 x 2 system.
 ///
-/// With planar fronts the form is the distance, interpolated linearly from the corners. With circle fronts it is the
-/// squared distance. For a point source in the triangle's plane d(p)^2 = sum b_i d_i^2 - sum b_i b_j l_ij^2. The last
-/// sum is the same for every generator.
+/// With planar fronts the form is the distance, interpolated linearly from the corners. With circle fronts it is
+/// derived from the squared distance: for a point source in the triangle's plane, d(p)^2 = sum b_i d_i^2 - sum b_i b_j
+/// l_ij^2, whose last sum is the same for every generator and is left out.
 /// Source: not in the paper, whose rough bisectors join the midpoints of edges (section 4.2).
 struct DistanceForm {
   GeneratorId generator;
@@ -32,10 +32,10 @@ inline double form_value(Front front, double distance) {
   return front == Front::circle ? distance * std::abs(distance) : distance;
 }
 
-/// The distances of distance forms: they give good guesses, and know no paths.
+/// Distances given by distance forms. They give good guesses, but have no paths.
 class FormDistances final : public FaceDistances {
  public:
-  /// `forms`: ascending by generator, each once. They must outlive this.
+  /// `forms` are ascending by generator, each once, and must outlive this object.
   explicit FormDistances(const std::vector<DistanceForm>& forms) : forms_(forms) {}
 
   const DistanceForm& form(GeneratorId g) const {
@@ -44,7 +44,7 @@ class FormDistances final : public FaceDistances {
 
   double at(GeneratorId g, const Bary& p) const override { return form(g).at(p); }
 
-  /// The solution of a 2 x 2 system, whatever the start. Nothing where the bisectors are parallel.
+  /// The solution of a 2 x 2 system; it does not depend on the start. Nothing if the bisectors are parallel.
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary&) const override {
     const auto &fa = form(a).corner, &fb = form(b).corner, &fc = form(c).corner;
     Bary u{}, v{};

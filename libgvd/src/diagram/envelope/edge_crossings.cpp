@@ -1,9 +1,9 @@
 // The crossings of one edge: where the lower envelope of its sources' distances passes from one generator to another.
 //
-// The distance of a source is a branch of a hyperbola over its interval, and two of them are equal in at most two
-// points. Sources are inserted one by one; most are settled without a square root, because convexity bounds them. The
-// envelope takes straight paths; the crossings are then found by the shortest paths of the two generators alone, so
-// that rounding at the end of a window moves nothing. Whatever the sources say, the result is a chain of labels from
+// The distance of a source is a branch of a hyperbola over its interval, and two such distances are equal in at most
+// two points. Sources are inserted one by one; most are settled without a square root, because convexity bounds them.
+// The envelope uses straight paths only. The crossings are then found from the shortest paths of the two generators, so
+// that rounding at the end of a window has no effect. Whatever the distances are, the result is a chain of labels from
 // one end of the edge to the other.
 // Source: not in the paper, which interpolates distances along edges (section 4.2).
 #include "diagram/envelope/edge_crossings.hpp"
@@ -20,24 +20,26 @@ namespace {
 
 constexpr int kPolishSteps = 4;
 
-/// The largest distance of a source on an interval, by its straight paths: a convex function has it at an end.
+/// The largest distance of a source on an interval, by its straight paths. A convex function takes it at an end.
 double most(const EdgeSource& source, double begin, double end) {
   return std::max(source.straight(begin), source.straight(end));
 }
 
-/// Distance between crossings and the ends of their edge, as a fraction of it: above the snapping of surface points.
+/// Least distance of crossings from each other and from the ends of their edge, as a fraction of the edge. It is above
+/// the snapping of surface points.
 constexpr double kEndGap = 2e-12;
 
-/// Shortest label interval, as a fraction of its edge: several times what lies between two crossings at least. The
-/// points of a cell lost by this are as near to the neighbouring cell, within twice the interval's length.
+/// Length of the shortest label interval, as a fraction of its edge. It is several times the least distance of two
+/// crossings. The points that a cell loses by it are as near to the neighbouring cell's generator, within twice the
+/// interval's length.
 constexpr double kShortestExactInterval = 5 * kEndGap;
 
-/// Two distances that differ by less than this fraction of themselves are equal. A bracket narrower than this fraction
-/// of the edge is a point.
+/// Two distances that differ by less than this fraction of themselves count as equal, and a bracket narrower than this
+/// fraction of the edge counts as a point.
 constexpr double kEqual = 1e-14;
 
-/// `equidistant_positions` where the paths of the first source, or of both, are parallel: a quadratic equation, since
-/// one side of the equation of lengths is linear, or a linear one.
+/// `equidistant_positions` for a first source, or two sources, with parallel paths. Lengths of parallel paths are
+/// linear, so that the equation is quadratic, or linear if both sources have parallel paths.
 std::array<double, 2> equidistant_to_parallel(const EdgeSource& parallel, const EdgeSource& other, double unit) {
   if (other.is_parallel()) {
     const double t = (other.offset - parallel.offset) / (parallel.x - other.x);
@@ -59,16 +61,18 @@ std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeS
     return equidistant_to_parallel(first, second, unit);
   if (second.is_parallel()) [[unlikely]]
     return equidistant_to_parallel(second, first, unit);
-  // The roots of sqrt(B) = sqrt(A) + c, with B - A - c^2 = slope t + rest, squared twice. Roots of the squares alone do
-  // no harm: the same source is nearer on both sides of them. Positions count from the foot of the first image: where
-  // both images are much nearer to each other than to the start of the edge, its squares would hide where they differ.
+  // The roots of sqrt(B) = sqrt(A) + c, with B - A - c^2 = slope t + rest, squared twice. Roots that only the squared
+  // equation has do no harm, because the same source is nearer on both sides of them. Positions are measured from the
+  // foot of the first image: if both images are much nearer to each other than to the start of the edge, squares of
+  // distances from the start would hide their difference.
   const double c = (first.offset - second.offset) * unit, apart = (second.x - first.x) * unit;
   const double first_depth = first.depth * unit, second_depth = second.depth * unit;
   const double slope = -2 * apart;
   const double rest = apart * apart + (second_depth - first_depth) * (second_depth + first_depth) - c * c;
   if (c == 0) return {slope != 0 ? first.x - rest / slope / unit : -1, -1};
-  // With different feet, positions count from where slope t + rest is 0. There is one root on either side, and nothing
-  // cancels, even if they are very near: two sources that tie at an end of the edge, but for their symbolic offsets.
+  // With different feet, positions are measured from where slope t + rest is 0. There is one root on either side, and
+  // nothing cancels even if the roots are very near each other, as for two sources that tie at an end of the edge
+  // except for their symbolic offsets.
   const bool has_centre = std::abs(slope) > 2 * std::abs(c);
   const double centre = has_centre ? -rest / slope : 0, far = centre * centre + first_depth * first_depth;
   const double square = (slope - 2 * c) * (slope + 2 * c), half = has_centre ? -4 * c * c * centre : slope * rest;
@@ -95,8 +99,8 @@ double refine_equidistant(const EdgeSource& first, const EdgeSource& second, dou
   return t;
 }
 
-// The paths from the edge's ends come last. Few of them are the nearest anywhere, but they tie with the windows that
-// reach the ends.
+// The paths from the edge's ends come last. They are seldom the nearest anywhere, but tie with the windows that reach
+// the ends.
 void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, const SymbolicOffset& offset) {
   sources_ = sources;
   length_ = length;
@@ -114,15 +118,15 @@ void EdgeEnvelope::build(const std::vector<EdgeSource>& sources, double length, 
   for (std::int32_t i = 0; i < std::ssize(sources_); ++i) {
     if (is_end(sources_[i]) && !(is_continuous && is_reached(sources_[i]))) insert(i);
   }
-  // A gap as wide as a sliver, but for rounding, may remain.
+  // A gap that is as wide as a sliver, up to rounding, may remain.
   std::erase_if(segments_, [](const Segment& s) { return s.source == kNoSource; });
   segments_.back().end = length;
 }
 
 bool EdgeEnvelope::is_end(const EdgeSource& s) const { return s.depth == 0 && (s.x == 0 || s.x == length_); }
 
-/// Whether each segment has a source and begins, but for rounding, with the distance at which the one before ends.
-/// Then no distance is longer than one at another point and the way along the edge from there.
+/// Whether each segment has a source and begins, up to rounding, with the distance at which the segment before it ends.
+/// If so, no distance is longer than the distance at another point plus the way along the edge from there.
 bool EdgeEnvelope::is_continuous() const {
   const Segment* before = nullptr;
   for (const Segment& s : segments_) {
@@ -137,21 +141,21 @@ bool EdgeEnvelope::is_continuous() const {
   return true;
 }
 
-/// Whether the segment at the end of the edge that a source lies at has a path of its generator there, as short as the
-/// source's.
+/// Whether the segment at the end of the edge where a source lies has a path from the same generator to that end that
+/// is as short as the source's.
 bool EdgeEnvelope::is_reached(const EdgeSource& end) const {
   const EdgeSource& s = sources_[(end.x == 0 ? segments_.front() : segments_.back()).source];
   return s.generator == end.generator && s.straight(end.x) <= end.offset * (1 + kSameImage);
 }
 
-/// Gives `source` the parts of its interval on which it is nearer than all before. Ends of the interval that lie beside
-/// ends of segments by rounding are moved there, so that no gap remains between windows.
+/// Gives `source` the parts of its interval on which it is nearer than all sources before. Ends of the interval that by
+/// rounding lie beside ends of segments are moved there, so that no gap remains between windows.
 void EdgeEnvelope::insert(std::int32_t source) {
   const EdgeSource& s = sources_[source];
   const auto first = std::partition_point(segments_.begin(), segments_.end(),
                                           [&](const Segment& old) { return old.end <= s.begin + sliver_; });
   if (!(s.begin < s.end) || first == segments_.end()) return;
-  // Most sources are farther than this anywhere, so that one square root settles them.
+  // Most sources are farther than the segments' sources everywhere, so that this one square root settles them.
   const double least = s.least();
   const double begin = begin_of(first), last = s.end - sliver_;
   auto next = first;
@@ -189,7 +193,7 @@ void EdgeEnvelope::fill(std::vector<Segment>::iterator gap, std::int32_t source,
   if (low > begin) segments_.insert(gap, {low, kNoSource, kInfinity});
 }
 
-/// Puts the pieces in place of some segments, of which those of `source` are new.
+/// Replaces some segments by the pieces, among which those of `source` are new.
 void EdgeEnvelope::replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last,
                            std::int32_t source) {
   double begin = begin_of(first);
@@ -203,8 +207,8 @@ void EdgeEnvelope::replace(std::vector<Segment>::iterator first, std::vector<Seg
   segments_.insert(first + kept, pieces_.begin() + kept, pieces_.end());
 }
 
-/// Appends the nearer one of two sources from `begin` to `end`: piece by piece between the positions where the two are
-/// equally far, if the nearer one may change. Returns whether the new source is the nearer one anywhere.
+/// Appends the nearer of two sources from `begin` to `end`. If the nearer source may change, this goes piece by piece
+/// between the positions where the two are equally far. Returns whether the new source is nearer anywhere.
 bool EdgeEnvelope::append_nearer(const Segment& old, std::int32_t source, double begin, double end) {
   if (old.source == kNoSource) {
     append({end, source});
@@ -227,7 +231,7 @@ bool EdgeEnvelope::append_nearer(const Segment& old, std::int32_t source, double
   };
   for (const double root : equidistant_positions(o, s, unit_)) {
     if (!(root > from && root < end)) continue;
-    // Between two sources of one generator the position has no effect on crossings.
+    // Between two sources of the same generator, the position has no effect on crossings.
     const double t = o.generator == s.generator ? root : refine_equidistant(o, s, from, end, root);
     if (t > from && t < end) append_to(t);
   }
@@ -249,16 +253,16 @@ double EdgeDistances::at(GeneratorId g, double t) const {
   return least;
 }
 
-/// Whether an interval after one of `before` is only a gap between two windows of `before`: they end at rays past a
-/// vertex, and rays unfolded over hundreds of thin faces are rounded. The interval is real if its generator is nearer
-/// than the paths of `before` that follow the edge from its windows.
+/// Whether an interval after one of `before` is only a gap between two windows of `before`. Windows end at rays past a
+/// vertex, and rays that are unfolded over hundreds of thin faces are rounded. The interval is real if its generator is
+/// nearer than the paths of `before` that follow the edge from its windows.
 bool EdgeCrossings::is_gap(const LabelInterval& interval, double end, GeneratorId before) const {
   const double middle = 0.5 * (interval.begin + end);
   return distances_.at(before, middle) <= distances_.at(interval.generator, middle);
 }
 
-/// The position near the guess where generators a, nearer at `low`, and b, nearer at `high`, are equally far. The guess
-/// itself where the distances contradict this.
+/// The position near the guess where generator a, which is nearer at `low`, and generator b, which is nearer at `high`,
+/// are equally far. The guess itself if the distances contradict this.
 double EdgeCrossings::find_equidistant(GeneratorId a, GeneratorId b, const Guess& guess) const {
   const auto difference = [&](double t) { return distances_.at(a, t) - distances_.at(b, t); };
   const double t = guess.position, at_a = distances_.at(a, t), here = at_a - distances_.at(b, t);
@@ -269,7 +273,8 @@ double EdgeCrossings::find_equidistant(GeneratorId a, GeneratorId b, const Guess
   return find_root({from, to, at_from, at_to}, kEqual * length_, difference);
 }
 
-/// Finds the label intervals, from the label of the first end to that of the last, without those that are too short.
+/// Finds the label intervals, from the label of the first end to that of the last, and leaves out intervals that are
+/// too short.
 void EdgeCrossings::find_label_intervals(const EdgeEnvelope& envelope, GeneratorId first, GeneratorId last) {
   intervals_.assign(1, {0, first});
   const auto& segments = envelope.segments();
@@ -283,7 +288,7 @@ void EdgeCrossings::find_label_intervals(const EdgeEnvelope& envelope, Generator
     if (g != before && end - begin >= least && !is_gap({begin, g}, end, before)) intervals_.push_back({begin, g});
     begin = end;
   }
-  // Where the last interval is too short, or a tie, it begins where its generator is as near as the one before.
+  // If the last interval is too short, or a tie, it begins where its generator is as near as the generator before it.
   if (intervals_.back().generator != last) intervals_.push_back({length_, last});
 }
 
@@ -299,7 +304,7 @@ void EdgeCrossings::append_all(const EdgeEnvelope& envelope, EdgeId e, Generator
     const LabelInterval &previous = intervals_[i - 1], &own = intervals_[i];
     const double high = i + 1 < intervals_.size() ? intervals_[i + 1].begin : length_;
     const double t = find_equidistant(previous.generator, own.generator, {previous.begin, own.begin, high}) / length_;
-    // Where intervals were dropped, rounding can bring two positions out of order.
+    // If intervals were left out, two positions can be out of order by rounding.
     const double most = 1 - kEndGap * static_cast<double>(intervals_.size() - i);
     before = std::clamp(t, before, most);
     crossings.push_back({e, before, previous.generator, own.generator});
@@ -311,8 +316,8 @@ void EdgeCrossings::append_single(const EdgeEnvelope& envelope, EdgeId e, Genera
                                   std::vector<Crossing>& crossings) {
   enter(envelope);
   const auto clearance = [&](double t) { return distances_.at(last, t) - distances_.at(first, t); };
-  // One of the two may be nearer on all of the edge: by a tie at the other's end, or because the other's cell is cut
-  // off there. Then the crossing lies at that end.
+  // One of the two may be nearer on the whole edge, by a tie at the other's end, or because the other's cell is cut off
+  // there. Then the crossing lies at that end.
   double t = clearance(0) <= 0 ? 0 : 1;
   if (clearance(0) > 0 && clearance(length_) < 0) {
     t = find_equidistant(first, last, {0, 0.5 * length_, length_}) / length_;

@@ -30,9 +30,9 @@ struct EndPaths {
   EndPaths(const EdgeSource& s, double from, double to) : begin(s, from), end(s, to) {}
 };
 
-/// Whether a source that is farther than another one at both ends of an interval is farther everywhere in it. Both
-/// distances are convex: the one lies above its tangents at the ends, the other one below its chord. So the answer is
-/// yes if the tangents intersect above the chord.
+/// Whether a source that is farther than another source at both ends of an interval is certainly farther everywhere in
+/// it. Both distances are convex: the farther one lies above its tangents at the ends, and the nearer one below its
+/// chord. The answer is therefore yes if the tangents intersect above the chord.
 inline bool is_farther_between(const EndPaths& paths, const EndPaths& others, double width) {
   const double first = paths.begin.slope(), last = paths.end.slope();
   if (!(last > first)) return true;
@@ -41,11 +41,12 @@ inline bool is_farther_between(const EndPaths& paths, const EndPaths& others, do
   return paths.begin.distance + first * intersection > chord;
 }
 
-/// Which of two sources of an edge is nearer on an interval, by their straight paths.
+/// Which of two sources of an edge is nearer on an interval, by their straight paths; `open` if the nearer one may
+/// change.
 enum class Nearer { first, second, open };
 
-/// Compares two sources on [begin, end]. `open`: the nearer one may change in the interval.
-/// Cost: O(1). Inline: in the innermost loop of the envelope a call would cost as much as the comparison.
+/// Compares two sources on [begin, end]. Cost: O(1). It is inline because in the innermost loop of the envelope a call
+/// would cost as much as the comparison.
 inline Nearer compare_sources(const EdgeSource& first, const EdgeSource& second, double begin, double end) {
   const EndPaths a(first, begin, end), b(second, begin, end);
   const double at_begin = b.begin.distance - a.begin.distance, at_end = b.end.distance - a.end.distance;
@@ -54,28 +55,29 @@ inline Nearer compare_sources(const EdgeSource& first, const EdgeSource& second,
   return Nearer::open;
 }
 
-/// The positions on the edge's line where the straight paths of two sources may be equally long, ascending; -1 in place
-/// of one that does not exist. All such positions are among them, to half of the digits where the two distances touch;
-/// there may be others.
-/// `unit`: a power of two that brings the edge's length near 1, so that sixth powers of it stay in range.
+/// The positions on the edge's line where the straight paths of two sources may be equally long, ascending; -1 stands
+/// for a position that does not exist. All positions of equal length are among them, and perhaps others. If the two
+/// distances touch, they have half of the digits. `unit` is a power of two that brings the edge's length near 1, so
+/// that its sixth powers stay in range.
 std::array<double, 2> equidistant_positions(const EdgeSource& first, const EdgeSource& second, double unit);
 
-/// Improves such a position by Newton's steps, inside of (begin, end).
+/// Improves such a position by steps of Newton's method, inside (begin, end).
 double refine_equidistant(const EdgeSource& first, const EdgeSource& second, double begin, double end, double position);
 
-/// The lower envelope of the sources' distances along one edge: which source is the nearest where. The sources of the
-/// edge's ends reach all of it, so that there is no gap.
+/// The lower envelope of the sources' distances along one edge, which gives the nearest source at each position. The
+/// sources of the edge's ends reach all of it, so that there is no gap.
 /// Cost: O(k^2) for k sources at worst; k is seldom above 8.
 class EdgeEnvelope {
  public:
-  /// An interval of the edge on which one source is the nearest. It begins where the one before ends.
+  /// An interval of the edge on which one source is the nearest. It begins where the segment before it ends.
   struct Segment {
     double end;           ///< mesh units
     std::int32_t source;  ///< index
     double most = 0;      ///< no distance of the source on the interval is larger
   };
 
-  /// `sources` as DistanceField::collect gives them, at least two; `length` of the edge in mesh units, > 0.
+  /// `sources` are those of DistanceField::collect, at least two. `length` is the length of the edge in mesh units, >
+  /// 0.
   void build(const std::vector<EdgeSource>& sources, double length, const SymbolicOffset& offset);
 
   double length() const { return length_; }
@@ -95,7 +97,7 @@ class EdgeEnvelope {
   void insert(std::int32_t source);
   void fill(std::vector<Segment>::iterator gap, std::int32_t source, double low);
   void replace(std::vector<Segment>::iterator first, std::vector<Segment>::iterator last, std::int32_t source);
-  /// Appends a piece, or makes the last one longer.
+  /// Appends a piece, or extends the last piece.
   void append(const Segment& piece) {
     if (!pieces_.empty() && pieces_.back().source == piece.source) {
       pieces_.back().end = piece.end;
@@ -105,24 +107,25 @@ class EdgeEnvelope {
   }
   bool append_nearer(const Segment& old, std::int32_t source, double begin, double end);
 
-  /// The source of an interval that no source reaches.
+  /// Stands for the source of an interval that no source reaches.
   static constexpr std::int32_t kNoSource = -1;
 
   std::vector<EdgeSource> sources_;
   std::vector<Segment> segments_;
-  std::vector<Segment> pieces_;  // that replace some segments when a source is inserted
+  std::vector<Segment> pieces_;  // pieces that replace some segments when a source is inserted
   double length_ = 0;
-  double unit_ = 1;    // as equidistant_positions wants it
+  double unit_ = 1;    // for equidistant_positions
   double sliver_ = 0;  // width below which an interval can have no label of its own, mesh units
 };
 
-/// The distances of the generators along one edge: for each, the shortest path over all its sources.
+/// The distances of the generators along one edge. The distance of a generator is the length of the shortest path over
+/// all its sources.
 class EdgeDistances {
  public:
-  /// Takes over the sources of an edge. Cost: O(k log k) for k sources.
+  /// Copies the sources of an edge. Cost: O(k log k) for k sources.
   void build(const std::vector<EdgeSource>& sources) { sources_.build(sources); }
 
-  /// Length of the shortest path of generator g to t; infinite where it has no source.
+  /// Length of the shortest path from generator g to t; infinity if g has no source.
   /// Cost: O(log k + sources of g), most of them without a square root.
   double at(GeneratorId g, double t) const;
 
@@ -130,9 +133,10 @@ class EdgeDistances {
   SourcesByGenerator<EdgeSource> sources_;
 };
 
-/// Finds the crossings of one edge after the other.
-/// Properties of the result: (1) ascending, strictly between 0 and 1, and apart from each other and from the ends;
-/// (2) a chain of generators from the label of the first end to that of the last, whatever the sources say.
+/// Finds the crossings of edge after edge.
+/// Properties of the result: (1) crossings ascend, lie strictly between 0 and 1, and keep a distance from each other
+/// and from the ends; (2) they form a chain of generators from the label of the first end to that of the last, whatever
+/// the distances are.
 class EdgeCrossings {
  public:
   /// Appends all crossings of edge e, whose ends have the labels `first` and `last`.
@@ -162,7 +166,7 @@ class EdgeCrossings {
   bool is_gap(const LabelInterval& interval, double end, GeneratorId before) const;
   double find_equidistant(GeneratorId a, GeneratorId b, const Guess& guess) const;
 
-  double length_ = 0;  // of the edge
+  double length_ = 0;  // length of the edge
   EdgeDistances distances_;
   std::vector<LabelInterval> intervals_;
 };

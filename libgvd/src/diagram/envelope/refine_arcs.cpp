@@ -1,10 +1,11 @@
-// Straight arcs of a face to polylines along the bisectors of their two generators.
+// Refines the straight arcs of a face to polylines along the bisectors of their two generators.
 //
-// A bisector consists of pieces of hyperbolas, straight where the two offsets are equal. It has a corner wherever the
-// nearest source of a generator changes. A segment that is too far from the bisector is split at a point of the
-// bisector; whether it is follows from the tangents at its ends and from a few samples. The distance of a sample is the
-// difference of the two shortest paths, divided by its gradient. All of this happens in a narrow band along the arc,
-// with the sources visible from there. Where the bisector leaves the band, the arc is refined again with all sources.
+// A bisector consists of pieces of hyperbolas, which are straight where the two offsets are equal. It has a corner
+// wherever the nearest source of a generator changes. A segment that is too far from the bisector is split at a point
+// of the bisector; the tangents at its ends and a few samples tell whether it is too far. The distance of a sample from
+// the bisector is the difference of the two shortest paths, divided by the gradient of the difference. All of this
+// happens in a narrow band along the arc, with the sources that are visible from the band. If the bisector leaves the
+// band, the arc is refined again with all sources.
 // Source: not in the paper, whose bisectors are straight inside a face. Its refinement of crossings on edges is in
 // growth/refine_bisectors.cpp.
 #include "diagram/envelope/refine_arcs.hpp"
@@ -18,8 +19,8 @@ namespace {
 
 constexpr int kNewtonSteps = 4;
 
-/// Distance from the bisector allowed at a sample, as a fraction of the tolerance: samples at the quarters of a segment
-/// show three quarters of the height of a curve, and half of that of a corner at least.
+/// Distance from the bisector that is allowed at a sample, as a fraction of the tolerance. Samples at the quarters of a
+/// segment show three quarters of the height of a curve, and at least half of the height of a corner.
 constexpr double kShown = 0.5;
 
 /// Corners between two samples are looked for only if the height of the curve plus those of the corners may exceed this
@@ -27,36 +28,36 @@ constexpr double kShown = 0.5;
 /// exact at the quarters of a parabola.
 constexpr double kWithCorners = 0.95, kCurveHeight = 4.0 / 3;
 
-/// The height allowed for corners even if the samples use up that fraction, as at the ends of an arc: these lie beside
-/// the bisector if the distances of two faces disagree.
+/// The height that is allowed for corners even if the samples use up that fraction. This happens at the ends of an arc,
+/// which lie beside the bisector if the distances of two faces disagree.
 constexpr double kLowCorner = 0.05;
 
-/// Where a segment is compared with the bisector, as fractions of it. The quarters show three quarters of the height of
-/// a curve. Of a corner, wherever it lies between the ends, one of the two shows at least half.
+/// Where a segment is compared with the bisector, as fractions of the segment. The quarters show three quarters of the
+/// height of a curve. Wherever a corner lies between the ends, one of the two shows at least half of its height.
 constexpr std::array<double, 2> kSegmentSamples{0.25, 0.75};
 constexpr double kShownHeight = 0.5;
 
-/// Most halvings of an arc. A segment then has a tenth of a double's digits left for its length.
+/// Largest number of halvings of an arc. After these, a tenth of a double's digits is left for the length of a segment.
 constexpr int kMostArcHalvings = 40;
 
 constexpr int kMostSteps = 60;
 
-/// Distance of an inner point from the bisector, as a fraction of the tolerance.
+/// Largest distance of an inner point from the bisector, as a fraction of the tolerance.
 constexpr double kOnBisector = 1e-3;
 
-/// A corner nearer than this to an end of the segment, as a fraction of it, is not used: the segment must become
-/// shorter.
+/// A corner nearer than this to an end of the segment, as a fraction of the segment, is not used, because the segment
+/// must become shorter.
 constexpr double kNearEnd = 0.01;
 
-/// Error accepted where the coordinates of two points can't be told apart any more, as a fraction of the distance.
+/// Error that is accepted when the search can't move the point any more, as a fraction of the distance.
 constexpr double kIndistinguishable = 1e-13;
 
-/// Half width of the first search band, as a fraction of the arc's length. Samples in it only look at the sources that
-/// are visible from it. A wider band has more sources; from a narrower one, more bisectors escape and are traced again
+/// Half width of the first search band, as a fraction of the arc's length. Samples in the band only look at the sources
+/// that are visible from it. A wider band has more sources; more bisectors leave a narrower band, and are traced again
 /// with all sources.
 constexpr double kBandWidth = 0.05;
 
-/// Most steps of the search for the corner at which a path changes.
+/// Largest number of steps of the search for the corner at which a path changes.
 constexpr int kMostChangeSteps = 8;
 
 /// A line through a point, with a direction.
@@ -64,7 +65,7 @@ struct PlaneRay {
   Vec2 origin, direction;
 };
 
-/// The change of a path between two samples; none where both have the same source.
+/// The change of a path between two samples; none if both have the same source.
 PathChange change_between(const PlaneSegment& segment, const NearestSource& a, const NearestSource& b) {
   return a.source == b.source ? PathChange() : PathChange(segment, a, b);
 }
@@ -86,21 +87,21 @@ double BisectorSample::distance_to_bisector(const Vec2& across, double precision
   return s;
 }
 
-// A ray past an end of an opening separates the visible from the hidden points. In the band, the side of the ray
-// depends on the position along it. The distance from the chord changes it by at most a bound.
+// A ray past an end of an opening separates visible from hidden points. On which side of the ray a point of the band
+// lies depends on its position along the band, and on its distance from the chord, whose effect has a bound.
 void collect_visible_sources(std::span<const FaceSource> sources, const SearchBand& band,
                              std::vector<VisibleSource>& visible) {
   visible.clear();
   for (const FaceSource& s : sources) {
     double first = -kInfinity, last = kInfinity;
     if (!s.is_corner() && !band.is_all()) {
-      // Rays past the ends of the opening: a point of each, and its direction.
+      // The rays past the ends of the opening, each given by a point and its direction.
       const std::array<PlaneRay, 2> rays =
           s.is_parallel() ? std::array{PlaneRay{s.begin, s.direction()}, PlaneRay{s.end, -s.direction()}}
                           : std::array{PlaneRay{s.image, s.begin - s.image}, PlaneRay{s.image, s.image - s.end}};
       for (const auto& [origin, ray] : rays) {
         const Vec2 start = band.from - origin;
-        // Points at position t may be visible where at_start + rate t + slack >= 0.
+        // Points at position t may be visible if at_start + rate t + slack >= 0.
         const double at_start = cross(start, ray), rate = cross(band.along, ray);
         const double slack = band.width * std::abs(cross(band.across, ray));
         const double limit = -(at_start + slack) / rate;
@@ -120,7 +121,7 @@ double PathChange::position() const {
   return before_.position + share * (after_.position - before_.position);
 }
 
-/// By the Illinois variant of the secant method: without halved weights, one of the two ends would stay.
+/// Uses the Illinois variant of the secant method: without halved weights, one of the two ends would stay in place.
 double PathChange::find(double least) {
   const Excess* last = nullptr;
   for (int step = 0; step < kMostChangeSteps && height() > least; ++step) {
@@ -139,14 +140,14 @@ BisectorSample ArcRefiner::sample(const Vec2& p) const {
   return {p, nearest_visible(left_, position, p), nearest_visible(right_, position, p)};
 }
 
-/// Whether the bisector is within half of the tolerance of a sample: its distance is the error divided by the gradient.
+/// Whether the bisector is within half of the tolerance of a sample. Its distance is the error divided by the gradient.
 bool ArcRefiner::is_near(const BisectorSample& sample) const {
   return sample.is_known() && std::abs(sample.error()) <= 8 * sample.rounding() + kShown * tolerance_ * sample.slope;
 }
 
 /// The same for the segment between two samples that are near enough. The bisector has a corner where a path changes
-/// from one source to another. So the segment is sampled where paths change, unless the corners can't be high: no
-/// distance is larger than those from the sources at the two ends.
+/// from one source to another, so the segment is sampled where paths change, unless the corners can't be high because
+/// no distance is larger than the distances from the sources at the two ends.
 /// Cost: two paths for each change, and samples where the corners may be high.
 bool ArcRefiner::is_near_between(const BisectorSample& a, const BisectorSample& b, int splits) const {
   if (a.left.source == b.left.source && a.right.source == b.right.source) return true;
@@ -173,8 +174,8 @@ bool ArcRefiner::is_near_quarters(const BisectorSample& begin, const BisectorSam
   return is_near_between(last, end);
 }
 
-/// Distance from the chord to the lines along the tangents at its ends. A bisector with one corner stays within it,
-/// even where an end is a corner too, whose tangent says nothing about what follows.
+/// Distance from the chord to the lines along the tangents at its ends. A bisector with one corner stays within this
+/// distance, even if an end is a corner, too, whose tangent says nothing about the curve beyond it.
 double ArcRefiner::height_by_tangents(const BisectorPoint& begin, const BisectorPoint& end) {
   const Vec2 chord = end.point - begin.point;
   return std::max(std::abs(cross(begin.tangent, chord)) / begin.tangent.norm(),
@@ -199,8 +200,8 @@ void ArcRefiner::refine(const SourceDistances& distances, const FaceArc& arc, co
   }
 }
 
-/// Appends the inner points between begin and end, if the segment between them is not near enough to the bisector.
-/// False where the bisector leaves the search band.
+/// Appends the inner points between begin and end if the segment between them is not near enough to the bisector.
+/// Returns false if the bisector leaves the search band.
 bool ArcRefiner::refine(const BisectorPoint& begin, const BisectorPoint& end, int halvings) {
   const Vec2 chord = end.point - begin.point, middle = 0.5 * (begin.point + end.point);
   const double length = chord.norm();
@@ -225,8 +226,8 @@ bool ArcRefiner::refine(const BisectorPoint& begin, const BisectorPoint& end, in
   return refine(*split, end, halvings + 1);
 }
 
-/// The corner of a bisector that is straight on both sides of it: the intersection of the tangents at the two ends.
-/// Nothing where that is near an end, beyond it, far from the chord or outside of the face.
+/// The corner of a bisector that is straight on both sides of the corner: the intersection of the tangents at the two
+/// ends. Nothing if it is near an end or beyond it, far from the chord, or outside the face.
 std::optional<Vec2> ArcRefiner::likely_corner(const BisectorPoint& begin, const BisectorPoint& end) const {
   const Vec2 chord = end.point - begin.point;
   const double t = intersect_lines(begin.point, begin.tangent, end.point, end.tangent).s;
@@ -252,11 +253,11 @@ std::pair<double, double> ArcRefiner::feasible_interval(const Vec2& p, const Vec
   return {low, high};
 }
 
-/// The first point of the bisector on the line through a sample perpendicular to the chord direction `along`, by
-/// Newton's method. Nothing where the line leaves the face before.
+/// Finds the first point of the bisector on the line through a sample perpendicular to the chord direction `along`, by
+/// Newton's method. Nothing if the line leaves the face before.
 ///
-/// Another arc of the same two generators may cross the line behind the first point. So where no bracket is known yet,
-/// a step that does not lead nearer is replaced by a short one.
+/// Another arc of the same two generators may cross the line behind the first point. As long as no bracket is known, a
+/// step that does not lead nearer is therefore replaced by a short step.
 std::optional<ArcRefiner::BisectorPoint> ArcRefiner::find_across(BisectorSample at, const Vec2& along) const {
   const Vec2 start = at.point, across = turned_left(along);  // towards the left generator
   auto [low, high] = feasible_interval(start, across);

@@ -15,12 +15,12 @@ namespace gvd {
 
 /// The shortest paths of two generators to a point, compared: how far the point is from their bisector. Mesh units.
 struct BisectorSample {
-  /// Rounding of a difference of two distances, as a fraction of them.
+  /// Bound on the rounding error of a difference of two distances, as a fraction of the distances.
   static constexpr double kDifferenceRounding = 1e-15;
 
   Vec2 point;
   NearestSource left, right;
-  Vec2 gradient;  ///< of the error
+  Vec2 gradient;  ///< gradient of the error
   double slope;   ///< length of the gradient
 
   BisectorSample(const Vec2& p, const NearestSource& to_left, const NearestSource& to_right)
@@ -36,10 +36,10 @@ struct BisectorSample {
   double error() const { return left.path.distance - right.path.distance; }
   /// The part of the error that may be rounding.
   double rounding() const { return kDifferenceRounding * left.path.distance; }
-  /// Direction of the bisector, with the left generator's cell on its left; not a unit vector.
+  /// Direction of the bisector, with the left generator's cell on its left. It is not a unit vector.
   Vec2 tangent() const { return turned_left(gradient); }
-  /// How far along `across`, a unit vector, the two straight paths are equally long, by Newton's method to `precision`.
-  /// Their images stay the same on the way, so that this may leave the bisector at a corner.
+  /// How far along the unit vector `across` the two straight paths are equally long. Newton's method finds it to
+  /// `precision`. The images stay the same on the way, so that the result may miss the bisector beyond a corner.
   double distance_to_bisector(const Vec2& across, double precision) const;
 };
 
@@ -48,8 +48,8 @@ struct BisectorSample {
 struct SearchBand {
   Vec2 from;           ///< beginning of the chord
   Vec2 along, across;  ///< unit vectors, the second one to the left of the first
-  double length;       ///< of the chord
-  double width;        ///< infinite for a band that is the whole plane
+  double length;       ///< length of the chord
+  double width;        ///< infinity for a band that is the whole plane
 
   double position(const Vec2& p) const { return (p - from).dot(along); }
   bool contains(const Vec2& p) const {
@@ -69,7 +69,8 @@ struct VisibleSource {
 void collect_visible_sources(std::span<const FaceSource> sources, const SearchBand& band,
                              std::vector<VisibleSource>& visible);
 
-/// The shortest path to p, at a position along the band, over the sources that may see it; infinite where none does.
+/// The shortest path to p, which lies at `position` along the band, over the sources that may see it; infinite if there
+/// are none.
 [[gnu::always_inline]] inline NearestSource nearest_visible(const std::vector<VisibleSource>& visible, double position,
                                                             const Vec2& p) {
   NearestSource best{nullptr, {kInfinity, p}};
@@ -80,15 +81,16 @@ void collect_visible_sources(std::span<const FaceSource> sources, const SearchBa
   return best;
 }
 
-/// The change of one generator's shortest path along a segment, from one source to another. There the distance has a
-/// corner: it is the lesser one of two distances.
+/// The change of a generator's shortest path along a segment from one source to another. The distance has a corner
+/// there, because it is the smaller one of two distances.
 ///
-/// Both distances count as linear between two positions. Then they are equal where their differences divide the way.
+/// Both distances count as linear between two positions. They are then equal where their differences divide the way.
 class PathChange {
  public:
   /// No change.
   PathChange() = default;
-  /// From the shortest path to the segment's start to that to its end. Their sources must outlive this.
+  /// The change from the shortest path to the segment's start to the shortest path to its end. The sources must outlive
+  /// this object.
   PathChange(const PlaneSegment& segment, const NearestSource& first, const NearestSource& second)
       : first_(first.source),
         second_(second.source),
@@ -102,15 +104,15 @@ class PathChange {
     return sum > 0 ? before_.excess * (after_.excess / sum) : 0;
   }
 
-  /// The position of the corner, as a fraction of the segment: so near that no corner higher than `least` is left on
-  /// either side of it, or after eight steps. Call it while `height` > 0. Cost: two paths a step.
+  /// Finds the position of the corner, as a fraction of the segment. The search ends when no corner higher than `least`
+  /// is left on either side of the position, or after eight steps. `height` must be > 0. Cost: two paths a step.
   double find(double least);
 
  private:
-  /// By how much the farther one of the two sources is farther at a position.
+  /// By how much the farther of the two sources is farther at a position.
   struct Excess {
     double position = 0, excess = 0;
-    double weight = 0;  ///< of the excess in the secant; halved where the position stays twice
+    double weight = 0;  ///< weight of the excess in the secant; halved if the position stays twice
     Excess() = default;
     Excess(double at, double by) : position(at), excess(by), weight(by) {}
   };
@@ -121,16 +123,17 @@ class PathChange {
   Excess before_, after_;
 };
 
-/// Refines the straight arcs of a face to polylines along the bisectors of their two generators, by inner points. One
-/// object serves one face after the other, to save allocations.
+/// Refines the straight arcs of a face to polylines along the bisectors of their two generators, by adding inner
+/// points. One object is used for face after face, to save allocations.
 class ArcRefiner {
  public:
   /// No segment will be farther than `tolerance` (mesh units, > 0) from the bisector.
   explicit ArcRefiner(double tolerance) : tolerance_(tolerance) {}
 
-  /// Appends the inner points of the arc from `begin` to `end`, in the face that the distances have entered, to
-  /// `points`.
-  /// Cost: O(points) samples, over the sources visible from near the arc; three where the bisector is straight.
+  /// Appends the inner points of the arc from `begin` to `end` to `points`, in the face that the distances have
+  /// entered.
+  /// Cost: O(points) samples over the sources that are visible from near the arc; three samples if the bisector is
+  /// straight.
   void refine(const SourceDistances& distances, const FaceArc& arc, const Bary& begin, const Bary& end,
               std::vector<Bary>& points);
 
@@ -153,13 +156,13 @@ class ArcRefiner {
   std::optional<BisectorPoint> find_across(BisectorSample sample, const Vec2& along) const;
   std::pair<double, double> feasible_interval(const Vec2& p, const Vec2& direction) const;
 
-  /// A segment is split at most so often in search of changes: a thousandth of it is left.
+  /// A segment is split at most this often in search of changes, after which a thousandth of it is left.
   static constexpr int kMostSplits = 10;
 
   double tolerance_;
-  const FaceLayout* layout_ = nullptr;       // of the current face
+  const FaceLayout* layout_ = nullptr;       // layout of the current face
   SearchBand band_{};                        // along the current arc
-  std::vector<VisibleSource> left_, right_;  // of its generators, from the band
+  std::vector<VisibleSource> left_, right_;  // sources of its generators, visible from the band
   std::vector<Bary>* points_ = nullptr;
 };
 

@@ -1,9 +1,10 @@
-// The diagram of a window field that differs in some faces from one that is traced already.
+// Traces the diagram of a window field that differs in some faces from a field that has been traced already.
 //
 // Idea: the crossings of an edge depend on the sources of its two faces, and the arcs of a face on its sources and on
-// the crossings of its sides. Where these have not changed, crossings and arcs are copied, with the ids that their
-// elements have now; all others are computed. Both kinds are joined in the order of edges and faces.
-// Source: none; tracing as in trace_envelope.cpp. Cost: O(n) to look, then that of the edges and faces that changed.
+// the crossings of its sides. Where these have not changed, crossings and arcs are copied, with the present ids of
+// their elements; all others are computed. Both kinds are joined in the order of edges and faces.
+// Source: none; tracing is that of trace_envelope.cpp. Cost: O(n) to find the changes, then the work of the edges and
+// faces that changed.
 // Invariant: crossings, arcs and branch points are those of the envelope tracer, in its order.
 #include "diagram/envelope/retrace_envelope.hpp"
 
@@ -16,12 +17,12 @@
 namespace gvd {
 namespace {
 
-/// Appends the arcs and branch points of faces of one diagram to another one. Fastest in ascending order.
+/// Appends the arcs and branch points of faces of one diagram to another diagram. It is fastest if the faces ascend.
 class FaceCopier {
  public:
   explicit FaceCopier(const FaceDiagram& from) : from_(from) {}
 
-  /// Appends face f, as face `to` of the result. `crossing(id)`: the id in the result of a crossing.
+  /// Appends face f as face `to` of the result. `crossing(id)` returns the id of a crossing in the result.
   template <class CrossingOf>
   void append(FaceId f, FaceId to, CrossingOf crossing, FaceDiagram& result) {
     const std::int32_t shift =
@@ -48,7 +49,7 @@ class FaceCopier {
   }
 
  private:
-  /// The first item that is not before face f; the place after the last one found is tried first.
+  /// The first item that is not before face f. The position after the last item found is tried first.
   template <class Items>
   static std::size_t seek(const Items& items, std::size_t& at, FaceId f) {
     const bool is_next = (at == 0 || items[at - 1].face < f) && (at == items.size() || !(items[at].face < f));
@@ -63,14 +64,14 @@ class FaceCopier {
 
 }  // namespace
 
-/// Whether the crossings of the edge of h are those before the change.
+/// Whether the crossings of the edge of h are the same as before the change.
 bool RetracingTracer::is_known(HalfedgeId h) const {
   const HalfedgeId twin = mesh_.twin(h);
   if (known_.is_changed[Mesh::face(h)] != 0) return false;
   return !twin.valid() || known_.is_changed[Mesh::face(twin)] == 0;
 }
 
-/// Whether a window on halfedge h has another label than the edge's ends, or these have different ones.
+/// Whether the ends of an edge have different labels, or a window on halfedge h has a label other than theirs.
 bool RetracingTracer::is_contested(HalfedgeId h, const NearestLabels& labels) const {
   const GeneratorId label = labels.label[mesh_.from(h)];
   bool contested = label != labels.label[mesh_.to(h)];
@@ -78,7 +79,7 @@ bool RetracingTracer::is_contested(HalfedgeId h, const NearestLabels& labels) co
   return contested;
 }
 
-/// The crossings of the edges at changed faces, and the known ones of all others.
+/// Computes the crossings of the edges at changed faces, and adds the known crossings of all other edges.
 Crossings RetracingTracer::cross_edges(const NearestLabels& labels) const {
   std::vector<EdgeId> edges;
   for (const FaceId f : mesh_.faces()) {
@@ -103,7 +104,7 @@ Crossings RetracingTracer::cross_edges(const NearestLabels& labels) const {
   return {mesh_.edge_count(), std::move(crossings)};
 }
 
-/// Whether face f has the sources and the crossings that it had before the change.
+/// Whether face f has the same sources and the same crossings as before the change.
 bool RetracingTracer::has_known_crossings(FaceId f, const Crossings& crossings, std::vector<BoundaryCrossing>& now,
                                           std::vector<BoundaryCrossing>& before) const {
   if (known_.is_changed[f] != 0) return false;
@@ -114,7 +115,7 @@ bool RetracingTracer::has_known_crossings(FaceId f, const Crossings& crossings, 
   });
 }
 
-/// Assembles the faces with other sources or crossings, and copies the known arcs of all others.
+/// Assembles the faces whose sources or crossings have changed, and copies the known arcs of all other faces.
 void RetracingTracer::close_faces(TracedDiagram& traced) {
   const TracedDiagram& before = known_.traced;
   const auto counts = count_by_face(mesh_, traced.crossings);

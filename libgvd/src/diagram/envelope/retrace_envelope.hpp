@@ -12,23 +12,23 @@ namespace gvd {
 
 /// The diagram before some generators changed, and where it differs from the present one.
 struct KnownTrace {
-  const Mesh& mesh;  ///< the working mesh before
+  const Mesh& mesh;  ///< the working mesh before the change
   const TracedDiagram& traced;
   const CommonElements& common;
-  const IdVector<FaceId, std::uint8_t>& is_changed;  ///< 1 for a face that is new, or has other sources
-  const std::vector<FaceId>& changed;                ///< faces that are new, or whose corners have other distances
+  const IdVector<FaceId, std::uint8_t>& is_changed;  ///< 1 for a face that is new, or whose sources have changed
+  const std::vector<FaceId>& changed;                ///< faces that are new, or whose corners' distances have changed
 };
 
-/// The envelope tracer, after a change of some generators: edges and faces whose sources have not changed keep their
-/// crossings and arcs. The result has the bits of the envelope tracer's.
+/// The envelope tracer after a change of some generators. Edges and faces whose sources have not changed keep their
+/// crossings and arcs. The result has the same bits as that of the envelope tracer.
 class RetracingTracer final : public DiagramTracer {
  public:
-  /// All must outlive the tracer.
+  /// All arguments must outlive the tracer.
   RetracingTracer(const EnvelopeTracer& tracer, const WorkingMesh& working, const WindowField& field,
                   const KnownTrace& known)
       : tracer_(tracer), mesh_(working.mesh()), field_(field), known_(known) {}
 
-  /// 1 for the faces that kept their arcs when `close_faces` was called last.
+  /// 1 for the faces that kept their arcs in the last call of `close_faces`.
   IdVector<FaceId, std::uint8_t> take_kept() { return std::move(kept_); }
 
   Crossings cross_edges(const NearestLabels& labels) const override;

@@ -1,9 +1,9 @@
 // Keeps the arcs of a face from intersecting after their refinement.
 //
-// Straight arcs of an assembly don't intersect; refined ones may, where rounding decides. Intersecting segments are
-// found by a tree of bounding boxes, never missed (may_intersect). Then one arc after the other becomes simpler: the
-// one with the most intersections loses its loops, or all of its inner points. In the end all arcs would be straight,
-// so this ends, and a face's arcs are disjoint whatever the distances are.
+// The straight arcs of an assembly don't intersect, but refined arcs may, where rounding decides. A tree of bounding
+// boxes finds all segments that may intersect (may_intersect). Then arcs are simplified one after the other: the arc
+// with the most intersections loses its loops, or all of its inner points. In the end all arcs would be straight, so
+// this ends, and a face's arcs are disjoint whatever the distances are.
 #include "diagram/envelope/separate_arcs.hpp"
 
 #include "base/sort_unique.hpp"
@@ -11,20 +11,20 @@
 namespace gvd {
 namespace {
 
-/// Most points of a polyline for which O(n^2) is cheap. A longer one is the work of rounding, with a loop at every
-/// other point.
+/// Largest number of points of a polyline for which O(n^2) is cheap. A longer polyline is the result of rounding, with
+/// a loop at every other point.
 constexpr std::size_t kMostPoints = 1000;
 
 PlaneSegment segment(const Bary& from, const Bary& to) { return {affine_point(from), affine_point(to)}; }
 
-/// The intersection of two segments; the second one's beginning where they are collinear.
+/// The intersection of two segments; the beginning of the second segment if they are collinear.
 Bary intersection_point(const Bary& from, const Bary& to, const Bary& begin, const Bary& end) {
   const PlaneSegment s = segment(from, to), o = segment(begin, end);
   const double t = intersect_lines(s.from, s.to - s.from, o.from, o.to - o.from).t;
   return t > 0 && t < 1 ? mix(begin, end, t) : begin;
 }
 
-/// Erases the loops found in one pass along the polyline. False where there are none.
+/// Erases the loops that one pass along the polyline finds. Returns false if there are none.
 bool erase_once(std::vector<Bary>& polyline) {
   const std::size_t n = polyline.size();
   std::vector<Bary> kept{polyline.front()};
@@ -46,8 +46,8 @@ bool erase_once(std::vector<Bary>& polyline) {
   return erased;
 }
 
-/// Largest negative area of a piece, and largest overlap of straight arcs, that counts as rounding: as a fraction of
-/// the face's area, or in twice the area of barycentric coordinates.
+/// The largest negative area of a piece, as a fraction of the face's area, and the largest overlap of straight arcs, as
+/// twice an area in barycentric coordinates, that count as rounding.
 constexpr double kInverted = 1e-11;
 
 /// Whether every segment of the arc leads towards its end.
@@ -61,7 +61,7 @@ bool advances(const OpenFace& face, const FaceArc& arc) {
          is_forward(end);
 }
 
-/// A quick test: false only where no arcs intersect. A single arc can only intersect itself.
+/// A quick test, which is false only if no arcs intersect. A single arc can only intersect itself.
 bool can_intersect(const OpenFace& face) {
   const auto arcs = face.arcs();
   if (arcs.size() == 1) return !advances(face, arcs.front());
@@ -98,7 +98,7 @@ const std::vector<ArcIntersections::Pair>& ArcIntersections::find(const std::vec
 bool erase_loops(std::vector<Bary>& polyline) {
   if (polyline.size() > kMostPoints || !erase_once(polyline)) return false;
   while (erase_once(polyline)) {
-    // Rounded intersections may form new loops. Every pass leaves fewer points, so this ends.
+    // Rounded intersections may form new loops. Every pass leaves fewer points, so that this ends.
   }
   return true;
 }
@@ -112,7 +112,8 @@ bool ArcSeparator::separate(OpenFace& face) {
   return changed;
 }
 
-/// The arc with inner points that intersects the most arcs, itself counted twice; null where no arcs intersect.
+/// The arc with inner points that intersects the most arcs, where an intersection with itself counts twice; null if no
+/// arcs intersect.
 FaceArc* ArcSeparator::most_intersecting(OpenFace& face) {
   if (!can_intersect(face)) return nullptr;
   collect_segments(face);

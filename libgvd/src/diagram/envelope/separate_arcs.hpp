@@ -15,10 +15,11 @@
 namespace gvd {
 
 /// A face in assembly: the crossings on its boundary, and its arcs, branch points and inner points, which are the last
-/// ones of a diagram of many faces. A view: a constant one may change its arcs, too.
+/// ones in a diagram of many faces. This is a view, so that arcs can be changed through a constant OpenFace, too.
 class OpenFace {
  public:
-  /// Begins a face without arcs at the end of `diagram`. Both must outlive this; `boundary` may be filled later.
+  /// Begins a face without arcs at the end of `diagram`. Both arguments must outlive this object; `boundary` may be
+  /// filled later.
   OpenFace(FaceDiagram& diagram, const std::vector<BoundaryCrossing>& boundary)
       : diagram_(diagram),
         boundary_(boundary),
@@ -39,7 +40,7 @@ class OpenFace {
         ->bary();
   }
 
-  /// Ids of the branch points: first .. end.
+  /// The ids of the branch points are in [first_branch(), end_branch()).
   BranchPointId first_branch() const { return BranchPointId(first_branch_); }
   BranchPointId end_branch() const { return BranchPointId(diagram_.branches.size()); }
 
@@ -67,40 +68,40 @@ class ArcIntersections {
  public:
   using Pair = std::pair<std::int32_t, std::int32_t>;
 
-  /// The pairs of arcs (also of an arc with itself) of which two segments may intersect elsewhere than at a common end.
-  /// All other pairs are disjoint, except for segments of the same direction from a common end.
-  /// `segments`: the arcs one after the other, each from its beginning to its end.
+  /// Finds the pairs of arcs, also of an arc with itself, two of whose segments may intersect elsewhere than at a
+  /// common end. All other pairs are disjoint, except for segments of the same direction from a common end. `segments`
+  /// has the arcs one after the other, each from its beginning to its end.
   /// Returns: ascending, each pair once; valid until the next call.
-  /// Cost: O(n log n) for n segments of which few are near each other, by a tree of bounding boxes.
+  /// Cost: O(n log n) for n segments if few of them are near each other.
   const std::vector<Pair>& find(const std::vector<ArcSegment>& segments);
 
  private:
-  BoxTree boxes_;  // of the segments
+  BoxTree boxes_;  // boxes of the segments
   std::vector<Pair> found_;
 };
 
 /// Erases the loops of a polyline in barycentric coordinates. At an intersection with itself, the polyline continues
-/// along the last of its segments there. Its ends stay. The result is a part of the polyline, and does not intersect
+/// along the last of its segments there. The ends stay. The result is a part of the polyline, and does not intersect
 /// itself beyond rounding.
 ///
-/// Loops occur where a bisector turns back sharply: points found across a chord may then lie on either of its two
-/// branches, and the polyline through them alternates between these.
-/// Returns: false, and nothing changes, where there is no loop, or where there are more than 1000 points.
-/// Cost: O(n^2) for n points, for each round of erasing; one or two are the rule.
+/// Loops occur where a bisector turns back sharply. Points that are found across a chord may then lie on either of its
+/// two branches, and the polyline through them alternates between the branches.
+/// Returns: false, and changes nothing, if there is no loop or there are more than 1000 points.
+/// Cost: O(n^2) for n points for each round of erasing; usually there are one or two rounds.
 bool erase_loops(std::vector<Bary>& polyline);
 
 /// Keeps the arcs of a face from intersecting after their refinement. Using one object for many faces saves
 /// allocations.
 class ArcSeparator {
  public:
-  /// Changes arcs until none intersects itself or another one: always the arc with the most intersections. It loses its
-  /// loops, or all inner points if it has no loop. Straight arcs of an assembly don't intersect, so this ends.
+  /// Changes arcs until none intersects itself or another arc. In each step, the arc with the most intersections loses
+  /// its loops, or all inner points if it has no loop. Straight arcs of an assembly don't intersect, so this ends.
   /// Returns whether an arc changed.
-  /// Cost: O(n log n) for n segments where nothing intersects.
+  /// Cost: O(n log n) for n segments if nothing intersects.
   bool separate(OpenFace& face);
 
   /// Whether straight arcs intersect, or a piece between the arcs is inverted, beyond rounding. The assembly's convex
-  /// steps exclude this; rounding can cause it with branch points that are used as they are, where nearly everything is
+  /// steps exclude this. With branch points that are used as they are, rounding can cause it where nearly everything is
   /// a tie.
   /// Cost: O(k^2) for k arcs.
   bool is_inverted(const OpenFace& face);

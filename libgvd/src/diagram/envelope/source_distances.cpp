@@ -1,15 +1,16 @@
 // The shortest paths to points of one face over a solver's sources, and the points equally far from three generators.
 //
-// A source's path is straight where its image sees the point through its opening, and bends round an end of the opening
-// elsewhere: always a path of the surface, so that the least over all sources is the distance itself. Equidistant
-// points come from Newton's method on the differences of three distances, damped, because the shortest path may change
-// from one source to another on the way. A result counts only where the three distances agree to rounding.
+// A source's path is straight if its image sees the point through its opening, and otherwise bends round an end of the
+// opening. It always lies on the surface, so that the shortest over all sources is the distance itself. Equidistant
+// points come from Newton's method on the differences of three distances. The method is damped, because the shortest
+// path may change from one source to another on the way. A result counts only if the three distances agree up to
+// rounding.
 //
-// Such a search stagnates at ridges of the distances, where the shortest path changes from one source to another. To
-// solve every triple of sources is cubic, and beside needles a generator has hundreds of sources. So the face is halved
-// again and again. Distances change by at most the way between two points. Hence a cell drops the sources that are
-// hidden from it, or farther than another one everywhere in it. The whole cell is dropped where the three distances
-// can't be equal. Where few sources are left, their triples are solved.
+// Such a search stagnates at ridges of the distances, where the shortest path changes from one source to another.
+// Solving every triple of sources would take cubic time, and beside needles a generator has hundreds of sources. So the
+// face is halved repeatedly. Distances change by at most the way between two points. A part of the face therefore drops
+// the sources that are hidden from it, or farther than another source everywhere in it, and is dropped itself if the
+// three distances can't be equal in it. When few sources are left, their triples are solved.
 #include "diagram/envelope/source_distances.hpp"
 
 #include <Eigen/Geometry>
@@ -26,19 +27,19 @@ namespace {
 /// Up to this many triples of sources, solving all of them costs less than halving the cell.
 constexpr std::size_t kFewTriples = 64;
 
-/// Most halvings of a cell, after which its sides are a millionth of the face's.
+/// Largest number of halvings of a cell, after which its sides are a millionth of the face's sides.
 constexpr int kMostHalvings = 40;
 
-/// Most cells of one search. Along a curve of ties their number would double with every second halving. Beyond this
-/// number, the middle of a cell stands for the candidates in it.
+/// Largest number of cells in a search. Along a curve of ties, the number of cells would double with every second
+/// halving. Beyond this number, the middle of a cell stands for the candidates in it.
 constexpr int kMostCells = 2000;
 
-/// A ray that passes beside its opening still counts, by this fraction of its length: rays unfolded over hundreds of
-/// thin faces are off by 1e-9 of it.
+/// A ray that passes its opening at up to this fraction of its length still counts, because rays that are unfolded over
+/// hundreds of thin faces are off by 1e-9 of their length.
 constexpr double kBesideOpening = 1e-6;
 
-/// Two distances that differ by less than this fraction of themselves may be equal. A point may lie beside a disc by
-/// this fraction of its radius.
+/// Two distances that differ by less than this fraction of themselves may be equal, and a point may lie beside a disc
+/// by this fraction of the disc's radius.
 constexpr double kBeside = 1e-6;
 
 /// Whether a straight path of a source may pass its opening and reach the disc.
@@ -53,16 +54,16 @@ bool may_see(const FaceSource& s, const Vec2& middle, double radius) {
   return cross(ray, left) >= -slack * left.norm() && cross(ray, right) <= slack * right.norm();
 }
 
-/// A point p with its distance d to a generator, relative to the image of a first source and its offset: a point of the
-/// cone |p| = d.
+/// A point p with its distance d from a generator, relative to the image and the offset of a first source. This is a
+/// point of the cone |p| = d.
 using OnCone = Vec3;
 
-/// The points whose distance to a second image differs from d by the difference of the offsets. They form a plane,
-/// because |p|^2 = d^2 minus |p - image|^2 = (d - offset)^2 is linear.
+/// The points whose distance from a second image differs from d by the difference of the offsets. They form a plane,
+/// because the difference of |p|^2 = d^2 and |p - image|^2 = (d - offset)^2 is linear.
 struct Plane {
   Vec3 normal;
   double level;
-  /// The plane of source s, relative to the image of `first`. Distances along parallel paths are linear already.
+  /// The plane of source s, relative to the image of `first`. Distances along parallel paths are already linear.
   Plane(const FaceSource& s, const FaceSource& first) {
     if (s.is_parallel()) {
       normal = {s.direction().x(), s.direction().y(), -1};
@@ -76,8 +77,8 @@ struct Plane {
   }
 };
 
-/// Appends the point where the parallel paths of three sources are equally long: the lengths are linear, so that it
-/// solves two linear equations. Nothing where two directions are the same.
+/// Appends the point where the parallel paths of three sources are equally long. The lengths are linear, so that the
+/// point solves two linear equations. Appends nothing if two directions are the same.
 void append_parallel_point(const FaceSource& a, const FaceSource& b, const FaceSource& c, std::vector<Vec2>& points) {
   const auto start = [](const FaceSource& s) { return s.distance_begin - s.direction().dot(s.begin); };
   const Vec2 first = a.direction() - b.direction(), second = a.direction() - c.direction();
@@ -88,7 +89,7 @@ void append_parallel_point(const FaceSource& a, const FaceSource& b, const FaceS
   if (p.allFinite()) points.push_back(p);
 }
 
-/// Appends the points of the cone that lie on both planes. `tip`: the cone's tip in the face.
+/// Appends the points of the cone that lie on both planes. `tip` is the position of the cone's tip in the face.
 void append_common_points(const Plane& first, const Plane& second, const Vec2& tip, std::vector<Vec2>& points) {
   const Vec3 normals = first.normal.cross(second.normal);
   const double size = normals.norm();
@@ -102,23 +103,24 @@ void append_common_points(const Plane& first, const Plane& second, const Vec2& t
   }
 }
 
-/// Three distances that differ by less than this fraction of themselves are equal: a few units in the last place of
-/// sums of three terms.
+/// Three distances that differ by less than this fraction of themselves count as equal. It is a few units in the last
+/// place of sums of three terms.
 constexpr double kEqualDistance = 1e-14;
 
-/// Difference accepted where Newton's steps no longer improve it, as a fraction of the distance: the rounding of a
-/// point far from its images.
+/// Difference that is accepted when Newton's steps no longer improve it, as a fraction of the distance. It allows for
+/// the rounding of a point far from its images.
 constexpr double kResidual = 1e-12;
 
-/// Another generator nearer by up to this fraction of the distance is equally far: the branch point has degree four.
+/// Another generator that is nearer by up to this fraction of the distance counts as equally far; the branch point has
+/// degree four then.
 constexpr double kEquallyFar = 1e-12;
 
-/// Difference of the two distances at a crossing, as a fraction of them. The envelope takes them for equal within a
-/// quarter of it, and they are rounded sums.
+/// Largest difference of the two distances at a crossing, as a fraction of them. The envelope takes them for equal
+/// within a quarter of this, and they are rounded sums.
 constexpr double kCrossingError = 4e-14;
 
-/// Candidates for branch points: points whose three distances differ by less than this fraction of themselves. Newton's
-/// method starts there.
+/// Points whose three distances differ by less than this fraction of themselves are candidates for branch points, from
+/// which Newton's method starts.
 constexpr double kNearlyEqual = 1e-6;
 
 constexpr int kMostNewtonSteps = 40, kStepHalvings = 6;
@@ -140,7 +142,7 @@ struct ThreePaths {
   Vec2 error() const { return {a.distance - b.distance, a.distance - c.distance}; }
   double size() const { return error().cwiseAbs().maxCoeff(); }
   bool are_equal() const { return !(size() > kEqualDistance * a.distance); }
-  /// Newton's step to the point where the three are equally long, if they keep their last straight pieces.
+  /// Newton's step to the point where the three paths are equally long, if they keep their last straight pieces.
   Vec2 newton_step() const {
     const Vec2 u = direction(p, a.from), v = direction(p, b.from), w = direction(p, c.from);
     const Vec2 first = u - v, second = u - w, e = error();
@@ -157,7 +159,7 @@ void append_equidistant_points(std::span<const FaceSource> a, std::span<const Fa
   for (const FaceSource& first : a) {
     for (const FaceSource& second : b) {
       for (const FaceSource& third : c) {
-        // The cone is that of the first source with an image.
+        // The cone belongs to the first source that has an image.
         if (!first.is_parallel()) {
           append_common_points(Plane(second, first), Plane(third, first), first.image, points);
         } else if (!second.is_parallel()) {
@@ -181,7 +183,7 @@ struct EquidistantSearch::Disc {
   explicit Disc(const Cell& cell) : middle((cell[0] + cell[1] + cell[2]) / 3) {
     for (const Vec2& corner : cell) radius = std::max(radius, (corner - middle).norm());
   }
-  /// Whether a source may be its generator's nearest one somewhere in the disc: no path is shorter than the straight
+  /// Whether a source may be its generator's nearest source somewhere in the disc. No path is shorter than the straight
   /// one, and both distances change by at most the radius.
   bool may_be_nearest(const FaceSource& s, std::size_t generator) const {
     const double least = nearest[generator].path.distance, rest = (1 + kBeside) * least + 2 * radius - s.offset;
@@ -224,7 +226,7 @@ void EquidistantSearch::search(const Cell& cell, const Lists& lists, int halving
   stack_.resize(top);
 }
 
-/// Puts the sources that matter in the disc on the stack.
+/// Pushes the sources that may be the nearest in the disc on the stack.
 EquidistantSearch::Lists EquidistantSearch::keep_relevant(const Disc& disc, const Lists& lists) {
   Lists kept{stack_.size()};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -247,7 +249,8 @@ void EquidistantSearch::search_halves(const Cell& cell, const Lists& lists, int 
   search({apex, middle, to}, lists, halvings);
 }
 
-/// Discs of neighbouring cells overlap. So a point may be found twice, with the same bits.
+/// Solves all triples of sources, and keeps the points in the disc. The discs of neighbouring cells overlap, so that a
+/// point may be found twice, with the same bits.
 void EquidistantSearch::solve(const Disc& disc, const Lists& lists) {
   solved_.clear();
   append_equidistant_points(sources(lists, 0), sources(lists, 1), sources(lists, 2), solved_);
@@ -304,7 +307,7 @@ std::optional<Bary> SourceDistances::equidistant(GeneratorId a, GeneratorId b, G
     if (!(next.size() < paths.size())) break;
     paths = next;
   }
-  // Infinite where the face has no source of a generator.
+  // A distance is infinite if the face has no source of the generator.
   if (std::isinf(paths.a.distance) || !(paths.size() <= kResidual * paths.a.distance)) return std::nullopt;
   return moved_inside(layout_->bary(paths.p));
 }

@@ -15,14 +15,15 @@
 
 namespace gvd {
 
-/// Searches the points of a face that are equally far from three generators. One object serves many faces, to save
+/// Searches the points of a face that are equally far from three generators. One object is used for many faces, to save
 /// allocations.
 class EquidistantSearch {
  public:
-  /// All candidates in the face, to rounding, or to half of the digits where two rays touch. The branch points of the
-  /// three generators are among them. Most candidates are no branch points, because their rays don't pass the openings
-  /// or another source is nearer.
-  /// Cost: O(k) memory, and mostly O(k log k) time, for k sources; a bounded number of cells, however many paths tie.
+  /// Returns all candidates in the face, accurate up to rounding, or to half of the digits if two rays touch. The
+  /// branch points of the three generators are among them. Most candidates are not branch points, because their rays
+  /// don't pass the openings or another source is nearer.
+  /// Cost: O(k) memory and mostly O(k log k) time for k sources. The number of cells is bounded, however many paths
+  /// tie.
   const std::vector<Vec2>& find(const FaceLayout& face, std::span<const FaceSource> a, std::span<const FaceSource> b,
                                 std::span<const FaceSource> c);
 
@@ -41,35 +42,36 @@ class EquidistantSearch {
     return std::span(stack_).subspan(lists[i], lists[i + 1] - lists[i]);
   }
 
-  std::vector<FaceSource> stack_;  // the lists of the cell and of those that contain it
+  std::vector<FaceSource> stack_;  // the lists of the cell and of the cells that contain it
   std::vector<Vec2> found_, solved_;
   int cells_ = 0;
 };
 
-/// Appends the points equally far from a source of each of three generators, along straight lines from the images: two
-/// at most for each triple. They are exact to rounding, or to half of the digits where two rays touch.
+/// Appends the points that are equally far, along straight lines from the images, from a source of each of three
+/// generators. There are at most two for each triple. They are exact up to rounding, or to half of the digits if two
+/// rays touch.
 /// Cost: O(product of the numbers of sources).
 void append_equidistant_points(std::span<const FaceSource> a, std::span<const FaceSource> b,
                                std::span<const FaceSource> c, std::vector<Vec2>& points);
 
-/// Unit vector at p, away from `from`; zero where they are the same point.
+/// Unit vector at p, away from `from`; zero if they are the same point.
 inline Vec2 direction(const Vec2& p, const Vec2& from) {
   const Vec2 way = p - from;
   const double length = way.norm();
   return length > 0 ? Vec2(way / length) : Vec2(0, 0);
 }
 
-/// The distances inside one face from a solver's sources: as accurate as the solver. Entering one face after the other
-/// with the same object saves allocations. Not for several threads at once.
+/// The distances inside one face from a solver's sources, which are as accurate as the solver. Entering face after face
+/// with the same object saves allocations. An object must not be used by several threads at once.
 class SourceDistances final : public FaceDistances, public FacePaths {
  public:
-  /// `field` must outlive this.
+  /// `field` must outlive this object.
   explicit SourceDistances(const DistanceField& field) : field_(field) {}
 
-  /// Collects the sources of face f. The other members are about this face.
+  /// Collects the sources of face f. The functions below are about the face entered last.
   void enter(const Mesh& mesh, FaceId f);
-  /// Enters the face of other distances, and makes all of them longer by the symbolic offset of their generator. So
-  /// every tie inside the face is decided as at the crossings on its edges.
+  /// Enters the face of other distances, and adds to every distance the symbolic offset of its generator, so that every
+  /// tie inside the face is decided as at the crossings on its edges.
   void enter_with_offsets(const SourceDistances& others, const SymbolicOffset& offset);
 
   const FaceLayout& layout() const { return *layout_; }
@@ -85,7 +87,7 @@ class SourceDistances final : public FaceDistances, public FacePaths {
 
   /// The distance itself, mesh units.
   double at(GeneratorId g, const Bary& p) const override;
-  /// By Newton's method with damping, on the differences of the distances. Nothing where it does not converge.
+  /// Uses Newton's method with damping on the differences of the distances. Nothing if it does not converge.
   std::optional<Bary> equidistant(GeneratorId a, GeneratorId b, GeneratorId c, const Bary& start) const override;
   std::vector<Bary> equidistant_points(GeneratorId a, GeneratorId b, GeneratorId c) const override;
   double crossing_error(const BoundaryCrossing& crossing) const override;

@@ -1,9 +1,10 @@
-// The diagram of a distance field by lower envelopes: all edges are crossed, then all crossed faces are closed.
+// Traces the diagram of a distance field by lower envelopes: first all edges are crossed, then all crossed faces are
+// closed.
 //
-// A face joins its crossings by straight arcs, refines them along the bisectors, and separates what intersects. A
-// refined arc that intersects itself loses its loops; of refined arcs that intersect each other, some stay straight.
-// Where even straight arcs intersect, because rounded distances contradict each other, the face is assembled again by
-// convex steps alone. So a face closes whatever the distances are.
+// In a face, the crossings are joined by straight arcs, the arcs are refined along the bisectors, and arcs that
+// intersect are separated: a refined arc that intersects itself loses its loops, and of refined arcs that intersect
+// each other, some stay straight. If even straight arcs intersect, because rounded distances contradict each other, the
+// face is assembled again by convex steps alone. A face therefore closes whatever the distances are.
 //
 // Chunks of edges and of faces share nothing but the input, and their results are joined in order (ParallelChunks).
 // Source: not in the paper, which interpolates crossings and draws straight arcs (section 4.2); docs/developer/exact.md
@@ -25,23 +26,25 @@
 namespace gvd {
 namespace {
 
-/// Edges in a chunk, and the work of its faces: the sum of the squares of their crossings. Half a
-/// millisecond, long enough to occupy a thread and short enough to cancel after.
+/// The number of edges in a chunk, and the work of the faces in a chunk, which is the sum of the squares of their
+/// numbers of crossings. A chunk takes half a millisecond, which is long enough to occupy a thread and short enough to
+/// cancel after it.
 constexpr std::size_t kChunkEdges = 128, kChunkWork = 512;
 
-/// Samples of a segment in a face whose error is measured.
+/// Number of samples of a segment in a face whose error is measured.
 constexpr int kErrorSamples = 16;
 
-/// Assembles faces one after the other.
-class FaceAssembler {
+/// Traces face after face: assembles it, refines its arcs, and separates arcs that intersect.
+class EnvelopeFaceTracer {
  public:
-  explicit FaceAssembler(const EnvelopeFaces& input)
+  explicit EnvelopeFaceTracer(const EnvelopeFaces& input)
       : input_(input), plain_(input.field), with_offsets_(input.field), refiner_(input.tolerance) {}
 
   /// Appends face f to the result.
   ///
-  /// Ties between branch points are decided as on the edges, by the symbolic offsets. The refinement has them, too:
-  /// between generators that nearly coincide they turn bisectors, and arcs that ended without them would intersect.
+  /// Ties between branch points are decided as on the edges, by the symbolic offsets. The refinement uses these
+  /// offsets, too: between generators that nearly coincide, the offsets turn bisectors, and arcs that were refined
+  /// without them would intersect.
   void assemble(FaceId f) {
     OpenFace face(result_.diagram, boundary_);
     boundary_crossings(input_.mesh, input_.crossings, f, boundary_);
@@ -64,8 +67,8 @@ class FaceAssembler {
   AssembledFaces take_result() { return std::move(result_); }
 
  private:
-  /// Refines an arc. A bisector can follow a side, by a tie, or lie beyond it by rounding. Then the search in the face
-  /// ends on the side, and not on the bisector: points that are not inside the face are dropped.
+  /// Refines an arc. A bisector can follow a side by a tie, or lie beyond it by rounding. Then the search in the face
+  /// ends on the side and not on the bisector. Points that are not inside the face are therefore dropped.
   void refine(const SourceDistances& distances, const OpenFace& face, FaceArc& arc) {
     std::vector<Bary>& points = result_.diagram.points;
     arc.first_point = static_cast<std::int32_t>(points.size());
@@ -75,9 +78,9 @@ class FaceAssembler {
     arc.point_count = static_cast<std::int32_t>(points.size()) - arc.first_point;
   }
 
-  /// Sets the distance of the branch points to the generators round them: the shortest of the paths that the face
-  /// knows. All of them are equally long, with one exception. The face may only know a longer path, or none, from a
-  /// generator that nearly coincides with another one, or nearly lies on a side.
+  /// Sets the distance of the branch points to the generators round them, which is the length of the shortest path that
+  /// the face knows. All these paths are equally long, with one exception: from a generator that nearly coincides with
+  /// another one, or nearly lies on a side, the face may only know a longer path, or none.
   void measure_branches(const OpenFace& face) {
     for (BranchPointId id = face.first_branch(); id < face.end_branch(); id = BranchPointId(id.value() + 1)) {
       FaceBranch& branch = result_.diagram.branches[id];
@@ -89,7 +92,7 @@ class FaceAssembler {
     }
   }
 
-  /// The largest difference of the distances to an arc's two generators, at samples of all arcs of the face.
+  /// The largest difference of the distances to an arc's two generators, over samples of all arcs of the face.
   double largest_error(const OpenFace& face) const {
     double largest = 0;
     for (const FaceArc& arc : face.arcs()) {
@@ -109,7 +112,7 @@ class FaceAssembler {
   }
 
   const EnvelopeFaces& input_;
-  SourceDistances plain_, with_offsets_;  // in the current face; those with offsets only where it has a branch point
+  SourceDistances plain_, with_offsets_;  // in the current face; with_offsets_ only if it may have a branch point
   ArcRefiner refiner_;
   ArcSeparator separator_;
   std::vector<BoundaryCrossing> boundary_;
@@ -186,7 +189,7 @@ AssembledFaces EnvelopeTracer::assemble(const std::vector<FaceId>& faces, const 
 }
 
 AssembledFaces assemble_envelope(const EnvelopeFaces& input, std::span<const FaceId> faces) {
-  FaceAssembler assembler(input);
+  EnvelopeFaceTracer assembler(input);
   for (const FaceId f : faces) assembler.assemble(f);
   return assembler.take_result();
 }

@@ -12,21 +12,21 @@
 
 namespace gvd {
 
-/// The arcs and branch points of a number of faces.
+/// The arcs and branch points of some faces.
 struct AssembledFaces {
   FaceDiagram diagram;
   std::vector<StraightenedFace> straightened;  ///< ascending
 };
 
-/// Traces the diagram of a distance field, as exactly as the field is. Crossings are the corners of the lower envelope
-/// of the distances on each edge, stored once for both faces. Every face is assembled from its crossings, and its arcs
-/// are refined until they are within a tolerance of the bisectors.
+/// Traces the diagram of a distance field. The diagram is as exact as the field. Crossings are the corners of the lower
+/// envelope of the distances on each edge, stored once for both faces. Every face is assembled from its crossings, and
+/// its arcs are refined until they are within a tolerance of the bisectors.
 ///
 /// Several threads cross edges and close faces; the distance field must allow that. Reports the steps "bisectors" and
 /// "faces"; counts straightened faces. Cost: O(n + k) for k points of the bisectors.
 class EnvelopeTracer final : public DiagramTracer {
  public:
-  /// `tolerance`: mesh units. All arguments must outlive the tracer.
+  /// `tolerance` is in mesh units. All arguments must outlive the tracer.
   EnvelopeTracer(const WorkingMesh& working, const DistanceField& field, double tolerance,
                  const ParallelChunks& parallel);
 
@@ -35,10 +35,11 @@ class EnvelopeTracer final : public DiagramTracer {
                           Crossings& crossings) const override;
   void close_faces(TracedDiagram& traced) override;
 
-  /// The crossings of some edges, which ascend, as `cross_edges` finds them; or at most one of each.
+  /// The crossings of some edges as `cross_edges` finds them, or at most one crossing per edge. The edges must ascend.
   std::vector<Crossing> cross(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                               bool at_most_once = false) const;
-  /// Assembles some faces, which ascend, by several threads. `counts`: of the crossings on each face.
+  /// Assembles some faces, which must ascend. Several threads take part. `counts` has the number of crossings on each
+  /// face.
   AssembledFaces assemble(const std::vector<FaceId>& faces, const IdVector<FaceId, std::int32_t>& counts,
                           const Crossings& crossings) const;
 
@@ -50,18 +51,18 @@ class EnvelopeTracer final : public DiagramTracer {
   SymbolicOffset offset_;
 };
 
-/// All that the faces of an envelope are assembled from.
+/// The input for assembling faces by envelopes.
 struct EnvelopeFaces {
   const Mesh& mesh;
   const Crossings& crossings;
   const DistanceField& field;
-  SymbolicOffset offset;  ///< of the crossings
+  SymbolicOffset offset;  ///< symbolic offset of the crossings
   double tolerance;       ///< mesh units, > 0
 };
 
-/// Assembles some faces, which ascend: joins their crossings by the distances in them, refines the arcs to within the
-/// tolerance of the bisectors, and measures the branch points. Arcs never intersect.
-/// Cost: O(points of the bisectors), and that of the assembly in faces with many crossings.
+/// Assembles some faces, which must ascend: joins their crossings as the distances in them require, refines the arcs
+/// until they are within the tolerance of the bisectors, and measures the branch points. Arcs never intersect.
+/// Cost: O(points of the bisectors), and the cost of `assemble_face` in faces with many crossings.
 AssembledFaces assemble_envelope(const EnvelopeFaces& input, std::span<const FaceId> faces);
 
 }  // namespace gvd

@@ -1,12 +1,13 @@
 // The connected components of every cell, by union-find over the pieces of the crossed faces.
 //
-// Vertices far from the bisectors need no look. A vertex of label g, unless it is unsupported, has a neighbour of label
-// g that is nearer to g (see NearestLabels). So a chain of uncrossed edges connects it to the vertex of g. That chain
-// may be missing only near an unsupported vertex, a crossed edge between two vertices of one cell, or a vertex that
-// growth moved. There vertices are unanchored: members of their own, united with their neighbours one by one.
+// Vertices far from the bisectors need not be examined. A vertex of label g, unless it is unsupported, has a neighbour
+// of label g that is nearer to g (see NearestLabels). A chain of uncrossed edges therefore connects it to the vertex of
+// g. That chain may be missing only near an unsupported vertex, a crossed edge between two vertices of one cell, or a
+// vertex that growth moved. Vertices there are unanchored: each of them is a member of its own, which is united with
+// its neighbours one by one.
 // Source: the paper does not treat this; see docs/developer/algorithm.md.
-// Invariant: a cell is connected exactly if all of its members are in the set of its generator's vertex. The members
-// are far fewer than the vertices: one for each generator, unanchored vertex and piece of a crossed face.
+// Invariant: a cell is connected exactly if all of its members are in the set of its generator's vertex. There are far
+// fewer members than vertices: one for each generator, unanchored vertex and piece of a crossed face.
 #include "diagram/graph/cell_components.hpp"
 
 #include <algorithm>
@@ -26,11 +27,11 @@ constexpr std::int32_t kNoMember = -1;
 /// A member of a set: the vertex of a generator, an unanchored vertex, or a piece of a crossed face.
 struct Member {
   GeneratorId generator;
-  FaceId face;  ///< of a piece, or one face at an unanchored vertex; invalid for the vertex of a generator
+  FaceId face;  ///< face of a piece, or some face at an unanchored vertex; invalid for the vertex of a generator
 };
 
 /// Members in sets, each of which is a connected part of a cell. The smallest member represents its set. The vertices
-/// of the generators come first: member g is that of generator g.
+/// of the generators come first, so that member g is the vertex of generator g.
 struct MemberSets {
   std::vector<Member> members{};
   UnionFind sets{0};
@@ -41,13 +42,13 @@ struct MemberSets {
   }
 };
 
-/// The vertices from which no chain of uncrossed edges is sure to lead to the vertex of their generator.
+/// The vertices from which it is not certain that a chain of uncrossed edges leads to the vertex of their generator.
 std::map<VertexId, std::int32_t> find_unanchored_vertices(const WorkingMesh& working, const TracedDiagram& traced) {
   const Mesh& mesh = working.mesh();
   const NearestLabels& labels = traced.labels;
   std::map<VertexId, std::int32_t> unanchored;
-  // Whether v is a vertex of its generator, of which a curve has several. Or else whether an uncrossed edge connects it
-  // to an anchored vertex of its cell that is nearer to the generator.
+  // Whether v is a vertex of its generator (a curve has several), or an uncrossed edge connects it to an anchored
+  // vertex of its cell that is nearer to the generator.
   const auto is_anchored = [&](VertexId v) {
     if (!labels.label[v].valid() || working.generator(v) == labels.label[v]) return true;
     bool anchored = false;
@@ -81,9 +82,9 @@ std::map<VertexId, std::int32_t> find_unanchored_vertices(const WorkingMesh& wor
 
 /// The members of the pieces of the crossed faces, by the label intervals along the faces' halfedges.
 struct PieceMembers {
-  IdVector<FaceId, std::int32_t> crossed_index;  ///< number of the face among the crossed ones, or -1
-  std::vector<std::int32_t> first_interval{};    ///< three for each crossed face: where its halfedges begin in `pieces`
-  std::vector<std::int32_t> pieces{};            ///< along each label interval
+  IdVector<FaceId, std::int32_t> crossed_index;  ///< number of the face among the crossed faces, or -1
+  std::vector<std::int32_t> first_interval{};    ///< three per crossed face: where each halfedge begins in `pieces`
+  std::vector<std::int32_t> pieces{};            ///< the piece along each label interval
 
   /// The piece along an interval of halfedge h of a crossed face, counted along h.
   std::int32_t along(HalfedgeId h, std::int32_t interval) const {
@@ -91,7 +92,7 @@ struct PieceMembers {
   }
 };
 
-/// Whether each label interval of a face has a cell of its own, so that it has a piece of its own, too.
+/// Whether the label intervals of a face all belong to different cells, so that each has its own piece.
 bool are_distinct(const std::vector<BoundaryCrossing>& boundary) {
   for (std::size_t i = 0; i < boundary.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -101,7 +102,8 @@ bool are_distinct(const std::vector<BoundaryCrossing>& boundary) {
   return true;
 }
 
-/// Adds a member for each piece of the crossed faces, united with those of its corners: `member_of(vertex)`.
+/// Adds a member for each piece of the crossed faces, and unites it with the members of its corners,
+/// `member_of(vertex)`.
 template <class MemberOf>
 PieceMembers add_pieces(const Mesh& mesh, const TracedDiagram& traced, const MemberOf& member_of, MemberSets& all) {
   PieceMembers result{IdVector<FaceId, std::int32_t>(mesh.face_count(), -1)};
@@ -124,7 +126,7 @@ PieceMembers add_pieces(const Mesh& mesh, const TracedDiagram& traced, const Mem
       return first + (is_distinct ? static_cast<std::int32_t>(i) : traced_pieces.piece_of_interval[i]);
     };
     result.crossed_index[f] = static_cast<std::int32_t>(result.first_interval.size() / 3);
-    // A halfedge begins in the interval after the last crossing before it; each crossing on it begins another one.
+    // A halfedge begins in the interval after the last crossing before it. Each crossing on it begins another interval.
     std::int32_t current = member_of_interval(boundary.size() - 1);
     std::size_t next = 0;
     for (int corner = 0; corner < 3; ++corner) {

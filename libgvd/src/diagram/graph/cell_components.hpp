@@ -9,7 +9,7 @@
 
 namespace gvd {
 
-/// The connected components of every cell. An island is a component without the vertex of its generator; a sound
+/// The connected components of every cell. An island is a component without the vertex of its generator; a valid
 /// diagram has none.
 struct CellComponents {
   IdVector<GeneratorId, std::int32_t> count;  ///< 1 if the cell is connected
@@ -17,7 +17,7 @@ struct CellComponents {
   std::vector<VertexId> island_vertices;      ///< ascending
 };
 
-/// Cost: O(k) for k crossings, and 4 bytes a face.
+/// Finds the components of all cells, and the islands. Cost: O(k) time for k crossings, and 4 bytes a face.
 CellComponents find_cell_components(const WorkingMesh& working, const TracedDiagram& traced);
 
 }  // namespace gvd

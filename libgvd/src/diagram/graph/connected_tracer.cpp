@@ -1,9 +1,9 @@
 // The rounds that connect every cell, around any tracer.
 //
-// The edges are crossed and the faces closed; then every piece of a cell has to be connected to the cell's generator.
+// The edges are crossed and the faces closed. Then every piece of a cell must be connected to the cell's generator.
 // Around a piece that is not, growth is disabled, vertices take the label of a neighbour, edges are crossed at most
-// once, and the faces are closed again. After a fixed number of rounds all edges are crossed at most once, between
-// labels that edges join to their generators: such cells are connected by construction.
+// once, and the faces are closed again. After a fixed number of rounds, all edges are crossed at most once, between
+// labels that edges join to their generators. Such cells are connected by construction.
 // Source: the paper does not treat this; see docs/developer/algorithm.md.
 #include "diagram/graph/connected_tracer.hpp"
 
@@ -23,10 +23,12 @@
 namespace gvd {
 namespace {
 
-/// Rounds of local repair before the last resort; the meshes of docs/developer/performance.md take one or two.
+/// Number of rounds of local repair before the last resort. The meshes of docs/developer/performance.md take one or
+/// two.
 constexpr int kMaxRounds = 12;
 
-/// Stands for all corners among the label intervals, each of which has the index of the crossing at its end: never 0.
+/// Stands for all corners among the label intervals. An interval has the index of the crossing at its end, which is
+/// never 0.
 constexpr std::int32_t kCorners = 0;
 
 /// Unites the label intervals inside the edges of a face, and its corners, that have the same label.
@@ -52,7 +54,7 @@ void unite_in_face(const Mesh& mesh, const NearestLabels& labels, const Crossing
 std::vector<EdgeId> find_disconnected_intervals(const Mesh& mesh, const NearestLabels& labels,
                                                 const Crossings& crossings) {
   const std::vector<Crossing>& items = crossings.items();
-  std::vector<std::int32_t> intervals;  // between a crossing and the one before, of the same edge
+  std::vector<std::int32_t> intervals;  // between a crossing and the previous one on the same edge
   for (std::int32_t i = 1; i < std::ssize(items); ++i) {
     if (items[i - 1].edge == items[i].edge) intervals.push_back(i);
   }
@@ -81,7 +83,7 @@ TracedDiagram trace_connected(const WorkingMesh& working, NearestLabels labels, 
   std::optional<NearestLabels> labels_before;
   std::optional<Crossings> crossings_before;
   std::vector<EdgeId> crossed_once;  // ascending
-  // Crosses these edges at most once, between the present labels of their ends; those of earlier calls again.
+  // Crosses these edges, and those of earlier calls again, at most once, between the present labels of their ends.
   const auto cross_at_most_once = [&](const std::vector<EdgeId>& edges) {
     if (edges.empty()) return;
     std::vector<EdgeId> all;
@@ -115,7 +117,7 @@ TracedDiagram trace_connected(const WorkingMesh& working, NearestLabels labels, 
       continue;
     }
     tracer.disable_growth(components.island_edges);
-    // A vertex that growth moved into an island is not relabelled: without growth it stays where it was.
+    // A vertex that growth moved into an island is not relabelled, because without growth it keeps its label.
     std::vector<VertexId>& vertices = components.island_vertices;
     std::erase_if(vertices, [&](VertexId v) { return labels.label[v] != traced.labels.label[v]; });
     if (!vertices.empty()) keep_labels();

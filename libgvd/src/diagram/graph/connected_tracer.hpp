@@ -19,10 +19,11 @@ class DiagramTracer {
   /// Replaces the crossings of these edges by at most one, between the labels of the edge's ends.
   virtual void cross_at_most_once(const std::vector<EdgeId>& edges, const NearestLabels& labels,
                                   Crossings& crossings) const = 0;
-  /// Fills in the arcs and branch points of all faces, ascending by face; may change the diagram's crossings and
+  /// Fills in the arcs and branch points of all faces, ascending by face. It may change the diagram's crossings and
   /// labels.
   virtual void close_faces(TracedDiagram& traced) = 0;
-  /// From now on, closes the faces at these edges by their crossings alone. Nothing to do for a tracer without growth.
+  /// From now on, the tracer closes the faces at these edges by their crossings alone. A tracer without growth ignores
+  /// it.
   virtual void disable_growth(const std::vector<EdgeId>&) {}
 };
 
@@ -33,9 +34,9 @@ class DiagramTracer {
 TracedDiagram trace_connected(const WorkingMesh& working, NearestLabels labels, DiagramTracer& tracer,
                               const Progress& progress);
 
-/// Edges, ascending, with a label interval inside that no chain of intervals through common faces connects to a corner
-/// of its cell. Such intervals occur since an edge knows only the tables of its two faces. Cost: O(c log c) for c
-/// crossings.
+/// Finds the edges, ascending, with an inner label interval that no chain of intervals through common faces connects to
+/// a corner of its cell. Such intervals occur because an edge knows only the tables of its two faces. Cost: O(c log c)
+/// for c crossings.
 std::vector<EdgeId> find_disconnected_intervals(const Mesh& mesh, const NearestLabels& labels,
                                                 const Crossings& crossings);
 

@@ -1,8 +1,8 @@
 // The crossings of all edges as one sorted list.
 //
-// A crossing is stored once, on its edge; both faces read it from there (BoundaryCrossing turns it round where the face
-// runs through the edge backwards). So two faces can't disagree about a bisector, whatever the distances are. A tracer
-// that crosses some edges again replaces their crossings all at once; ids of crossings change by this.
+// A crossing is stored once, on its edge; both faces read it from there (BoundaryCrossing reverses it if the face runs
+// through the edge backwards). Two faces therefore can't disagree about a bisector, whatever the distances are. A
+// tracer that crosses some edges again replaces all their crossings at once, which changes the ids of crossings.
 // The list costs 24 bytes a crossing and 4 bytes an edge; most edges have none. Replacing costs one pass over the list.
 #include "diagram/graph/crossings.hpp"
 

@@ -16,7 +16,7 @@ using CrossingId = Id<struct CrossingTag>;
 /// the symbolic offset of marched distances, and far above rounding.
 inline constexpr double kCrossingGap = 1e-7;
 
-/// The point where a bisector crosses an edge. It is stored once, on the edge, so the two faces can't disagree.
+/// The point where a bisector crosses an edge. It is stored once, on the edge, so that the two faces can't disagree.
 struct Crossing {
   EdgeId edge;
   double t;            ///< parameter along the edge's halfedge, strictly between 0 and 1
@@ -41,7 +41,8 @@ class Crossings {
   std::vector<Crossing>& items() { return items_.raw(); }
   const std::vector<Crossing>& items() const { return items_.raw(); }
 
-  /// Ids of the crossings on edge e, ascending in t: first .. first + count.
+  /// The crossings on edge e have the ids first(e) .. first(e) + count(e) - 1, ascending in t. `first` is invalid if
+  /// there are none.
   CrossingId first(EdgeId e) const { return CrossingId(first_[e]); }
   std::int32_t count(EdgeId e) const {
     if (first_[e] < 0) return 0;
@@ -50,7 +51,8 @@ class Crossings {
     return i - first_[e];
   }
 
-  /// Replaces the crossings of these edges, ascending, by others on the same edges, ascending by (edge, t).
+  /// Replaces the crossings of these edges, which must ascend, by other crossings of the same edges, ascending by
+  /// (edge, t).
   void replace(const std::vector<EdgeId>& edges, const std::vector<Crossing>& replacements);
 
  private:
@@ -69,7 +71,7 @@ inline Bary bary_on_side(int corner, double t) {
 /// A crossing on the boundary of a face, as the face sees it counter-clockwise.
 struct BoundaryCrossing {
   CrossingId id;
-  int corner;            ///< the halfedge of this corner carries it
+  int corner;            ///< it lies on the halfedge of this corner
   double t;              ///< parameter along that halfedge
   GeneratorId previous;  ///< the cell before it, counter-clockwise
   GeneratorId next;      ///< the cell after it
@@ -78,8 +80,8 @@ struct BoundaryCrossing {
   Bary bary() const { return bary_on_side(corner, t); }
 };
 
-/// The crossings on the boundary of f, counter-clockwise from its corner 0. `result` is overwritten; a loop over faces
-/// passes the same one again to save allocations.
+/// The crossings on the boundary of f, counter-clockwise from its corner 0. `result` is overwritten; loops over faces
+/// reuse it to save allocations.
 inline void boundary_crossings(const Mesh& mesh, const Crossings& crossings, FaceId f,
                                std::vector<BoundaryCrossing>& result) {
   result.clear();

@@ -2,9 +2,10 @@
 //
 // A walk round a piece alternates between the face's boundary and its arcs: along a label interval to the next
 // crossing, then along arcs with the piece on the left, turning at branch points, until an arc ends on the boundary
-// again. Every label interval has exactly one piece; a piece may have several intervals. The cell on its left tells
-// which arc goes on, because the cells round a crossing or a branch point differ.
-// Invariant: the pieces of a face share no interior point and cover it, since each side of each arc is walked once.
+// again. Every label interval belongs to exactly one piece; a piece may have several intervals. The cell on the left
+// determines with which arc the walk continues, because the cells round a crossing or a branch point differ.
+// Invariant: the pieces of a face share no interior point and cover the face, because each side of each arc is walked
+// once.
 #include "diagram/graph/face_diagram.hpp"
 
 #include <algorithm>
@@ -14,10 +15,10 @@
 namespace gvd {
 namespace {
 
-/// In place of the piece of an interval.
+/// Stands for the piece of an interval that has none yet.
 constexpr int kNoPieceYet = -1;
 
-/// Most corners of a piece in a face with one arc or one branch point.
+/// Largest number of corners of a piece in a face with one straight arc or one branch point.
 constexpr std::size_t kUsualCorners = 5;
 
 /// The arcs of a face by their ends. Most faces have one arc, for which there is nothing to look up.
@@ -51,7 +52,7 @@ class ArcsByEnd {
   }
 
  private:
-  /// An arc as it is found from one of its ends, by the cell on its left on the way from there.
+  /// An arc as it is found from one of its ends by the cell on its left.
   struct Departure {
     ArcEnd from;
     GeneratorId left;

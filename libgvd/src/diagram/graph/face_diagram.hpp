@@ -11,7 +11,7 @@
 
 namespace gvd {
 
-/// An end of an arc: a crossing on the face's boundary, or a branch point in its inside.
+/// An end of an arc: a crossing on the face's boundary, or a branch point inside the face.
 struct ArcEnd {
   CrossingId crossing;
   BranchPointId branch;
@@ -25,8 +25,8 @@ inline ArcEnd at(BranchPointId b) { return {CrossingId(), b}; }
 struct FaceArc {
   FaceId face;
   ArcEnd begin, end;
-  GeneratorId left, right;                        ///< cells, on the way from begin to end
-  std::int32_t first_point = 0, point_count = 0;  ///< its inner points in FaceDiagram::points, in order
+  GeneratorId left, right;                        ///< the cells on the two sides, on the way from begin to end
+  std::int32_t first_point = 0, point_count = 0;  ///< the range of its inner points in FaceDiagram::points
 
   bool ends_at(const ArcEnd& e) const { return begin == e || end == e; }
   /// The cells on the way from one of its ends to the other.
@@ -53,7 +53,7 @@ struct FaceDiagram {
     return {points.data() + arc.first_point, points.data() + arc.first_point + arc.point_count};
   }
 
-  /// Appends the diagram of other faces, all after these in order.
+  /// Appends the diagram of other faces, which must all come after the faces of this one.
   void append(const FaceDiagram& other) {
     const auto first_point = static_cast<std::int32_t>(points.size());
     const std::int32_t first_branch = branches.count();
@@ -69,7 +69,7 @@ struct FaceDiagram {
   }
 };
 
-/// A connected part of a face without its arcs.
+/// A connected part of a face between its arcs.
 struct WorkingPiece {
   GeneratorId generator;
   std::vector<Bary> corners;  ///< barycentric in the working face, counter-clockwise
@@ -78,12 +78,12 @@ struct WorkingPiece {
 /// All pieces of one face.
 struct WorkingPieces {
   std::vector<WorkingPiece> pieces;
-  /// For each label interval of the face's boundary the piece along it; interval i follows boundary crossing i.
+  /// For each label interval of the face's boundary, the piece along it. Interval i follows boundary crossing i.
   std::vector<int> piece_of_interval;
 };
 
-/// The pieces of a face with these boundary crossings (at least 2) and arcs (all of the face's, out of `diagram`).
-/// `result` is overwritten; a loop over faces passes the same one again to save allocations.
+/// Traces the pieces of a face with these boundary crossings (at least 2). `arcs` are all arcs of the face in
+/// `diagram`. `result` is overwritten; loops over faces reuse it to save allocations.
 /// Cost: O(k log k) for k crossings and arcs, and the number of their points.
 void trace_pieces(const std::vector<BoundaryCrossing>& boundary, std::span<const FaceArc> arcs,
                   const FaceDiagram& diagram, WorkingPieces& result);

@@ -1,8 +1,8 @@
-// The nearest generator of every vertex, and new labels where cells have to be connected.
+// Finds the nearest generator of every vertex, and new labels where cells must be connected.
 //
 // Distances grow along a shortest path, so that most vertices have a neighbour of the same label that is nearer to the
 // generator: such a neighbour supports them. A chain of supported vertices along edges ends at the generator's vertex,
-// which is why only unsupported vertices need a look when the components of cells are found. New labels come from
+// so that only unsupported vertices must be examined when the components of cells are searched. New labels come from
 // labelled neighbours by Dijkstra's algorithm along the edges, so that every relabelled vertex is supported.
 // Source: labels and classes of faces are those of section 3 of the paper; it knows no relabelling.
 // Invariant: the vertex of a generator has the label of that generator, even where offsets say otherwise.
@@ -95,7 +95,7 @@ NearestLabels compute_nearest_labels(const WorkingMesh& working, const Generator
   take_nearest(working, table, labels);
   for (const VertexId v : mesh.vertices()) {
     if (!labels.label[v].valid()) continue;
-    // In most cases one of the two corners that the distance was computed from has the same label.
+    // In most cases, one of the two corners from which the distance was computed has the same label.
     const HalfedgeId via = table.distance(v.value()).via;
     const bool is_supported = via.valid() && (supports(labels, mesh.from(via), v) || supports(labels, mesh.to(via), v));
     if (!is_supported && is_unsupported(working, labels, v)) labels.unsupported.push_back(v);
@@ -132,7 +132,7 @@ NearestLabels take_labels(const WorkingMesh& working, const IdVector<VertexId, d
 void relabel_from_neighbours(const WorkingMesh& working, const std::vector<VertexId>& vertices, NearestLabels& labels) {
   for (const VertexId v : vertices) clear_label(v, labels);
   label_from_neighbours(working.mesh(), vertices, labels);
-  // They may have been what supported their neighbours.
+  // The relabelled vertices may have supported their neighbours.
   const auto examine = [&](VertexId v) {
     if (is_unsupported(working, labels, v)) labels.unsupported.push_back(v);
   };

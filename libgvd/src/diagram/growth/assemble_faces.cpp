@@ -1,4 +1,4 @@
-// Closes the crossed faces outside of the gaps by their own crossings.
+// Closes the crossed faces outside the gaps by their own crossings.
 #include "diagram/growth/assemble_faces.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace gvd {
 namespace {
 
-/// Progress is reported after this many faces.
+/// Number of faces between two reports of progress.
 constexpr std::size_t kFaceStride = 1 << 10;
 
 /// The distance forms of the generators whose cells lie along a face's boundary, ascending by generator.
@@ -30,7 +30,7 @@ std::vector<DistanceForm> face_forms(const GrowthInput& input, FaceId f,
   return forms;
 }
 
-/// The distance at a point of a face that a generator's form stands for, mesh units.
+/// The distance, in mesh units, that a generator's form represents at a point of a face.
 double distance_of(const GrowthInput& input, FaceId f, const DistanceForm& form, const Bary& bary) {
   double value = form.at(bary);
   if (input.front == Front::planar) return value;
@@ -52,7 +52,7 @@ void assemble_faces(const GrowthInput& input, const Crossings& crossings, const 
     if (i % kFaceStride == 0) report_progress(progress, steps::kAssembly, double(i) / double(faces.size()));
     if (std::binary_search(skipped.begin(), skipped.end(), f)) continue;
     boundary_crossings(input.mesh(), crossings, f, boundary);
-    if (boundary.size() == 2) {  // most faces: one arc, which depends on no distance
+    if (boundary.size() == 2) {  // most faces have one arc, which depends on no distance
       diagram.arcs.push_back({f, at(boundary[0].id), at(boundary[1].id), boundary[0].previous, boundary[0].next});
       continue;
     }

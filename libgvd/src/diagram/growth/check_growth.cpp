@@ -1,11 +1,12 @@
-// Check of a grown gap. The paper takes the result of growth as it is (section 4.3).
+// Checks a grown gap. The paper takes the result of growth as it is (section 4.3).
 //
-// Nothing that the growth computed is trusted: nodes, edges, labels and arcs are compared with each other and with the
-// crossings on the rim. The checks run from the cheap to the costly one, and each relies on those before it: positions
-// of arcs, for example, are read only once the arcs lie in the gap's faces.
+// The check trusts nothing that the growth computed: it compares nodes, edges, labels and arcs with each other and with
+// the crossings on the rim. The checks run from the cheapest to the most expensive, and each relies on the checks
+// before it. For example, positions of arcs are read only once the arcs are known to lie in the gap's faces.
 // Invariant: a gap that passes fits the diagram around it. Its cells stay connected along the edges, and its arcs form
-// a planar graph in every face. A gap that fails is not mended: it grows again by other rules or with more faces, and
-// is assembled in the end. So a check that is too strict costs time, and one that is too lax would cost validity.
+// a planar graph in every face. A gap that fails is not repaired: it grows again by other rules or with more faces, and
+// is assembled in the end. A check that is too strict therefore only costs time, whereas one that is too lax would make
+// diagrams invalid.
 #include "diagram/growth/check_growth.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@
 namespace gvd {
 namespace {
 
-/// The crossing that a node is, on the rim or new; not for branch points.
+/// The crossing at a node, on the rim or new. The node must not be a branch point.
 const Crossing& crossing_of(const GapNode& node, const Crossings& crossings) {
   return node.kind == GapNode::Kind::rim ? crossings[node.rim] : node.crossing;
 }
@@ -37,7 +38,7 @@ bool fits(const Mesh& mesh, const Crossings& crossings, const GapNode& node, con
   return twin.valid() && Mesh::face(twin) == arc.face && left == c.after && right == c.before;
 }
 
-/// Whether a node ends as many arcs as it must; `faces` are theirs.
+/// Whether as many arcs as necessary end at a node. `faces` are the faces of these arcs.
 bool has_its_arcs(const Mesh& mesh, const GapNode& node, const std::vector<FaceId>& faces) {
   if (node.kind == GapNode::Kind::branch) return faces.size() == 3;
   if (node.kind == GapNode::Kind::rim || mesh.is_boundary(node.crossing.edge)) return faces.size() == 1;
@@ -54,7 +55,7 @@ bool rim_is_complete(const GapEdges& edges, const GrownGap& grown) {
   return rim.size() == edges.rim_crossing_count() && std::adjacent_find(rim.begin(), rim.end()) == rim.end();
 }
 
-/// The labels that spread from a gap's rim and its generators along its edges, and change where these are crossed.
+/// The labels that spread from a gap's rim and its generators along its edges, and change where edges are crossed.
 std::map<VertexId, GeneratorId> spread_labels(const WorkingMesh& working, const NearestLabels& labels,
                                               const std::vector<GapEdge>& edges) {
   const Mesh& mesh = working.mesh();
@@ -108,8 +109,8 @@ struct BranchSpoke {
   GeneratorId left, right;
 };
 
-/// Whether the three arcs at a branch point go round it counter-clockwise in the order of their cells. One of the three
-/// angles may be larger than a half turn. `segments`: of all arcs.
+/// Whether the three arcs at a branch point follow each other counter-clockwise in the order of their cells. One of the
+/// three angles may be larger than a half turn. `segments` are the segments of all arcs.
 bool turns_left_at(int node, const std::vector<GapArc>& arcs, const std::vector<PlaneSegment>& segments) {
   std::vector<BranchSpoke> spokes;
   for (std::size_t i = 0; i < arcs.size(); ++i) {
@@ -192,7 +193,7 @@ bool GapEdges::are_consistent() const {
 
 bool check_gap_nodes(const Mesh& mesh, const Crossings& crossings, const Gap& gap, const GapEdges& edges,
                      const GrownGap& grown) {
-  std::vector<std::vector<FaceId>> faces(grown.nodes.size());  // of the arcs that end at each node
+  std::vector<std::vector<FaceId>> faces(grown.nodes.size());  // faces of the arcs that end at each node
   for (const GapArc& arc : grown.arcs) {
     if (!gap.contains(arc.face)) return false;
     for (const bool begins : {true, false}) {

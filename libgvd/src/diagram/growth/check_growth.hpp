@@ -14,7 +14,7 @@
 
 namespace gvd {
 
-/// Whether a grown gap is consistent; fills in `grown.labels` if it is. Nothing that the growth computed is trusted.
+/// Whether a grown gap is consistent; fills in `grown.labels` if it is. It trusts nothing that the growth computed.
 ///
 /// Properties: (1) arcs and nodes fit each other (`check_gap_nodes`); (2) along each edge crossings keep their distance
 /// and cells follow each other; (3) the labels of all vertices agree with the crossings (`find_moved_labels`);
@@ -26,11 +26,12 @@ bool check_growth(const WorkingMesh& working, const NearestLabels& labels, const
 /// An edge of a gap's faces.
 struct GapEdge {
   EdgeId edge;
-  bool rim;                             ///< one of its faces lies outside the gap
+  bool rim;                             ///< whether one of its faces lies outside the gap
   std::span<const Crossing> crossings;  ///< ascending in t
 };
 
-/// The edges of a grown gap with their crossings: on the rim those from before the growth, inside those that grew.
+/// The edges of a grown gap with their crossings: on the rim, the crossings from before the growth; inside, the
+/// crossings that grew.
 /// Cost: O(k log k) for k faces and crossings.
 class GapEdges {
  public:
@@ -53,15 +54,15 @@ class GapEdges {
   std::vector<Crossing> crossings_;  // of all edges, ascending by (edge, t)
 };
 
-/// Whether the arcs of a grown gap are connected by its nodes as they must be.
+/// Whether the nodes of a grown gap connect its arcs correctly.
 ///
 /// Properties: (1) every crossing of the rim is exactly one node and ends one arc; (2) every new crossing ends one arc
-/// in each of its faces; (3) every branch point ends three; (4) each end of an arc lies in the arc's face or on its
-/// boundary, a crossing between the arc's two cells. Cost: O(k log k) for k nodes and arcs.
+/// in each of its faces; (3) every branch point ends three arcs; (4) each end of an arc lies in the arc's face or on
+/// its boundary, a crossing between the arc's two cells. Cost: O(k log k) for k nodes and arcs.
 bool check_gap_nodes(const Mesh& mesh, const Crossings& crossings, const Gap& gap, const GapEdges& edges,
                      const GrownGap& grown);
 
-/// The labels of a gap's vertices that follow from its crossings, where they differ from `labels`; ascending by vertex.
+/// The labels of a gap's vertices that follow from its crossings and differ from `labels`, ascending by vertex.
 ///
 /// Vertices on the rim and generators keep their labels; from there labels spread along the gap's edges, and change
 /// where an edge is crossed. Nothing if a vertex gets no label, or two edges contradict each other.

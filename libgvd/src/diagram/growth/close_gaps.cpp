@@ -1,10 +1,10 @@
-// Gaps: found, closed by growth, and put into the diagram (section 4.3).
+// Finds gaps, closes them by growth, and puts the result into the diagram (section 4.3).
 //
-// A gap is a connected set of faces in which three or more generators compete; two bisectors may meet nowhere else.
-// Growth through a gap fails where an end wants to leave it, so such a gap takes more faces and starts over. The paper
-// stretches ends without a limit; here a gap that stays open is left to the assembly of faces.
-// Invariant: a face belongs to at most one gap at a time. So a closed gap replaces all crossings inside its faces, and
-// no other gap has them.
+// A gap is a connected set of faces in which three or more generators compete; two bisectors can only meet in gaps.
+// Growth through a gap fails if an end wants to leave it; then the gap takes more faces and starts over. The paper
+// stretches ends without a limit; here, a gap that stays open is left to the assembly of faces.
+// Invariant: a face belongs to at most one gap at a time. A closed gap therefore replaces all crossings inside its
+// faces, and no other gap has these crossings.
 #include "diagram/growth/close_gaps.hpp"
 
 #include <algorithm>
@@ -23,21 +23,21 @@ namespace {
 /// triangle, but counts only the labels of its corners (section 3).
 constexpr int kGapGenerators = 3;
 
-/// Progress is reported after this many gaps.
+/// Number of gaps between two reports of progress.
 constexpr int kGapStride = 1 << 5;
 
-/// One enlargement in kWholeRing takes all faces around the gap. Ends that miss each other would go on for ever if the
-/// gap only took the face before the first of them (docs/notes/performance.md).
+/// One enlargement in kWholeRing takes all faces around the gap. If the gap only took the face before the first end,
+/// ends that miss each other would go on forever (docs/notes/performance.md).
 constexpr int kWholeRing = 4;
 
-/// A gap, or several that were merged; empty if another one took it.
+/// A gap, or several gaps that were merged; empty if another gap took it.
 struct MergedGap {
   Gap gap;
-  std::vector<int> gaps;  // the given gaps that it contains
+  std::vector<int> gaps;  // indices of the given gaps that it contains
   std::optional<GrownGap> grown;
 };
 
-/// The gaps, of which some are merged as they grow, and the gap of each face.
+/// The gaps, some of which are merged as they grow, and the gap of each face.
 class MergedGaps {
  public:
   MergedGaps(const Mesh& mesh, const std::vector<Gap>& gaps) : of_face_(mesh.face_count(), kNone) {
@@ -47,8 +47,8 @@ class MergedGaps {
     }
   }
 
-  /// Adds faces to a gap, and the whole gaps that they belong to; appends these to `taken`. False if one of them is too
-  /// large to grow.
+  /// Adds faces to a gap, and the whole gaps to which these faces belong, whose indices are appended to `taken`.
+  /// Returns false if one of these gaps is too large to grow.
   bool take(const std::vector<FaceId>& faces, Gap& gap, std::vector<int>& taken) const {
     std::vector<FaceId> added = faces;
     for (const FaceId f : faces) {
@@ -63,7 +63,7 @@ class MergedGaps {
     return true;
   }
 
-  /// Puts a grown gap in the place of those that it took, as gap `index`.
+  /// Replaces the gaps that a grown gap took by the grown gap, as gap `index`.
   void replace(int index, const std::vector<int>& taken, Gap gap, GrownGap grown) {
     std::vector<int> contained;
     for (const int t : taken) {
@@ -94,7 +94,7 @@ std::vector<FaceId> faces_around(const Mesh& mesh, const Gap& gap) {
   return around;
 }
 
-/// Whether the gap is small enough, and has no edge where growth is not allowed.
+/// Whether the gap is small enough to grow, and has no edge where growth is not allowed.
 bool may_grow(const Mesh& mesh, const Gap& gap, const std::vector<EdgeId>& forbidden) {
   if (gap.faces.size() > kMaxGapFaces) return false;
   const auto is_forbidden = [&](HalfedgeId h) { return std::ranges::binary_search(forbidden, mesh.edge(h)); };
@@ -102,8 +102,8 @@ bool may_grow(const Mesh& mesh, const Gap& gap, const std::vector<EdgeId>& forbi
                               [&](FaceId f) { return std::ranges::any_of(Mesh::halfedges(f), is_forbidden); });
 }
 
-/// Tries the rules one after the other. If none of them closes the gap, names the face that an end wants to enter, by
-/// the first rule for which there is one.
+/// Tries the rules one after the other. If none of them closes the gap, returns the face that an end wants to enter,
+/// for the first rule for which there is one.
 GrowthOutcome grow_by_rules(const GrowthInput& input, const Crossings& crossings, const Gap& gap,
                             const std::vector<GrowthRules>& rules) {
   FaceId entered;
@@ -115,7 +115,7 @@ GrowthOutcome grow_by_rules(const GrowthInput& input, const Crossings& crossings
   return {std::nullopt, entered};
 }
 
-/// Tells for each edge whether all its faces lie in one closed gap. Two gaps never have an edge in common.
+/// For each edge, whether all its faces lie in one closed gap. Two gaps never have an edge in common.
 IdVector<EdgeId, char> edges_inside(const Mesh& mesh, const std::vector<ClosedGap>& closed) {
   IdVector<EdgeId, char> inside(mesh.edge_count(), 0);
   for (const ClosedGap& c : closed) {
@@ -172,7 +172,7 @@ std::vector<ClosedGap> close_gaps(const GrowthInput& input, const Crossings& cro
                                   const ClosingPlan& plan, const Progress& progress) {
   const Mesh& mesh = input.mesh();
   MergedGaps merged(mesh, gaps);
-  // Grows gap `index`, enlarged where needed. The gaps that it takes on the way are kept if that fails.
+  // Grows gap `index`, and enlarges it as necessary. If that fails, the gaps that it took on the way stay as they were.
   const auto close = [&](int index) {
     Gap gap = merged.all[index].gap;
     std::vector<int> taken{index};
@@ -197,9 +197,9 @@ std::vector<ClosedGap> close_gaps(const GrowthInput& input, const Crossings& cro
 }
 
 void install_gaps(const Mesh& mesh, const std::vector<ClosedGap>& closed, TracedDiagram& traced) {
-  // Crossings that stay and crossings that grew get their numbers in common, ascending by (edge, t).
-  IdVector<CrossingId, CrossingId> renamed(traced.crossings.size());  // new ids of those that stay
-  std::vector<std::vector<CrossingId>> grown_ids(closed.size());      // for each gap and node: of those that grew
+  // Crossings that stay and crossings that grew are numbered together, ascending by (edge, t).
+  IdVector<CrossingId, CrossingId> renamed(traced.crossings.size());  // new ids of crossings that stay
+  std::vector<std::vector<CrossingId>> grown_ids(closed.size());  // for each gap and node: ids of crossings that grew
   std::vector<NumberedCrossing> all;
   const IdVector<EdgeId, char> inside = edges_inside(mesh, closed);
   for (const CrossingId id : renamed.ids()) {

@@ -1,10 +1,10 @@
-// The steps of growth in their order (sections 4.2 and 4.3), and the assembly of all faces outside the gaps.
+// Runs the steps of growth in their order (sections 4.2 and 4.3), and assembles all faces outside the gaps.
 //
 // Rough crossings are refined and welded, bisectors grow through the gaps, and every other crossed face is closed by
 // its own crossings. The paper draws one segment in a face of two labels and leaves the rest to growth; here the
 // assembly also completes what growth does not close.
-// Invariant: every crossed face is closed exactly once, either by a grown gap or by the assembly, so whether the
-// diagram is complete never depends on the growth.
+// Invariant: every crossed face is closed exactly once, either by a grown gap or by the assembly. Whether the diagram
+// is complete therefore never depends on the growth.
 #include "diagram/growth/gap_tracer.hpp"
 
 #include <algorithm>
@@ -51,9 +51,10 @@ void GrowthTracer::cross_at_most_once(const std::vector<EdgeId>& edges, const Ne
 }
 
 void GrowthTracer::close_faces(TracedDiagram& traced) {
-  // With planar fronts the rough crossings interpolate distances, and unfolding improves them. With circles they come
-  // from sources that were unfolded over the edge itself, the same for both of its faces. Refinement would replace
-  // these by images that were unfolded over other edges, which is less accurate (docs/developer/performance.md).
+  // With planar fronts, the rough crossings interpolate distances, and unfolding improves them. With circle fronts,
+  // they come from sources that were unfolded over the edge itself, and are the same for both of its faces. Refinement
+  // would replace these sources by images that were unfolded over other edges, which is less accurate
+  // (docs/developer/performance.md).
   if (front() == Front::planar) {
     weld_crossings(refine_bisectors(input(traced.labels), traced.crossings, progress()), traced.crossings);
   }

@@ -13,11 +13,12 @@ namespace gvd {
 /// The common part of tracers whose bisectors grow through gaps.
 class GapTracer : public DiagramTracer {
  public:
-  /// From now on, assembles all faces with one of these edges, ascending, and the gaps that they belong to.
+  /// From now on, the tracer assembles all faces with one of these edges, which ascend, and the gaps to which these
+  /// faces belong.
   void disable_growth(const std::vector<EdgeId>& edges) override { plan_.forbid(edges); }
 
  protected:
-  /// All references must outlive the tracer. `rules`: tried in this order.
+  /// All references must outlive the tracer. `rules` are tried in this order.
   GapTracer(const WorkingMesh& working, const GeneratorTable& table, Front front, const Progress& progress,
             std::vector<GrowthRules> rules)
       : working_(working),
@@ -32,12 +33,12 @@ class GapTracer : public DiagramTracer {
   Front front() const { return front_; }
   const Progress& progress() const { return progress_; }
   /// Fills in the arcs and branch points of all crossed faces, ascending by face: by growth through the gaps, and by
-  /// assembly in all other faces. Growth may replace crossings and labels inside of the gaps. Counts the gaps.
+  /// assembly in all other faces. Growth may replace crossings and labels inside the gaps. Counts the gaps.
   /// Cost: O(n).
   void close(const std::vector<Gap>& gaps, TracedDiagram& traced) const;
 
  private:
-  /// The number of times that a gap is enlarged if it does not close: nearly all of them do
+  /// How many times a gap is enlarged if it does not close. With this value, nearly all gaps close
   /// (docs/notes/performance.md). The paper names no limit.
   static constexpr int kEnlargements = 10;
 
@@ -51,8 +52,8 @@ class GapTracer : public DiagramTracer {
 /// The paper's tracer, improved: rough bisectors, refined and welded (section 4.2), and growth through the gaps
 /// (section 4.3).
 ///
-/// Whether the diagram is complete does not depend on the growth: a gap that growth does not close is assembled from
-/// its edge crossings. The paper has no such fallback. `trace_connected` runs the steps.
+/// Whether the diagram is complete does not depend on the growth, because a gap that growth does not close is assembled
+/// from its edge crossings. The paper has no such fallback. `trace_connected` runs the steps.
 /// Counts gaps; reports the steps "bisectors" and "growth". Cost: O(n).
 class GrowthTracer : public GapTracer {
  public:

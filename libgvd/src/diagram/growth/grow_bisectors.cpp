@@ -1,11 +1,12 @@
 // Growth of the bisectors through one gap (section 4.3), as a loop over events.
 //
-// Every crossing on the rim starts an end. A queue holds what may happen next: two ends of one bisector join, two ends
-// intersect at a branch point, or an end leaves its face and enters the next one. Each event that still applies makes
-// nodes and arcs of the result, and new ends with their own events. The paper has the second kind and the third. The
-// first is ours: a bisector that crosses a gap without a branch point has two ends there, which never intersect.
-// Invariant: nodes and arcs are only appended, so an event refers to ends by index. Nothing here is trusted: growth
-// ends with `check_growth`, and a result that does not pass counts as failed.
+// Every crossing on the rim starts an end. A queue holds the events that may happen next: two ends of one bisector
+// join, two ends intersect at a branch point, or an end leaves its face and enters the next one. Each event that still
+// applies makes nodes and arcs of the result, and new ends with their own events. The paper has the second and the
+// third kind of event. The first kind is ours: a bisector that crosses a gap without a branch point has two ends there,
+// which never intersect.
+// Invariant: nodes and arcs are only appended, so an event refers to ends by index. The result is not trusted: growth
+// ends with `check_growth`, and counts as failed if its result does not pass.
 #include "diagram/growth/grow_bisectors.hpp"
 
 #include <algorithm>
@@ -19,7 +20,8 @@
 namespace gvd {
 namespace {
 
-/// The number of events that each face of the gap allows. Sound growth has a few in each face; more mean a loop.
+/// The number of events that are allowed per face of the gap. Growth that works has a few in each face; more mean a
+/// loop.
 constexpr std::size_t kStepsPerFace = 4;
 
 class EventLoop {
@@ -46,7 +48,7 @@ class EventLoop {
     return ends_[event.first].active && (event.second == kNoEnd || ends_[event.second].active);
   }
 
-  /// False if growth can't go on.
+  /// Handles an event. Returns false if growth can't continue.
   bool handle(const GrowthEvent& event) {
     switch (event.kind) {
       case GrowthEvent::Kind::joining:
@@ -62,8 +64,8 @@ class EventLoop {
     return false;
   }
 
-  /// Every crossing on the rim starts an end. The images of its generators are unfolded in the face outside the gap,
-  /// where only two generators compete. False if a segment is to be stretched, but that face has none.
+  /// Starts an end at every crossing on the rim. The images of its generators are unfolded in the face outside the gap,
+  /// where only two generators compete. Returns false if a segment has to be stretched, but that face has none.
   bool start_at_rim() {
     for (const FaceId f : gap_.faces) {
       for (const BoundaryCrossing& c : boundary_crossings(mesh_, crossings_, f)) {
@@ -82,8 +84,8 @@ class EventLoop {
     return true;
   }
 
-  /// Gives an end the direction of the segment in its face, towards crossing `to`. False in a face of three labels,
-  /// which has no segment: the gap has to take it.
+  /// Gives an end the direction of the segment in its face, towards crossing `to`. Returns false in a face of three
+  /// labels, which has no segment, so that the gap has to take the face.
   bool take_segment(CrossingId to, GrowingEnd& end) {
     const auto ends = boundary_crossings(mesh_, crossings_, end.face);
     if (ends.size() != 2) {
@@ -101,7 +103,7 @@ class EventLoop {
     return static_cast<int>(grown_.nodes.size()) - 1;
   }
 
-  /// Adds an end with its events: its exit, and those that it shares with the other ends in its face.
+  /// Adds an end with its events: its exit, and the events that it shares with other ends in its face.
   void add_end(GrowingEnd end, const std::array<Vec2, 3>& plane) {
     end.exit = find_exit(end, plane);
     const std::size_t own = ends_.size();
@@ -120,7 +122,7 @@ class EventLoop {
     const GrowingEnd &a = ends_[first], &b = ends_[second];
     if (a.left != b.right || a.right != b.left) return;
     const Vec2 way = b.start - a.start;
-    if (!(way.dot(a.direction) > 0 && way.dot(b.direction) < 0)) return;  // also without a direction
+    if (!(way.dot(a.direction) > 0 && way.dot(b.direction) < 0)) return;  // also if an end has no direction
     events_.push({GrowthEvent::Kind::joining, way.norm(), first, second});
   }
 
@@ -133,8 +135,8 @@ class EventLoop {
     events_.push({GrowthEvent::Kind::intersection, branch_distance(a, b, *point), first, second, *point});
   }
 
-  /// Adds an end that crosses halfedge h out of h's face at a node, at parameter t of h's twin. Its generators are
-  /// those of `end`, whose images are in the plane of h's face.
+  /// Adds an end that enters the face beyond halfedge h, at a node at parameter t of h's twin. It continues `end`,
+  /// whose images are in the plane of h's face.
   void enter(HalfedgeId h, double t, int node, const GrowingEnd& end) {
     const HalfedgeId twin = mesh_.twin(h);
     const auto old_plane = FaceLayout(mesh_, Mesh::face(h)).corner,
@@ -168,7 +170,7 @@ class EventLoop {
     deactivate(end);
   }
 
-  /// Replaces two ends that intersect by one between the two outer generators.
+  /// Replaces two ends that intersect by one end between the two outer generators.
   void merge(const GrowthEvent& at) {
     const GrowingEnd a = ends_[at.first], b = ends_[at.second];
     const FaceLayout layout(mesh_, a.face);
@@ -178,8 +180,8 @@ class EventLoop {
     add_end({a.face, node, at.point, a.left, b.right, a.left_image, b.right_image}, layout.corner);
   }
 
-  /// False if the exit is too close to a vertex, or if it leaves the gap: all bisectors that cross the rim have an end
-  /// there already.
+  /// Continues an end in the next face. Returns false if the exit is too close to a vertex, or leaves the gap, because
+  /// all bisectors that cross the rim have an end there already.
   bool leave_face(std::size_t leaver) {
     const Exit exit = *ends_[leaver].exit;
     if (exit.t < kCrossingGap || exit.t > 1 - kCrossingGap) return false;
@@ -211,7 +213,7 @@ class EventLoop {
   std::size_t active_ = 0;  // number of active ends
   GrowthEvents events_;
   GrownGap grown_;
-  FaceId entered_;  // outside the gap
+  FaceId entered_;  // face outside the gap that an end wants to enter
 };
 
 }  // namespace

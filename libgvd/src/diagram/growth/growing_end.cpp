@@ -1,10 +1,10 @@
 // Growing ends (section 4.3): where the end of a bisector leaves its face, and where two ends intersect.
 //
-// Inside a face an end is a ray: along the perpendicular bisector of the two images that its generators have in the
-// plane of the face, or along the traced segment that it stretches. So its exit and its intersections are those of
-// straight lines, and the predicted distance of a point from the generators is that from the images.
-// Invariant: the left cell lies on the left of the end's direction, so that the cell between two ends is the right one
-// of the first and the left one of the second.
+// Inside a face, an end is a ray: along the perpendicular bisector of the images of its two generators in the plane of
+// the face, or along the traced segment that it stretches. Its exit and its intersections are therefore those of
+// straight lines, and the predicted distance of a point from the generators is the distance from the images.
+// Invariant: the left cell lies on the left of the end's direction, so that the cell between two ends is on the right
+// of the first end and on the left of the second.
 #include "diagram/growth/growing_end.hpp"
 
 #include <algorithm>
@@ -17,10 +17,10 @@ namespace gvd {
 namespace {
 
 /// Largest difference of two distances that count as equal, in multiples of the longest side of the face. The paper
-/// names none. Distances of marching are off by some hundredths of a side.
+/// names no value. Marched distances are off by a few hundredths of a side.
 constexpr double kEquidistance = 0.25;
 
-/// Distances to the left, the middle and the right generator.
+/// Distances from a point to the left, the middle and the right generator.
 std::array<double, 3> distances_at(const GrowingEnd& first, const GrowingEnd& second, const Vec2& point) {
   return {(point - first.left_image).norm(),
           0.5 * ((point - first.right_image).norm() + (point - second.left_image).norm()),

@@ -38,7 +38,7 @@ struct GrowingEnd {
   /// Unit vector along the bisector of the two images, with the left image on the left.
   Vec2 bisector_direction() const { return turned_left(right_image - left_image).normalized(); }
 
-  /// Predicted distance of a point from the two generators: the mean of those to the images.
+  /// Predicted distance of a point from the two generators: the mean of the distances to their images.
   double distance_at(const Vec2& p) const { return 0.5 * ((p - left_image).norm() + (p - right_image).norm()); }
 };
 
@@ -47,16 +47,16 @@ struct GrowingEnd {
 std::optional<Exit> find_exit(const GrowingEnd& end, const std::array<Vec2, 3>& corner);
 
 /// The intersection of two ends in one face, if both reach it before they leave the face (section 4.3, intersection
-/// computation). `first` is the left one of the two, so that the cell between them narrows towards the intersection.
+/// computation). `first` is the left end of the two, so that the cell between them narrows towards the intersection.
 std::optional<Vec2> find_intersection(const GrowingEnd& first, const GrowingEnd& second);
 
 /// Predicted distance from a point where two ends meet to its three generators, mesh units: the mean of the distances
-/// to their images (section 4.3). `first` is the left one of the two. Each end has an image of the generator between
-/// them; its distance is the mean of these two.
+/// to their images (section 4.3). `first` is the left end of the two. Each end has an image of the generator between
+/// them, whose distance is the mean of the distances to these two images.
 double branch_distance(const GrowingEnd& first, const GrowingEnd& second, const Vec2& point);
 
 /// Whether a point where two ends meet may be a branch point: equally far from its three generators, and farther from
-/// all others whose distances the face's table holds (section 3, second principle).
+/// all other generators in the face's table (section 3, second principle).
 ///
 /// Two distances count as equal if they differ by at most kEquidistance face sides. Cost: O(entries of the table).
 bool accept_branch(const GrowthInput& input, const GrowingEnd& first, const GrowingEnd& second, const Vec2& point);
@@ -72,7 +72,7 @@ class EdgeRotation {
   }
   /// The new position of a point.
   Vec2 operator()(const Vec2& p) const { return to_ + turn(p - from_); }
-  /// The new direction of a vector, which keeps its parts along the edge and across it: equations (9) and (10).
+  /// The new direction of a vector, which keeps its components along the edge and across it: equations (9) and (10).
   Vec2 turn(const Vec2& d) const { return {cosine_ * d.x() - sine_ * d.y(), sine_ * d.x() + cosine_ * d.y()}; }
 
  private:
@@ -80,7 +80,7 @@ class EdgeRotation {
   double cosine_, sine_;
 };
 
-/// The second end of an exit, which has one end only.
+/// Stands for the second end of an exit event, which has only one end.
 inline constexpr std::size_t kNoEnd = std::numeric_limits<std::size_t>::max();
 
 /// An event of growing ends inside a face (section 4.3).
@@ -91,18 +91,19 @@ struct GrowthEvent {
     exit,          ///< one end reaches an edge of its face
   };
   Kind kind;
-  double distance;            ///< predicted distance from the generators, mesh units; for a joining, of the two ends
+  double distance;  ///< predicted distance from the generators, mesh units; for a joining, the distance between the two
+                    ///< ends
   std::size_t first, second;  ///< indices of the ends
-  Vec2 point = Vec2::Zero();  ///< of an intersection, in the plane of the face
+  Vec2 point = Vec2::Zero();  ///< for an intersection: its position in the plane of the face
 };
 
 /// The order in which events are handled.
 enum class EventOrder {
   by_kind,      ///< every joining before every intersection, and these before every exit; then by distance
-  by_distance,  ///< as the paper has it: one order for intersections and exits. It knows no joining; these come first
+  by_distance,  ///< as in the paper: intersections and exits in one order; joinings, which it doesn't have, come first
 };
 
-/// The waiting events. Events that tie come in the order of their ends.
+/// The queue of waiting events. Events that tie come in the order of their ends.
 class GrowthEvents {
  public:
   explicit GrowthEvents(EventOrder order) : queue_(Later{order}) {}

@@ -27,28 +27,29 @@ inline bool is_rim(const Mesh& mesh, const Gap& gap, HalfedgeId h) {
 struct GapNode {
   enum class Kind { rim, crossing, branch };
   Kind kind;
-  CrossingId rim;                ///< rim: the crossing that was there before
-  Crossing crossing{};           ///< crossing: inside the gap or on the mesh's boundary
-  FaceId face;                   ///< branch
-  std::array<double, 3> bary{};  ///< branch: in `face`
-  double distance = 0;           ///< branch: predicted distance to its generators, mesh units
+  CrossingId rim;                ///< for a rim node: the existing crossing
+  Crossing crossing{};           ///< for a new crossing, inside the gap or on the mesh's boundary
+  FaceId face;                   ///< for a branch point: its face
+  std::array<double, 3> bary{};  ///< for a branch point: barycentric coordinates in `face`
+  double distance = 0;           ///< for a branch point: predicted distance to its generators, mesh units
 };
 
 /// A straight part of a bisector inside one face of the gap.
 struct GapArc {
   FaceId face;
   int begin, end;           ///< indices of nodes
-  GeneratorId left, right;  ///< on the way from begin to end
+  GeneratorId left, right;  ///< cells on the two sides, on the way from begin to end
 };
 
 /// The bisectors inside one gap.
 struct GrownGap {
   std::vector<GapNode> nodes;
   std::vector<GapArc> arcs;
-  std::vector<std::pair<VertexId, GeneratorId>> labels;  ///< of vertices that growth gave to another cell, ascending
+  std::vector<std::pair<VertexId, GeneratorId>> labels;  ///< new labels of vertices that changed cells, ascending
 };
 
-/// A gap and the bisectors that grew in it. It may be several gaps that met, with faces between and around them.
+/// A gap and the bisectors that grew in it. It may consist of several gaps that met, with faces between and around
+/// them.
 struct ClosedGap {
   Gap gap;
   GrownGap grown;

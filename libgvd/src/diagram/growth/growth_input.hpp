@@ -15,22 +15,23 @@ namespace gvd {
 /// The input of all steps of growth: overlapping distances, and the labels chosen from them.
 struct GrowthInput {
   const WorkingMesh& working;
-  const GeneratorTable& table;  ///< of fast marching (section 4.1), or of windows
+  const GeneratorTable& table;  ///< tables of fast marching (section 4.1), or of windows
   const NearestLabels& labels;
   Front front;
 
   const Mesh& mesh() const { return working.mesh(); }
 };
 
-/// The number of generators that may be nearest in a part of f: those in its table that are not dominated.
+/// The number of generators that may be the nearest in a part of f, which are the generators in its table that are not
+/// dominated.
 inline int count_competing(const GeneratorTable& table, FaceId f) {
   int competing = 0;
   table.for_each(f, [&](const TableEntry& entry) { competing += entry.dominated ? 0 : 1; });
   return competing;
 }
 
-/// Distances of generator g at the corners of f, mesh units. Where the tables have none, the distance along an edge
-/// from another corner of f; infinity where no corner has one.
+/// Distances of generator g at the corners of f, mesh units. If the tables have none for a corner, it is the distance
+/// along an edge from another corner of f; infinity if no corner has a distance.
 inline std::array<double, 3> corner_distances(const GrowthInput& input, FaceId f, GeneratorId g) {
   const Mesh& mesh = input.mesh();
   std::array<double, 3> d{kInfinity, kInfinity, kInfinity};
@@ -50,7 +51,7 @@ inline std::array<double, 3> corner_distances(const GrowthInput& input, FaceId f
   return d;
 }
 
-/// The distances of generator g at the corners of f where the tables have all three; else nothing.
+/// The distances of generator g at the corners of f if the tables have all three; otherwise nothing.
 inline std::optional<std::array<double, 3>> table_distances(const GrowthInput& input, FaceId f, GeneratorId g) {
   std::array<double, 3> d{};
   for (int i = 0; i < 3; ++i) {

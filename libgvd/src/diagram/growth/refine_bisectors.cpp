@@ -1,9 +1,10 @@
 // Refinement of the rough bisectors by unfolding (section 4.2).
 //
-// In a face with one bisector both generators are unfolded into the face's plane, where the bisector is straight. So
-// each face estimates where the bisector crosses its edges. The two faces of an edge disagree in general: welding takes
-// the mean of their estimates, which is what the paper calls consistency enforcement.
-// Invariant: along an edge crossings keep their order and kCrossingGap, so that no cell vanishes from the edge.
+// In a face with one bisector, both generators are unfolded into the face's plane, where the bisector is straight. Each
+// face can thus estimate where the bisector crosses its edges. In general, the two faces of an edge disagree; welding
+// takes the mean of their estimates, which the paper calls consistency enforcement.
+// Invariant: along an edge, crossings keep their order, and kCrossingGap from each other, so that no cell vanishes from
+// the edge.
 #include "diagram/growth/refine_bisectors.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace gvd {
 namespace {
 
-/// Progress is reported after this many faces.
+/// Number of faces between two reports of progress.
 constexpr std::size_t kRefineStride = 1 << 12;
 
 }  // namespace

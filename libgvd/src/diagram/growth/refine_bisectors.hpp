@@ -19,9 +19,10 @@ struct CrossingEstimate {
 /// and the bisector becomes the perpendicular bisector of their images.
 ///
 /// Source: section 4.2 (refinement by unfolding). Deviation: the paper unfolds from the distances at the midpoints of
-/// the two crossed edges; here a generator is unfolded from those at the ends of the edge that its front enters by.
-/// Returns at most two estimates a crossing, one from each face, ascending by face; none that lies outside its edge.
-/// Reports the third quarter of the step "bisectors". Cost: O(k) for k crossings.
+/// the two crossed edges; here, a generator is unfolded from the distances at the ends of the edge through which its
+/// front enters.
+/// Returns at most two estimates per crossing, one from each face, ascending by face. Estimates outside the edge are
+/// left out. Reports the third quarter of the step "bisectors". Cost: O(k) for k crossings.
 std::vector<CrossingEstimate> refine_bisectors(const GrowthInput& input, const Crossings& crossings,
                                                const Progress& progress = {});
 
@@ -32,8 +33,8 @@ struct FaceImages {
   Vec2 first, second;
 };
 
-/// Appends an estimate for each of a face's two crossings: where the perpendicular bisector of the images meets its
-/// edge. There is none where that lies outside the edge. The paper's tracer shares this step.
+/// Appends an estimate for each of a face's two crossings: the point where the perpendicular bisector of the images
+/// meets the edge. There is no estimate if that point lies outside the edge. The paper's tracer shares this step.
 void estimate_crossings(const Mesh& mesh, const Crossings& crossings, const std::vector<BoundaryCrossing>& ends,
                         const FaceImages& images, std::vector<CrossingEstimate>& estimates);
 

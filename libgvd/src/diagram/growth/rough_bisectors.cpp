@@ -1,4 +1,4 @@
-// Rough bisectors (section 4.2): where they cross the edges, before any unfolding.
+// Finds where the rough bisectors (section 4.2) cross the edges, before any unfolding.
 //
 // The distance of each competing generator is taken at the ends of an edge and at its midpoint, the auxiliary point of
 // section 4.1, and is linear between them. The lower envelope of these functions is walked from the first end to the
@@ -19,11 +19,11 @@
 namespace gvd {
 namespace {
 
-/// Progress is reported after this many edges.
+/// Number of edges between two reports of progress.
 constexpr std::size_t kRoughStride = 1 << 10;
 
-/// Shortest interval of a cell inside an edge, relative to the edge. The march's distances are off by about a hundredth
-/// of an edge, so shorter intervals have no meaning.
+/// Length of the shortest interval of a cell inside an edge, relative to the edge. Marched distances are off by about a
+/// hundredth of an edge, so that shorter intervals have no meaning.
 constexpr double kShortestRoughInterval = 1e-3;
 
 /// Distances of one generator along an edge: at its first end, its midpoint and its second end.
@@ -45,7 +45,7 @@ class RoughEdgeEnvelope {
     trace(e, first, last, crossings);
   }
 
-  /// Appends one crossing between the labels of an edge's ends, or none where these are the same.
+  /// Appends one crossing between the labels of an edge's ends, or none if the labels are the same.
   void find_at_most_one(EdgeId e, std::vector<Crossing>& crossings) {
     const auto [first, last] = end_labels(e);
     if (first == last) return;
@@ -99,8 +99,8 @@ class RoughEdgeEnvelope {
     require_label(mesh_.to(h), 2, mesh_.length(e));
   }
 
-  /// Whether another cell could own an interval inside an edge whose two ends belong to `own`: from an end to the
-  /// midpoint a distance changes by half the edge's length at most.
+  /// Whether another cell could own an interval inside an edge whose two ends belong to `own`. From an end to the
+  /// midpoint, a distance changes by at most half the edge's length.
   bool may_have_interval(GeneratorId own, double length) {
     const EdgeCandidate mine = candidate(own);
     return std::any_of(candidates_.begin(), candidates_.end(), [&](const EdgeCandidate& c) {
@@ -120,7 +120,7 @@ class RoughEdgeEnvelope {
       });
     }
     for (EdgeCandidate& c : candidates_) {
-      // Along the edge there is a path from each end to the midpoint.
+      // There is a path along the edge from each end to the midpoint.
       c.value[1] = std::min(c.value[1], std::min(c.value[0], c.value[2]) + 0.5 * mesh_.length(e));
       for (double& value : c.value) value = form_value(front_, value);
     }
@@ -133,8 +133,8 @@ class RoughEdgeEnvelope {
     return candidates_.emplace_back(EdgeCandidate{g});
   }
 
-  /// Makes the label of an end the nearest generator there, whatever the tables say: labels were chosen so that cells
-  /// are connected.
+  /// Makes the label of an end the nearest generator there, whatever the tables say, because labels were chosen so that
+  /// cells are connected.
   void require_label(VertexId v, int end, double length) {
     EdgeCandidate& c = candidate(labels_.label[v]);
     double lowest = labels_.distance[v];
@@ -164,7 +164,7 @@ class RoughEdgeEnvelope {
         const double at_start = other.value[half] - c.value[half], at_end = other.value[half + 1] - c.value[half + 1];
         if (other.generator == current || !(at_end < 0 || other.generator == last)) continue;
         const double where = at_start > 0 && at_end < 0 ? at_start / (at_start - at_end) : at_start > 0 ? 1.0 : s;
-        // Where two cross at the same point, the one that decreases faster is lower beyond it.
+        // If two candidates cross at the same point, the one that decreases faster is lower beyond it.
         if (std::tuple(where, at_end) < std::tuple(soonest, kInfinity)) {
           soonest = where;
           next = other.generator;
@@ -176,8 +176,9 @@ class RoughEdgeEnvelope {
     }
   }
 
-  /// Turns the breaks into crossings that keep kCrossingGap, without the intervals inside the edge that are too short.
-  /// The first interval and the last belong to the labels of the ends and stay.
+  /// Turns the breaks into crossings, and leaves out intervals inside the edge that are too short. Crossings keep
+  /// kCrossingGap from the ends of the edge. The first and the last interval belong to the labels of the ends, and
+  /// stay.
   void emit(EdgeId e, GeneratorId first, std::vector<Crossing>& crossings) {
     std::vector<std::pair<double, GeneratorId>> intervals{{0.0, first}};  // (start, generator)
     for (const auto& [t, g] : breaks_) {
@@ -198,8 +199,8 @@ class RoughEdgeEnvelope {
   std::vector<std::pair<double, GeneratorId>> breaks_;
 };
 
-/// Edges of the faces that have several generators at their corners, or several in their table that are not dominated;
-/// ascending.
+/// The edges, ascending, of all faces whose corners have different labels, or whose tables have several generators that
+/// are not dominated.
 std::vector<EdgeId> edges_near_bisectors(const GrowthInput& input) {
   const Mesh& mesh = input.mesh();
   IdVector<EdgeId, char> is_near(mesh.edge_count(), 0);

@@ -1,11 +1,11 @@
-// Sections 4.1 to 4.3 as the paper has them (`--method paper`); docs/developer/paper-steps.md compares the results.
+// Sections 4.1 to 4.3 exactly as in the paper (`--method paper`). docs/developer/paper-steps.md compares the results.
 //
 // A rough segment joins the midpoints of two edges in every face of two labels. Both generators are unfolded from their
 // distances at these midpoints (figure 6), which moves the segment to the bisector of the two images. The segments then
-// grow through the branching faces of section 3 with the paper's rules: a segment keeps its direction over each edge,
-// and its images; one queue by distance; branch points accepted by distance.
-// Deviations: two ends of one bisector that face each other are joined, a third kind of event. The paper does not say
-// what happens where growth fails: there a gap is enlarged, and the assembly completes the diagram in the end.
+// grow through the branching faces of section 3 with the paper's rules: a segment keeps its direction and its images
+// over each edge, one queue orders events by distance, and branch points are accepted by distance.
+// Deviations: two ends of one bisector that face each other are joined, which is a third kind of event. The paper does
+// not say what happens if growth fails; here, the gap is enlarged, and the assembly completes the diagram in the end.
 #include "diagram/growth/trace_paper.hpp"
 
 #include <utility>
@@ -23,10 +23,11 @@ void append_midpoint(const Mesh& mesh, EdgeId e, const NearestLabels& labels, st
   if (from != to) crossings.push_back({e, 0.5, from, to});
 }
 
-/// The corner between two edges of a face; edge i leads from corner i to the next.
+/// The corner between two edges of a face. Edge i leads from corner i to the next corner.
 int corner_between(int first_edge, int second_edge) { return second_edge == first_edge + 1 ? second_edge : 0; }
 
-/// Images in f of the apex's generator, on its side of the rough segment, and of the other one, on the other side.
+/// The images in f of the apex's generator, on the apex's side of the rough segment, and of the other generator, on the
+/// other side.
 std::optional<FaceImages> unfold_apart(const Mesh& mesh, const GeneratorTable& table, FaceId f, int apex,
                                        const BoundaryCrossing& leaving) {
   const auto corner = FaceLayout(mesh, f).corner;

@@ -3,15 +3,15 @@
 //
 // All generators: an event is a triangle and a generator. It carries the generator's distances across the triangle's
 // edges to the corners opposite. A generator that another one dominates in a triangle does not propagate from there, so
-// that the work is O(n) for any number of generators. The order matters: a generator may cross a triangle before
-// another one arrives that would have stopped it. So the tables depend on the order, and with them the distances beyond
-// the cells. Each queue has one order, on any machine.
-// Field: the distances of a generator at the two ends of a side determine its image beyond that side, if they come from
-// a point. So the table of each face becomes three images for each generator.
+// that the work is O(n) for any number of generators. The order matters: a generator may cross a triangle before the
+// arrival of another one that would have stopped it. The tables therefore depend on the order, and so do the distances
+// outside the cells. The order of each queue is the same on every machine.
+// Field: if the distances of a generator at the two ends of a side come from a point source, they determine its image
+// beyond that side. The table of each face thus becomes three images for each generator.
 // Source: section 4.1 of the paper, with the test of section 3 for a defeated generator. The local update is that of
 // Kimmel and Sethian (1998), or the one by a circle.
-// Invariant: a vertex has one distance for each generator, which all faces round it share. It only falls. An image has
-// the two distances that it was unfolded from, and its paths enter through the side between.
+// Invariant: a vertex has one distance for each generator, which all faces round it share and which only falls. An
+// image has the two distances from which it was unfolded, and its paths enter through the side between them.
 #include "geodesic/marching/fast_marching.hpp"
 
 #include <algorithm>
@@ -33,17 +33,17 @@
 namespace gvd {
 namespace {
 
-/// Bucket width in mean edge lengths; a triangle's key is the sum of three distances. On spot with 30 generators one
-/// bucket for all, which is first in first out, makes 8 % more table entries.
+/// Width of a bucket in mean edge lengths. A triangle's key is the sum of three distances. If all triangles shared one
+/// bucket, which is first in first out, there would be 8 % more table entries (spot, 30 generators).
 constexpr double kMarchBucketWidth = 1;
 
-/// Bound on the number of buckets. Larger keys share the last bucket, which costs repeated events, not exactness.
+/// Largest number of buckets. Larger keys share the last bucket, which costs repeated events but no exactness.
 constexpr double kMostMarchBuckets = 1 << 16;
 
-/// Least improvement of a distance that is propagated, relative to the distance. In buckets, less than rounding. In the
-/// paper's order, faces round a vertex improve each other by less and less without end where thousands of needles meet,
-/// and each improvement queues all of them again: a millionth is far below what a linear front is wrong by, and bounds
-/// the improvements of a distance from a to b by 1e6 ln(a / b).
+/// Least improvement of a distance that is propagated, relative to the distance. With buckets, smaller improvements are
+/// rounding. In the paper's order, the faces round a vertex where thousands of needles meet would improve each other by
+/// less and less without end, and each improvement would queue all of them again. A millionth is far below the error of
+/// a linear front, and limits the number of improvements of a distance from a to b to 1e6 ln(a / b).
 constexpr double kImprovement = 1e-13, kImprovementInOrder = 1e-6;
 
 /// The corners after and before corner i of a face.
@@ -110,13 +110,13 @@ class Marcher {
   }
 
   void add_entry(FaceId f, GeneratorId g) {
-    if (table_.find(f, g) >= 0) return;  // two halfedges of one face leave the generator on a closed fan of one face
+    if (table_.find(f, g) >= 0) return;  // two halfedges of the face leave g if its closed fan has one face
     const auto& [a, b, c] = mesh_.vertices(f);
     const std::int32_t e = table_.add(f, g, {table_.find(a, g), table_.find(b, g), table_.find(c, g)}, kInfinity);
     queue_.push(key(table_.entry(e)), e);
   }
 
-  /// Equation (5).
+  /// The key of a table entry: equation (5) of the paper.
   double key(const TableEntry& e) const {
     const auto d = table_.corner_distances(e);
     return d[0] + d[1] + d[2];
@@ -140,8 +140,8 @@ class Marcher {
     }
   }
 
-  /// Whether another generator of the face is nearer at all corners: equation (3). It is nearer at the midpoints of the
-  /// edges as well, because no update decreases when its distances grow (property (4) in local_update.hpp).
+  /// Whether another generator of the face is nearer at all corners: equation (3). Then it is nearer at the midpoints
+  /// of the edges, too, because no update decreases when its distances grow (property (4) in local_update.hpp).
   bool is_dominated(const TableEntry& entry) const {
     const std::int32_t head = entry.face.value();
     if (table_.entry(head).next < 0) return false;
@@ -155,8 +155,8 @@ class Marcher {
     return false;
   }
 
-  /// Carries generator g across halfedge h, from A to B, into h's face, to the corner D opposite. `index_a`, `index_b`:
-  /// where the table holds g's distances at A and B.
+  /// Carries generator g across halfedge h, which runs from A to B, into h's face, to its opposite corner D. `index_a`
+  /// and `index_b` are the table's indices of g's distances at A and B.
   void propagate(HalfedgeId h, GeneratorId g, std::int32_t index_a, std::int32_t index_b) {
     const double distance_a = table_.distance(index_a).distance, distance_b = table_.distance(index_b).distance;
     const FaceId face = Mesh::face(h);
@@ -187,7 +187,8 @@ class Marcher {
     if (improved) requeue_around(Mesh::previous(h), g);
   }
 
-  /// Replaces a vertex's distance by a shorter one. False where it is not shorter by more than a least improvement.
+  /// Replaces a vertex's distance by a shorter one. Returns false, and changes nothing, if it is not shorter by more
+  /// than the least improvement.
   static bool improve(VertexDistance& at_vertex, double distance, HalfedgeId via) {
     constexpr double kLeast = std::is_same_v<Queue, PriorityQueue> ? kImprovementInOrder : kImprovement;
     if (!(distance < at_vertex.distance * (1 - kLeast))) return false;
@@ -196,15 +197,16 @@ class Marcher {
     return true;
   }
 
-  /// The front that carries generator g over an edge, from the distances at these indices. A generator inside a face
-  /// has three neighbours only (four on an edge), and a planar front is worst next to its source. Over the edges of its
-  /// face a circle is exact, so that it has six exact distances around it, as a generator at a vertex has.
+  /// The front that carries generator g over an edge, whose ends have the distances at these indices. A generator
+  /// inside a face has only three neighbours (four on an edge), and a planar front is least accurate next to its
+  /// source. Over the edges of the generator's face, a circle front is therefore used even with planar fronts: it is
+  /// exact there, so that the generator has six exact distances around it, as a generator at a vertex has.
   Front front_over(GeneratorId g, std::int32_t index_a, std::int32_t index_b) const {
     const bool next_to_source = !table_.distance(index_a).via.valid() && !table_.distance(index_b).via.valid();
     return next_to_source && working_.vertex(g).value() >= working_.input().vertex_count() ? Front::circle : front_;
   }
 
-  /// Queues the faces round the vertex that h leaves, because its distance improved.
+  /// Queues the faces round the vertex that h leaves, after its distance has improved.
   void requeue_around(HalfedgeId h, GeneratorId g) {
     for_each_outgoing(mesh_, mesh_.from(h), [&](HalfedgeId outgoing) {
       const std::int32_t e = table_.find(Mesh::face(outgoing), g);

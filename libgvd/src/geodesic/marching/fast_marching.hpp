@@ -23,12 +23,12 @@ struct FastMarchingResult {
 /// Source: section 4.1 of the paper. Deviations: each distance is stored once per vertex and generator, so that
 /// neighbouring triangles can't disagree; an improved distance queues the triangles round its vertex again; a ring of
 /// buckets replaces the priority queue, so that an event may come before others that are nearer by a mean edge length.
-/// Throws: gvd::Error (interrupted) where `progress` cancels. Cost: O(n) events on average.
+/// Throws: gvd::Error (interrupted) if `progress` cancels. Cost: O(n) events on average.
 FastMarchingResult march(const WorkingMesh& working, Front front, const Progress& progress);
 
-/// The same with the paper's priority queue: the event with the least sum is always the next one. Which generators are
-/// stopped, and where, may differ. An improvement of a distance by less than a millionth is ignored: without a least
-/// one marching over fans of needles does not end in a reasonable time. Cost: O(n log n) on average.
+/// The same with the paper's priority queue: the event with the least sum is always next. Other generators may be
+/// stopped than by `march`, or in other triangles. Improvements of a distance by less than a millionth are ignored;
+/// otherwise, marching over fans of needles would not end in a reasonable time. Cost: O(n log n) on average.
 FastMarchingResult march_in_order(const WorkingMesh& working, Front front, const Progress& progress);
 
 }  // namespace gvd

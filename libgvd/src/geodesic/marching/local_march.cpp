@@ -1,12 +1,12 @@
-// Fast marching from one point, as far as its distances are below a bound.
+// Fast marching from one point, as far as the distances are below a bound.
 //
 // Idea: a vertex that improves updates the two other corners of each of its faces, by the local update across the side
 // between. The vertex with the least distance is next; a vertex may improve again.
-// A heap of all events would be slower. So a ring of buckets keeps those that are due later, and a heap only those of
-// the buckets that are open: the ones before the end of the ring's current bucket. The order is the same.
+// A heap of all events would be slower. Instead, a ring of buckets keeps the events that are due later, and a heap
+// keeps only the events of the open buckets, which end with the ring's current bucket. The order is the same.
 // Source: Kimmel and Sethian (1998), with the local update by a circle or by a planar front.
 // Invariant: the distance of a vertex only falls, at most 44 times in a run. It never falls below the smaller of the
-// two distances that it was updated from.
+// two distances from which it was updated.
 #include "geodesic/marching/local_march.hpp"
 
 #include <algorithm>
@@ -18,30 +18,32 @@
 namespace gvd {
 namespace {
 
-/// Least improvement of a distance that is propagated, relative to the distance: less is rounding. It doubles with
-/// every improvement of a vertex, so that no vertex has more than 44. Without that, updates in a chain of needles lower
-/// each other twice as often with each needle. A vertex of an ordinary mesh has less than ten improvements.
+/// Least improvement of a distance that is propagated, relative to the distance; smaller ones are rounding. It doubles
+/// with every improvement of a vertex, so that no vertex improves more than 44 times. Without that, every further
+/// needle in a chain of needles would double the number of improvements. A vertex of an ordinary mesh improves less
+/// than ten times.
 constexpr double kLeastGain = 1e-13;
 
 /// Events between two calls of the watch: some milliseconds.
 constexpr std::size_t kWatchStride = std::size_t{1} << 13;
 
-/// Bucket width in mean edge lengths. On 1.7 million faces a fourth and a sixty-fourth take as long.
+/// Width of a bucket in mean edge lengths. The exact value hardly matters: on 1.7 million faces, a fourth and a
+/// sixty-fourth take as long.
 constexpr double kRingBucketWidth = 1.0 / 16;
 
-/// Bound on the number of buckets. Events beyond the last one wait in it, which costs time and nothing else.
+/// Largest number of buckets. Later events wait in the last bucket, which only costs time.
 constexpr double kMostRingBuckets = 1 << 12;
 
-/// Buckets for one update's gain of distance: an edge.
+/// The number of buckets for the distance that one update adds, which is at most the longest edge.
 std::size_t count_buckets(const Mesh& mesh, double width) {
   return static_cast<std::size_t>(std::min(kMostRingBuckets, longest_edge(mesh) / width + 2));
 }
 
-/// Distance at D across the base A B, or along the edges.
+/// The distance at D across the base A B or, if that is shorter, along an edge (`along`).
 ///
-/// At a flat apex an update can be less than both distances. In faces without area, folded on each other, such values
-/// would lower each other in turn. So the result is at least the smaller distance. An update that is not a number, by
-/// overflow in a degenerate face, loses against `along`, the way along an edge: it is the first argument of std::min.
+/// At a flat apex, an update can be less than both distances. In faces without area that are folded on each other, such
+/// values would lower each other in turn; therefore the update counts as at least the smaller distance. If overflow in
+/// a degenerate face makes the update not a number, `along` is returned, because it is the first argument of std::min.
 [[gnu::always_inline]] inline double update_within(Front front, const UpdateTriangle& t,
                                                    const std::array<double, 2>& ends, double along) {
   return std::min(along, std::max(update_by(front, t, ends[0], ends[1]), std::min(ends[0], ends[1])));
@@ -70,8 +72,8 @@ void LocalMarch::run(const SurfacePoint& start, double limit, const IdVector<Pla
   }
 }
 
-/// Gives the corners of the faces that contain the start their straight distances. A start at a vertex needs no more
-/// than its own: the updates along its edges are straight.
+/// Gives the corners of the faces that contain the start their straight distances. If the start is a vertex, its own
+/// distance is enough, because the updates along its edges are straight.
 void LocalMarch::place_start(const SurfacePoint& start) {
   start_faces_.clear();
   start_corners_.clear();
@@ -105,7 +107,7 @@ void LocalMarch::reach(PlaceId p, double distance) {
   std::push_heap(soon_.begin(), soon_.end());
 }
 
-/// The event with the least distance. All that are not in the heap lie behind the current bucket.
+/// Takes the event with the least distance. All events outside the heap lie behind the current bucket.
 std::optional<LocalMarch::Event> LocalMarch::next_event() {
   while (!later_.empty() && (soon_.empty() || !later_.is_in_front(soon_.front().distance))) open_bucket();
   if (soon_.empty()) return {};
@@ -115,7 +117,7 @@ std::optional<LocalMarch::Event> LocalMarch::next_event() {
   return event;
 }
 
-/// Moves the events of the next bucket to the heap, without those that are outdated.
+/// Moves the events of the next bucket to the heap, except outdated ones.
 void LocalMarch::open_bucket() {
   later_.advance(later_.steps_to_next());
   while (later_.front_size() > 0) {
@@ -128,16 +130,17 @@ void LocalMarch::open_bucket() {
   std::make_heap(soon_.begin(), soon_.end());
 }
 
-/// Propagates the distance of p into its faces. A vertex that is not below its bound only updates together with a
-/// neighbour that is below its own. The corners of the start's faces always propagate: the cell of a generator can
-/// leave its face through the inside of an edge.
+/// Propagates the distance of p into its faces. A vertex that is not below its bound takes part in an update only
+/// together with a neighbour that is below its own bound. The corners of the start's faces always propagate, because
+/// the cell of a generator can leave its face through the inside of an edge.
 void LocalMarch::relax(PlaceId p) {
   const double d = nodes_[p].distance;
   const bool propagates = is_below_bound(p, d) || std::ranges::find(start_corners_, p) != start_corners_.end();
   const auto spokes = fans_.spokes(p);
   for (std::size_t i = 0; i < spokes.size() && spokes[i].has_face(); ++i) {
     const MarchFans::Spoke &b = spokes[i], &c = spokes[i + 1 < spokes.size() ? i + 1 : 0];
-    // Infinite where the run has not been. No update is below the smaller distance of those that it comes from.
+    // These are infinite at vertices that the run has not reached. No update is below the smaller of the two distances
+    // from which it is computed.
     const double to_b = distance(b.end), to_c = distance(c.end);
     if (to_c > std::min(d, to_b) && (propagates || is_below_bound(b.end, to_b))) {
       const UpdateTriangle t = make_update_triangle(b.length, c.length, b.rim, b.twice_area);

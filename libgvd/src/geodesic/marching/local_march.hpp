@@ -16,15 +16,15 @@ namespace gvd {
 
 /// Distances from one point, propagated only as far as they are below a bound at each vertex.
 ///
-/// Many runs share one work space. So the cost of a run depends on the vertices that it reaches, not on the size of the
-/// mesh. Memory: about 130 bytes a face.
+/// Many runs share one work space, so that the cost of a run depends on the vertices that it reaches, not on the size
+/// of the mesh. Memory: about 130 bytes a face.
 class LocalMarch {
  public:
-  /// The mesh has to outlive this. `progress`: see MarchFans. Cost: O(n).
+  /// The mesh must outlive this object. `progress` is passed to MarchFans. Cost: O(n).
   LocalMarch(const Mesh& mesh, Front front, const Progress& progress = {});
 
-  /// Marches from `start` over the vertices whose distance is below `limit`, and below (*upper)[p] where `upper` is
-  /// given. The ring of vertices round these gets distances too, because they improve those inside.
+  /// Marches from `start` over the vertices whose distance is below `limit`, and below (*upper)[p] if `upper` is given.
+  /// The vertices round these get distances, too, because they improve the distances inside.
   ///
   /// The march is label-correcting: the distances are a fixed point of the updates.
   /// If updates lower each other without end, it stops close to one. Cost: O(k log k) for k vertices reached.
@@ -34,28 +34,28 @@ class LocalMarch {
   /// this march can't be used any more.
   void watch_runs(std::function<void(std::size_t reached)> watch) { watch_ = std::move(watch); }
 
-  /// The places of the vertices.
+  /// The fans, which map vertices to places.
   const MarchFans& fans() const { return fans_; }
   /// The vertices that the last run reached, each once, in the order in which it first reached them.
   const std::vector<PlaceId>& reached() const { return reached_; }
   /// Mesh units; infinity at vertices that the last run did not reach.
   double distance(PlaceId p) const { return nodes_[p].run == run_ ? nodes_[p].distance : kInfinity; }
   double distance(VertexId v) const { return distance(fans_.place(v)); }
-  /// Distance at any point, from those at the corners of its face; along a straight line in the faces of the start.
-  /// Infinity in faces that the last run did not reach. Cost: O(1).
+  /// The distance at any point, computed from the distances at the corners of its face; in the faces of the start, it
+  /// is the length of a straight line. Infinity in faces that the last run did not reach. Cost: O(1).
   double distance(const SurfacePoint& point) const;
 
  private:
   struct Node {
     double distance;
     std::int32_t run;
-    std::int32_t improvements;  // number of them in that run
+    std::int32_t improvements;  // number of improvements in that run
   };
   struct Event {
     double distance;
     PlaceId place;
     VertexId vertex;
-    /// Least distance first in a standard heap, then least id.
+    /// A standard heap with this order returns the least distance first, then the least id.
     bool operator<(const Event& other) const {
       return distance > other.distance || (distance == other.distance && vertex > other.vertex);
     }

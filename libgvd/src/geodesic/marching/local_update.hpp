@@ -97,7 +97,7 @@ inline MedianHalves make_median_halves(const FaceShape& shape, std::size_t side)
   const double length = shape.length[side], bc = shape.length[(side + 1) % 3], ca = shape.length[(side + 2) % 3];
   // The median from C, by the parallelogram law.
   const double median = std::sqrt(std::max(0.0, 0.5 * (bc * bc + ca * ca) - 0.25 * length * length));
-  const double twice_area = 0.5 * shape.twice_area;  // a half's
+  const double twice_area = 0.5 * shape.twice_area;  // of one half
   return {make_update_triangle(ca, median, 0.5 * length, twice_area),
           make_update_triangle(bc, median, 0.5 * length, twice_area)};
 }

@@ -1,6 +1,6 @@
 // A copy of the mesh's fans for marches, in the order of a space-filling curve.
 //
-// Idea: a grid of 1024 cells along each axis parts the bounding box. Vertices are sorted by the Morton code of their
+// Idea: a grid of 1024 cells along each axis divides the bounding box. Vertices are sorted by the Morton code of their
 // cell, and by id in a cell.
 // Source: Morton, A computer oriented geodetic data base, 1966.
 // Invariant: the order only decides where a vertex lies in memory. Marches break ties by vertex ids.
@@ -15,17 +15,17 @@
 namespace gvd {
 namespace {
 
-/// Bits of a cell's coordinate. Three of them fill a 32-bit code but for two bits.
+/// Bits of a cell's coordinate. Three coordinates take 30 bits of a 32-bit code.
 constexpr int kAxisBits = 10;
 constexpr std::uint64_t kAxisCells = std::uint64_t{1} << kAxisBits;
 
-/// In place of a face's area.
+/// Stands in place of the area if a spoke has no face.
 constexpr double kNoFace = -1;
 
 /// Vertices between two reports of progress: some milliseconds.
 constexpr std::size_t kProgressStride = std::size_t{1} << 14;
 
-/// Bits 0 .. 9 of x at the bits 0, 3 .. 27.
+/// Moves bits 0 .. 9 of x to bits 0, 3 .. 27.
 std::uint64_t spread_bits(std::uint64_t x) {
   x = (x | x << 16) & 0x030000FF;
   x = (x | x << 8) & 0x0300F00F;
@@ -43,7 +43,8 @@ std::vector<std::uint64_t> compute_keys(const Mesh& mesh) {
   for (const VertexId v : mesh.vertices()) {
     std::uint64_t code = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      // Below kAxisCells whatever is rounded; not a number where the extent overflows, which counts as 0.
+      // This is below kAxisCells in spite of rounding. It is not a number if the extent overflows, and counts as 0
+      // then.
       const double cell = (mesh.position(v)[axis] - box.min()[axis]) / extent * (double(kAxisCells) - 0.5);
       code |= spread_bits(cell > 0 ? static_cast<std::uint64_t>(cell) : 0) << axis;
     }

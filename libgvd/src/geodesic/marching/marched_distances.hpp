@@ -10,7 +10,7 @@ namespace gvd {
 /// came from. This is the circle front, in place of the linear one of section 4.1.
 class MarchedDistances final : public DistanceField {
  public:
-  /// Both must outlive this.
+  /// Both must outlive this object.
   MarchedDistances(const Mesh& mesh, const GeneratorTable& table) : mesh_(mesh), table_(table) {}
 
   std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const override;

@@ -1,8 +1,9 @@
 // The largest distance that a point of a face may have.
 //
-// Idea: on each side and inside, the point whose distances over the corners are equally long is the farthest.
+// Idea: on each side and inside, the farthest point is the one whose paths over the corners are equally long.
 // Source: the problem of Apollonius.
-// Invariant: the bound is never below the distance of a point, because no point is farther than over its corners.
+// Invariant: the bound is never below the distance of a point, because the distance of a point is at most the length of
+// its path over any corner.
 #include "geodesic/sampling/face_distance_bound.hpp"
 
 #include <algorithm>
@@ -14,8 +15,8 @@
 namespace gvd {
 namespace {
 
-/// A point whose barycentric coordinates exceed this counts as inside. The tolerance is safe: so close to a side, the
-/// value is that of the side within rounding.
+/// A point whose barycentric coordinates exceed this counts as inside. The tolerance is safe, because so close to a
+/// side the value equals the value on the side within rounding.
 constexpr double kBesideFace = -1e-9;
 
 constexpr double kNoBound = -kInfinity;

@@ -17,7 +17,7 @@ namespace gvd {
 /// which has the same value, the library takes two generators for one.
 inline constexpr double kMinSampleSpacing = 1e-12;
 
-/// Progress is reported once in so many points that take a few look-ups each.
+/// Number of points between two reports of progress, if each point takes a few look-ups.
 inline constexpr std::size_t kSweepStride = 1 << 12;
 
 /// Edges longer than this many even spacings are split before sampling: then a generator fits between their ends, and
@@ -44,9 +44,9 @@ class AreaSampler {
   /// Draws from all faces of `mesh`, in the order of `faces`.
   AreaSampler(const Mesh& mesh, std::vector<FaceId> faces);
 
-  /// One of the faces [first, last) of the list; the last one if all their areas are 0.
+  /// Draws one of the faces [first, last) of the list; the last of them if all their areas are 0.
   FaceId draw_face(SeededRandom& random, std::size_t first, std::size_t last) const;
-  /// A point inside any face, uniform by area.
+  /// Draws a point inside a face, uniformly by area.
   SurfacePoint draw_point(SeededRandom& random) const;
 
  private:
@@ -54,19 +54,19 @@ class AreaSampler {
   std::vector<double> sums_;  // sums_[i]: area of the faces before faces_[i]; back(): of all faces
 };
 
-/// All faces in order.
+/// All faces in the order of their ids.
 std::vector<FaceId> list_faces(const Mesh& mesh);
 
 /// The area of the mesh, which must be finite and > 0. Throws Error{precondition} otherwise.
 double require_area(const Mesh& mesh);
 
-/// `count` different vertices, each with the same probability, in the order in which they were drawn; `count` from 0 to
-/// the number of vertices. The beginning of a random permutation, so that a smaller count gives the first ones of
-/// these.
+/// Draws `count` different vertices, each with the same probability, and returns them in the order in which they were
+/// drawn. `count` is from 0 to the number of vertices. The result is the beginning of a random permutation, so that a
+/// smaller count gives the first of the same vertices.
 /// Cost: O(n).
 std::vector<VertexId> draw_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed);
 
-/// `count` points inside faces, uniform by area, no two closer than kMinSampleSpacing.
+/// Draws `count` points inside faces, uniformly by area, no two of which are closer than kMinSampleSpacing.
 /// Throws Error{precondition} if the area is 0 or not finite, or if no such points were found.
 std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, const SamplingOptions& options);
 

@@ -5,8 +5,8 @@
 // more a point of the face. Points that coincide within rounding are drawn again. Vertices are the beginning of a
 // shuffle. Blue noise is in sampling_poisson.cpp, farthest points are in sampling_farthest.cpp.
 // Source: G. Turk, Generating random points in triangles, 1990; the shuffle of Fisher and Yates.
-// Invariant: a sampler gets options in their ranges, so that it throws only where the mesh has no room. All numbers
-// come from one engine, in an order that depends on the mesh and the count alone. So the same seed gives the same
+// Invariant: a sampler gets options in their ranges, so that it throws only if the mesh has no room. All random numbers
+// come from one engine, in an order that depends on the mesh and the count alone, so that the same seed gives the same
 // points on every platform.
 #include "gvd/sampling.hpp"
 
@@ -41,11 +41,11 @@ void check_options(const Mesh& mesh, const SamplingOptions& options) {
   const std::int64_t maximum = std::int64_t{kMaxSamplingVertices} + mesh.vertex_count();
   if (options.count > maximum) {
     throw Error(ErrorCode::precondition,
-                fmt::format("{} generators asked for; on this mesh ask for at most {}", options.count, maximum));
+                fmt::format("{} generators were asked for; on this mesh, ask for at most {}", options.count, maximum));
   }
 }
 
-/// Points closer than kMinSampleSpacing to others are drawn again, at most this often. Nearly always no point is.
+/// Points closer than kMinSampleSpacing to others are drawn again, at most this often. Usually no point has to be.
 constexpr int kMaxRedraws = 64;
 
 /// Points drawn between two reports of progress.
@@ -78,8 +78,8 @@ std::vector<SurfacePoint> sample_vertices(const Mesh& mesh, std::int64_t count, 
   if (count > mesh.vertex_count()) {
     throw Error(
         ErrorCode::precondition,
-        fmt::format("{} different vertices asked for, and the mesh has {}; ask for fewer, or take random points", count,
-                    mesh.vertex_count()));
+        fmt::format("{} different vertices were asked for, but the mesh has {}; ask for fewer, or take random points",
+                    count, mesh.vertex_count()));
   }
   std::vector<SurfacePoint> points;
   for (const VertexId v : draw_vertices(mesh, count, seed)) points.push_back(vertex_point(mesh, v));
@@ -132,9 +132,10 @@ std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, co
     if (too_close.empty()) return points;
     for (const std::size_t i : too_close) draw(i);
   }
-  throw Error(ErrorCode::precondition, fmt::format("the surface is too small beside its bounding box for {} different "
-                                                   "points; ask for fewer, or remove far parts",
-                                                   count));
+  throw Error(ErrorCode::precondition,
+              fmt::format("the surface is too small compared with its bounding box for {} different "
+                          "points; ask for fewer, or remove far parts",
+                          count));
 }
 
 std::vector<VertexId> draw_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed) {

@@ -28,17 +28,17 @@ namespace {
 /// at most an eighth of the radius.
 constexpr double kCoveringEdge = 0.25;
 
-/// Darts that keep this fraction of the radius from all before them leave no vertex farther away from them, and no
-/// point of a face farther than the radius: it is at most kCoveringEdge / sqrt(3) radii farther than its corners
-/// (compute_face_distance_bound).
+/// Each dart keeps this fraction of the radius from all darts before it, and in the end no vertex is farther than that
+/// from a dart. Then no point of a face is farther than the radius, because it is at most kCoveringEdge / sqrt(3) radii
+/// farther than the corners (compute_face_distance_bound).
 constexpr double kDartSpacing = 1 - kCoveringEdge / std::numbers::sqrt3;
 
-/// Consecutive places that share an item of the heap. One for each vertex took a sixth of the sampling of 1,000 points
-/// on 1.7 million faces. Reading 64 distances in a row costs less than a cache miss.
+/// Number of consecutive places that share an item of the heap. Reading 64 distances in a row costs less than a cache
+/// miss, whereas a heap with an item for each vertex takes a sixth of the time (1,000 points on 1.7 million faces).
 constexpr std::int32_t kBlock = 64;
 
-/// A vertex and its distance from the nearest generator: the larger, the farther, and of equally far ones the one with
-/// the least id.
+/// A vertex and its distance from the nearest generator. A farther vertex compares as larger and, of equally far ones,
+/// the vertex with the smaller id does.
 struct Farthest {
   double distance;
   VertexId vertex;
@@ -49,7 +49,7 @@ struct Farthest {
   bool operator==(const Farthest& other) const = default;
 };
 
-/// Share of a covering's progress that the first generators of the components have.
+/// The share of a covering's progress for the first generators of the components.
 constexpr double kFirstShare = 0.1;
 
 /// If some vertices coincide within rounding, sampling starts again with twice as many, at most this often.
@@ -69,8 +69,8 @@ double least_covering_radius(const Mesh& mesh) {
   return std::max(by_length, by_area) / kCoveringEdge;
 }
 
-/// Splitting takes up to some seven times the lower bound, since halved triangles are neither equilateral nor as large
-/// as allowed. The error message suggests a radius larger by about the square root of that.
+/// Splitting takes up to about seven times the lower bound, because halved triangles are neither equilateral nor as
+/// large as allowed. The error message suggests a radius larger by about the square root of that.
 constexpr double kSuggestedFactor = 3;
 
 [[noreturn]] void throw_too_small(double radius, double least) {
@@ -99,7 +99,7 @@ class FarthestSampler {
     });
   }
 
-  /// Up to `count` points; fewer where the vertices of the mesh coincide within rounding.
+  /// Returns up to `count` points; fewer if vertices of the mesh coincide within rounding.
   std::vector<SurfacePoint> sample() {
     start_components(options_.count);
     const double least = kMinSampleSpacing * mesh_.bbox_diagonal();
@@ -114,8 +114,8 @@ class FarthestSampler {
     return points();
   }
 
-  /// Takes the face with the largest distance bound and inserts its farthest corner, while that bound is above the
-  /// radius. `least_radius`: for the message where lengths overflow.
+  /// While the largest distance bound of a face is above the radius, inserts the farthest corner of that face.
+  /// `least_radius` is for the message if lengths overflow.
   std::vector<SurfacePoint> cover(double least_radius) {
     start_components(mesh_.face_count());
     if (options_.blue_noise) throw_darts();
@@ -134,7 +134,8 @@ class FarthestSampler {
   }
 
  private:
-  /// Inserts each vertex, in random order, that is far enough from all before it: a maximal Poisson-disk sampling.
+  /// Visits the vertices in random order, and inserts each that is far enough from all inserted before it: a maximal
+  /// Poisson-disk sampling.
   void throw_darts() {
     const std::int32_t count = mesh_.vertex_count();
     std::int32_t thrown = 0;
@@ -146,9 +147,9 @@ class FarthestSampler {
     }
   }
 
-  /// Reports how much of the sampling is done once so many vertices are inserted, the last one maybe in part. Insertion
-  /// i changes about n / i vertices, so the work grows with the logarithm of i. The number of generators of a covering
-  /// grows with the inverse square of the bound, and the work with its logarithm.
+  /// Reports how much of the sampling is done when `inserted` vertices are inserted, the last one perhaps in part.
+  /// Insertion i changes about n / i vertices, so the work grows with the logarithm of i. The number of generators of a
+  /// covering grows with the inverse square of the bound, and the work with its logarithm.
   void report(double inserted) const {
     const double components = double(first_face_.size() - 1);
     const double done = options_.kind == Sampling::covering_radius
@@ -166,8 +167,9 @@ class FarthestSampler {
     }
   }
 
-  /// Across needles, marching can find distances that are far too large. A vertex that coincides with a chosen one is
-  /// then no other point, but what is near it becomes near all the same.
+  /// Inserts a vertex into the field, and chooses it. Across needles, marching can find distances that are far too
+  /// large, so that the vertex may coincide with a chosen one. Then it is not chosen, but the distances near it are
+  /// corrected nevertheless.
   void insert(VertexId v) {
     field_.insert(vertex_point(mesh_, v));
     if (coincides_with_chosen(v)) return;
@@ -188,7 +190,7 @@ class FarthestSampler {
     const std::int32_t first = block * kBlock, end = std::min(mesh_.vertex_count(), first + kBlock);
     Farthest best = at(PlaceId(first));
     for (std::int32_t p = first + 1; p < end; ++p) {
-      // Ids only of those as far: they are not in the cache.
+      // Only vertices that are at least as far need their ids, which are not in the cache.
       if (field_.distance(PlaceId(p)) >= best.distance) best = std::max(best, at(PlaceId(p)));
     }
     return best;
@@ -230,7 +232,7 @@ class FarthestSampler {
   NearestField field_;
   double coincidence_;  // mesh units
   IdVector<VertexId, char> is_chosen_;
-  std::vector<std::size_t> first_face_;  // of each component in faces_, and the end
+  std::vector<std::size_t> first_face_;  // index in faces_ of each component's first face, and the end
   std::vector<FaceId> faces_;
   SeededRandom random_;
   std::vector<VertexId> chosen_;  // in order

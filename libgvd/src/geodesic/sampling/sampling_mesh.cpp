@@ -1,6 +1,6 @@
 // A mesh whose long edges are split, so that samplings can choose points on edges and in faces.
 //
-// Idea: a queue gives the longest edge. Its split halves it, adds a face on each of its sides, and queues the new
+// Idea: a queue returns the longest edge. A split halves this edge, adds a face on each side of it, and queues the new
 // edges. The corners of each new face have coordinates in its parent that are exact binary fractions.
 // Source: Rosenberg and Stenger, A lower bound on the angles of triangles constructed by bisecting the longest side,
 // 1975.
@@ -20,7 +20,8 @@
 namespace gvd {
 namespace {
 
-/// Splits between two reports of progress: one takes time in proportion to the faces round its ends, which may be all.
+/// Splits between two reports of progress. A split takes time in proportion to the faces round its ends, which may be
+/// all faces.
 constexpr std::int64_t kSplitStride = 1 << 6;
 
 }  // namespace
@@ -59,7 +60,8 @@ SamplingMesh::SamplingMesh(const Mesh& input, const SplitOptions& options, const
   }
 }
 
-/// The number of vertices grows with the inverse square of the longest edge.
+/// The share of the work that is done, given that the number of vertices grows with the inverse square of the longest
+/// edge.
 double SamplingMesh::share_done(const SplitOptions& options, double longest) const {
   const double added = copy_.vertex_count() - input_->vertex_count();
   const double by_length = std::pow(std::min(1.0, options.max_edge_length / longest), 2);

@@ -29,7 +29,7 @@ class SamplingMesh {
   SamplingMesh(const Mesh& input, const SplitOptions& options, const Progress& progress);
 
   const Mesh& mesh() const { return split_ ? copy_ : *input_; }
-  /// The same point on the input.
+  /// The same point as a point of the input.
   SurfacePoint to_input(const SurfacePoint& point) const;
   SurfacePoint to_input(VertexId v) const;
 
@@ -50,8 +50,8 @@ class SamplingMesh {
   IdVector<FaceId, SubFace> subfaces_;
 };
 
-/// The largest number of vertices that splitting long edges may add. The number is proportional to the mesh and to the
-/// generators. It bounds the memory where faces are thin, and takes effect nowhere else.
+/// The largest number of vertices that splitting long edges may add. It is proportional to the number of vertices and
+/// generators together. It limits the memory if faces are thin, and has no effect otherwise.
 std::int64_t max_splits(const Mesh& mesh, std::int64_t count);
 
 }  // namespace gvd

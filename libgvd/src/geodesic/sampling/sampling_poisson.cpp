@@ -1,8 +1,8 @@
 // Blue noise: random points that are evenly spaced.
 //
 // Idea: start from five candidates for each point, drawn uniformly by area. Remove the candidate with the largest
-// weight, again and again, until `count` points are left. A candidate's weight is the sum over its neighbours that are
-// left, and the nearer one is, the more it counts.
+// weight, again and again, until `count` points are left. A candidate's weight is a sum over its remaining neighbours,
+// in which nearer neighbours count more.
 // Source: Yuksel, Sample elimination for generating Poisson disk sample sets, 2015, with geodesic distances.
 // Invariant: weights only fall, so that the keys in the heap are upper bounds.
 #include <fmt/format.h>
@@ -73,7 +73,7 @@ std::vector<std::vector<Neighbour>> find_neighbours(const Mesh& mesh, const std:
       neighbours[second].push_back({first, weight});
     }
   };
-  // In the order of faces, so that memory accesses stay local.
+  // The loop follows the order of faces, so that memory accesses stay local.
   std::int64_t done = 0;
   for (const std::vector<std::int32_t>& firsts : in_face) {
     for (const std::int32_t first : firsts) {
@@ -87,7 +87,7 @@ std::vector<std::vector<Neighbour>> find_neighbours(const Mesh& mesh, const std:
   return neighbours;
 }
 
-/// Removes the candidate with the largest weight until `count` are left; returns which ones these are.
+/// Removes the candidate with the largest weight until `count` are left. Returns for each candidate whether it is left.
 std::vector<char> eliminate(const std::vector<std::vector<Neighbour>>& neighbours, std::int64_t count,
                             const Progress& progress) {
   std::vector<double> weight(neighbours.size(), 0);

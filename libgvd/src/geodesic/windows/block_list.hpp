@@ -14,16 +14,16 @@
 
 namespace gvd {
 
-/// Windows are numbered with 32 bits, which saves four bytes each; 2^31 of them, kept or waiting, fill 100 GB. Curved
-/// meshes keep about ten windows a face if all are kept, so the numbers could run out from 2.1e8 faces on. (A mesh has
-/// fewer than 7.2e8 faces.)
+/// The largest number of windows. They are numbered with 32 bits, which saves four bytes each; 2^31 windows, kept or
+/// waiting, fill 100 GB. Curved meshes keep about ten windows a face if all are kept, so the numbers could run out from
+/// 2.1e8 faces on. (A mesh has fewer than 7.2e8 faces.)
 inline constexpr std::size_t kMostWindows = std::numeric_limits<std::int32_t>::max();
 
 /// Throws Error{precondition} if `count` windows and `more` of them are too many.
 inline void check_window_count(std::size_t count, std::size_t more) {
   if (count <= kMostWindows - more) return;
   throw Error(ErrorCode::precondition,
-              "the exact distances on this mesh take more than 2147483647 windows; make it coarser, or use the "
+              "exact distances on this mesh need more than 2147483647 windows; make the mesh coarser, or use the "
               "distances of fast marching");
 }
 
@@ -36,8 +36,8 @@ class BlockList {
     blocks_[size_ / kBlock][size_ % kBlock] = value;
     ++size_;
   }
-  /// Appends the blocks of another list, and returns the index of its first item. Indices between that and the former
-  /// last item hold nothing.
+  /// Appends the blocks of another list, and returns the index of its first item. The indices between the former last
+  /// item and that one hold nothing.
   std::size_t append(BlockList other) {
     const std::size_t first = blocks_.size() * kBlock;
     for (auto& block : other.blocks_) blocks_.push_back(std::move(block));
@@ -59,7 +59,7 @@ class BlockList {
   std::size_t size_ = 0;
 };
 
-/// A first-in-first-out queue that releases its items a block at a time and uses their memory again.
+/// A first-in-first-out queue that releases its items block by block and reuses their memory.
 template <class T>
 class BlockQueue {
  public:
@@ -68,7 +68,8 @@ class BlockQueue {
   bool empty() const { return blocks_.empty(); }
   std::size_t block_count() const { return blocks_.size(); }
 
-  /// Returns whether the last block was full before. Always inlined: it belongs to the innermost loop.
+  /// Appends an item, and returns whether the last block was full before. It is always inlined, because it belongs to
+  /// the innermost loop.
   [[gnu::always_inline]] bool push_back(const T& value) {
     const bool full = end_ == kBlock;
     if (full || blocks_.empty()) [[unlikely]]
@@ -87,7 +88,7 @@ class BlockQueue {
   }
 
  private:
-  /// Number of blocks that are kept for use again. More would take memory that other queues need.
+  /// Number of empty blocks that are kept for reuse. More would take memory that other queues need.
   static constexpr std::size_t kSpare = 2;
 
   [[gnu::noinline]] void add_block() {
@@ -101,7 +102,7 @@ class BlockQueue {
   std::deque<std::unique_ptr<T[]>> blocks_;
   std::vector<std::unique_ptr<T[]>> spare_;
   T* last_ = nullptr;    // the last block
-  std::size_t end_ = 0;  // in it
+  std::size_t end_ = 0;  // number of items in it
 };
 
 }  // namespace gvd

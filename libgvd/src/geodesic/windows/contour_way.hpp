@@ -13,15 +13,16 @@
 
 namespace gvd {
 
-// The part of a face that a source reaches within a level is convex. Its boundary, counter-clockwise, has three parts:
-// 0 round the right end of the opening, 1 that straight paths reach, 2 round the left end. A corner has only part 1.
+// The region of a face that a source reaches within a level is convex. Its boundary has three parts, in
+// counter-clockwise order: part 0 lies round the right end of the opening, straight paths reach part 1, and part 2 lies
+// round the left end. The region of a corner has only part 1.
 
 /// A circle, or a line, on which a part of a source's level set lies. The near side is on the left.
 struct Carrier {
   enum class Kind { none, circle, line } kind = Kind::none;
   Vec2 at = Vec2::Zero();     ///< centre, or a point of the line
   Vec2 along = Vec2::Zero();  ///< unit vector of the line
-  double radius = 0;          ///< of the circle, mesh units
+  double radius = 0;          ///< the circle's radius, mesh units
 
   static Carrier circle(const Vec2& centre, double radius) {
     return {radius > 0 ? Kind::circle : Kind::none, centre, Vec2::Zero(), radius};
@@ -40,17 +41,17 @@ inline Carrier carrier_of(const FaceSource& s, std::size_t part, double level) {
                    : Carrier::circle(s.begin, level - s.distance_begin);
 }
 
-/// The part of a source's boundary on which p lies.
+/// The part of the boundary of a source's region on which p lies.
 inline std::size_t part_at(const FaceSource& s, const Vec2& p) {
   if (s.is_corner() || (s.beside(p, s.begin) >= 0 && s.beside(p, s.end) <= 0)) return 1;
   return s.beside(p, s.begin) < 0 ? 2 : 0;
 }
 
-/// Circles whose common chord has a negative square touch, up to this fraction of the radius' square. A point too many
-/// costs only time: it is tried, and the curve does not turn there.
+/// If the square of the common chord of two circles is negative, the circles count as touching up to this fraction of
+/// the radius' square. A superfluous point only costs time: it is tried, and the curve does not turn there.
 inline constexpr double kTouching = 1e-9;
 
-/// Calls visit(p) for the common points of two carriers, or their nearest ones where they almost touch.
+/// Calls visit(p) for the common points of two carriers, or for their nearest points if they almost touch.
 template <class Visit>
 void intersect(const Carrier& a, const Carrier& b, const Visit& visit) {
   using Kind = Carrier::Kind;
@@ -61,8 +62,8 @@ void intersect(const Carrier& a, const Carrier& b, const Visit& visit) {
     return;
   }
   if (b.kind == Kind::line) return intersect(b, a, visit);
-  // A line and a circle, or two circles, which intersect where the first one and the line of their chord do. `foot` is
-  // the chord's middle, `along` its direction.
+  // A line and a circle, or two circles. Two circles intersect where the first of them intersects the line of the
+  // common chord. `foot` is the chord's middle, `along` its direction.
   const bool is_line = a.kind == Kind::line;
   const Vec2 way = b.at - a.at;
   const double square_apart = way.squaredNorm(), sum = a.radius + b.radius, difference = a.radius - b.radius;
@@ -82,8 +83,8 @@ void intersect(const Carrier& a, const Carrier& b, const Visit& visit) {
   visit(Vec2(foot + half * along));
 }
 
-/// A part of a region's boundary, counter-clockwise from a place on it to its end. Positions are angles on a circle,
-/// lengths on a line.
+/// The way along a part of a region's boundary, counter-clockwise from a point of it to its end. Positions are angles
+/// on a circle and lengths on a line.
 class ContourWay {
  public:
   ContourWay(const FaceSource& s, std::size_t part, double level, const Vec2& from)
@@ -102,7 +103,7 @@ class ContourWay {
     }
     const Vec2 through_end = s.is_parallel() ? s.direction() : Vec2((part == 0 ? s.end : s.begin) - s.image);
     end_ = turn(arm_, through_end);
-    if (end_ > std::numbers::pi) end_ = 0;  // rounding: already there
+    if (end_ > std::numbers::pi) end_ = 0;  // by rounding: the way is at its end already
   }
 
   const Carrier& carrier() const { return carrier_; }
@@ -114,20 +115,20 @@ class ContourWay {
   double position(const Vec2& p) const {
     return carrier_.kind == Carrier::Kind::line ? (p - from_).dot(carrier_.along) : turn(arm_, p - carrier_.at);
   }
-  /// Number of equal chords up to t that stay so near to the arc.
+  /// The number of equal chords that the way up to t needs to stay within `sagitta` of the arc.
   int chords(double t, double sagitta) const {
     if (carrier_.kind == Carrier::Kind::line) return 1;
     const double widest = 2 * std::acos(std::max(0.0, 1 - sagitta / carrier_.radius));
     return std::max(1, static_cast<int>(std::ceil(t / std::min(widest, kWidestChord))));
   }
-  /// The largest distance of a chord over t from its arc.
+  /// The largest distance of a chord that spans t from its arc.
   double sagitta(double t) const {
     return carrier_.kind == Carrier::Kind::line ? 0 : carrier_.radius * (1 - std::cos(0.5 * t));
   }
 
  private:
   static constexpr double kFullTurn = 2 * std::numbers::pi;  // radians
-  /// Chords of an arc turn by this angle at most, radians, so that a small circle is no triangle.
+  /// The largest angle that a chord spans, in radians, so that a small circle does not become a triangle.
   static constexpr double kWidestChord = std::numbers::pi / 6;
 
   /// The angle from a to b, counter-clockwise, in [0, 2 pi).
@@ -141,9 +142,10 @@ class ContourWay {
   double end_ = 0;
 };
 
-/// Bounds distances from below on the way up to a position.
+/// The beginning of a ContourWay up to a position, on which it bounds the distances of sources from below.
 ///
-/// The distance of one source is a convex function of the plane, so the tangent plane of any point is a lower bound.
+/// The distance of one source is a convex function on the plane, so that its tangent plane at any point is a lower
+/// bound.
 class StretchOfWay {
  public:
   StretchOfWay(const ContourWay& way, double length) : middle_(way.at(0.5 * length)) {
@@ -163,8 +165,8 @@ class StretchOfWay {
     if (is_short_) hull_[1] = middle_ + radius * (1 / std::cos(half) - 1) * outwards_;
   }
 
-  /// Whether straight paths of the source may come to the stretch. Never false if they do. `slack`: how far from the
-  /// stretch they may pass; `farthest`: no image is farther from its opening; mesh units.
+  /// Whether straight paths of the source may reach the stretch; never false if they do. Paths that pass the stretch at
+  /// less than `slack` count, too. No image is farther from the stretch than `farthest`. Mesh units.
   bool may_see(const FaceSource& s, double slack, double farthest) const {
     if (s.is_corner() || !is_short_) return true;
     const double least = slack * (s.is_parallel() ? 1 : farthest);
@@ -186,11 +188,11 @@ class StretchOfWay {
   }
 
  private:
-  /// Longer arcs, by half their angle, radians, are not enclosed in a triangle.
+  /// An arc is enclosed in a triangle only if half its angle is at most this many radians.
   static constexpr double kShort = 1;
 
   Vec2 middle_, along_ = Vec2::Zero(), outwards_ = Vec2::Zero();
-  std::array<Vec2, 3> hull_;  // a triangle that has the stretch
+  std::array<Vec2, 3> hull_;  // a triangle that contains the stretch
   bool is_short_ = true;
   double half_ = 0, sagitta_ = 0;  // how far points of the stretch are from its middle, along it and inwards
 };
@@ -200,25 +202,27 @@ inline double distance_to_segment(const PlaneSegment& segment, const Vec2& p) {
   return (p - segment.from - nearest_on_segment(segment.from, way, p) * way).norm();
 }
 
-/// The straight pieces that stand for a curve. Ends of its arcs that are no corners are left out where one piece is
-/// near enough to the curve without them.
+/// The straight pieces that approximate a curve. The end of an arc that is not a corner is left out if a single piece
+/// without it is near enough to the curve.
 class ChordChain {
  public:
-  /// `tolerance`: largest distance of a piece from the curve; nearer points than `same` are one. Mesh units.
+  /// Begins a chain. `tolerance` is the largest distance of a piece from the curve; points nearer than `same` count as
+  /// one. Mesh units.
   void begin(const Vec2& from, double tolerance, double same) {
     points_.assign(1, from);
     tolerance_ = tolerance;
     same_ = same;
     is_corner_ = true;
   }
-  /// Goes on to p. `off`: the largest distance of that piece from the curve. `is_corner`: p has to stay.
+  /// Continues the chain to p. `off` is the largest distance of the new piece from the curve. If `is_corner`, p must be
+  /// kept.
   void add(const Vec2& p, double off, bool is_corner) {
     const std::size_t n = points_.size();
     if ((points_.back() - p).norm() <= same_) {
       is_corner_ = is_corner_ || is_corner;
       return;
     }
-    // A point of the curve is near to a point of the two pieces, and that one to a point of the single piece.
+    // Every point of the curve is near a point of the two pieces, which is near a point of the single piece.
     const double without =
         is_corner_ ? kInfinity : distance_to_segment({points_[n - 2], p}, points_[n - 1]) + std::max(off_, off);
     if (without <= tolerance_) {
@@ -235,8 +239,8 @@ class ChordChain {
  private:
   std::vector<Vec2> points_;
   double tolerance_ = 0, same_ = 0;
-  double off_ = 0;          // of the last piece
-  bool is_corner_ = false;  // the last point
+  double off_ = 0;          // largest distance of the last piece from the curve
+  bool is_corner_ = false;  // whether the last point is one
 };
 
 }  // namespace gvd

@@ -2,18 +2,20 @@
 //
 // Idea: in the plane of a face, each source reaches a convex region within a level: a part of a disc round its image,
 // as far as the opening lets straight paths through, and discs round the opening's ends beside it; behind a segment of
-// a curve, a half-plane. What lies within the level is their union. So a curve of equal distance follows the boundary
-// of one region until it enters another one, at a corner, or leaves the face. It can turn only where the
-// circles and lines of two boundaries intersect; between two such places, one point tells what happens.
-// Most sources can't come near to an arc, which the tangent plane of their distance in the arc's middle tells; the
-// others are its rivals. On fine meshes few arcs have any besides the next one's source.
-// The sides' crossings are given. Where rounding keeps a curve from ending at one of them, the face is cut in two, and
-// both triangles share the crossings on the cut. In a triangle as small as the tolerance, any way to join them will do.
-// A curve that closes inside a face surrounds a hole in the union. There is none where at most two regions matter,
-// where all contain a common corner, or where the distance rises in one direction; other triangles are cut in two.
+// a curve, a half-plane. The points within the level form the union of these regions. A curve of equal distance
+// therefore follows the boundary of one region until it enters another region, at a corner, or leaves the face. It can
+// turn only where the circles and lines of two boundaries intersect; between two such places, one point tells what
+// happens.
+// Most sources can't come near an arc, as the tangent plane of their distance at the arc's middle shows; the remaining
+// sources are the arc's rivals. On fine meshes, few arcs have rivals other than the source of the next arc.
+// The crossings of the sides are given. If rounding keeps a curve from ending at one of them, the face is cut in two,
+// and both triangles share the crossings on the cut. In a triangle as small as the tolerance, crossings may be joined
+// in any way. A curve that closes inside a face surrounds a hole in the union. There is no hole if at most two regions
+// matter, if all regions contain a common corner, or if the distance rises in one direction; any other triangle is cut
+// in two.
 // Source: the union of discs is that of alpha shapes (Edelsbrunner, The union of balls and its dual shape, 1995).
-// Invariant: the states of a triangle's corners and the crossings of its sides agree, so that crossings alternate. A
-// segment's crossings are found once, and both triangles beside it have them.
+// Invariant: the states of a triangle's corners and the crossings of its sides agree, so that crossings alternate. The
+// crossings of a segment are found once, and both triangles beside it share them.
 #include "geodesic/windows/face_contours.hpp"
 
 #include <algorithm>
@@ -29,25 +31,27 @@
 namespace gvd {
 namespace {
 
-/// Rounding of distances and positions, relative to level and face: distances are right to 1e-13.
+/// Bound on the rounding error of distances and positions, relative to the level and the face. Distances have a
+/// relative error of 1e-13.
 constexpr double kRounding = 1e-12;
 
-/// The share of the tolerance that chords of arcs take.
+/// The share of the tolerance that chords of arcs may take.
 constexpr double kChordShare = 0.9;
 
 /// The share of the tolerance by which the end of a curve may miss the crossing that it is joined to. Distances change
 /// at most as fast as points move, so the joining piece is off by no more.
 constexpr double kJoinShare = 0.05;
 
-/// Sine of the turn from which on a corner of a curve is one of its points, even where a chord could pass it by.
+/// A corner at which a curve turns by more than an angle with this sine is always one of its points, even if a chord
+/// could pass it by.
 constexpr double kSharpCorner = 0.03;
 
-/// Sine of the turn up to which a curve goes on smoothly from the end of one arc to the next source's. Whatever it is,
-/// the way is checked: this only saves the look at the part of a boundary that turns away at once.
+/// If the turn from one arc to the arc of the next source has at most this sine, the curve continues smoothly there.
+/// The way is checked in any case: this only saves looking at the part of a boundary that turns away at once.
 constexpr double kSmooth = 1e-6;
 
-/// Straight paths of a source end so far from an arc, relative to the longest side, if they do not come to it. Far
-/// above the rounding of rays, so that the next window is always seen from the end of an arc.
+/// Straight paths that pass an arc at more than this distance, relative to the longest side, don't reach it. This is
+/// far above the rounding error of paths, so that the next window is always seen from the end of an arc.
 constexpr double kSeen = 1e-9;
 
 }  // namespace
@@ -69,7 +73,7 @@ void FaceContours::enter(const FaceLayout& layout, std::span<const FaceSource> s
     if (sources[c.source].is_corner()) continue;
     for (std::size_t i = 0; i < 3; ++i) by_windows[i] = std::min(by_windows[i], c.at_corner[i]);
   }
-  // It is kept apart: paths round the ends of openings there are paths over it.
+  // Such corners are kept apart, because paths round the ends of openings at a corner are paths over it.
   beaten_corners_.clear();
   std::erase_if(of_face_, [&](const Candidate& c) {
     const FaceSource& s = sources[c.source];
@@ -98,7 +102,7 @@ void FaceContours::trace(double level, const std::array<bool, 3>& is_near, std::
   join_pieces(crossings, found);
 }
 
-/// Takes a source if its distance is less than that of the best one so far.
+/// Makes a source the best one if its distance is less than the best distance so far.
 void FaceContours::keep_nearer(std::int32_t source, const Vec2& p, std::int32_t& best, double& distance) const {
   FaceSource::Path path{distance, p};
   if (!take_nearer(sources_[source], p, path)) return;
@@ -106,7 +110,7 @@ void FaceContours::keep_nearer(std::int32_t source, const Vec2& p, std::int32_t&
   best = source;
 }
 
-/// The nearest source of some candidates; -1 where there is none.
+/// The nearest source of some candidates; -1 if there are none.
 std::int32_t FaceContours::nearest(const Range& candidates, const Vec2& p, double& distance) const {
   std::int32_t best = -1;
   distance = kInfinity;
@@ -114,7 +118,7 @@ std::int32_t FaceContours::nearest(const Range& candidates, const Vec2& p, doubl
   return best;
 }
 
-/// Returns the length of the longest one.
+/// Sets the unit vectors of the sides. Returns the length of the longest side.
 double FaceContours::Triangle::set_sides() {
   double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -136,12 +140,13 @@ void FaceContours::visit(Triangle& triangle, const Range& candidates) {
   }
 }
 
-/// Puts those candidates on the stack that may be the nearest somewhere in a triangle, and no farther than the level.
+/// Pushes on the stack the candidates that may be the nearest source somewhere in a triangle, at a distance of at most
+/// the level. Returns their range.
 FaceContours::Range FaceContours::keep_relevant(const std::array<Vec2, 3>& corner, const Range& candidates,
                                                 double level) {
   const Vec2 centre = (corner[0] + corner[1] + corner[2]) / 3;
   double radius = 0, least = kInfinity;
-  double beaten = kInfinity;  // what is farther everywhere is never the nearest
+  double beaten = kInfinity;  // a source that is farther everywhere is never the nearest
   for (const Vec2& c : corner) radius = std::max(radius, (c - centre).norm());
   const std::size_t begin = stack_.size();
   for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
@@ -168,8 +173,8 @@ FaceContours::Range FaceContours::keep_relevant(const std::array<Vec2, 3>& corne
   return {begin, stack_.size()};
 }
 
-/// Whether the regions' union surely has no hole inside the triangle. Two convex regions never enclose one. Regions
-/// with a common point are seen from there without a gap. And inside a hole the distance has a maximum.
+/// Whether the union of the regions certainly has no hole inside the triangle. Two convex regions never enclose a hole.
+/// The union of convex regions with a common point is star-shaped. And inside a hole, the distance has a maximum.
 bool FaceContours::has_no_hole(const Triangle& triangle, const Range& candidates) const {
   const std::span<const Candidate> all(stack_.data() + candidates.begin, candidates.end - candidates.begin);
   if (all.size() <= 2) return true;
@@ -180,8 +185,8 @@ bool FaceContours::has_no_hole(const Triangle& triangle, const Range& candidates
          rises_one_way(triangle, candidates);
 }
 
-/// The directions of the paths to points of the triangle. Behind a vertex where paths bend, those round an opening's
-/// end count: at the corners that they are the shortest to.
+/// The directions of the paths to points of the triangle. Behind a vertex where paths bend, paths round the end of an
+/// opening count, too, at the corners to which they are the shortest.
 std::vector<Directions> FaceContours::list_directions(const Triangle& triangle, const Range& candidates) const {
   std::vector<Directions> found;
   for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
@@ -198,7 +203,7 @@ std::vector<Directions> FaceContours::list_directions(const Triangle& triangle, 
   return found;
 }
 
-/// Whether all paths to points of the triangle have a component in one direction: then the distance has no maximum
+/// Whether all paths to points of the triangle have a component in a common direction. Then the distance has no maximum
 /// inside.
 bool FaceContours::rises_one_way(const Triangle& triangle, const Range& candidates) const {
   const std::vector<Directions> found = list_directions(triangle, candidates);
@@ -228,7 +233,7 @@ bool FaceContours::follow_all(const Triangle& triangle, const Range& candidates)
   return true;
 }
 
-/// Follows the boundary of the union from a crossing through the triangle. False where rounding prevents it.
+/// Follows the boundary of the union from a crossing through the triangle. Returns false if rounding prevents it.
 bool FaceContours::follow(const Triangle& triangle, const Range& candidates, const SideCrossing& start,
                           FaceContour& piece) {
   double distance = kInfinity;
@@ -255,7 +260,8 @@ bool FaceContours::follow(const Triangle& triangle, const Range& candidates, con
   return false;
 }
 
-/// Collects the sources that may be nearer than the level somewhere on a stretch of the boundary of `of`.
+/// Collects the sources that may be nearer than the level somewhere on a stretch of the boundary of the region of
+/// source `of`.
 void FaceContours::list_rivals(const Range& candidates, std::int32_t of, const StretchOfWay& stretch) {
   rivals_.clear();
   for (std::size_t i = candidates.begin; i < candidates.end; ++i) {
@@ -272,7 +278,8 @@ void FaceContours::list_rivals(const Range& candidates, std::int32_t of, const S
   }
 }
 
-/// Collects where a way up to `end` meets boundaries of rivals in the triangle, ascending, and its end.
+/// Collects the positions, ascending, at which a way up to `end` intersects boundaries of rivals in the triangle, and
+/// `end` itself.
 void FaceContours::list_stops(const Triangle& triangle, const ContourWay& way, double end) {
   stops_.clear();
   const auto stop_at = [&](const Vec2& p) {
@@ -289,8 +296,8 @@ void FaceContours::list_stops(const Triangle& triangle, const ContourWay& way, d
   stops_.push_back(end);
 }
 
-/// Goes on to where the part of the region's boundary ends, or leaves the triangle, or enters another source's region:
-/// that one is the place's source then. Adds the points before.
+/// Moves the place to where the part of the region's boundary ends, leaves the triangle, or enters the region of
+/// another source, which then becomes the place's source. Adds the points before it to the chain.
 FaceContours::Stop FaceContours::advance(const Triangle& triangle, const Range& candidates, Place& place) {
   const ContourWay way(sources_[place.source], place.part, level_, place.at);
   const Exit exit = find_exit(triangle, way);
@@ -319,12 +326,12 @@ FaceContours::Stop FaceContours::advance(const Triangle& triangle, const Range& 
   return stop;
 }
 
-/// How far a way stays in the triangle, and whether it leaves it there. It may touch a side before.
+/// How far a way stays in the triangle, and whether it leaves the triangle there. It may touch a side before.
 FaceContours::Exit FaceContours::find_exit(const Triangle& triangle, const ContourWay& way) {
   stops_.clear();
   for (std::size_t i = 0; i < 3; ++i) {
     intersect(way.carrier(), Carrier::line(triangle.corner[i], triangle.side[i]), [&](const Vec2& p) {
-      if (triangle.outside(p) > join_) return;  // on the line of a side, beyond it
+      if (triangle.outside(p) > join_) return;  // on the line of a side, but beyond the side
       const double t = way.position(p);
       if (t > 0 && t < way.end()) stops_.push_back(t);
     });
@@ -339,8 +346,8 @@ FaceContours::Exit FaceContours::find_exit(const Triangle& triangle, const Conto
   return {at, false};
 }
 
-/// Goes on from the end of a part of a boundary: to the source behind the same end of the opening, if its boundary goes
-/// on there, or else to the next part. False where there is none.
+/// Continues from the end of a part of a boundary: with the source behind the same end of the opening if its boundary
+/// continues there, otherwise with the next part. Returns false if there is none.
 bool FaceContours::pass_end(Place& place) const {
   const FaceSource& s = sources_[place.source];
   if (place.part == 2 || s.is_corner()) return false;
@@ -362,7 +369,7 @@ bool FaceContours::pass_end(Place& place) const {
   return true;
 }
 
-/// The crossing at `exit` where no curve ends yet, within the tolerance of joints.
+/// The crossing nearest to `exit`, within the tolerance of joints, at which no curve ends yet.
 std::optional<std::size_t> FaceContours::crossing_at(const Triangle& triangle, const Vec2& exit) const {
   std::optional<std::size_t> best;
   double least = join_;
@@ -375,7 +382,8 @@ std::optional<std::size_t> FaceContours::crossing_at(const Triangle& triangle, c
   return best;
 }
 
-/// The first crossing beside the points where no curve ends yet. The points behind it are removed.
+/// The first crossing that the chords between the points pass and at which no curve ends yet. The points behind it are
+/// removed.
 std::optional<std::size_t> FaceContours::cut_at_passed_crossing(const Triangle& triangle,
                                                                 std::vector<Vec2>& points) const {
   for (std::size_t k = 1; k < points.size(); ++k) {
@@ -389,8 +397,8 @@ std::optional<std::size_t> FaceContours::cut_at_passed_crossing(const Triangle& 
   return std::nullopt;
 }
 
-/// Ends a curve that leaves the triangle at the crossing there. Where the curve runs along a side, which is on the
-/// level, rounding decides where the crossings are: then it is one that the curve has passed.
+/// Ends a curve at the crossing where it leaves the triangle. If the curve runs along a side, which is on the level,
+/// rounding decides where the crossings are, and the curve ends at a crossing that it has passed.
 bool FaceContours::end_at_crossing(const Triangle& triangle, const Place& exit, FaceContour& piece) {
   std::vector<Vec2>& points = chain_.points();
   std::optional<std::size_t> end = crossing_at(triangle, exit.at);
@@ -403,7 +411,7 @@ bool FaceContours::end_at_crossing(const Triangle& triangle, const Place& exit, 
   if (!end) return false;
   is_taken_[*end] = true;
   piece.to = triangle.crossings[*end].id;
-  // The ends are crossings: what is between them is the piece's own.
+  // The first and the last point are crossings. The piece stores the points between them.
   if (points.size() > 2) piece.points.assign(points.begin() + 1, points.end() - 1);
   while (!piece.points.empty() && (piece.points.back() - triangle.crossings[*end].at).norm() <= rounding_) {
     piece.points.pop_back();
@@ -411,7 +419,7 @@ bool FaceContours::end_at_crossing(const Triangle& triangle, const Place& exit, 
   return true;
 }
 
-/// Joins the crossings of a triangle by straight pieces. Curves do not cross each other.
+/// Joins the crossings of a triangle by straight pieces that don't cross each other.
 void FaceContours::pair(const Triangle& triangle) {
   const std::size_t n = triangle.crossings.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -420,7 +428,7 @@ void FaceContours::pair(const Triangle& triangle) {
   }
 }
 
-/// Cuts a triangle in two, from the middle of its longest side.
+/// Cuts a triangle in two, through the middle of its longest side.
 void FaceContours::split(const Triangle& triangle, const Range& candidates) {
   std::size_t first = 0;
   const auto length = [&](std::size_t i) { return (triangle.after(i) - triangle.corner[i]).squaredNorm(); };
@@ -465,7 +473,8 @@ void FaceContours::split(const Triangle& triangle, const Range& candidates) {
   }
 }
 
-/// The crossings of a segment between two triangles, from its begin on. They agree with the states of its ends.
+/// Finds the crossings of a segment between two triangles, in order from its beginning. They agree with the states of
+/// its ends.
 std::vector<SideCrossing> FaceContours::cross_segment(const PlaneSegment& segment, bool near_at_begin, bool near_at_end,
                                                       const Range& candidates) {
   const double length = (segment.to - segment.from).norm();
@@ -501,7 +510,7 @@ std::vector<SideCrossing> FaceContours::cross_segment(const PlaneSegment& segmen
   return found;
 }
 
-/// Joins the pieces of all triangles to curves: those that begin at a crossing of a side, then the closed ones.
+/// Joins the pieces of all triangles to curves: first curves that begin at a crossing of a side, then closed curves.
 void FaceContours::join_pieces(std::span<const SideCrossing> crossings, std::vector<FaceContour>& found) {
   if (inner_.empty()) {
     std::ranges::move(pieces_, std::back_inserter(found));

@@ -20,25 +20,26 @@ namespace gvd {
 /// Where a curve of equal distance crosses a side of a face, as seen from the face.
 struct SideCrossing {
   std::int32_t id;
-  std::int32_t side;  ///< 0, 1 or 2: that from corner `side` to the next one
+  std::int32_t side;  ///< 0, 1 or 2: the side from corner `side` to the next corner
   Vec2 at;            ///< in the layout of the face
-  bool leaves;        ///< counter-clockwise round the face, the side leaves the near part here
+  bool leaves;        ///< whether the side, counter-clockwise round the face, leaves the near part here
 };
 
 /// A curve of equal distance inside a face: the nearer side is on its left.
 struct FaceContour {
   std::int32_t from, to;     ///< ids of crossings of the sides; kClosed for a curve that closes inside the face
-  std::vector<Vec2> points;  ///< between them; on the level
+  std::vector<Vec2> points;  ///< points on the level between the two crossings
 
   static constexpr std::int32_t kClosed = -1;
 };
 
-/// The curves of equal distance in one face after the other. One object serves one thread, to save allocations.
+/// Finds the curves of equal distance in face after face. One object serves one thread; using it again saves
+/// allocations.
 ///
-/// Properties: (1) each crossing that leaves the near part begins one curve, and each of the others ends one, whatever
-/// the numbers are; (2) the points are on the level, and the distance of no point between them differs from it by more
-/// than the tolerance; (3) curves that close inside the face are found, unless the distance rises above the level by
-/// less than the tolerance inside of them.
+/// Properties: (1) each crossing that leaves the near part begins one curve, and every other crossing ends one, however
+/// numbers are rounded; (2) the points are on the level, and the distance of no point between them differs from it by
+/// more than the tolerance; (3) curves that close inside the face are found, unless the distance rises above the level
+/// by less than the tolerance inside of them.
 class FaceContours {
  public:
   /// `tolerance`: largest distance of a point of a polyline from its level, mesh units, > 0.
@@ -47,8 +48,9 @@ class FaceContours {
   /// Starts a face. The least of the sources' distances is the distance. Cost: O(k) for k sources.
   void enter(const FaceLayout& layout, std::span<const FaceSource> sources);
 
-  /// Appends the curves of one level. `is_near`: whether each corner is within the level. `crossings`: those of the
-  /// sides, counter-clockwise from corner 0, numbered from 0; `leaves` alternates and agrees with `is_near`.
+  /// Appends the curves of one level. `is_near` tells for each corner whether it is within the level. `crossings` are
+  /// the crossings of the sides, counter-clockwise from corner 0, with ids from 0; their `leaves` alternates and agrees
+  /// with `is_near`.
   /// Cost: mostly O(k points), where k sources reach the level in the face.
   void trace(double level, const std::array<bool, 3>& is_near, std::span<const SideCrossing> crossings,
              std::vector<FaceContour>& found);
@@ -74,14 +76,14 @@ class FaceContours {
     std::array<double, 3> at_corner;  // its distances at the triangle's corners
     double lowest;                    // no distance in the triangle is less
 
-    /// Distances of one source are convex.
+    /// No distance in the triangle is larger, because distances of one source are convex.
     double most() const { return std::max({at_corner[0], at_corner[1], at_corner[2]}); }
   };
   /// Candidates on the stack.
   struct Range {
     std::size_t begin, end;
   };
-  /// A position on the boundary of what a source reaches, on the way round it.
+  /// A position on the boundary of a source's region.
   struct Place {
     std::int32_t source;
     std::size_t part;
@@ -127,19 +129,19 @@ class FaceContours {
   const FaceLayout* layout_ = nullptr;
   std::span<const FaceSource> sources_;
   std::vector<Candidate> of_face_;
-  std::vector<std::int32_t> beaten_corners_;  // sources to which a window brings their distance
-  double longest_ = 0;                        // side of the face
+  std::vector<std::int32_t> beaten_corners_;  // corners to which a window also brings their distance
+  double longest_ = 0;                        // longest side of the face
 
   // The state of one level:
   double level_ = 0, rounding_ = 0, chord_ = 0, join_ = 0;
-  std::vector<Candidate> stack_;     // candidates of the triangle and of those that contain it
+  std::vector<Candidate> stack_;     // candidates of the triangle and of the triangles that contain it
   std::vector<FaceContour> pieces_;  // in triangles, between crossings of their sides
   std::vector<Vec2> inner_;  // positions of the crossings between triangles, whose ids follow those of the sides
-  std::int32_t side_crossings_ = 0;  // their number
-  std::vector<bool> is_taken_;       // [crossing of the triangle]
+  std::int32_t side_crossings_ = 0;  // number of crossings of the sides
+  std::vector<bool> is_taken_;       // per crossing of the triangle: whether a curve ends there
   ChordChain chain_;
   std::vector<std::int32_t> rivals_;  // sources that may be as near as the level somewhere on the way
-  std::vector<double> stops_;         // on the way round a region, or along a segment
+  std::vector<double> stops_;         // positions on the way round a region, or along a segment
 };
 
 }  // namespace gvd

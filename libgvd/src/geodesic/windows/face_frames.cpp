@@ -1,10 +1,11 @@
 // Lengths, angles and kinds of faces and vertices for the propagation, in one place for the cache.
 //
 // Idea: cosines and sines of the corners come from the sides' vectors, and the total angle of a vertex from products of
-// them. So no window needs a division by a length, and no vertex an inverse function.
+// them. Therefore no window needs a division by a length, and no vertex needs an inverse trigonometric function.
 // Source: the kinds of vertices are those of Mitchell, Mount and Papadimitriou (1987): shortest paths bend only at
 // saddles and at reflex vertices of the boundary.
-// Invariant: a vertex of needles whose kind rounding hides sends windows in all directions, which is always correct.
+// Invariant: if rounding hides the kind of a vertex at needles, the vertex sends windows in all directions, which is
+// always correct.
 #include "geodesic/windows/face_frames.hpp"
 
 #include <algorithm>
@@ -17,10 +18,11 @@
 namespace gvd {
 namespace {
 
-/// A sum of angles in [0, pi], kept as a number of half turns with its cosine and sine: no inverse trigonometry.
+/// A sum of angles in [0, pi], kept as a number of half turns with its cosine and sine, so that no inverse
+/// trigonometric function is needed.
 struct AngleSum {
   double cosine = 1, sine = 0;
-  double least_sine = 1;        // of the corners of the faces round the vertex
+  double least_sine = 1;        // least sine of the corners of the faces round the vertex
   std::int32_t half_turns = 0;  // number of multiples of pi that the sum has crossed
 
   void add(double c, double s, double least_sine_of_face) {
@@ -60,24 +62,24 @@ VertexKind kind_of(const AngleSum& total, bool boundary) {
   return boundary ? VertexKind::reflex : VertexKind::saddle;
 }
 
-/// Sine that the widest angle of a face without area is given. So paths can cross the face from its middle corner
+/// The sine that the widest angle of a face without area gets, so that paths can cross the face from its middle corner
 /// through the longest side. It is relative to the two shorter sides, so that lengths still agree however unequal these
-/// are: the height's square is 1e-24 of theirs. Paths become longer by at most 1e-12 of the shorter side.
+/// are: the square of the height is 1e-24 of their squares. Paths become longer by at most 1e-12 of the shorter side.
 constexpr double kLeastSine = 1e-12;
 
 /// Least height of a face on its longest side, as a fraction of that side, for which the mesh's area is accurate. That
-/// area has an error of 1e-16 of the side's square. So faces that are higher keep 12 digits.
+/// area has an error of 1e-16 of the side's square, so that faces with a larger height keep 12 digits.
 constexpr double kAccurateHeight = 1e-4;
 
-/// Twice the area of a face that is lower, from its two shortest sides. Its error is 1e-16 of their product. So the
-/// angles of a needle keep all digits. Never zero unless a side has no length.
+/// Twice the area of a face whose height is less, computed from its two shortest sides. The error is 1e-16 of their
+/// product, so that the angles of a needle keep all digits. The result is never zero unless a side has no length.
 double twice_area_from_short_sides(const std::array<Vec3, 3>& side, const std::array<double, 3>& length) {
   const auto longest = std::max_element(length.begin(), length.end()) - length.begin();
   const auto i = (longest + 1) % 3, j = (longest + 2) % 3;
   return std::max(side[i].cross(side[j]).stableNorm(), kLeastSine * length[i] * length[j]);
 }
 
-/// Faces whose frames one thread makes at a time.
+/// Number of faces whose frames one thread makes at a time.
 constexpr std::size_t kFramesPerChunk = 1 << 12;
 
 }  // namespace
@@ -94,9 +96,9 @@ FaceFrame make_face_frame(const Mesh& mesh, FaceId f) {
   const double twice_area = is_accurate ? shape.twice_area : twice_area_from_short_sides(side, shape.length);
   for (int i = 0; i < 3; ++i) {
     const int before = (i + 2) % 3;
-    // Computed from the sides' vectors: the law of cosines would lose the digits of a needle's lengths.
+    // This uses the vectors of the sides, because the law of cosines would lose the digits of a needle's lengths.
     const double product = shape.length[i] * shape.length[before];
-    // Two generators can lie at one point: a side without length counts as perpendicular to the others.
+    // Two generators can lie at the same point. A side without length counts as perpendicular to the others.
     const double scale = 1 / product;
     frame.cosine[i] = product > 0 ? -side[i].dot(side[before]) * scale : 0;
     frame.sine[i] = product > 0 ? twice_area * scale : 1;

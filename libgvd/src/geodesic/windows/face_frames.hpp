@@ -19,19 +19,19 @@ using PartitionId = Id<struct PartitionTag>;
 /// first copy has the number of the vertex, further ones are numbered beyond the last vertex.
 using VertexCopyId = Id<struct VertexCopyTag>;
 
-/// A copy of a vertex that several partitions have, numbered among these alone.
+/// A copy of a vertex that several partitions have. Only such copies are numbered.
 using SharedCopyId = Id<struct SharedCopyTag>;
 
 inline VertexCopyId first_copy(VertexId v) { return VertexCopyId(v.value()); }
 
 /// A face as window propagation sees it: all that it takes to carry an image across the face without dividing by a
-/// length or computing an angle. 96 bytes, one and a half lines of the cache.
+/// length or computing an angle. It takes 96 bytes, one and a half cache lines.
 struct FaceFrame {
-  std::array<double, 3> length;        ///< of halfedge i, mesh units
-  std::array<double, 3> cosine;        ///< of the angle at corner i
-  std::array<double, 3> sine;          ///< of the angle at corner i, >= 0
+  std::array<double, 3> length;        ///< the length of halfedge i, mesh units
+  std::array<double, 3> cosine;        ///< the cosine of the angle at corner i
+  std::array<double, 3> sine;          ///< the sine of the angle at corner i, >= 0
   std::array<VertexCopyId, 3> vertex;  ///< at corner i; the first copies, until the mesh is cut into partitions
-  std::array<HalfedgeId, 3> twin;      ///< of halfedge i; invalid on the boundary
+  std::array<HalfedgeId, 3> twin;      ///< the twin of halfedge i; invalid on the boundary
 };
 static_assert(sizeof(FaceFrame) == 96);
 
@@ -59,20 +59,20 @@ inline constexpr double kPositionRounding = 1e-14;
 struct FaceFrames {
   IdVector<FaceId, FaceFrame> frame;
   IdVector<VertexCopyId, VertexKind> kind;
-  /// Whether a face is a needle. Paths through different faces then tie in many places, and filters that cost time or
-  /// memory are worth it.
+  /// Whether any face is a needle. Paths through different faces then tie in many places, so that filters that cost
+  /// time or memory are worth it.
   bool has_needles = false;
-  /// Whether a face is thin: windows might wind round it many times. Paths that enter a face twice, and gaps that
-  /// rounding leaves between windows, are then looked for.
+  /// Whether any face is thin, so that windows might wind round it many times. Propagation then looks for paths that
+  /// enter a face twice, and for gaps that rounding leaves between windows.
   bool has_thin_faces = false;
-  /// Least sine of all corners. Rounding turns the directions of paths by up to kPositionRounding over it.
+  /// Least sine of all corners. Rounding turns the directions of paths by up to kPositionRounding divided by it.
   double least_sine = 1;
 
   /// Cost: O(n), no trigonometry.
   FaceFrames(const Mesh& mesh, const ParallelChunks& parallel);
 
-  /// Follows a change of the mesh, in which only these faces and their vertices have changed. The vertices are first
-  /// copies again. `least_sine`, which is not updated, has to be the least of the other faces, or below.
+  /// Follows a change of the mesh in which only these faces and their vertices have changed. Afterwards their corners
+  /// refer to first copies again. `least_sine` is not updated; the caller sets it by `set_least_sine`.
   /// Cost: O(faces of their vertices).
   void update(const Mesh& mesh, std::span<const FaceId> changed);
   /// The least sine of the corners of a face.
@@ -81,7 +81,7 @@ struct FaceFrames {
   void set_least_sine(double least);
 };
 
-/// The angles of all corners, and those of the sides round a vertex, as departures count them.
+/// The angles of all corners, and of the sides round each vertex, as departures count them.
 class CornerAngles {
  public:
   CornerAngles() = default;
@@ -91,8 +91,8 @@ class CornerAngles {
   bool empty() const { return corner_.empty(); }
   /// The angle of the corner that a halfedge leaves.
   Departure corner(HalfedgeId h) const { return corner_[h]; }
-  /// The angle of a halfedge round the vertex that it leaves, counter-clockwise from `mesh.halfedge` of that vertex.
-  /// For generators.
+  /// The angle of a halfedge round the vertex that it leaves, counter-clockwise from `mesh.halfedge` of that vertex. It
+  /// is used for generators.
   Departure side(HalfedgeId h) const { return side_[h]; }
 
  private:

@@ -1,9 +1,11 @@
 // The logarithm of any point: the distance to its nearest generator, and the direction in which the path leaves it.
 //
 // Idea: windows carry the angle at which their paths leave the generator. In the plane of a face, a ray from an image
-// differs from the window's side by an angle that the tangent plane shares. So a logarithm needs no tracing back.
+// forms an angle with the window's side that is the same in the tangent plane. A logarithm therefore needs no tracing
+// back.
 // Source: docs/developer/lloyd.md, "Departures", whose tangent planes are scaled as Polthier and Schmies (1998) do.
-// Invariant: `images_` are those that reach the face entered last, corners first, windows in their order.
+// Invariant: `images_` has the images that reach the face entered last, first the corners, then the windows in their
+// order.
 #include "geodesic/windows/nearest_paths.hpp"
 
 #include <cmath>
@@ -23,7 +25,7 @@ double tangent_angle(const WorkingMesh& working, const TangentFan& fan, Halfedge
   return fan.angle(parent, layout.at(corners[(from + 1) % 3]) - layout.at(corners[from]));
 }
 
-/// The number of windows by which the cache is filled ahead: those of one or two faces.
+/// Windows are prefetched this many ahead, which is about the number of windows of one or two faces.
 constexpr std::size_t kAhead = 16;
 
 }  // namespace
@@ -50,7 +52,7 @@ void NearestPaths::enter(FaceId f) {
   }
   const Chunk windows = field_.windows.of_face(f);
   for (std::size_t number = windows.begin; number < windows.end; ++number) {
-    field_.windows.prefetch_window(number + kAhead);  // of faces that probably come next
+    field_.windows.prefetch_window(number + kAhead);  // windows of faces that probably come next
     add_window(number);
   }
 }
@@ -98,8 +100,8 @@ NearestPath NearestPaths::from(std::size_t image, const Vec2& p) {
   return {source.generator, distance, log(source, ray, distance)};
 }
 
-/// No straight path of a generator reaches the point, only paths round the end of an opening. Happens beside a cell
-/// without a corner of the face.
+/// Finds the shortest path round the end of an opening, if no straight path of a generator reaches the point. This
+/// happens beside a cell that contains no corner of the face.
 NearestPath NearestPaths::find_round_ends(const Vec2& p, GeneratorId only) const {
   NearestPath nearest{GeneratorId(), kInfinity, Vec2::Zero()};
   for (const Image& image : images_) {
@@ -125,7 +127,7 @@ Vec2 NearestPaths::log(Image& image, const Vec2& ray, double distance) const {
     image.has_direction = true;
   }
   if (!is_direct(image)) return distance * image.direction;
-  // The ray is turned from the face into the tangent plane, as the side is.
+  // The ray is rotated from the face into the tangent plane by the same angle as the side.
   const Vec2& side = side_[image.side];
   return side.dot(ray) * image.direction + cross(side, ray) * turned_left(image.direction);
 }

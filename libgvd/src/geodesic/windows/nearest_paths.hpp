@@ -21,7 +21,7 @@ namespace gvd {
 /// (see geodesic_tracing.hpp).
 class Departures {
  public:
-  /// `generators`: of the working mesh, in the input. Cost: O(generators).
+  /// `generators` are those of the working mesh, as points of the input. Cost: O(generators).
   Departures(const WorkingMesh& working, const std::vector<SurfacePoint>& generators);
 
   /// The tangent direction of generator g, a unit vector, in which a path departs.
@@ -29,7 +29,7 @@ class Departures {
     const Plane& plane = planes_[g];
     return unit_vector(plane.start + plane.scale * (plane.scale == 1 ? departure.turned() : departure.angle()));
   }
-  /// Whether tangent angles are angles on the surface. They are scaled at vertices with curvature.
+  /// Whether tangent angles equal the angles on the surface. At vertices with curvature they are scaled.
   bool is_flat(GeneratorId g) const { return planes_[g].scale == 1; }
 
  private:
@@ -42,17 +42,18 @@ class Departures {
 
 /// A shortest path from the nearest generator to a point.
 struct NearestPath {
-  GeneratorId generator;  ///< invalid where none reaches
+  GeneratorId generator;  ///< invalid if none reaches the point
   double distance;        ///< without the distance at which the generator starts, mesh units
-  /// The logarithm of the point: the tangent vector at the generator (see geodesic_tracing.hpp) in whose direction the
-  /// path departs, with its length.
+  /// The logarithm of the point: the tangent vector at the generator (see geodesic_tracing.hpp) that has the direction
+  /// in which the path departs, and the length of the path.
   Vec2 log;
 };
 
-/// The shortest paths to points of one face after the other. For one thread; several may read the same field.
+/// Finds the shortest paths to points of face after face. An object serves one thread; several threads may read the
+/// same field.
 class NearestPaths {
  public:
-  /// `field`: with departures. All have to outlive this.
+  /// `field` must have departures. All arguments must outlive this object.
   NearestPaths(const Mesh& mesh, const WindowField& field, const Departures& departures)
       : mesh_(mesh), field_(field), departures_(departures) {}
 
@@ -61,49 +62,52 @@ class NearestPaths {
   void enter(FaceId f);
   /// The position of a point of the face in its layout (FaceLayout).
   Vec2 position(const Bary& bary) const { return interpolate(bary, corner_[0], corner_[1], corner_[2]); }
-  /// The shortest path to a point of the face, or that from the generator `only`, whose cell has a part in the face.
+  /// The shortest path to a point of the face, or the shortest one from the generator `only`, whose cell must have a
+  /// part in the face.
   /// Cost: O(windows on the face).
   NearestPath at(const Vec2& p, GeneratorId only = GeneratorId());
 
-  /// The path from an image, if the straight way to the point goes through its opening; else that from its generator.
+  /// The path from an image if the straight way to the point goes through its opening; otherwise the shortest path from
+  /// the image's generator.
   /// Cost: O(1), or O(windows on the face).
   NearestPath from(std::size_t image, const Vec2& p);
 
-  /// The image of a point that no generator reaches.
+  /// Returned for a point that no generator reaches.
   static constexpr std::size_t kNoImage = static_cast<std::size_t>(-1);
-  /// The image that the shortest path to a point of the face comes from; kNoImage if no generator reaches it.
+  /// The image from which the shortest path to a point of the face comes; kNoImage if no generator reaches the point.
   /// Cost: O(windows on the face).
   std::size_t nearest_image(const Vec2& p) const {
     double distance = kInfinity;
     return search(p, GeneratorId(), distance);
   }
-  /// The square length of the straight way from an image to a point of its plane, through its opening or not, with the
-  /// way to the image.
+  /// The squared length of the path to a point that is straight from an image on, through its opening or not. The
+  /// length includes the way to the image.
   double square_distance(std::size_t image, const Vec2& p) const {
     const double squared = (p - images_[image].at).squaredNorm(), offset = images_[image].offset;
     return offset == 0 ? squared : squared + 2 * offset * std::sqrt(squared) + offset * offset;
   }
-  /// Images have the numbers below this.
+  /// The number of images. They are numbered from 0.
   std::size_t image_count() const { return images_.size(); }
-  /// Whether an image is one of a generator, not of a pseudo-source.
+  /// Whether an image is that of a generator, not of a pseudo-source.
   bool is_direct(std::size_t image) const { return is_direct(images_[image]); }
   GeneratorId generator(std::size_t image) const { return images_[image].generator; }
 
  private:
-  /// An image, with the rays to the ends of its opening; a corner of the face is one without an opening.
+  /// An image, with the rays to the ends of its opening. A corner of the face is an image without an opening.
   struct Image {
     Vec2 at, begin, end;  // `begin` and `end`: from the image to the ends
     double offset;
     GeneratorId generator;
-    int side;            // of the opening; of a corner the one that leaves it
-    std::size_t window;  // its number; kCorner for a corner
+    int side;            // side of the opening; for a corner, the side that leaves it
+    std::size_t window;  // number of the window; kCorner for a corner
     bool has_direction;
     Vec2 direction;  // tangent direction of a ray along the side, or of all rays behind a pseudo-source
   };
   static constexpr std::size_t kCorner = static_cast<std::size_t>(-1);
 
-  /// The image with the shortest way to p among those of `only`, or of all. Lowers `distance` to that, with the one at
-  /// which its generator starts, or leaves it.
+  /// The image with the shortest straight path to p among those of `only`, or among all, if that is shorter than
+  /// `distance`, which is lowered to its length. kNoImage if there is none. Lengths include the distance at which the
+  /// generator starts.
   std::size_t search(const Vec2& p, GeneratorId only, double& distance) const;
   NearestPath find_round_ends(const Vec2& p, GeneratorId only) const;
   void add_window(std::size_t number);
@@ -112,7 +116,7 @@ class NearestPaths {
     return image.window == kCorner || (cross(ray, image.begin) >= 0 && cross(ray, image.end) <= 0);
   }
   bool is_direct(const Image& image) const { return image.offset == field_.starts[image.generator]; }
-  /// `distance`: without the one at which the generator starts.
+  /// `distance` does not include the distance at which the generator starts.
   Vec2 log(Image& image, const Vec2& ray, double distance) const;
   Vec2 direction(const Image& image) const;
   Departure from_side(const Image& image, const Vec2& ray) const;
@@ -121,7 +125,7 @@ class NearestPaths {
   const WindowField& field_;
   const Departures& departures_;
   FaceId face_;
-  std::array<Vec2, 3> corner_, side_;  // of the face in its layout; the sides are unit vectors
+  std::array<Vec2, 3> corner_, side_;  // corners and sides of the face in its layout; the sides are unit vectors
   std::vector<Image> images_;
 };
 

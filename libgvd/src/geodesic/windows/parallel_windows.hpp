@@ -9,21 +9,21 @@
 
 namespace gvd {
 
-// Windows whose paths come from a straight segment of a curve, at right angles to it. They are parallel, and distances
-// grow linearly along an edge. What window_geometry.hpp and window_filters.hpp say of an image holds here for the
-// segment, with the direction of the paths in place of the ray from the image: no proof there uses more than that
-// paths are straight, and that none is shorter.
+// Windows whose paths come from a straight segment of a curve, at right angles to it. The paths are parallel, and
+// distances grow linearly along an edge. Whatever window_geometry.hpp and window_filters.hpp say about an image holds
+// here for the segment, with the direction of the paths in place of the ray from the image, because the proofs there
+// only use that paths are straight and that no path is shorter.
 //
 // Why a direction and not an image far away: an image at the distance D makes an arc of the straight front. Over a
 // window of the width w, the arc is off by w^2 / (8 D). Sums of D and a length lose D / 2^52. Both together are never
 // below 1e-8 w. The direction is rotated by the angle of a corner for each face, as an image is, so that its error
 // grows in the same way (kSameImage). Nothing is divided by a length that may vanish.
 //
-// All of them come from a segment itself: behind a vertex at which paths bend, windows have an image again. So there
-// are few, and none of the code here belongs to the innermost loop.
+// Parallel windows come only from a segment itself, because behind a vertex at which paths bend, windows have an image
+// again. There are therefore few of them, and none of the code here belongs to the innermost loop.
 
-/// The paths of a parallel window in its frame. At the point (x, y) their length is start + along x + across y: only
-/// the way in their direction makes them longer.
+/// The paths of a parallel window in its frame. At the point (x, y) their length is start + along x + across y, because
+/// only the way in their direction makes them longer.
 struct ParallelPaths {
   double along, across;  ///< unit vector of their direction, across > 0
   double start;          ///< distance of the frame's origin
@@ -61,13 +61,13 @@ struct ParallelApexView {
   }
 };
 
-/// Distance from the corner that a side shares with the edge, of the point where a path through u meets the side. Both
-/// count from that corner; `along` is the path's direction away from it. See SideView.
+/// Where a path through the point u of the edge meets a side. Both positions are distances from the corner that the
+/// side shares with the edge; `along` is the component of the path's direction away from that corner. See SideView.
 inline double hit_by_parallel(double u, double along, double across, const ExitSide& side) {
   return u * across / (across * side.cosine - along * side.sine);
 }
 
-/// The sub-windows that leave a face by its left and by its right side, as cross_left and cross_right. The new frame
+/// The sub-windows that leave a face by its left and by its right side, like cross_left and cross_right. The new frame
 /// begins at the side's first corner for the left side, so that `start` stays; at the apex for the right one. Its axes
 /// are those of the old frame, turned by the angle at the corner that the side shares with the edge.
 inline Window cross_left_parallel(const Window& w, const ExitSide& side, const ParallelApexView& apex) {

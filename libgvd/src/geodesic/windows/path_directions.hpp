@@ -9,7 +9,7 @@
 
 namespace gvd {
 
-/// The directions between two, less than half a turn apart: from `right` counter-clockwise to `left`.
+/// A range of directions, from `right` counter-clockwise to `left`, which are less than half a turn apart.
 struct Directions {
   Vec2 right, left;
 
@@ -23,7 +23,7 @@ struct Directions {
   bool is_below_half_turn() const { return cross(right, left) > 0 || right.dot(left) > 0; }
 };
 
-/// The directions of a source's straight paths at the points of a triangle. None where none comes there.
+/// The directions of a source's straight paths at the points of a triangle. Nothing if no straight path reaches it.
 inline std::optional<Directions> directions_of(const FaceSource& s, const std::array<Vec2, 3>& triangle) {
   if (s.is_parallel()) return Directions{s.direction(), s.direction()};
   std::optional<Directions> found;

@@ -1,8 +1,8 @@
 // Traces a shortest path back to its generator.
 //
 // Idea: the best source of the point's faces shows where the path enters the face, and its image. The line towards the
-// image crosses face after face until it meets the vertex that the image is of. From a pseudo-source it goes on in the
-// same way, so only the windows at the bends are read.
+// image crosses face after face until it meets the vertex that has this image. From a pseudo-source the path continues
+// in the same way, so that only the windows at its bends are read.
 // Source: the paths of Mitchell, Mount and Papadimitriou (1987).
 // Invariant: each vertex of a path is nearer to the generator than the one before, so that the path ends.
 #include "geodesic/windows/shortest_path.hpp"
@@ -19,18 +19,19 @@
 namespace gvd {
 namespace {
 
-/// A line that passes a corner at no more than this angle, in radians, ends there. The path continues with the
-/// corner's own shortest path. Otherwise rounding could lead the line past the wrong side of the corner at which its
-/// window ends. Far above the rounding error of an image (1e-13), far below the angle to another corner.
+/// A line that passes a corner within this angle, in radians, ends there, and the path continues with the corner's own
+/// shortest path. Otherwise rounding could lead the line past the wrong side of the corner at which its window ends.
+/// The angle is far above the rounding error of an image (1e-13), and far below the angle to another corner.
 constexpr double kAtCorner = 1e-9;
 
-/// Vertices with more faces keep the way on from them. Few meshes have any, so that the memo is mostly empty.
+/// For vertices with more faces than this, the memo stores how paths continue. Few meshes have such vertices, so that
+/// it is mostly empty.
 constexpr int kManyFaces = 64;
 
 /// A straight line towards an image, at the point where it crosses a halfedge into the halfedge's face.
 struct CrossingLine {
   HalfedgeId halfedge;
-  double t;    // from the halfedge's start, mesh units
+  double t;    // position from the halfedge's start, mesh units
   Vec2 image;  // in the frame of the halfedge, its face above
 };
 
@@ -47,10 +48,10 @@ class PathTracer {
     if (!path_.generator.valid()) return std::move(path_);
     for (VertexId v = follow_best(); v.valid() && !is_on_generator(v);) {
       look_from(v);
-      if (std::isinf(best_.distance)) return std::move(path_);  // rounding hides the continuation
+      if (std::isinf(best_.distance)) return std::move(path_);  // rounding hides how the path continues
       const VertexId nearer = follow_best();
       if (!nearer.valid()) break;  // on a segment of a curve
-      // Rounding again: the path would never end.
+      // By rounding, the path would never end.
       if (!(field_.distance[nearer] < field_.distance[v])) return std::move(path_);
       v = nearer;
     }
@@ -59,7 +60,7 @@ class PathTracer {
   }
 
  private:
-  /// Whether a path ends at a vertex: the generator, or a vertex of it if it is a curve.
+  /// Whether a path ends at a vertex, which is its generator or, if that is a curve, a vertex of the curve.
   bool is_on_generator(VertexId v) const { return v == memo_.end(path_.generator) || field_.distance[v] == 0; }
 
   /// Looks for a shorter path to p through face f. If p is the vertex `reached`, the path must continue from there: it
@@ -93,8 +94,8 @@ class PathTracer {
     if (faces > kManyFaces) memo_.add(key, best_);
   }
 
-  /// Follows the best path to the vertex from which it comes; to none if it comes from a segment of a curve, where it
-  /// ends.
+  /// Follows the best path back to the vertex from which it comes. Returns no vertex if it comes from a segment of a
+  /// curve, where it ends.
   VertexId follow_best() {
     const FaceSource& source = best_.source;
     if (source.is_corner()) return go_to(source.halfedge);
@@ -120,8 +121,8 @@ class PathTracer {
     }
   }
 
-  /// Whether parallel paths begin on the edge of a halfedge, so far from which their beginning lies. Rounding of a
-  /// path's direction over its faces leaves the beginning beside the edge.
+  /// Whether parallel paths begin on the edge of a halfedge. `outside` is the distance of their beginning from the
+  /// edge, which rounding of the path's direction over its faces can make different from 0.
   bool begins_at(HalfedgeId h, double outside) const {
     if (outside > kAtCorner * mesh_.length(h)) return false;
     bool begins = false;
@@ -164,7 +165,7 @@ class PathTracer {
       return end_on_segment(side, along.dot(line.image - origin));
     }
     if (!mesh_.twin(side).valid()) return go_to(Mesh::previous(k));  // it grazes a boundary corner
-    // The vertex lies in this face and rounding led past it: the line would never end.
+    // The vertex lies in this face, and rounding led past it. The line would never end.
     if (outside < -kAtCorner * length) return go_to(nearest_corner(k, line.image, base, apex));
     const double from_x = along.dot(at - origin), image_x = along.dot(line.image - origin);
     const double fraction = inside + outside > 0 ? inside / (inside + outside) : 0;
@@ -186,7 +187,7 @@ class PathTracer {
   PathMemo& memo_;
   GeodesicPath path_;
   std::vector<FaceSource> sources_;
-  PathMemo::Step best_{{}, kInfinity, Vec2::Zero()};  // the shortest way on from the point reached
+  PathMemo::Step best_{{}, kInfinity, Vec2::Zero()};  // the shortest continuation from the point reached
 };
 
 }  // namespace

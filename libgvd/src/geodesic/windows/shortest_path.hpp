@@ -17,11 +17,12 @@
 
 namespace gvd {
 
-/// Where paths end, and where they go on from vertices with many faces: the same for all paths of a generator that come
-/// to one. Searching the tip of a cone of n faces again for each path would take O(n^2). Several threads may use it.
+/// Stores where paths end, and how paths continue from vertices with many faces. All paths of a generator that come to
+/// such a vertex continue in the same way, and searching the tip of a cone of n faces again for each path would take
+/// O(n^2). Several threads may use it at once.
 class PathMemo {
  public:
-  /// `generators`: the vertices that the field was propagated from.
+  /// `generators` are the vertices from which the field was propagated.
   explicit PathMemo(std::vector<VertexId> generators) : generators_(std::move(generators)) {}
 
   using Key = std::pair<VertexId, GeneratorId>;
@@ -49,7 +50,7 @@ class PathMemo {
 };
 
 /// Traces a shortest path over edges and pseudo-sources; its length includes the generator's offset. All windows must
-/// have been kept. `only`: the generator that it leads to, if valid. Cost: O(faces crossed + windows at its ends).
+/// have been kept. If `only` is valid, the path leads to that generator. Cost: O(faces crossed + windows at its bends).
 GeodesicPath trace_shortest_path(const Mesh& mesh, const WindowField& field, PathMemo& memo, const SurfacePoint& start,
                                  GeneratorId only = {});
 

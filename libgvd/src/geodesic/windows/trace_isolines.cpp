@@ -1,12 +1,12 @@
 // Curves of equal distance, from the exact distances on edges and in faces.
 //
 // Idea: along an edge, each source reaches a level within one interval, whose ends follow in closed form. The union of
-// the intervals is the part of the edge within the level; its ends are the crossings. They are stored once, with the
-// edge. The two faces of the edge read them, and join the crossings on their sides by the arcs inside (FaceContours).
-// Each crossing so has one curve that comes and one that goes: a curve can only close, or end on the boundary.
+// the intervals is the part of the edge within the level; its ends are the crossings. Crossings are stored once, with
+// the edge. The two faces of the edge read them, and join the crossings on their sides by arcs (FaceContours). At each
+// crossing, one arc therefore arrives and one leaves, so that a curve can only close or end on the boundary.
 // Source: the sources of Mitchell, Mount and Papadimitriou (1987).
-// Invariant: the nearer side is on the left. Round a face, crossings that leave the level and those that enter it
-// alternate, since the states of an edge's ends are those of the vertices.
+// Invariant: the nearer side is on the left. Round a face, crossings that leave the near part and crossings that enter
+// it alternate, because the states of an edge's ends are those of the vertices.
 #include "geodesic/windows/trace_isolines.hpp"
 
 #include <fmt/format.h>
@@ -31,11 +31,11 @@ namespace {
 
 constexpr StepPart kEdgePart{"isolines", 0, 0.3}, kFacePart{"isolines", 0.3, 1};
 
-/// Edges or faces of a chunk.
+/// Number of edges or faces in a chunk.
 constexpr std::size_t kChunk = 1024;
 
-/// A gap between two intervals, relative to edge and level, that is no more than rounding: distances are right to
-/// 1e-13.
+/// A gap between two intervals of at most this size, relative to the edge and the level, is rounding. Distances have a
+/// relative error of 1e-13.
 constexpr double kSeam = 1e-12;
 
 /// The rounding of a point's position, relative to its largest coordinate: a coordinate is a sum of three products,
@@ -43,24 +43,24 @@ constexpr double kSeam = 1e-12;
 constexpr double kCoordinateRounding = 0x1p-50;
 
 /// Where a curve crosses an edge.
-struct Crossing {
+struct LevelCrossing {
   EdgeId edge;
   std::int32_t level;  // index
   double t;            // from the start of the edge, mesh units
-  bool leaves;         // the edge leaves the near side here
+  bool leaves;         // whether the edge leaves the near part here
 };
 
 /// A curve in a face, from one crossing to another.
 struct Arc {
-  std::int32_t from, to;  // indices of crossings; FaceContour::kClosed where it closes inside the face
+  std::int32_t from, to;  // indices of crossings; FaceContour::kClosed if it closes inside the face
   std::int32_t level;     // index
-  std::size_t end;        // its points are those of the list up to here, from the end of the arc before it
+  std::size_t end;        // its points are those of the list from the previous arc's end to here
 };
 
 /// The curves in a chunk of faces.
 struct ArcList {
   std::vector<Arc> arcs = {};
-  std::vector<SurfacePoint> points = {};  // between the crossings, of all arcs
+  std::vector<SurfacePoint> points = {};  // points of all arcs, between their crossings
 };
 
 /// The part of an edge within a distance, for one source: begin > end if it is empty.
@@ -68,7 +68,8 @@ struct Reach {
   double begin, end;
 };
 
-/// Ends may lie beyond the edge. A source reaches on along the edge from the ends of its interval.
+/// The part of an edge that a source reaches within a level. A source also reaches along the edge from the ends of its
+/// interval. The result may extend beyond the edge.
 Reach reach_of(const EdgeSource& s, double level) {
   const double beyond_begin = level - s.straight(s.begin), beyond_end = level - s.straight(s.end);
   if (s.is_parallel()) {
@@ -88,8 +89,8 @@ struct LevelSets {
   const Mesh& mesh;
   const WindowField& field;
   const std::vector<double>& levels;
-  std::vector<Crossing> crossings = {};
-  std::vector<std::int32_t> first = {};  // [edge] of its crossings, and one for the end
+  std::vector<LevelCrossing> crossings = {};
+  std::vector<std::int32_t> first = {};  // [edge] index of its first crossing, and the end
 };
 
 /// Sorts intervals and joins those that overlap or are no more than `seam` apart.
@@ -106,14 +107,14 @@ void merge(std::vector<Reach>& reaches, double seam) {
   reaches.resize(count);
 }
 
-/// Appends the crossings of an edge. `sources` and `reaches` are memory that is used for one edge after the other.
+/// Appends the crossings of an edge. `sources` and `reaches` are scratch memory that is reused for every edge.
 void cross_edge(const LevelSets& sets, EdgeId e, std::vector<EdgeSource>& sources, std::vector<Reach>& reaches,
-                std::vector<Crossing>& found) {
+                std::vector<LevelCrossing>& found) {
   const Mesh& mesh = sets.mesh;
   const HalfedgeId h = mesh.halfedge(e);
   const double length = mesh.length(h), start = sets.field.distance[mesh.from(h)],
                end = sets.field.distance[mesh.to(h)];
-  // Distances change at most as fast as points move. On fine meshes most edges are between two levels.
+  // Distances change at most as fast as points move. On fine meshes, most edges lie between two levels.
   const double lowest = std::max(start, end) < kInfinity ? 0.5 * (start + end - length) : std::min(start, end) - length;
   const double slack = kSeam * (length + lowest);
   const auto first = std::lower_bound(sets.levels.begin(), sets.levels.end(), lowest - slack);
@@ -138,7 +139,8 @@ void cross_edge(const LevelSets& sets, EdgeId e, std::vector<EdgeSource>& source
 /// More crossings than these would fill the memory: each takes up to a kilobyte until its curve is written.
 constexpr double kMostCrossings = 2e7;
 
-/// Refuses levels that cross edges too often. Counted by the ends of the edges, so there are at least as many.
+/// Refuses levels that cross edges too often. The crossings are counted by the distances at the ends of the edges, so
+/// that there are at least as many as counted.
 void check_crossings(const LevelSets& sets) {
   const Mesh& mesh = sets.mesh;
   if (double(mesh.edge_count()) * double(sets.levels.size()) <= kMostCrossings) return;
@@ -161,18 +163,18 @@ void check_crossings(const LevelSets& sets) {
 void find_crossings(LevelSets& sets, const ParallelChunks& parallel) {
   const std::int32_t edges = sets.mesh.edge_count();
   sets.crossings = parallel.collect(cut_into_chunks(edges, kChunk), kEdgePart, [&](const Chunk& chunk) {
-    std::vector<Crossing> found;
+    std::vector<LevelCrossing> found;
     std::vector<EdgeSource> sources;
     std::vector<Reach> reaches;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) cross_edge(sets, EdgeId(i), sources, reaches, found);
     return found;
   });
   sets.first.assign(edges + 1, 0);
-  for (const Crossing& crossing : sets.crossings) ++sets.first[crossing.edge.index() + 1];
+  for (const LevelCrossing& crossing : sets.crossings) ++sets.first[crossing.edge.index() + 1];
   for (std::size_t e = 1; e < sets.first.size(); ++e) sets.first[e] += sets.first[e - 1];
 }
 
-/// Finds the arcs in one face after the other, for one thread.
+/// Finds the arcs in face after face. An object serves one thread.
 class FaceTracer {
  public:
   FaceTracer(const LevelSets& sets, double tolerance) : sets_(sets), contours_(tolerance) {}
@@ -204,7 +206,7 @@ class FaceTracer {
     std::int32_t crossing;
     std::int32_t level;
     std::int32_t side;
-    bool is_own;  // the side is the edge's own halfedge
+    bool is_own;  // whether the side is the edge's own halfedge
   };
 
   /// The crossings of all sides, by level, counter-clockwise.
@@ -224,7 +226,8 @@ class FaceTracer {
     std::ranges::stable_sort(of_face_, {}, &Seen::level);
   }
 
-  /// The levels that may be above the distances of all corners and yet inside the face. Few faces have any.
+  /// The levels that may occur inside the face although they are above the distances of all corners. Few faces have
+  /// any.
   std::span<const double> levels_inside(FaceId f) const {
     const Mesh& mesh = sets_.mesh;
     const auto& length = mesh.shape(f).length;
@@ -243,7 +246,7 @@ class FaceTracer {
     const Mesh& mesh = sets_.mesh;
     sides_.clear();
     for (const Seen& c : seen) {
-      const Crossing& crossing = sets_.crossings[c.crossing];
+      const LevelCrossing& crossing = sets_.crossings[c.crossing];
       const double t = std::min(1.0, crossing.t / mesh.length(crossing.edge));
       const Vec2 &from = layout.corner[c.side], &to = layout.corner[(c.side + 1) % 3];
       sides_.push_back({std::int32_t(sides_.size()), c.side, from + (c.is_own ? t : 1 - t) * (to - from),
@@ -270,18 +273,18 @@ class FaceTracer {
   FaceContours contours_;
   std::vector<FaceSource> sources_;
   std::vector<Seen> of_face_;
-  std::vector<SideCrossing> sides_;  // of one level
-  std::vector<FaceContour> curves_;  // likewise
+  std::vector<SideCrossing> sides_;  // crossings of one level
+  std::vector<FaceContour> curves_;  // curves of one level
 };
 
-/// Whether two points are in one place, but for the rounding of the distances on the edges and of their coordinates.
+/// Whether two points have the same position, up to the rounding of distances on the edges and of coordinates.
 bool is_same(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, double level) {
   const Vec3 p = position(mesh, a), q = position(mesh, b);
   return (q - p).norm() <= kSeam * level + kCoordinateRounding * p.cwiseAbs().maxCoeff();
 }
 
-/// Leaves out one of two neighbours in the same place, of which the other one shares faces with those before and
-/// behind. The ends of an open curve stay: they are on the boundary.
+/// Leaves out one of two consecutive points at the same position if the other one has a face in common with the points
+/// before and after them. The ends of an open curve stay, because they are on the boundary.
 void drop_repeated(const Mesh& mesh, Isoline& line) {
   const auto are_same = [&](const SurfacePoint& a, const SurfacePoint& b) { return is_same(mesh, a, b, line.level); };
   const auto are_neighbours = [&](const SurfacePoint& a, const SurfacePoint& b) {
@@ -308,15 +311,15 @@ void drop_repeated(const Mesh& mesh, Isoline& line) {
   line.points = std::move(kept);
 }
 
-/// Whether a curve is no more than a point.
+/// Whether a curve is just a point.
 bool is_point(const Mesh& mesh, const Isoline& line) {
   const std::size_t count = line.points.size();
   return count < (line.closed ? 3 : 2) ||
          (count == 2 && is_same(mesh, line.points.front(), line.points.back(), line.level));
 }
 
-/// Joins arcs to curves: those that begin on the boundary, then closed ones, then those inside faces; by level. Points
-/// that repeat the one before are left out, and so are curves that are no more than a point.
+/// Joins arcs to curves: first curves that begin on the boundary, then closed curves, then curves inside faces; all
+/// sorted by level. Repeated points are left out, and so are curves that are just a point.
 std::vector<Isoline> join_arcs(const LevelSets& sets, const std::vector<ArcList>& lists) {
   const Mesh& mesh = sets.mesh;
   std::vector<Isoline> lines;
@@ -325,7 +328,7 @@ std::vector<Isoline> join_arcs(const LevelSets& sets, const std::vector<ArcList>
     if (!is_point(mesh, line)) lines.push_back(std::move(line));
   };
 
-  std::vector<std::pair<Arc, std::span<const SurfacePoint>>> arcs;  // with the points of each
+  std::vector<std::pair<Arc, std::span<const SurfacePoint>>> arcs;  // each with its points
   std::vector<std::int32_t> leaving(sets.crossings.size(),
                                     -1);                       // [crossing] the arc from it that is not taken; -1: none
   std::vector<bool> is_entered(sets.crossings.size(), false);  // [crossing]
@@ -341,7 +344,7 @@ std::vector<Isoline> join_arcs(const LevelSets& sets, const std::vector<ArcList>
     }
   }
 
-  // Follows the arcs from a crossing to the boundary, or round to it, and takes them.
+  // Follows the arcs from a crossing to the boundary, or round to the crossing itself, and removes them from `leaving`.
   const auto follow = [&](std::size_t first, bool closed) {
     Isoline line{sets.levels[sets.crossings[first].level], closed, {}};
     for (std::size_t at = first;;) {

@@ -8,8 +8,8 @@
 
 namespace gvd {
 
-/// The curves of equal distance on the mesh that the field was propagated on, by level. All windows must have been
-/// kept. `mean_edge`: the length that the chord tolerance is relative to, mesh units. See ExactField::isolines.
+/// Finds the curves of equal distance on the mesh on which the field was propagated, sorted by level. All windows must
+/// have been kept. The chord tolerance is relative to `mean_edge`, in mesh units. See ExactField::isolines.
 /// Cost: O(windows + levels on each edge and face).
 std::vector<Isoline> trace_isolines(const Mesh& mesh, const WindowField& field, const std::vector<double>& levels,
                                     double mean_edge, const IsolineOptions& options);

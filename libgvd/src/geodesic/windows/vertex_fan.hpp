@@ -23,8 +23,8 @@ struct Rotation {
   bool is_grazing() const { return sine < kGrazingAngle && cosine > 0; }
 };
 
-/// A direction at a vertex: in the face of `halfedge`, which leaves the vertex, at an angle in [0, that of the corner]
-/// counter-clockwise from it.
+/// A direction at a vertex. It lies in the face of `halfedge`, which leaves the vertex, at an angle counter-clockwise
+/// from that halfedge that is at most the angle of the corner.
 struct FanRay {
   HalfedgeId halfedge;
   Rotation angle;
@@ -36,16 +36,16 @@ struct VertexPath {
   double distance;  ///< length from the generator, mesh units
   GeneratorId generator;
   FanRay back;               ///< direction at the vertex from which the path comes; invalid at a generator
-  Departure departure = {};  ///< where it leaves the generator, if departures are recorded
+  Departure departure = {};  ///< direction in which it leaves the generator, if departures are recorded
 };
 
 /// The faces round a vertex, one after the other.
 ///
 /// The saddle fan rule: a shortest path that passes through a pseudo-source leaves an angle of at least pi on both
-/// sides. With less on one side, a path that cuts the corner there, through flat faces, would be shorter. So with the
-/// total angle theta, a path that arrives from direction phi continues into [phi + pi, phi + theta - pi] and nowhere
-/// else. At a boundary vertex one of the two sides is no surface: it continues into [phi + pi, theta] and [0, phi -
-/// pi].
+/// sides. If the angle on one side were smaller, a path that cuts the corner there would be shorter. With the total
+/// angle theta, a path that arrives from direction phi therefore continues only into [phi + pi, phi + theta - pi]. At a
+/// boundary vertex, one of the two sides is not part of the surface, and the path continues into [phi + pi, theta] and
+/// [0, phi - pi].
 class VertexFan {
  public:
   explicit VertexFan(const FaceFrames& frames) : frames_(frames) {}
@@ -70,7 +70,7 @@ class VertexFan {
     Rotation turned = inside(corner(ray.halfedge) - ray.angle);
     for (HalfedgeId h = left_of(ray.halfedge); h.valid() && h != ray.halfedge; h = left_of(h)) {
       const Rotation after = turned + corner(h);
-      // A corner is less than pi, so the sine changes its sign where the sum passes pi.
+      // The angle of a corner is less than pi, so the sine changes its sign when the sum passes pi.
       if (after.sine < 0) return {h, {-turned.cosine, turned.sine}};
       turned = after;
     }
@@ -89,7 +89,8 @@ class VertexFan {
 
  private:
   static std::size_t corner_index(HalfedgeId h) { return Mesh::corner(h); }
-  /// A ray that was accepted because it grazes its face may lie outside of it by up to kGrazingAngle.
+  /// Clamps an angle to >= 0. A ray that was accepted because it grazes its face may lie outside the face by up to
+  /// kGrazingAngle.
   static Rotation inside(const Rotation& r) { return r.sine >= 0 ? r : Rotation{r.cosine > 0 ? 1.0 : -1.0, 0}; }
 
   const FaceFrames& frames_;
@@ -97,7 +98,7 @@ class VertexFan {
 
 /// The part of a face's corner that lies between two rays, counter-clockwise. Null stands for a side of the face.
 struct FanSector {
-  HalfedgeId outgoing;  ///< of the face, from the vertex
+  HalfedgeId outgoing;  ///< halfedge of the face that leaves the vertex
   const Rotation* first;
   const Rotation* last;
 };

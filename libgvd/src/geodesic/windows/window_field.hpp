@@ -22,15 +22,15 @@ namespace gvd {
 /// Windows that a partition keeps, in the order in which they were carried.
 struct KeptWindows {
   BlockList<Window> windows;
-  BlockList<Departure> departures;  ///< of the windows, or empty
+  BlockList<Departure> departures;  ///< departures of the windows, or empty
 };
 
 /// The windows that were kept on the edges of a mesh, by face and halfedge.
 class EdgeWindows {
  public:
   EdgeWindows() = default;
-  /// Windows of one halfedge stay in their order. No face may have windows in two lists: each list is sorted by one
-  /// thread. Cost: O(windows + faces).
+  /// Windows of the same halfedge keep their order. No face may have windows in two lists, because each list is sorted
+  /// by its own thread. Cost: O(windows + faces).
   EdgeWindows(std::vector<KeptWindows> lists, std::size_t faces, const ParallelChunks& parallel) : of_face_(faces) {
     std::vector<Chunk> ranges;
     for (KeptWindows& list : lists) {
@@ -53,8 +53,8 @@ class EdgeWindows {
     visit_all([&](std::size_t i) { order_[of_face_[face(i)].end++] = static_cast<std::int32_t>(i); });
   }
 
-  /// Orders the windows of each face by their members. Windows near bisectors are kept in an order that depends on what
-  /// was kept elsewhere.
+  /// Sorts the windows of each face by their members, because windows near bisectors are kept in an order that depends
+  /// on which windows were kept elsewhere.
   void sort(const ParallelChunks& parallel) {
     const std::vector<Chunk> faces = cut_into_chunks(of_face_.size(), kScanChunk);
     parallel.run(faces.size(), {steps::kDistances}, [&](std::size_t chunk) {
@@ -62,7 +62,8 @@ class EdgeWindows {
     });
   }
 
-  /// Replaces the windows of face f, without departures. The memory of the old ones is not used again, until `packed`.
+  /// Replaces the windows of face f, without departures. The memory of the old windows is not reused until `packed` is
+  /// called.
   void replace(FaceId f, std::span<const Window> windows) {
     const auto begin = static_cast<std::int32_t>(order_.size());
     for (const Window& w : windows) {
@@ -71,7 +72,7 @@ class EdgeWindows {
     }
     of_face_[f.index()] = {begin, static_cast<std::int32_t>(order_.size())};
   }
-  /// Adds faces without windows, or removes the last ones.
+  /// Adds faces without windows, or removes the last faces.
   void resize(std::size_t faces) { of_face_.resize(faces); }
   /// The same windows in as little memory as they need. Cost: O(windows + faces).
   EdgeWindows packed() const {
@@ -86,23 +87,24 @@ class EdgeWindows {
     return result;
   }
 
-  /// Number of windows; with those that were replaced.
+  /// Number of windows, including replaced ones.
   std::size_t size() const { return order_.size(); }
 
-  /// Numbers of the windows of face f, from 0 to size(): those of one face follow each other.
+  /// Numbers of the windows of face f. Numbers are below size(), and the windows of one face follow each other.
   Chunk of_face(FaceId f) const {
     const Range& range = of_face_[f.index()];
     return {static_cast<std::size_t>(range.begin), static_cast<std::size_t>(range.end)};
   }
   const Window& operator[](std::size_t number) const { return windows_[order_[number]]; }
-  /// Lets the cache fetch a window, and its departure where they were recorded; nothing beyond the last one.
+  /// Prefetches a window and, if departures were recorded, its departure. Does nothing for numbers beyond the last
+  /// window.
   void prefetch_window(std::size_t number) const {
     if (number >= order_.size()) return;
     const std::size_t i = order_[number];
     prefetch(&windows_[i]);
     if (departures_.size() > 0) prefetch(&departures_[i]);
   }
-  /// The departure of a window. Only if departures were recorded.
+  /// The departure of a window. Departures must have been recorded.
   Departure departure(std::size_t number) const { return departures_[order_[number]]; }
 
   /// Calls visit(const Window&) for the windows on the three halfedges of face f: those that enter it, and on the
@@ -124,7 +126,8 @@ class EdgeWindows {
   struct Range {
     std::int32_t begin = 0, end = 0;
   };
-  /// Up to so many windows are sorted by insertion: in lists of six, calls would cost more than comparisons.
+  /// Up to this many windows are sorted by insertion, because in lists of about six, function calls would cost more
+  /// than comparisons.
   static constexpr std::int32_t kFewWindows = 24;
 
   std::size_t face(std::size_t i) const { return Mesh::face(windows_[i].halfedge).index(); }
@@ -139,7 +142,7 @@ class EdgeWindows {
                 [&](std::int32_t i, std::int32_t j) { return precedes(windows_[i], windows_[j]); });
       return;
     }
-    std::array<double, kFewWindows> keys;  // the windows' x, in their order: each is looked up once
+    std::array<double, kFewWindows> keys;  // x of the windows in their order, so that each is looked up once
     for (std::int32_t i = range.begin, count = 0; i < range.end; ++i, ++count) {
       const std::int32_t inserted = order_[i];
       const double key = windows_[inserted].x;
@@ -157,18 +160,18 @@ class EdgeWindows {
   }
 
   BlockList<Window> windows_;
-  BlockList<Departure> departures_;  // of windows_, or empty
-  std::vector<Range> of_face_;       // [face] of its windows in order_
+  BlockList<Departure> departures_;  // departures of windows_, or empty
+  std::vector<Range> of_face_;       // [face] range of its windows in order_
   std::vector<std::int32_t> order_;  // indices of windows, by face
 };
 
 /// The result of window propagation: exact distances at the vertices, and windows on the edges.
 struct WindowField {
-  IdVector<VertexId, double> distance;      ///< mesh units; infinity where no generator reaches
-  IdVector<VertexId, GeneratorId> label;    ///< the nearest generator; invalid where none reaches
-  IdVector<VertexId, Departure> departure;  ///< of the shortest path, if departures are recorded
-  IdVector<FaceId, FaceFrame> frame;        ///< of all faces, if departures are recorded
-  CornerAngles angles;                      ///< of the working mesh, if departures are recorded
+  IdVector<VertexId, double> distance;      ///< mesh units; infinity if no generator reaches
+  IdVector<VertexId, GeneratorId> label;    ///< the nearest generator; invalid if none reaches
+  IdVector<VertexId, Departure> departure;  ///< departure of the shortest path, if departures are recorded
+  IdVector<FaceId, FaceFrame> frame;        ///< frames of all faces, if departures are recorded
+  CornerAngles angles;                      ///< angles of the working mesh, if departures are recorded
   EdgeWindows windows;
   StartDistances starts;     ///< if departures are recorded
   std::int64_t carried = 0;  ///< number of windows that were carried across a face; the time is proportional to it

@@ -9,28 +9,30 @@
 namespace gvd {
 
 // Rules that drop windows, or sides of them, that hold no shortest path. Each rule is valid for any upper bounds on the
-// vertices' distances that real paths have. So the order in which windows are propagated changes no result.
+// vertices' distances that are lengths of real paths. The order in which windows are propagated therefore changes no
+// result.
 
-// Three fractions of a path's length say when lengths differ: kLengthRounding < kSameLength < kDropClearance. The table
-// at kSameImage (window.hpp) gives the rounding of one path. Two paths differ by twice that at most.
+// Three fractions of a path's length define when lengths differ: kLengthRounding < kSameLength < kDropClearance. The
+// table at kSameImage (window.hpp) gives the rounding error of one path. Two paths differ by at most twice as much.
 
 /// A path must be shorter by this fraction of its length to drop a window. The path of a window through a vertex ties
-/// with the vertex's own path. Rounding may not drop that window, since the vertex may send none.
+/// with the vertex's own path. Rounding must not drop that window, because the vertex may send none.
 ///
-/// is_shorter asks for at least half of the fraction beyond two edges from the generator, where rounding begins to
-/// count. Half of it, 5e-14, is the largest difference by rounding of two paths over 400 equal faces. Over 1000 unlike
-/// faces the difference is 2.7e-14.
+/// Beyond two edges from the generator, where rounding begins to count, is_shorter requires at least half of this
+/// fraction. Half of it, 5e-14, is the largest difference by rounding of two paths over 400 equal faces. Over 1000
+/// unlike faces the difference is 2.7e-14.
 inline constexpr double kDropClearance = 1e-13;
 
-/// A distance counts as improved if it falls by more than this fraction of itself. Paths of one length over 40 faces
-/// differ by less. Over more faces some paths are propagated again, which costs time and repeats the first one.
+/// A distance counts as improved if it falls by more than this fraction of itself. Paths of equal length over 40 faces
+/// differ by less. Over more faces, some paths are propagated again, which only costs time.
 inline constexpr double kLengthRounding = 4e-15;
 
 /// Whether a path of length `d` is shorter than one of length `known`, and not by rounding alone.
 inline bool is_shorter_beyond_rounding(double d, double known) { return d < known * (1 - kLengthRounding); }
 
-/// Paths whose lengths differ by less than this fraction of themselves count as equally long. Equal paths of different
-/// generators differ by less over 150 equal faces, or 500 unlike ones. Over more faces rounding may decide the tie.
+/// Paths whose lengths differ by less than this fraction of themselves count as equally long. Equally long paths of
+/// different generators differ by less over 150 equal faces, or over 500 unlike faces. Over more faces, rounding may
+/// decide the tie.
 ///
 /// The value is below half of kDropClearance, so that no window is dropped before it has offered a path that is equally
 /// long. It is above kLengthRounding, so that a tie goes to the first generator even if its path is longer by rounding.
@@ -39,7 +41,7 @@ static_assert(kLengthRounding < kSameLength && kSameLength < kDropClearance / 2)
 
 /// The order of paths to one vertex, which decides ties: by length, then by generator. Lengths that differ by less than
 /// kSameLength are equal. Returns whether a path of length `d` from `generator` precedes the known one, whose generator
-/// is `label`. A path from the generator of the known one must be shorter beyond rounding.
+/// is `label`. If both paths come from the same generator, the new one must be shorter beyond rounding.
 ///
 /// Paths from several generators tie on symmetric meshes. Neither rounding nor the order in which windows are
 /// propagated may decide there: neighbouring vertices would get labels that contradict each other.
@@ -52,8 +54,8 @@ inline bool is_before(double d, GeneratorId generator, double known, GeneratorId
 /// Whether a window has no width, or its paths run along the edge.
 inline bool is_empty(const Window& w) { return !(w.begin < w.end) | !(w.depth > 0); }
 
-/// Whether a path of length `through` + `step` is shorter than one of `offset` + sqrt(squared), and not by rounding
-/// alone. No square root is taken: (through + step - offset)^2 < squared.
+/// Whether a path of length `through` + `step` is shorter than one of length `offset` + sqrt(squared), and not by
+/// rounding alone. This takes no square root: (through + step - offset)^2 < squared.
 inline bool is_shorter(double through, double step, double offset, double squared) {
   const double rest = through * (1 + kDropClearance) + step - offset;
   return rest * std::abs(rest) < squared * (1 - kDropClearance);  // true for a negative rest
@@ -74,9 +76,9 @@ inline bool is_beaten_by_end(const Window& w, double end_distance, double length
 }
 
 /// Whether the path through an end of the edge is shorter than a window's path, or longer by rounding alone. That path
-/// is `end_distance` long to the end of the edge and goes `step` from there to the far end of the interval. The window
-/// has this offset and this squared distance of its image there. If the end is an ambiguous vertex, which sends windows
-/// in all directions, the window can be dropped.
+/// has the length `end_distance` up to the end of the edge, and `step` from there to the far end of the interval.
+/// `offset` is the window's offset, and `squared` the squared distance of its image from the far end. If the end is an
+/// ambiguous vertex, which sends windows in all directions, the window can be dropped.
 ///
 /// Proof: as for is_beaten_by_start, the path through the vertex is at most kLengthRounding longer at all points of the
 /// interval, and so at all points behind it. The vertex sends a window whose path is no longer than that. Its windows
@@ -87,17 +89,18 @@ inline bool is_left_to_vertex(double offset, double end_distance, double step, d
   return rest * std::abs(rest) < squared;
 }
 
-/// Whether a window that has crossed this many faces makes the last one of them its cycle_check_face: a power of two.
+/// Whether a window that has crossed this many faces makes the last of them its cycle_check_face. This holds for powers
+/// of two.
 inline bool is_cycle_check_step(std::uint32_t crossed_faces) { return (crossed_faces & (crossed_faces - 1)) == 0; }
 
 /// Whether the paths of a window that is about to cross `face` enter a face for the second time: `face` is their
 /// cycle_check_face, or they have crossed as many faces as the mesh has.
 ///
-/// Proof that such a window can be dropped: two points of one face are joined by a straight segment in it, and nothing
-/// in space is shorter. A path that leaves the face between them is longer, so from the second point on the segment
-/// beats it.
+/// Proof that such a window can be dropped: two points of one face are joined by a straight segment in the face, and
+/// nothing in space is shorter. A path that leaves the face between the two points is longer, so from the second point
+/// on, the path along the segment beats it.
 /// Windows wind round a thin tube as often as it is longer than thick. All these paths are equally long up to rounding,
-/// so that no comparison of lengths ends them. A path that winds repeats a cycle of faces. A cycle_check_face within
+/// so that comparing lengths does not end them. A path that winds repeats a cycle of faces. A cycle_check_face within
 /// the cycle is entered again one cycle later. Such a face is chosen after at most twice the length of the cycle, since
 /// the steps are powers of two (Brent's cycle detection). The number of faces bounds all other repetitions.
 inline bool enters_face_twice(const WindowHistory& history, FaceId face, std::int32_t face_count) {
@@ -106,18 +109,19 @@ inline bool enters_face_twice(const WindowHistory& history, FaceId face, std::in
 
 /// The shortest path so far that reaches a face's apex straight across the edge on the other side.
 struct ApexPath {
-  double distance = kInfinity;  ///< of the apex on it, mesh units
+  double distance = kInfinity;  ///< length of the path, mesh units
   double crossing = 0;          ///< where it crosses the edge, in the frame of Window
 };
 
-/// The sides of a face that a window continues to.
+/// The sides of a face to which a window continues.
 struct Exits {
   bool left = true, right = true;
 };
 
-/// One angle, one split: of all windows that cross an edge and cover the apex V, only the one with the shortest path to
-/// V needs to continue to both sides. Any other window continues only to the side on which its own path to V arrives.
-/// `own` is the window's path to V; `path` is the shortest one of all windows before, and becomes that of `own` too.
+/// One angle, one split: of all windows that cross an edge and cover the apex V, only the window with the shortest path
+/// to V needs to continue to both sides. Any other window continues only to the side on which its own path to V
+/// arrives. `own` is the window's path to V. `path` is the shortest path of all windows before, and becomes `own` if
+/// that is shorter.
 ///
 /// Proof: let S cross the edge at s on its way to V, and W's path to V at w < s, |W V| >= |S V|. Assume that W holds a
 /// shortest path to a point R of the right side, which crosses the edge at r. If r <= s, it meets the segment from s to
@@ -130,7 +134,7 @@ struct Exits {
 /// area, do not double with every face.
 ///
 /// Source: Chen and Han (1990), lemma 4.
-/// Inputs: `tolerance`, within which crossings are the same, mesh units.
+/// Inputs: crossings within `tolerance` (mesh units) of each other count as the same.
 inline Exits exits_beside(ApexPath& path, const ApexPath& own, double tolerance) {
   if (own.distance < path.distance) {
     path = own;

@@ -9,7 +9,7 @@
 
 namespace gvd {
 
-// The course of a window's paths through the face that they enter: pure functions of the face's lengths and angles.
+// How a window's paths run through the face that they enter. These are pure functions of the face's lengths and angles.
 
 /// One side of a face, seen from a window that enters through another side.
 ///
@@ -18,7 +18,7 @@ namespace gvd {
 /// through u intersects the side at distance u depth / (depth cos + (u_image - u) sin) from `near`. This takes one
 /// division, and loses no digits unless the ray runs along the side.
 struct SideView {
-  double cosine, sine;  ///< of the angle at `near`
+  double cosine, sine;  ///< the cosine and sine of the angle at `near`
   double along;         ///< position of the image's foot on the side, from `near`
   double depth;         ///< distance of the image behind the side
   double image, below;  ///< u_image and depth on the window's edge
@@ -60,8 +60,9 @@ struct ApexView {
 inline constexpr double kGrazingAngle = 1e-9;
 
 /// Whether the apex, which is not covered, lies on the continuation of the window's outermost ray: within kGrazingAngle
-/// of it, or within the rounding of the interval's end on an edge of this length. The path to it is then too short by
-/// no more than that. The path must go forwards: in a face without area, a path that turns back has a sine of 0 too.
+/// of it, or within the rounding of the interval's end on an edge of this length. The path to the apex is then too
+/// short by no more than that. The path must go forwards, because in a face without area a path that turns back has a
+/// sine of 0, too.
 inline bool is_grazed(const Window& w, const ApexView& apex, double length) {
   const double t = apex.all_right() ? w.begin : w.end;
   const double beyond = apex.all_right() ? apex.beyond_begin : apex.beyond_end;
@@ -73,8 +74,8 @@ inline bool is_grazed(const Window& w, const ApexView& apex, double length) {
   return beyond * beyond <= bend + shift * shift && forwards > 0;
 }
 
-/// Whether the apex is so far beside the window that it can't be grazed: most are, and this costs less to find out.
-/// `longest`: square of the longest side of the face.
+/// Whether the apex is so far beside the window that it can't be grazed. This holds for most windows, and is cheaper to
+/// test. `longest` is the square of the longest side of the face.
 ///
 /// Proof: let q be the squared distance of the image from the interval's end. The squares of the two limits in
 /// is_grazed add up to at most longest times kGrazingAngle^2 q + kPositionRounding^2 (depth + y)^2. Moreover,
@@ -89,9 +90,9 @@ inline bool is_far_beside(const Window& w, const ApexView& apex, double longest)
 /// over the end of the interval must be as long as the straight one, up to rounding.
 ///
 /// Thin faces open a gap between two windows that pass a vertex on both sides: the rounding of a long side, seen over a
-/// short one, is an angle of kPositionRounding over the least sine. The gap widens along the paths. An apex in it that
-/// is a short side away from the window asks for a bend of far more than kGrazingAngle. The path is no longer, though:
-/// with the miss m, the distance r to the interval's end and the step s from there, by m^2 / 2 (1 / r + 1 / s).
+/// short side, is an angle of kPositionRounding divided by the least sine. The gap widens along the paths. An apex in
+/// it that is a short side away from the window asks for a bend of far more than kGrazingAngle. The path is no longer,
+/// though: with the miss m, the distance r to the interval's end and the step s from there, by m^2 / 2 (1 / r + 1 / s).
 inline bool is_in_gap(const Window& w, const ApexView& apex, double drift) {
   const double t = apex.all_right() ? w.begin : w.end;
   const double beyond = apex.all_right() ? apex.beyond_begin : apex.beyond_end;
@@ -105,7 +106,7 @@ inline bool is_in_gap(const Window& w, const ApexView& apex, double drift) {
 
 /// A side by which windows leave a face, as seen from the corner that it shares with the edge by which they enter.
 struct ExitSide {
-  double cosine, sine;  ///< of the angle at that corner
+  double cosine, sine;  ///< the cosine and sine of the angle at that corner
   double length;
   HalfedgeId twin;
 };

@@ -1,9 +1,10 @@
 // Reads a window field for tracers: sources on edges and in faces, and tables of generators.
 //
 // Idea: a kept window is an image with an interval, so it is a source of its edge, and of the face that it enters. The
-// ends of an edge and the corners of a face are sources too: shortest paths can come through them.
+// ends of an edge and the corners of a face are sources, too, because shortest paths can come through them.
 // Source: the windows of Mitchell, Mount and Papadimitriou (1987); the tables of section 4.1 of the paper.
-// Invariant: where windows were kept, the least of the sources' distances is exact, and each one is a path's length.
+// Invariant: where windows were kept, the least of the sources' distances is exact, and the distance of each source is
+// the length of a path.
 #include "geodesic/windows/window_sources.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 namespace gvd {
 namespace {
 
-/// Progress is reported once every so many faces.
+/// Number of faces between two reports of progress.
 constexpr std::int32_t kTableStride = 1 << 12;
 
 }  // namespace
@@ -72,7 +73,7 @@ void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, 
   }
 }
 
-// Visits faces, so that each window is read once: most faces have none.
+// This visits faces rather than edges, so that each window is read once. Most faces have no windows.
 std::vector<EdgeId> WindowDistances::contested_edges(const ParallelChunks& parallel) const {
   const auto faces = cut_into_chunks(mesh_.face_count(), kScanChunk);
   std::vector<EdgeId> edges = parallel.collect(faces, steps::kLabels, [&](const Chunk& chunk) {

@@ -13,11 +13,11 @@
 
 namespace gvd {
 
-/// Overwrites `sources` with all that reach the edge of halfedge h: its two ends, then the windows from both sides.
-/// Positions run from `from(h)`. Cost: O(windows on the two faces).
+/// Overwrites `sources` with all sources that reach the edge of halfedge h: its two ends, then the windows from both
+/// sides. Positions are measured from `from(h)`. Cost: O(windows on the two faces).
 void collect_edge_sources(const Mesh& mesh, const WindowField& field, HalfedgeId h, std::vector<EdgeSource>& sources);
 
-/// Overwrites `sources` with all that reach the points of face f, in its layout: the windows that enter through its
+/// Overwrites `sources` with all sources that reach points of face f, in its layout: the windows that enter through its
 /// sides, then its corners. Cost: O(windows on the face).
 void collect_face_sources(const Mesh& mesh, const WindowField& field, FaceId f, const FaceLayout& layout,
                           std::vector<FaceSource>& sources);
@@ -29,7 +29,7 @@ inline void collect_face_sources(const Mesh& mesh, const WindowField& field, Fac
 /// Exact distances on edges and in faces, from the windows that the propagation kept near bisectors.
 class WindowDistances final : public DistanceField {
  public:
-  /// Both have to outlive this.
+  /// Both arguments must outlive this object.
   WindowDistances(const Mesh& mesh, const WindowField& field) : mesh_(mesh), field_(field) {}
 
   std::vector<EdgeId> contested_edges(const ParallelChunks& parallel) const override;
@@ -45,9 +45,9 @@ class WindowDistances final : public DistanceField {
   const WindowField& field_;
 };
 
-/// The generator tables that correspond to exact distances: the input of the paper's growth. A generator has a line in
-/// a face's table if one of its windows, or a corner with its label, reaches the face. Its distances at the corners are
-/// computed from these.
+/// Makes the generator tables that correspond to exact distances, as input of the paper's growth. A generator has an
+/// entry in a face's table if one of its windows reaches the face, or a corner has its label. The entry's distances at
+/// the corners are computed from these sources.
 /// Reports the step "tables". Cost: O(n + windows).
 GeneratorTable make_generator_table(const Mesh& mesh, const WindowField& field, const Progress& progress = {});
 

@@ -1,4 +1,4 @@
-// The arrays of a page as elements of HTML: deflated, which leaves a third of them, and in Base64.
+// Writes the arrays of a page as HTML elements: deflated, to about a third of their size, and in Base64.
 #include <fmt/format.h>
 #include <zlib.h>
 
@@ -10,13 +10,13 @@
 namespace gvd::io {
 namespace {
 
-/// The bytes in the format of zlib, which browsers unpack.
+/// Compresses bytes in zlib's format, which browsers can unpack.
 std::string deflate(const std::string& bytes) {
   uLongf size = compressBound(uLong(bytes.size()));
   std::string packed(size, '\0');
   const int status = compress(reinterpret_cast<Bytef*>(packed.data()), &size,
                               reinterpret_cast<const Bytef*>(bytes.data()), uLong(bytes.size()));
-  if (status != Z_OK) throw std::bad_alloc();  // the only way to fail into a buffer of that size
+  if (status != Z_OK) throw std::bad_alloc();  // with a buffer of this size, compress fails only for lack of memory
   packed.resize(size);
   return packed;
 }

@@ -1,9 +1,11 @@
-// The scene of distances from sources: colours, curves, and shortest paths of vertices for clicks.
+// Makes the scene of distances from sources: colours, curves, and the shortest paths of vertices, which the page shows
+// on a click.
 //
-// The page can't compute an exact path: descending along the distances of vertices gives another curve. So it gets the
-// exact paths of vertices. A path crosses some hundred faces, and all of a large mesh would make the page too large:
-// then every second, third, ... vertex has one, by the mean number of points of a sample.
-// Invariant: a stored path is the exact one of its vertex; the page names that vertex.
+// The page can't compute an exact path, because descending along the vertices' distances gives another curve. So the
+// scene stores exact paths of vertices. A path crosses hundreds of faces, and the paths of all vertices of a large mesh
+// would make the page too large. In that case only every second, third, ... vertex has a path; the stride follows from
+// the mean number of points in a sample of paths.
+// Invariant: a stored path is the exact path of its vertex, which the page names.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,10 +17,10 @@
 namespace gvd {
 namespace {
 
-/// Paths that are traced to learn the mean number of points of one.
+/// Number of paths traced to estimate the mean number of points of a path.
 constexpr std::size_t kSamplePaths = 200;
 
-/// Paths whose lengths the page lists; the files have them all.
+/// Number of paths whose lengths the page lists; the files have them all.
 constexpr std::size_t kListedPaths = 12;
 
 std::vector<Vec3> positions(const Mesh& mesh, const std::vector<SurfacePoint>& points) {

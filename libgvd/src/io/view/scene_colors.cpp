@@ -1,7 +1,8 @@
-// Colours of the scenes of a page: of each scene by itself, and of those of a slider by the scene after it.
+// Chooses the colours of a page's scenes: for each scene by itself, except that a scene of a slider follows the scene
+// after it.
 //
-// A scene that was made for a mesh with labels names its colours, which are those of its files. Others are coloured as
-// a file of what they show would be.
+// A scene of a mesh with labels brings its own colours, the same as in its files. Other scenes get the colours that a
+// file with the same content would have.
 #include "io/view/scene_colors.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ std::size_t count_labels(const ViewScene& scene) {
   return static_cast<std::size_t>(labels);
 }
 
-/// Indices of the scenes of a slider, from the last iteration back.
+/// Indices of a slider's scenes, from the last iteration back to the first.
 std::vector<std::size_t> list_iterations(const std::vector<ViewScene>& scenes) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -35,7 +36,8 @@ std::vector<std::size_t> list_iterations(const std::vector<ViewScene>& scenes) {
 std::vector<RegionPair> find_adjacent_regions(const ViewScene& scene) {
   std::vector<RegionPair> pairs;
   if (!scene.face_label.empty()) add_face_neighbours(*scene.mesh, scene.face_label, pairs);
-  // Bisectors drawn over whole faces are no borders. The graph with both pairs need not fit the surface.
+  // Bisectors drawn over uncut faces are not borders. Together with the pairs of faces they could give a graph that
+  // can't be drawn on the surface, and that needs more colours.
   if (!scene.pieces.empty()) add_cell_neighbours(scene.cells, pairs);
   sort_pairs(pairs);
   return pairs;

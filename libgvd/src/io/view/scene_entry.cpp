@@ -1,10 +1,10 @@
-// A scene as the page reads it: an entry of JSON, which refers to arrays of numbers.
+// Encodes a scene for the page: an entry of JSON that refers to arrays of numbers.
 //
 // Arrays are little-endian, deflated and in Base64; integers have the narrowest width that holds them. Equal arrays are
-// stored once, so scenes of one mesh share it. Positions are relative to a frame around all scenes, which keeps a mesh
-// of any size and place within the precision of 32-bit floats. They and the corners of pieces make up most of a page,
-// and are rounded to what a screen shows.
-// Pieces of cut faces are clipped to triangles here, so that the page needs no geometry: it draws what it reads.
+// stored once, so scenes of the same mesh share its arrays. Positions are relative to a frame around all scenes, so
+// that 32-bit floats suffice for a mesh of any size and place. Positions and the corners of pieces make up most of a
+// page, and are rounded to what a screen can show.
+// Pieces of cut faces are triangulated here, so that the page draws what it reads and needs no geometry of its own.
 // Invariant: equal scenes give equal bytes; docs/developer/viewer.md lists the members of an entry.
 #include "io/view/scene_entry.hpp"
 
@@ -24,18 +24,18 @@
 namespace gvd::io {
 namespace {
 
-/// Largest doubled area, in barycentric coordinates, of a triangle that is left out. It is 1e-14 of the face's doubled
-/// area, a hundred times the rounding error of products of coordinates in [0, 1].
+/// Triangles up to this doubled area, in barycentric coordinates, are left out. It is 1e-14 of the face's doubled area,
+/// about a hundred times the rounding error of products of coordinates in [0, 1].
 constexpr double kShareLeftOut = 1e-14;
 
 using nlohmann::json;
 
-// Colour code of a face in the page: 0 where no generator reaches it, 1 where its pieces are drawn, else 2 + label.
+// Colour code of a face in the page: 0 if no generator reaches it, 1 if its pieces are drawn instead, else 2 + label.
 constexpr std::uint32_t kUnreachedCode = 0;
 constexpr std::uint32_t kCutCode = 1;
 constexpr std::uint32_t kFirstLabelCode = 2;
 
-/// Distances on lattices have 16 bits: their steps are a hundredth of what a scale of 256 colours shows.
+/// Distances on lattices have 16 bits, so that a scale of 256 colours has 256 steps for each colour.
 constexpr double kLatticeParts = 65535;
 
 std::uint32_t code_of(GeneratorId label) {
@@ -104,7 +104,8 @@ class SceneEncoder {
     return blobs_.add_floats(values);
   }
 
-  /// Three numbers for each corner, as the page reads coordinates; the last one is 0. So are those that are not finite.
+  /// Three numbers for each corner, because the page reads coordinates in threes; the third is 0. Numbers that are not
+  /// finite become 0, too.
   json texture() {
     std::vector<double> values;
     for (const Uv& uv : scene_.texture) {
@@ -114,7 +115,7 @@ class SceneEncoder {
     return blobs_.add_coordinates(values);
   }
 
-  /// The lattice as multiples of its largest value / 65535.
+  /// The values of the lattice as multiples of a 65535th of the largest value.
   json surface_distance(const ViewSurfaceDistance& given) {
     json entry{{"other", given.other},
                {"reference", given.reference},
@@ -152,7 +153,7 @@ class SceneEncoder {
     return blobs_.add_integers(channels);
   }
 
-  /// Corners by two of their barycentric coordinates, triangles by indices of their piece's corners.
+  /// Stores corners as two of their barycentric coordinates, and triangles as indices into the corners of their piece.
   json pieces() {
     std::vector<std::uint32_t> faces, codes, corner_counts, triangle_counts, triangles;
     std::vector<double> corners;
@@ -232,7 +233,7 @@ ViewFrame compute_view_frame(const std::vector<ViewScene>& scenes) {
     include(*scene.mesh);
     if (scene.overlay) include(*scene.overlay->mesh);
   }
-  // Halved before they are added: the sum of two large coordinates may overflow.
+  // Coordinates are halved before they are added, because the sum of two large ones may overflow.
   const Vec3 half = box.max() / 2 - box.min() / 2;
   const double radius = half.stableNorm();
   return {box.min() / 2 + box.max() / 2, radius > 0 && std::isfinite(radius) ? radius : 1};

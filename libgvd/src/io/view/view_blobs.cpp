@@ -1,4 +1,4 @@
-// The arrays of a page, in the bytes that it holds.
+// Encodes the arrays of a page as bytes.
 #include "io/view/view_blobs.hpp"
 
 #include <algorithm>
@@ -14,13 +14,15 @@ namespace {
 
 using nlohmann::json;
 
-/// Coordinates of the page are multiples of the inverse of this, shares of corners of pieces of that of the other.
+/// The page's coordinates are multiples of 1 / kCoordinateParts, and the barycentric coordinates of a piece's corners
+/// are multiples of 1 / kShareParts.
 constexpr double kCoordinateParts = 1 << 20, kShareParts = 65535;
 
-/// The frame has a radius of 1 unless the mesh is too large for one; differences of twice this fit 31 bits.
+/// Coordinates are clamped to this. The frame has a radius of 1 unless the mesh is too large for a frame; differences
+/// of twice this bound fit into 31 bits.
 constexpr double kFarthest = 500;
 
-/// The least number of bytes, of 1, 2 and 4, that holds each of the values.
+/// The smallest width of 1, 2 or 4 bytes that holds each of the values.
 int width_of(const std::vector<std::uint32_t>& values) {
   const std::uint32_t largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
   return largest < 0x100 ? 1 : largest < 0x10000 ? 2 : 4;
@@ -43,10 +45,10 @@ nlohmann::json ViewBlobs::add_coordinates(const std::vector<double>& values) {
     const std::int64_t value = std::llround(std::clamp(values[i], -kFarthest, kFarthest) * kCoordinateParts),
                        step = value - before[i % 3];
     before[i % 3] = value;
-    steps.push_back(std::uint32_t(step < 0 ? -2 * step - 1 : 2 * step));  // the sign in the lowest bit
+    steps.push_back(std::uint32_t(step < 0 ? -2 * step - 1 : 2 * step));  // the lowest bit is the sign
   }
   const int width = width_of(steps);
-  std::string bytes;  // first the lowest byte of each number, then the next ones: higher ones are mostly 0
+  std::string bytes;  // the lowest bytes of all numbers, then the next ones: the higher bytes are mostly 0
   bytes.reserve(width * steps.size());
   for (int k = 0; k < width; ++k) {
     for (const std::uint32_t step : steps) bytes.push_back(char(step >> (8 * k) & 0xFF));

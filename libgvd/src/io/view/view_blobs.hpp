@@ -9,15 +9,15 @@
 
 namespace gvd::io {
 
-/// The arrays of a page: little-endian, deflated, in Base64, equal ones stored once.
+/// The arrays of a page: little-endian, deflated and in Base64. Equal arrays are stored once.
 class ViewBlobs {
  public:
   /// Adds an array of 32-bit floats. Returns its reference for the manifest: {"blob", "type", "count"}.
   nlohmann::json add_floats(const std::vector<float>& values);
 
-  /// Adds coordinates of points in the page's frame, three each, as multiples of 2^-20: a pixel of a screen 2,000
-  /// pixels wide when zoomed in a thousand times. Neighbours in the list are near each other mostly, so differences are
-  /// stored.
+  /// Adds the coordinates of points in the page's frame, three for each point, as multiples of 2^-20: one pixel of a
+  /// screen of 2,000 pixels, zoomed in a thousand times. Stores differences, because neighbours in the list are mostly
+  /// near each other.
   /// Returns {"blob", "type", "count", "unit", "step": 3}.
   nlohmann::json add_coordinates(const std::vector<double>& values);
 
@@ -28,7 +28,7 @@ class ViewBlobs {
   /// Adds an array of unsigned integers in the narrowest of 8, 16 and 32 bits that holds the largest of them.
   nlohmann::json add_integers(const std::vector<std::uint32_t>& values);
 
-  /// One element `<script type="application/octet-stream" id="blob-K">` for each array, in the order in which they were
+  /// An element `<script type="application/octet-stream" id="blob-K">` for each array, in the order in which they were
   /// added.
   std::string html() const;
 

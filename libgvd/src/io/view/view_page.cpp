@@ -1,16 +1,16 @@
-// The HTML page: scenes of diagrams, and the template of web/, filled with a title, their entries and their arrays.
+// Makes the HTML page: checks the scenes, and fills the template of web/ with a title, their entries and their arrays.
 //
-// The build embeds the page's program, so one string is the whole page. The page runs in a browser, where a wrong index
-// shows as a hole and a label above 2^24 as a wrong colour. So each scene is checked first, and what does not fit is
-// refused with its element. Text from files is escaped for where it lands: the title for HTML, the JSON so that it
-// can't end its script element.
+// The build embeds the page's program, so one string is the whole page. In the browser a wrong index would only show as
+// a hole, and a label above 2^24 as a wrong colour. So each scene is checked first, and an array that does not fit is
+// refused with the offending element. Text from files is escaped: the title for HTML, and the JSON so that it can't end
+// its script element.
 //
 // The energy of a cell is integrated face by face, where the squared distance is a quadratic function of barycentric
 // coordinates; the midpoints of the sides of a triangle integrate it exactly. The Euler count compares the graph of the
 // bisectors with the topology of the cells, which were found independently.
-// Source: the rule of the midpoints is exact to degree 2; V - E + F over branch points, bisectors and cells is Euler's.
-// Invariant: a page is made of checked scenes only, and needs no file and no network when it is opened. A scene refers
-// to its mesh and copies all else, so the diagram may go before the page is made.
+// Source: the midpoint rule, which is exact up to degree 2; Euler's V - E + F over branch points, bisectors and cells.
+// Invariant: a page consists of checked scenes only, and needs no other file and no network when it is opened. A scene
+// refers to its mesh and copies everything else, so the diagram may be destroyed before the page is made.
 #include "io/view/view_page.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Largest label that the page can tell apart: codes travel through 32-bit floats, which are exact below 2^24.
+/// The largest label that the page can show: codes travel through 32-bit floats, which are exact only below 2^24.
 constexpr std::int32_t kLargestLabel = (1 << 24) - 3;
 
 /// The largest number of lattice points: their numbers travel through 32-bit floats, too.
@@ -102,7 +102,7 @@ void check_surface_distance(const ViewScene& scene) {
   const DistanceSamples& samples = scene.surface_distance->samples;
   if (!scene.pieces.empty()) refuse("the view has distances of cut faces from another surface; give whole faces");
   if (samples.at_vertex.count() != mesh.vertex_count() || samples.steps.count() != mesh.face_count()) {
-    refuse("the view has distances from another surface that are not of its mesh; give one for each vertex and face");
+    refuse("the view has distances from another surface that do not match its mesh; give one for each vertex and face");
   }
   std::int64_t size = 0;
   for (const std::int32_t k : samples.steps) {
@@ -155,8 +155,8 @@ class SquaredDistance {
   Bary corner_{}, side_{};
 };
 
-/// Integral over a polygon of a face of area `area`: a fan of triangles with signed areas, each by the midpoints of its
-/// sides, which is exact for quadratic functions.
+/// The integral over a polygon inside a face of area `area`. Sums over a fan of triangles with signed areas, and
+/// integrates each by the midpoints of its sides, which is exact for quadratic functions.
 double integrate(const SquaredDistance& squared, double area, std::span<const Bary> polygon) {
   double sum = 0;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
@@ -167,7 +167,8 @@ double integrate(const SquaredDistance& squared, double area, std::span<const Ba
   return sum;
 }
 
-/// Twice the excess of the cells' Euler characteristics over that of the mesh, as the graph of the bisectors gives it.
+/// Twice the amount by which the cells' Euler characteristics exceed the mesh's, computed from the graph of the
+/// bisectors.
 ///
 /// The count follows from V - E + F over branch points, bisectors, boundary pieces and cells. A branch point of degree
 /// d counts d - 2 inside the mesh and d on the boundary. The end of a bisector on the boundary counts 1.
@@ -195,7 +196,7 @@ std::vector<ViewFigure> make_figures(const Mesh& mesh, const Diagram& diagram, c
                                   {"Bisectors", fmt::format("{}", diagram.bisectors.size())},
                                   {"Bisector length", fmt::format("{:.6g}", diagram.length)},
                                   {"Disc regions", fmt::format("{} of {}", discs, diagram.cells.size())}};
-  if (std::ranges::all_of(diagram.vertex_label, &GeneratorId::valid)) {  // they cover the mesh
+  if (std::ranges::all_of(diagram.vertex_label, &GeneratorId::valid)) {  // the cells cover the mesh
     figures.push_back({"Euler count", fmt::format("{} of {}", count_excess(mesh, diagram),
                                                   2 * (characteristics - summary.euler_characteristic))});
   }
@@ -210,7 +211,7 @@ std::vector<Vec3> make_polyline(const Mesh& mesh, const Bisector& bisector) {
   return polyline;
 }
 
-/// The part of a scene that does not depend on the mesh that is shown.
+/// Makes the part of a scene that does not depend on the mesh shown.
 ViewScene make_diagram_scene(std::string name, const Mesh& mesh, const Diagram& diagram) {
   ViewScene scene;
   scene.name = std::move(name);
@@ -345,7 +346,7 @@ std::vector<ViewScene> make_region_scenes(const LabelledMesh& shown) {
   const bool is_cut = shown.face_parent != nullptr;
   std::vector<ViewScene> scenes{make_view_scene(is_cut ? "Regions" : "Whole faces, as in the file", shown)};
   if (is_cut) return scenes;
-  // Cells are shown on the mesh of the diagram: distances differ on the two sides of a border between regions.
+  // Cells are shown on the diagram's mesh, because distances differ on the two sides of a border between regions.
   scenes.insert(scenes.begin(), make_view_scene("Diagram", shown.surface(), *shown.diagram));
   scenes[0].region_color = scenes[1].region_color;
   return scenes;

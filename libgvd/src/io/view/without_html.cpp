@@ -1,4 +1,4 @@
-// The stand-in for the page, which GVD_WITH_XML=OFF leaves out for want of zlib. There is no viewer either then.
+// Replaces blobs_html.cpp with GVD_WITH_XML=OFF, when there is no zlib. Such a build has no viewer either.
 #include "gvd/error.hpp"
 #include "io/view/view_blobs.hpp"
 

@@ -21,7 +21,7 @@
 
 namespace gvd::io {
 
-// Buffered text and bytes, Base64, and pieces of JSON.
+// Writes buffered text and bytes, Base64, and pieces of JSON.
 
 /// The bytes of a number, the lowest first on every machine.
 template <class T>
@@ -31,8 +31,8 @@ std::array<char, sizeof(T)> little_endian(T value) {
   return bytes;
 }
 
-/// Buffers text and little-endian numbers for a stream. Numbers are printed in any locale, doubles with the digits that
-/// bring the same double back.
+/// Buffers text and little-endian numbers for a stream. Numbers do not depend on the locale, and doubles have the
+/// fewest digits that read back to the same double.
 class ByteWriter {
  public:
   explicit ByteWriter(std::ostream& out) : out_(out) {}
@@ -62,12 +62,12 @@ class ByteWriter {
     append(bytes.data(), bytes.size());
   }
 
-  /// Three numbers as 32-bit floats.
+  /// Writes three numbers as 32-bit floats.
   template <class Vector>
   void floats(const Vector& v) {
     for (int i = 0; i < 3; ++i) binary(static_cast<float>(v[i]));
   }
-  /// Writes what is left and checks the stream. To be called once, at the end. Throws Error{unwritable_output}.
+  /// Writes the rest of the buffer and checks the stream. Call it once, at the end. Throws Error{unwritable_output}.
   void finish() {
     write_buffer();
     if (!out_.flush()) fail();
@@ -93,8 +93,8 @@ class ByteWriter {
   fmt::memory_buffer buffer_;
 };
 
-/// Base64 of RFC 4648, with padding, of bytes that come one by one or as little-endian numbers. `Sink` has `append`, as
-/// std::string does; it takes the digits in fours.
+/// Encodes bytes or little-endian numbers, one after the other, as Base64 with padding (RFC 4648). Passes the digits to
+/// `append` of `Sink`, four at a time; std::string is such a sink.
 template <class Sink>
 class Base64Writer {
  public:
@@ -110,7 +110,7 @@ class Base64Writer {
     for (const char value_byte : little_endian(value)) byte(static_cast<unsigned char>(value_byte));
   }
 
-  /// Writes what is left, padded. To be called once, at the end.
+  /// Writes the last group, padded. Call it once, at the end.
   void finish() {
     if (count_ > 0) put_group();
   }
@@ -129,10 +129,10 @@ class Base64Writer {
 
   Sink& out_;
   std::uint32_t group_ = 0;
-  int count_ = 0;  ///< bytes in the group
+  int count_ = 0;  ///< number of bytes in the group
 };
 
-/// All of `bytes` in Base64. Cost: O(n).
+/// Encodes all of `bytes` as Base64. Cost: O(n).
 inline std::string encode_base64(std::string_view bytes) {
   std::string digits;
   digits.reserve((bytes.size() + 2) / 3 * 4);
@@ -142,15 +142,15 @@ inline std::string encode_base64(std::string_view bytes) {
   return digits;
 }
 
-/// The shortest digits that bring the same double back; null for infinity and NaN, which JSON does not have.
+/// The fewest digits that read back to the same double; null for infinity and NaN, which JSON does not have.
 inline std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
 
-/// The members "face" and "bary", without braces.
+/// Prints the members "face" and "bary", without braces.
 inline void print_location(ByteWriter& out, const SurfacePoint& point) {
   out.print("\"face\":{},\"bary\":[{},{},{}]", point.face.value(), point.bary[0], point.bary[1], point.bary[2]);
 }
 
-/// The members "face", "bary" and "position", without braces.
+/// Prints the members "face", "bary" and "position", without braces.
 inline void print_point_members(ByteWriter& out, const SurfacePoint& point, const Vec3& position) {
   print_location(out, point);
   out.print(",\"position\":[{},{},{}]", json_number(position.x()), json_number(position.y()),
@@ -168,7 +168,7 @@ struct ArraySpacing {
   std::string_view first, between, last;
 };
 
-/// An array: `print` prints the items, by default all on one line.
+/// Prints an array, by default on one line. `print` prints one item.
 template <class Items, class Print>
 void print_array(ByteWriter& out, const Items& items, Print print, const ArraySpacing& spacing = {"", ",", ""}) {
   out.text("[");
@@ -182,27 +182,28 @@ void print_array(ByteWriter& out, const Items& items, Print print, const ArraySp
   out.text("]");
 }
 
-/// The ids of a list as numbers, -1 for none.
+/// Prints an array of ids as numbers, with -1 for an invalid id.
 template <class Ids>
 void print_ids(ByteWriter& out, const Ids& ids) {
   print_array(out, ids, [&](auto id) { out.print("{}", id.value()); });
 }
 
-/// An array with each item on a line of its own.
+/// Prints an array with each item on a line of its own.
 template <class Items, class Print>
 void print_lines(ByteWriter& out, const Items& items, Print print) {
   print_array(out, items, print, {"\n  ", ",\n  ", "\n"});
 }
 
-// Members of the JSON documents that hold a diagram and what was made of it: a segmentation, a cut mesh or a remesh.
+// Members of the JSON documents that hold a diagram and something made from it: a segmentation, a cut mesh or a remesh.
 
-/// The diagram as `gvd-diagram/1`, without its last brace: open for more members. Cost: O(n) time, O(1) memory.
+/// Prints the diagram as `gvd-diagram/1` without its last brace, so that more members can follow. Cost: O(n) time, O(1)
+/// memory.
 void print_open_diagram(ByteWriter& out, const Mesh& mesh, const Diagram& diagram);
 
-/// `"vertices":[[x,y,z]],"faces":[[a,b,c]]`, one element a line.
+/// Prints `"vertices":[[x,y,z]],"faces":[[a,b,c]]`, with one element on each line.
 void print_mesh_members(ByteWriter& out, const Mesh& mesh);
 
-/// An array of elements, one a line without indent.
+/// Prints an array of elements, each on a line of its own without indent.
 template <class Items, class Print>
 void print_rows(ByteWriter& out, const Items& items, Print print) {
   print_array(out, items, print, {"\n", ",\n", ""});

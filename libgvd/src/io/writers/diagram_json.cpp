@@ -1,6 +1,6 @@
-// JSON holds a diagram, `gvd-diagram/1`, not a mesh: every element on a line of its own, in the order of the ids. The
-// text is printed piece by piece instead of built as a document, so memory does not grow with the diagram. Infinity and
-// NaN, which JSON does not have, are null; numbers bring the same double back.
+// Writes a diagram as JSON, `gvd-diagram/1`: every element on a line of its own, in the order of the ids. The text is
+// printed piece by piece instead of being built as a document, so memory does not grow with the diagram. Infinity and
+// NaN, which JSON does not have, are null; all other numbers read back to the same double.
 #include "gvd/io/diagram_json.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ void print_bisector(ByteWriter& out, const Mesh& mesh, const Bisector& bisector)
   out.text("}");
 }
 
-/// Points and segments apart, as curves may branch.
+/// Prints points and segments as two arrays, because curves may branch.
 void print_curve(ByteWriter& out, const Mesh& mesh, const GeneratorCurve& curve) {
   out.text("{\"points\":");
   print_array(out, curve.points, [&](const SurfacePoint& point) { print_point(out, mesh, point); });

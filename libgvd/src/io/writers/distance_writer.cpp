@@ -1,9 +1,10 @@
-// Distances, paths and isolines as arrays, tables and JSON.
+// Writes distances, paths and isolines as arrays, tables and JSON.
 //
-// An NPY begins with a magic number, the length of its header, and the header: a dictionary of Python, padded with
+// An NPY begins with a magic number, the length of its header, and the header itself: a Python dictionary, padded with
 // blanks so that the numbers begin at a multiple of 64 bytes.
-// Tables have a line for each value, so that one header serves distances of the nearest source and of each one.
-// Invariant: numbers are complete, so the same doubles are read back, in any locale.
+// Tables have one line for each value, so that the same header serves distances from the nearest source and distances
+// from each source.
+// Invariant: numbers have all their digits, so the same doubles are read back, in any locale.
 #include "gvd/io/distance_writer.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ namespace gvd {
 namespace io {
 
 std::string npy_header(std::string_view type, const std::vector<std::size_t>& shape) {
-  constexpr std::size_t kAlignment = 64;  // of the numbers in the file
+  constexpr std::size_t kAlignment = 64;  // alignment of the numbers in the file
   std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}", type,
                                    fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
   std::string bytes("\x93NUMPY\x01\x00", 8);
@@ -47,7 +48,7 @@ void print_distances(ByteWriter& out, const DistanceTable& table) {
   io::print_ids(out, table.nearest);
 }
 
-/// Null stands for a point that is no vertex.
+/// The number of a vertex, or null for a point that is no vertex.
 std::string json_vertex(std::int64_t vertex) { return vertex < 0 ? "null" : fmt::format("{}", vertex); }
 
 void print_curves(ByteWriter& out, const Mesh& mesh, const DistanceTable& table) {
@@ -70,7 +71,7 @@ void print_curves(ByteWriter& out, const Mesh& mesh, const DistanceTable& table)
   });
 }
 
-/// Distances fall from the path's length to 0, by the lengths of its pieces.
+/// Makes a curve whose distances fall from the path's length to 0.
 MeshCurve make_path_curve(const TargetPath& path, std::size_t index) {
   const std::vector<Vec3>& at = path.positions;
   MeshCurve curve{fmt::format("path_{}", index), at, {path.path.length}};
@@ -209,7 +210,7 @@ void write_distances_json(std::ostream& stream, const Mesh& mesh, const Distance
   print_points(table.sources);
   out.text(",\n\"targets\":");
   print_points(table.targets);
-  // Beside the points, whose form all documents share.
+  // The vertices get arrays of their own, because points have the same form in all documents.
   const auto print_vertices = [&](std::string_view name, std::size_t points, const auto& vertex_of) {
     out.print(",\n\"{}\":[", name);
     for (std::size_t i = 0; i < points; ++i) out.print("{}{}", i > 0 ? "," : "", json_vertex(vertex_of(i)));

@@ -1,7 +1,9 @@
-// The elements of an output that several formats share: regions, bisectors as polylines, and vertices with normals.
+// Collects the elements of an output that several formats share: regions, bisectors as polylines, and vertices with
+// normals.
 //
 // A renderer needs a vertex once for every normal. So the ring of faces around a vertex is split at creases, where the
-// normal changes, and at borders between regions and seams of a texture, where it does not: shading runs on over these.
+// normal changes, and at borders between regions and seams of a texture, where it does not, so that shading continues
+// across them.
 // Invariant: the order of regions, lines and vertices depends on the mesh alone, so that all formats agree and the same
 // input gives the same bytes.
 #include <fmt/format.h>
@@ -24,11 +26,13 @@
 namespace gvd::io {
 namespace {
 
-/// As on the page of --view: curved surfaces look smooth, creases sharp. Degrees.
+/// Faces at a larger angle meet in a crease, in degrees. As on the page of --view, curved surfaces then look smooth and
+/// creases sharp.
 constexpr double kShadingAngle = 40;
 constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
 
-/// The texture coordinates of a corner; 0 for the corners of a face without: GLB has some for every vertex.
+/// The texture coordinates of a corner. Corners of faces without texture get 0, because GLB needs coordinates for every
+/// vertex.
 Uv texture_of(const LabelledMesh& labelled, HalfedgeId h) {
   if (!labelled.has_texture()) return {};
   const std::vector<Uv>& texture = labelled.appearance->texture;
@@ -38,7 +42,7 @@ Uv texture_of(const LabelledMesh& labelled, HalfedgeId h) {
   return texture[h.index()];
 }
 
-/// The mean of the normals of faces at a vertex, by their angles. `ring`: the halfedges that leave it.
+/// The mean of the faces' normals at a vertex, weighted by their angles. `ring`: the halfedges that leave the vertex.
 Eigen::Vector3f mean_normal(const Mesh& mesh, const IdVector<FaceId, Vec3>& normal, std::span<const HalfedgeId> ring) {
   Vec3 sum = Vec3::Zero();
   for (const HalfedgeId h : ring) sum += corner_angle(mesh, h) * normal[Mesh::face(h)];
@@ -62,7 +66,7 @@ ShadingVertices number_by_use(const std::vector<ShadingVertex>& vertices,
   return numbered;
 }
 
-/// Turns a closed ring so that it begins behind a break. False where it has none.
+/// Rotates a closed ring so that it begins after a break. Returns false if there is no break.
 template <class IsBreak>
 bool begin_at_break(std::vector<HalfedgeId>& ring, const IsBreak& is_break) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -76,7 +80,7 @@ bool begin_at_break(std::vector<HalfedgeId>& ring, const IsBreak& is_break) {
 }  // namespace
 
 std::vector<Region> collect_regions(const LabelledMesh& mesh) {
-  // As an unsigned number the invalid label -1 is the largest: it comes last.
+  // As an unsigned number the invalid label -1 is the largest, so it comes last.
   std::map<std::uint32_t, Region> regions;
   for (const FaceId f : mesh.mesh.faces()) {
     const GeneratorId label = mesh.face_label != nullptr ? (*mesh.face_label)[f] : GeneratorId();
@@ -160,7 +164,7 @@ ShadingVertices split_shading_vertices(const LabelledMesh& labelled) {
   const auto label_of = [&](HalfedgeId h) {
     return labelled.face_label == nullptr ? GeneratorId() : (*labelled.face_label)[Mesh::face(h)];
   };
-  // Whether the corners of two faces can be one vertex, but for their normals.
+  // Whether the corners of two faces can share a vertex, apart from their normals.
   const auto is_joined = [&](HalfedgeId g, HalfedgeId h) {
     return label_of(g) == label_of(h) && texture_of(labelled, g) == texture_of(labelled, h);
   };
@@ -170,8 +174,8 @@ ShadingVertices split_shading_vertices(const LabelledMesh& labelled) {
   for (const VertexId v : mesh.vertices()) {
     ring.clear();
     for_each_outgoing(mesh, v, [&](HalfedgeId h) { ring.push_back(h); });
-    // A closed ring begins behind a crease or, where there is none, behind a border or a seam. So faces that lie
-    // together in the ring lie together in the list.
+    // A closed ring begins after a crease or, without a crease, after a border or a seam. So faces that are adjacent in
+    // the ring are also adjacent in the list.
     if (!mesh.is_boundary(v) && !begin_at_break(ring, is_crease)) {
       begin_at_break(ring, [&](HalfedgeId g, HalfedgeId h) { return !is_joined(g, h); });
     }

@@ -1,8 +1,8 @@
-// Points on a surface as PLY, XYZ and NPY (version 1.0 of NumPy's format).
+// Writes points on a surface as PLY, XYZ and NPY (version 1.0 of NumPy's format).
 //
-// PLY and NPY have the same numbers in the same order; XYZ has position and normal only.
-// The face is a double in NPY, since an array has one type.
-// Invariant: numbers are complete, so the same doubles are read back, in any locale.
+// PLY and NPY hold the same numbers in the same order; XYZ holds only positions and normals. In NPY the face is a
+// double, because an array has only one type.
+// Invariant: numbers have all their digits, so the same doubles are read back, in any locale.
 #include "gvd/io/point_writer.hpp"
 
 #include <array>

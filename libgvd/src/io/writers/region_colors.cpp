@@ -1,10 +1,10 @@
-// Colours of regions: few, and different ones for neighbours.
+// Chooses colours of regions: few of them, and different ones for neighbours.
 //
 // The labels are coloured greedily in smallest-last order (Matula and Beck 1983), which needs few colours on surfaces
-// of low genus. Over the scenes of a slider, each scene starts from the colours of the later one, and labels with the
-// colour of a neighbour take another in turn until none is left.
-// A file and the page of a result have the same colours, since these come from the labels of faces and the bisectors
-// together: labels that meet along edges or along a bisector differ.
+// of low genus. In a slider, each scene starts from the colours of the next scene; labels with the same colour as a
+// neighbour then change their colour, one after the other, until no conflict is left.
+// A result has the same colours in a file and in its page, because they are chosen from the labels of faces and the
+// bisectors together: labels that meet along edges or along a bisector differ.
 // Invariant: the choice depends on the labels and their neighbours alone, and ties go to the smaller label or colour.
 #include "io/writers/region_colors.hpp"
 
@@ -25,10 +25,10 @@ void add_pair(std::vector<RegionPair>& pairs, GeneratorId a, GeneratorId b) {
   if (a.valid() && b.valid() && a != b) pairs.emplace_back(std::min(a, b), std::max(a, b));
 }
 
-using Neighbours = std::vector<std::vector<std::size_t>>;
+using RegionNeighbours = std::vector<std::vector<std::size_t>>;
 
-Neighbours list_neighbours(std::size_t count, const std::vector<RegionPair>& adjacent) {
-  Neighbours neighbours(count);
+RegionNeighbours list_neighbours(std::size_t count, const std::vector<RegionPair>& adjacent) {
+  RegionNeighbours neighbours(count);
   for (const auto& [a, b] : adjacent) {
     neighbours[a.index()].push_back(b.index());
     neighbours[b.index()].push_back(a.index());
@@ -36,7 +36,7 @@ Neighbours list_neighbours(std::size_t count, const std::vector<RegionPair>& adj
   return neighbours;
 }
 
-/// The number of labels with each colour, and of those without one.
+/// The number of labels with each colour; the last number counts the labels without a colour.
 using Uses = std::array<std::size_t, kColors + 1>;
 
 Uses count_colors(const std::vector<std::size_t>& choice, const std::vector<std::size_t>& labels) {
@@ -45,7 +45,7 @@ Uses count_colors(const std::vector<std::size_t>& choice, const std::vector<std:
   return uses;
 }
 
-/// The first of the `count` colours of least cost.
+/// The first colour of least cost among the first `count`.
 template <class Cost>
 std::size_t find_cheapest(std::size_t count, const Cost& cost) {
   std::size_t best = 0;
@@ -55,9 +55,9 @@ std::size_t find_cheapest(std::size_t count, const Cost& cost) {
   return best;
 }
 
-/// Orders the labels such that each comes before those that were removed from the graph earlier, the one of least
-/// degree first.
-std::vector<std::size_t> order_smallest_last(const Neighbours& neighbours) {
+/// Orders the labels smallest-last: removes the label of least degree from the graph again and again, and returns the
+/// labels in the reverse order of their removal.
+std::vector<std::size_t> order_smallest_last(const RegionNeighbours& neighbours) {
   std::vector<std::size_t> degree(neighbours.size()), order;
   std::set<std::pair<std::size_t, std::size_t>> left;
   for (std::size_t i = 0; i < neighbours.size(); ++i) left.emplace(degree[i] = neighbours[i].size(), i);
@@ -79,10 +79,10 @@ std::vector<Rgb> to_colors(const std::vector<std::size_t>& choice) {
   return colors;
 }
 
-/// Changes of colour for each label, on the average, after which all colours are chosen anew.
+/// If labels change their colour more often than this on average, all colours are chosen from scratch.
 constexpr std::size_t kMostChanges = 20;
 
-/// The pairs of a mesh's labels: of faces or, without these, of vertices.
+/// The pairs of adjacent labels of a mesh: labels of faces or, without these, labels of vertices.
 std::vector<RegionPair> list_pairs(const LabelledMesh& labelled) {
   std::vector<RegionPair> pairs;
   const Mesh& mesh = labelled.mesh;
@@ -119,7 +119,7 @@ void sort_pairs(std::vector<RegionPair>& pairs) {
 }
 
 std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<RegionPair>& adjacent) {
-  const Neighbours neighbours = list_neighbours(count, adjacent);
+  const RegionNeighbours neighbours = list_neighbours(count, adjacent);
   std::vector<std::size_t> choice(count, kUncoloured);
   Uses uses{};
   for (const std::size_t label : order_smallest_last(neighbours)) {
@@ -133,7 +133,7 @@ std::vector<Rgb> choose_region_colors(std::size_t count, const std::vector<Regio
 
 std::vector<Rgb> adapt_region_colors(const std::vector<Rgb>& before, std::size_t count,
                                      const std::vector<RegionPair>& adjacent) {
-  const Neighbours neighbours = list_neighbours(count, adjacent);
+  const RegionNeighbours neighbours = list_neighbours(count, adjacent);
   std::vector<std::size_t> choice(count, kUncoloured);
   std::vector<std::array<std::size_t, kUsualColors>> tries(count);  // how often each label has taken each colour
   Uses uses{};
@@ -147,7 +147,7 @@ std::vector<Rgb> adapt_region_colors(const std::vector<Rgb>& before, std::size_t
     return choice[label] == kUncoloured || count_around(label)[choice[label]] > 0;
   };
   // The usual colour that the fewest neighbours have. A colour that the label had before counts as if a neighbour had
-  // it; otherwise colours would be passed round for ever.
+  // it; otherwise neighbours could pass colours around for ever.
   const auto choose = [&](std::size_t label) {
     const Uses around = count_around(label);
     return find_cheapest(kUsualColors, [&](std::size_t c) { return std::tuple(around[c] + tries[label][c], uses[c]); });
@@ -195,7 +195,8 @@ std::vector<Rgb> region_colors(const LabelledMesh& labelled) {
   if (labelled.diagram != nullptr) io::add_cell_neighbours(labelled.diagram->cells, all);
   io::sort_pairs(all);
   std::vector<Rgb> colors = io::choose_region_colors(static_cast<std::size_t>(count), all);
-  // The graph with both kinds of pairs need not fit the surface.
+  // The graph with both kinds of pairs can be impossible to draw on the surface, so its neighbours may need more
+  // colours than the palette has.
   const auto is_same = [&](const io::RegionPair& pair) {
     return colors[pair.first.index()] == colors[pair.second.index()];
   };

@@ -1,12 +1,12 @@
-// The effect of 32-bit floats on positions: which they can't hold, how far they move vertices, and where GLB puts its
-// origin.
+// Measures the effect of 32-bit floats on positions: which meshes they can't hold, how far they move vertices, and
+// where GLB puts its origin.
 //
-// A float has 24 bits. A survey at a northing of 5,400,000 m is held in steps of half a metre, whatever its size. STL,
-// GIFTI and FreeSurfer's surfaces have no other numbers, so that users can only be told. In GLB a node has a
-// translation by numbers of JSON: the positions of a mesh that is far from the origin are relative to that. The
-// translation is a float itself, because most readers keep it as one; and it is a multiple of a power of two near the
-// mesh's size, so that it has few digits and positions lose next to nothing when it is subtracted. Invariant: near the
-// origin there is no translation, and the bytes are those of the positions.
+// A float has 24 bits, so a survey at a northing of 5,400,000 m is stored in steps of half a metre, whatever its size.
+// STL, GIFTI and FreeSurfer's surfaces have only floats, so users can only be warned. A node of GLB has a translation,
+// written as numbers of JSON, and the positions of a mesh far from the origin are relative to it. The coordinates of
+// the translation are floats themselves, because most readers store them as floats, and multiples of a power of two
+// near the mesh's size, so that they have few digits and positions lose next to nothing when they are subtracted.
+// Invariant: near the origin there is no translation, and the file holds the positions themselves.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,19 +22,21 @@ namespace {
 using SingleLimits = std::numeric_limits<float>;
 using Vec3f = Eigen::Vector3f;
 
-/// A mesh is far from the origin where a coordinate exceeds so many times its diagonal. Floats round by 2^-24 of a
-/// coordinate, so beyond that by more than 2^-20 of the diagonal: a thousandth of the edges of a mesh with a million
-/// faces.
+/// A mesh counts as far from the origin if a coordinate exceeds its diagonal this many times. Floats round by 2^-24 of
+/// a coordinate, so farther away they round by more than 2^-20 of the diagonal, which is a thousandth of an edge in a
+/// mesh with a million faces.
 constexpr double kFarDiagonals = 16;
 
 /// The translation of GLB is a multiple of a power of two of at most this fraction of the diagonal. Local coordinates
 /// are then less than the diagonal.
 constexpr double kTranslationGrid = 1.0 / 4;
 
-/// A face is damaged where a corner moves by more than this part of its mean edge: angles change by about a degree.
+/// A face counts as damaged if a corner moves by more than this fraction of its mean edge, which changes angles by
+/// about a degree.
 constexpr double kDamagedEdge = 1.0 / 64;
 
-/// The share of the area in damaged faces from which on it is told. Cutting leaves needles, which are less.
+/// The damage is reported if damaged faces have more than this share of the area. The needles that cutting leaves have
+/// less.
 constexpr double kDamagedShare = 1e-3;
 
 Eigen::AlignedBox3d bounding_box(const Mesh& mesh) {
@@ -64,11 +66,11 @@ Vec3 glb_translation(const Mesh& mesh) {
 std::string why_not_floats(const Mesh& mesh, const Vec3& origin) {
   const double largest = mesh.largest_coordinate();
   if (largest > SingleLimits::max()) return fmt::format("the coordinate {} is too large for one", largest);
-  // The distance of neighbouring floats at the largest coordinate: a smaller mesh would collapse.
+  // A mesh smaller than the distance between neighbouring floats at its largest coordinate would collapse.
   const double local = origin.isZero(0) ? largest : largest_local_coordinate(mesh, origin);
   const double step = std::max<double>(local * SingleLimits::epsilon(), SingleLimits::min());
   if (mesh.bbox_diagonal() > step) return "";
-  return fmt::format("a mesh of size {} at the coordinate {} is smaller than the step between two of them",
+  return fmt::format("a mesh of size {} at the coordinate {} is smaller than the distance between neighbouring floats",
                      mesh.bbox_diagonal(), largest);
 }
 

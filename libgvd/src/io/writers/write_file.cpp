@@ -1,10 +1,11 @@
-// Complete files or none: the content goes into a temporary file beside the target, which is renamed at the end.
+// Writes a complete file or none: the content goes into a temporary file beside the target, which is renamed at the
+// end.
 //
-// On Linux the temporary file has no name while it is written (O_TMPFILE, open(2)): the system removes it with the
-// process, even where that is killed. It gets its name by linkat(2) through /proc, just before it is renamed. Elsewhere
-// it is created under the name "TARGET.partialN".
-// Invariant: nothing changes at the target before the rename, and each failure throws one gvd::Error with the reason
-// that the system gave. So a stream's badbit, which tells no reason, is never what reports a failure.
+// On Linux the temporary file has no name while it is written (O_TMPFILE, open(2)), so the system removes it if the
+// process is killed. It gets a name by linkat(2) through /proc just before it is renamed. Elsewhere it is created under
+// the name "TARGET.partialN".
+// Invariant: the target does not change before the rename, and each failure throws one gvd::Error with the reason that
+// the system gave. So no failure is reported by a stream's badbit, which tells no reason.
 #include "gvd/io/write_file.hpp"
 
 #include <fcntl.h>
@@ -28,14 +29,14 @@ namespace fs = std::filesystem;
 
 /// Bytes between two calls of the progress callback.
 constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
-/// Largest number of temporary files of killed runs beside the target.
+/// Largest number of temporary files that killed runs may leave beside the target.
 constexpr int kMaxLeftovers = 1000;
-/// Bytes of the target's name in the temporary name: file systems allow 255 in all.
+/// The temporary name begins with at most this many bytes of the target's name; file systems allow 255 bytes in all.
 constexpr std::size_t kNameBytes = 200;
 /// Longest chain of symbolic links that is followed: the limit of Linux.
 constexpr int kMaxLinks = 40;
 
-/// `name` is that of the file, for messages: a path in quotes, or "standard output".
+/// `name` is how messages call the file: a path in quotes, or "standard output".
 [[noreturn]] void fail(const std::string& name, const std::string& reason) {
   throw Error(ErrorCode::unwritable_output, fmt::format("cannot write {}: {}", name, reason));
 }
@@ -44,14 +45,14 @@ std::string reason_of(int error) { return std::generic_category().message(error)
 
 std::string quoted_path(const fs::path& path) { return fmt::format("'{}'", path.string()); }
 
-/// A reader of a pipe that goes away is no failure of ours: it has a code of its own.
+/// If the reader of a pipe has gone away, that is not our failure, and has an error code of its own.
 [[noreturn]] void fail_write(const std::string& name, int error) {
   if (error == EPIPE) throw Error(ErrorCode::reader_gone, fmt::format("the reader of {} is gone", name));
   if (error == EINTR) throw Error(ErrorCode::interrupted, fmt::format("interrupted while {} was written", name));
   fail(name, reason_of(error));
 }
 
-/// A stream buffer that throws the reason of a failure, which a stream's badbit does not tell.
+/// A stream buffer that throws the reason of a failure, which a stream's badbit would not tell.
 class FileBuffer : public std::streambuf {
  public:
   /// Does not own the file.
@@ -102,7 +103,8 @@ fs::path follow_links(fs::path path) {
   std::error_code ignored;
   for (int i = 0; i < kMaxLinks && fs::is_symlink(path, ignored); ++i) {
     const fs::path link = fs::read_symlink(path, ignored), next = link.is_absolute() ? link : path.parent_path() / link;
-    if (fs::exists(path, ignored) && !fs::exists(next, ignored)) break;  // a pipe's in /proc: it can only be opened
+    // The link of a pipe in /proc can only be opened.
+    if (fs::exists(path, ignored) && !fs::exists(next, ignored)) break;
     path = next;
   }
   return path;
@@ -110,17 +112,17 @@ fs::path follow_links(fs::path path) {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-/// The way to a file that only its descriptor leads to.
+/// The path of a file without a name, by its descriptor.
 std::string descriptor_path(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
 
-/// Opens a file without a name on the file system of `folder`. Null where that has none, or where the file could get no
-/// name later.
+/// Opens a file without a name on the file system of `folder`. Returns null if the file system does not support such
+/// files, or if the file could not get a name later.
 std::FILE* open_unnamed([[maybe_unused]] const fs::path& folder) {
 #ifdef O_TMPFILE
-  constexpr mode_t kAll = 0666;  // less those of the umask, as for every new file
+  constexpr mode_t kAll = 0666;  // the umask removes some of these, as for every new file
   const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kAll);
   if (descriptor < 0) return nullptr;
-  const bool reachable = ::access(descriptor_path(descriptor).c_str(), F_OK) == 0;  // not without /proc
+  const bool reachable = ::access(descriptor_path(descriptor).c_str(), F_OK) == 0;  // false without /proc
   std::FILE* const file = reachable ? ::fdopen(descriptor, "wb") : nullptr;
   if (file == nullptr) ::close(descriptor);
   return file;
@@ -129,13 +131,13 @@ std::FILE* open_unnamed([[maybe_unused]] const fs::path& folder) {
 #endif
 }
 
-/// Gives a flushed file without a name one on its file system. If it can't, errno has the reason: EEXIST where the name
-/// is taken.
+/// Gives a flushed file without a name the name `name`, on the same file system. If that fails, errno has the reason:
+/// EEXIST if the name is taken.
 bool give_name(std::FILE* unnamed, const fs::path& name) {
   const std::string path = descriptor_path(::fileno(unnamed));
   if (::linkat(AT_FDCWD, path.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
   if (errno == EEXIST) return false;
-  // Some file systems in user space link no file that had no name before.
+  // Some file systems in user space can't link a file that never had a name.
   std::error_code failed;
   if (fs::copy_file(path, name, failed)) return true;
   if (failed != std::errc::file_exists) ::unlink(name.c_str());
@@ -147,7 +149,7 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// A file that gets its name by `commit`. Without a commit the temporary file is removed.
+/// A file that appears under its name only with `commit`. Without a commit the temporary file is removed.
 class AtomicFile {
  public:
   explicit AtomicFile(const fs::path& target) : name_(quoted_path(target)), file_(follow_links(target)) {
@@ -177,7 +179,7 @@ class AtomicFile {
   const std::string& name() const { return name_; }
   std::FILE* get() const { return opened_.get(); }
 
-  /// Closes and renames the file, whose content must be flushed. To be called once.
+  /// Closes and renames the file, whose content must have been flushed. Call it once.
   void commit() {
     if (is_unnamed_) take_name();
     if (std::fclose(opened_.release()) != 0) fail_write(name_, errno);
@@ -189,7 +191,7 @@ class AtomicFile {
   }
 
  private:
-  /// Refuses, before the content is written, a target that can't be renamed to or must not be replaced.
+  /// Refuses, before any content is written, a target that a rename can't replace or must not replace.
   void check(const fs::file_status& status) {
     std::error_code ignored;
     if (fs::is_directory(status)) fail(name_, "it is a directory; name a file");
@@ -201,7 +203,7 @@ class AtomicFile {
 
   void open(const char* mode) {
     opened_.reset(std::fopen(file_.c_str(), mode));
-    if (!opened_ && errno == EINTR) {  // a pipe is opened once it has a reader
+    if (!opened_ && errno == EINTR) {  // opening a pipe waits for a reader
       throw Error(ErrorCode::interrupted, fmt::format("interrupted while {} waited for a reader", name_));
     }
     if (!opened_) fail(name_, reason_of(errno));
@@ -222,17 +224,18 @@ class AtomicFile {
     fail(name_, fmt::format("too many files named '{}.partial*' beside it; remove them", start));
   }
 
-  /// A file is created exclusively, so that two runs with the same target do not write into each other's file.
+  /// Creates the file exclusively, so that two runs with the same target do not write into the same file.
   bool try_name(const fs::path& candidate) {
     if (is_unnamed_) return give_name(opened_.get(), candidate);
     opened_.reset(std::fopen(candidate.c_str(), "wbx"));
     return opened_ != nullptr;
   }
 
-  std::string name_;  ///< as given, for messages
-  fs::path file_;     ///< the end of its links
-  fs::path
-      temporary_;  ///< empty where the file is written directly or has no name, and once there is nothing to remove
+  std::string name_;  ///< of the target as given, for messages
+  fs::path file_;     ///< the target, after its symbolic links
+  /// The file to remove without a commit. Empty if there is none, as for a file that is written directly or has no
+  /// name.
+  fs::path temporary_;
   bool is_unnamed_ = false;
   std::unique_ptr<std::FILE, CloseFile> opened_;
 };
@@ -251,7 +254,7 @@ void check_writable(const fs::path& target) {
   const fs::path file = follow_links(target);
   const fs::file_status status = fs::status(file, ignored);
   if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) {
-    const AtomicFile opened(target);  // removes what it created
+    const AtomicFile opened(target);  // its destructor removes the temporary file
   } else if (::access(file.c_str(), W_OK) != 0) {
     fail(quoted_path(target), reason_of(errno));
   }

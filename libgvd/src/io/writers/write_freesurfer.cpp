@@ -1,8 +1,8 @@
-// FreeSurfer's own files: surfaces of triangles, annotations of vertices, and values of vertices.
+// Writes FreeSurfer's own formats: surfaces of triangles, annotations of vertices, and values of vertices.
 //
-// An annotation knows regions by their colours alone, so two may not have the same. A region whose colour is taken has
-// one nearby: the bits of a counter change those of red, green and blue in turn, the lowest first. So 512 regions of
-// one colour differ from it by at most 7 of 255.
+// An annotation identifies regions by their colours alone, so no two regions may have the same. A region whose colour
+// is taken gets one nearby: the bits of a counter change bits of red, green and blue in turn, the lowest first. So 512
+// regions of the same colour differ from it by at most 7 of 255.
 // Source: FreeSurfer's wiki, pages FileFormats and LabelsClutsAnnotationFiles; nibabel's freesurfer.io.
 // Invariant: no region has the colour 0, which stands for no region.
 #include <algorithm>
@@ -17,10 +17,10 @@
 namespace gvd::io {
 namespace {
 
-/// A colour as the number that stands for its region.
+/// The number by which an annotation refers to the region with this colour.
 std::int32_t pack(const Rgb& color) { return color.red | color.green << 8 | color.blue << 16; }
 
-/// A colour that differs from the given one by the bits of `step`, and from those of all other steps below 2^24.
+/// A variant of a colour. All steps below 2^24 give different colours, and step 0 gives the colour itself.
 Rgb vary(Rgb color, std::uint32_t step) {
   for (int bit = 0; step >> bit != 0; ++bit) {
     std::uint8_t& channel = bit % 3 == 0 ? color.red : bit % 3 == 1 ? color.green : color.blue;
@@ -37,7 +37,7 @@ void separate_colors(std::vector<NumberedLabel>& table) {
   }
 }
 
-/// A text behind its length. The zero at its end counts.
+/// Writes the length of a text, including the zero at its end, and then the text.
 void write_text(ByteWriter& out, std::string_view text) {
   out.big_endian(std::int32_t(text.size() + 1));
   out.text(text);
@@ -72,9 +72,9 @@ void write_annotation(std::ostream& stream, const ColoredMesh& labelled) {
     out.big_endian(pack(table[std::size_t(label_number((*labelled.vertex_label)[v]))].color));
   }
   out.big_endian(std::int32_t{1});   // a table follows
-  out.big_endian(std::int32_t{-2});  // of version 2
+  out.big_endian(std::int32_t{-2});  // the table has version 2
   out.big_endian(std::int32_t(table.size()));
-  write_text(out, "gvd");  // the file of the table
+  write_text(out, "gvd");  // the name of the table's file
   out.big_endian(std::int32_t(table.size()));
   for (const auto& [number, name, color] : table) {
     out.big_endian(number);
@@ -100,7 +100,7 @@ void write_distances_freesurfer(std::ostream& stream, const DistanceTable& table
   out.text("\xff\xff\xff");
   out.big_endian(std::int32_t(row.size()));
   out.big_endian(faces);
-  out.big_endian(std::int32_t{1});  // value for each vertex
+  out.big_endian(std::int32_t{1});  // one value for each vertex
   for (const double distance : row) out.big_endian(static_cast<float>(distance));
   out.finish();
 }

@@ -1,8 +1,8 @@
-// GIFTI: surfaces, labels and distances of vertices, for programs that show and measure brains.
+// Writes GIFTI: surfaces, labels and distances of vertices, for programs that show and measure brains.
 //
-// Arrays are Base64 without zlib's compression, whose bytes depend on its version. The format's standard has no other
-// real numbers than 32-bit floats. A label is its key in the table of labels; key 0 is transparent, as ??? is in
-// others' files.
+// Arrays are in Base64 and not compressed, because the bytes of compressed arrays depend on zlib's version. The only
+// real numbers of the standard are 32-bit floats. A vertex has the key of its label in the table of labels; key 0 is
+// transparent, as ??? is in the files of other programs.
 // Source: GIFTI Surface Data Format, version 1.0 (January 2011); Workbench for the names ??? and SHAPE.
 #include <cstdint>
 #include <string_view>
@@ -35,7 +35,7 @@ struct GiftiArray {
   std::string_view transform = {};
 };
 
-/// One DataArray: the numbers that `fill` passes to its argument.
+/// Writes one DataArray with the numbers that `fill` passes to its argument.
 template <class T, class Fill>
 void write_gifti_array(ByteWriter& out, const GiftiArray& array, Fill fill) {
   out.print(
@@ -50,7 +50,7 @@ void write_gifti_array(ByteWriter& out, const GiftiArray& array, Fill fill) {
   out.text("</Data>\n</DataArray>\n");
 }
 
-/// Readers want a transform of the points: here the identity between spaces that are not known.
+/// Readers expect a transform of the points. This is the identity between two unknown spaces.
 constexpr std::string_view kIdentity =
     "<CoordinateSystemTransformMatrix>\n<DataSpace><![CDATA[NIFTI_XFORM_UNKNOWN]]></DataSpace>\n"
     "<TransformedSpace><![CDATA[NIFTI_XFORM_UNKNOWN]]></TransformedSpace>\n"

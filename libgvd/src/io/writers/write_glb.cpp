@@ -1,13 +1,13 @@
-// Binary glTF 2.0 (Khronos; ISO/IEC 12113): a header, a JSON chunk, a chunk of numbers.
+// Writes binary glTF 2.0 (Khronos; ISO/IEC 12113): a header, a chunk of JSON, and a chunk of numbers.
 //
-// The JSON chunk describes views of the numbers, and comes before them in the file. So the surface and the lines
-// are described first, which adds up the bytes, and then written in the same order.
+// The chunk of JSON describes views of the numbers and comes before them in the file. So the writer first describes the
+// surface and the lines, which adds up the bytes, and then writes the numbers in the same order.
 // The surface is one primitive, which a renderer draws at once however many regions it has. Each region has vertices of
-// its own, with its colour in COLOR_0 and its label in _LABEL: a vertex on a border, a crease or a seam comes once for
-// each region, normal and texture coordinate. glTF has no unsigned integers for such attributes and takes colours for
+// its own, with its colour in COLOR_0 and its label in _LABEL: a vertex on a border, a crease or a seam occurs once for
+// each region, normal and texture coordinate. glTF has no 32-bit integers for such attributes and takes colours as
 // linear, so both are floats. Positions are 32-bit floats, too, which `check_single_precision` has allowed. Far from
-// the origin they are relative to the translation of both nodes (single_precision.cpp). Invariant: every view begins
-// where the one before it ends, so that the description and the numbers agree.
+// the origin they are relative to the translation of both nodes (single_precision.cpp).
+// Invariant: every view begins where the previous one ends, so that the description and the numbers agree.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -30,7 +30,7 @@ constexpr int kFloat = 5126, kUnsignedInt = 5125;                              /
 constexpr int kVertexBuffer = 34962, kIndexBuffer = 34963;                     // bufferView.target
 constexpr int kLines = 1, kTriangles = 4;                                      // primitive.mode
 constexpr const char *kScalar = "SCALAR", *kPair = "VEC2", *kVector = "VEC3";  // accessor.type
-/// Bytes of the file header and the headers of both chunks.
+/// Size in bytes of the file header and of the headers of both chunks.
 constexpr std::uint64_t kHeadBytes = 12 + 8 + 8;
 
 Json make_material(const std::string& name, const std::array<double, 3>& color) {
@@ -79,7 +79,7 @@ class GlbWriter {
     return views.size() - 1;
   }
 
-  /// Appends an accessor of the `count` elements of a view: floats for vertices, integers for indices. Returns its
+  /// Appends an accessor for the `count` elements of a view: floats for vertices, integers for indices. Returns its
   /// index.
   std::size_t add_accessor(std::size_t view, std::size_t count, const char* type) {
     const bool of_vertices = gltf_["bufferViews"][view]["target"] == kVertexBuffer;
@@ -93,7 +93,7 @@ class GlbWriter {
   /// A position relative to the nodes.
   Eigen::Vector3f local(const Vec3& p) const { return (p - translation_).cast<float>(); }
 
-  /// Adds their bounds to an accessor of positions.
+  /// Adds the bounds of the points to an accessor of positions.
   template <class ForEachPoint>
   void set_bounds(std::size_t accessor, ForEachPoint for_each_point) {
     Eigen::AlignedBox3f box;
@@ -102,7 +102,7 @@ class GlbWriter {
     gltf_["accessors"][accessor]["max"] = {box.max().x(), box.max().y(), box.max().z()};
   }
 
-  /// A primitive of the last material.
+  /// Makes a primitive with the last material.
   Json make_primitive(Json attributes, std::size_t indices, int mode) const {
     return {{"attributes", std::move(attributes)},
             {"indices", indices},
@@ -119,7 +119,7 @@ class GlbWriter {
     gltf_["scenes"][0]["nodes"].push_back(index);
   }
 
-  /// Positions, normals, colours, labels, texture coordinates and indices have one view each.
+  /// Gives positions, normals, colours, labels, texture coordinates and indices one view each.
   void describe_surface() {
     gltf_["asset"] = {{"version", "2.0"}, {"generator", "libgvd"}};
     gltf_["scene"] = 0;
@@ -140,7 +140,7 @@ class GlbWriter {
     if (labelled_.has_texture()) attributes["TEXCOORD_0"] = add_attribute(kPair);
     const auto corners = std::size_t(mesh_.halfedge_count());
     const std::size_t indices = add_accessor(add_view(4 * std::uint64_t{corners}, kIndexBuffer), corners, kScalar);
-    // Colours of vertices are factors of that of the material.
+    // The colours of vertices are multiplied by the colour of the material.
     gltf_["materials"].push_back(has_labels() ? make_material("regions", {1, 1, 1})
                                               : make_material("surface", to_linear(kUnlabelledColor)));
     add_node("surface", Json::array({make_primitive(std::move(attributes), indices, kTriangles)}));
@@ -148,7 +148,7 @@ class GlbWriter {
 
   bool has_labels() const { return labelled_.face_label != nullptr; }
 
-  /// All bisectors and curves are one primitive of line segments.
+  /// Describes all bisectors and curves as one primitive of line segments.
   void describe_lines() {
     std::size_t points = 0;
     for (const OutputLine& line : lines_) points += line.points.size();
@@ -172,7 +172,7 @@ class GlbWriter {
     for (const ShadingVertex& vertex : vertices) out.floats(local(mesh_.position(vertex.vertex)));
     for (const ShadingVertex& vertex : vertices) out.floats(vertex.normal);
     if (has_labels()) {
-      std::vector<std::array<double, 3>> linear{to_linear(kUnlabelledColor)};  // before that of label 0
+      std::vector<std::array<double, 3>> linear{to_linear(kUnlabelledColor)};  // for label -1
       for (const Rgb& color : labelled_.colors) linear.push_back(to_linear(color));
       for (const ShadingVertex& vertex : vertices) out.floats(linear[std::size_t(vertex.label.value() + 1)]);
       for (const ShadingVertex& vertex : vertices) out.binary(static_cast<float>(vertex.label.value()));

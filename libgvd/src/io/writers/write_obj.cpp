@@ -1,9 +1,8 @@
-// Wavefront's OBJ, and the materials of its regions.
+// Writes Wavefront's OBJ, and the materials of its regions.
 //
-// A region is a group with a material, unless the faces have materials of their own, whose names then stay. Bisectors
-// are lines, whose vertices follow those of the mesh, so the numbers of the mesh's vertices are those of the input,
-// with and without bisectors, groups and texture. OBJ counts from 1, and shares texture coordinates between faces by
-// number.
+// A region is a group with a material, unless the faces have materials of their own, whose names are then kept.
+// Bisectors are lines. Their vertices follow the mesh's vertices, which therefore keep the numbers of the input. OBJ
+// counts from 1, and faces share texture coordinates by number.
 // Source: Wavefront's Advanced Visualizer manual, appendix B1, for the statements v, vt, f, l, g, mtllib and usemtl.
 #include <algorithm>
 #include <array>
@@ -23,11 +22,12 @@ namespace {
 
 void print_vertex(ByteWriter& out, const Vec3& p) { out.print("v {} {} {}\n", p.x(), p.y(), p.z()); }
 
-/// Texture coordinates of a vertex that another one is compared with, the last ones: the tip of a cone may have many.
+/// New texture coordinates of a vertex are compared only with this many of its last ones, because the tip of a cone may
+/// have very many.
 constexpr std::ptrdiff_t kComparedTexture = 64;
 
-/// Writes the coordinates of corners, equal ones of a vertex once. Gives their number for each corner, from 1; none
-/// without a texture.
+/// Writes the texture coordinates of corners, equal ones at a vertex only once. Returns the number of each corner's
+/// coordinates, from 1; nothing if the mesh has no texture.
 std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh) {
   std::vector<std::size_t> numbers;
   if (!mesh.has_texture()) return numbers;
@@ -48,8 +48,8 @@ std::vector<std::size_t> print_texture(ByteWriter& out, const LabelledMesh& mesh
   return numbers;
 }
 
-/// Prints the faces, by regions where there are some, with the numbers of their texture coordinates and the names of
-/// their materials. `region_materials`: each region has a material of its own.
+/// Prints the faces, grouped by region if there are regions, with the numbers of their texture coordinates and the
+/// names of their materials. `region_materials`: whether each region has a material of its own.
 void print_faces(ByteWriter& out, const LabelledMesh& mesh, bool region_materials) {
   const std::vector<std::size_t> texture = print_texture(out, mesh);
   std::int32_t used = -1;  // the material of the last statement, which holds for all faces up to the next one
@@ -82,8 +82,8 @@ void print_faces(ByteWriter& out, const LabelledMesh& mesh, bool region_material
   }
 }
 
-/// The line through the vertices from number `first` on, one `l` for each segment: Blender keeps one edge of a longer
-/// `l`.
+/// Prints the line through the vertices from number `first` on, with one `l` for each segment, because Blender keeps
+/// only one edge of a longer `l`.
 /// Returns the number after the last vertex.
 std::size_t print_line(ByteWriter& out, const OutputLine& line, std::size_t first) {
   if (line.left.valid()) out.print("# left {} right {}\n", line.left.value(), line.right.value());
@@ -93,8 +93,8 @@ std::size_t print_line(ByteWriter& out, const OutputLine& line, std::size_t firs
   return last + 1;
 }
 
-/// The vertices of the lines follow those of the mesh, whose numbers do not change. Bisectors and curves are objects
-/// of their own: Blender would add them to the mesh as loose edges.
+/// Prints the lines and their vertices, which follow the mesh's vertices. Bisectors and curves are objects of their
+/// own; otherwise Blender would add them to the mesh as loose edges.
 void print_lines(ByteWriter& out, const LabelledMesh& mesh) {
   std::size_t index = mesh.mesh.positions().size() + 1;
   std::string object, group;

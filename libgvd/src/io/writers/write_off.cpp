@@ -1,8 +1,8 @@
-// OFF and COFF.
+// Writes OFF and COFF.
 //
-// OFF has no colours: meshio reads exactly three numbers of a vertex and four of a face. COFF has four numbers from 0
-// to 1 behind each vertex, as Geomview specifies, and three from 0 to 255 behind each face. OFF with colours of faces
-// only is valid too, but OpenMesh reads these as the next face.
+// OFF is written without colours, because meshio reads exactly three numbers for a vertex and four for a face. COFF has
+// four numbers from 0 to 1 after each vertex, as Geomview specifies, and three from 0 to 255 after each face. OFF with
+// colours of faces only is also valid, but OpenMesh reads these colours as the next face.
 // Source: the Geomview manual, section OFF.
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"

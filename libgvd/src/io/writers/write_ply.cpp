@@ -1,10 +1,11 @@
-// PLY, binary or text, with labels, distances, colours and the further properties of the input.
+// Writes PLY, binary or text, with labels, distances, colours and the further properties of the input.
 //
-// VTK's reader drops every property but coordinates, normals, texture coordinates, colours and a face's `intensity`,
-// one byte: the label's low byte goes there. Blender shows the colours of vertices only. meshio reads the properties of
-// faces in text only: in binary it takes the lists of all faces to lie behind each other.
+// VTK's reader drops every property except coordinates, normals, texture coordinates, colours and a face's `intensity`,
+// which is one byte and gets the low byte of the label. Blender shows only the colours of vertices. meshio reads the
+// properties of faces only from text; in a binary file it assumes that the lists of all faces are contiguous.
 // Source: G. Turk, The PLY polygon file format, 1994. Integers of further properties are rounded and clamped to their
-// types; distances are floats unless a float would turn one into infinity or 0.
+// types; distances are floats unless a float would turn one into infinity or 0, and texture coordinates unless floats
+// would turn a face round in the texture: not all programs read doubles.
 // Invariant: the header and the rows list the same properties in the same order.
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/plane.hpp"
 #include "io/writers/byte_writer.hpp"
 #include "io/writers/format_writers.hpp"
 
@@ -34,11 +36,34 @@ bool needs_doubles(const LabelledMesh& mesh) {
          std::any_of(mesh.vertex_distance->begin(), mesh.vertex_distance->end(), leaves_float);
 }
 
+/// Whether floats turn a face round, or flatten it, in the texture.
+bool do_floats_flip(const Uv* corners) {
+  const auto side = [&](auto number) {
+    const auto at = [&](int i) { return Vec2(number(corners[i][0]), number(corners[i][1])); };
+    return orientation(at(0), at(1), at(2));
+  };
+  const int exact = side([](double x) { return x; });
+  return exact != 0 && side([](double x) { return double(float(x)); }) != exact;
+}
+
+/// The type of texture coordinates. Corners without any, and beyond floats, have no voice.
+NumberType texture_type(const LabelledMesh& mesh) {
+  const std::vector<Uv>& texture = mesh.appearance->texture;
+  for (std::size_t i = 0; i < texture.size(); i += 3) {
+    const Uv* corners = texture.data() + i;
+    if (std::all_of(corners, corners + 3, fits_floats) && do_floats_flip(corners)) return NumberType::float64;
+  }
+  return NumberType::float32;
+}
+
+constexpr std::array<const char*, 8> kPlyTypes{"char", "uchar", "short", "ushort", "int", "uint", "float", "double"};
+const char* ply_name(NumberType type) { return kPlyTypes[static_cast<std::size_t>(type)]; }
+
 void print_label_properties(ByteWriter& out) {
   out.text("property int label\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n");
 }
 
-/// Properties of vertices, or of faces.
+/// The further properties of vertices, or of faces.
 std::vector<const MeshProperty*> further_properties(const LabelledMesh& mesh, bool of_vertices) {
   std::vector<const MeshProperty*> found;
   if (mesh.properties == nullptr) return found;
@@ -49,12 +74,10 @@ std::vector<const MeshProperty*> further_properties(const LabelledMesh& mesh, bo
 }
 
 void print_further_properties(ByteWriter& out, const LabelledMesh& mesh, bool of_vertices) {
-  constexpr std::array<const char*, 8> kTypes{"char", "uchar", "short", "ushort", "int", "uint", "float", "double"};
   for (const MeshProperty* property : further_properties(mesh, of_vertices)) {
-    const auto name_of = [&](NumberType type) { return kTypes[static_cast<std::size_t>(type)]; };
     if (property->count_type)
-      out.print("property list {} {} {}\n", name_of(*property->count_type), name_of(property->type), property->name);
-    if (!property->count_type) out.print("property {} {}\n", name_of(property->type), property->name);
+      out.print("property list {} {} {}\n", ply_name(*property->count_type), ply_name(property->type), property->name);
+    if (!property->count_type) out.print("property {} {}\n", ply_name(property->type), property->name);
   }
 }
 
@@ -66,24 +89,25 @@ void print_vertex_properties(ByteWriter& out, const LabelledMesh& mesh, bool dou
   print_further_properties(out, mesh, true);
 }
 
-void print_face_properties(ByteWriter& out, const LabelledMesh& mesh) {
+void print_face_properties(ByteWriter& out, const LabelledMesh& mesh, NumberType texture) {
   out.print("element face {}\nproperty list uchar int vertex_indices\n", mesh.mesh.face_count());
   if (mesh.face_label != nullptr) print_label_properties(out);
   if (mesh.face_parent != nullptr) out.text("property int parent\n");
   if (mesh.face_label != nullptr) out.text("property uchar intensity\n");
-  if (mesh.has_texture()) out.text("property list uchar float texcoord\n");
+  if (mesh.has_texture()) out.print("property list uchar {} texcoord\n", ply_name(texture));
   print_further_properties(out, mesh, false);
   if (mesh.face_numbers == nullptr) return;
   for (const FaceNumbers& numbers : *mesh.face_numbers) out.print("property int {}\n", numbers.name);
 }
 
-/// The further properties and, behind them, texture coordinates as the numbers `s` and `t` of vertices, which more
-/// programs read than those of corners. None where a vertex has several, or a corner has none.
-std::optional<std::vector<MeshProperty>> list_with_texture(const LabelledMesh& mesh) {
+/// The further properties followed by the texture coordinates as the properties `s` and `t` of vertices, which more
+/// programs read than coordinates of corners. Returns nothing if a vertex has several coordinates, a corner has none,
+/// or the names are taken.
+std::optional<std::vector<MeshProperty>> list_with_texture(const LabelledMesh& mesh, NumberType type) {
   if (!mesh.has_texture()) return std::nullopt;
   const std::size_t count = mesh.mesh.positions().size();
-  std::array<MeshProperty, 2> pair{{{"s", NumberType::float32, true, std::vector<double>(count)},
-                                    {"t", NumberType::float32, true, std::vector<double>(count)}}};
+  std::array<MeshProperty, 2> pair{
+      {{"s", type, true, std::vector<double>(count)}, {"t", type, true, std::vector<double>(count)}}};
   std::vector<char> is_known(count, 0);
   for (const HalfedgeId h : mesh.mesh.halfedges()) {
     const Uv& uv = mesh.appearance->texture[h.index()];
@@ -99,7 +123,7 @@ std::optional<std::vector<MeshProperty>> list_with_texture(const LabelledMesh& m
   return all;
 }
 
-/// The nearest number of the type; for integers 0 for what is no number.
+/// The nearest number of the type. For integers, NaN becomes 0.
 template <class T>
 T nearest(double value) {
   if constexpr (std::is_floating_point_v<T>) return static_cast<T>(value);
@@ -108,7 +132,7 @@ T nearest(double value) {
   return static_cast<T>(std::clamp(std::round(value), double(Limits::min()), double(Limits::max())));
 }
 
-/// Numbers of one element after the other, as bytes or as a line of text.
+/// Writes the numbers of one element after the other, as bytes or as a line of text.
 class Rows {
  public:
   Rows(ByteWriter& out, const ColoredMesh& mesh) : out_(out), mesh_(mesh), text_(mesh.ascii_ply) {}
@@ -137,7 +161,7 @@ class Rows {
     (this->*kPut[static_cast<std::size_t>(type)])(value);
   }
 
-  /// The number of element i, or its list.
+  /// Writes the number of element i, or its list.
   void put_property(const MeshProperty& property, std::size_t i) {
     if (!property.count_type) return put_number(property.type, property.values[i]);
     const std::size_t first = property.first_value[i], last = property.first_value[i + 1];
@@ -145,12 +169,12 @@ class Rows {
     for (std::size_t k = first; k < last; ++k) put_number(property.type, property.values[k]);
   }
 
-  /// The coordinates of a face's corners, or none where one is no number.
-  void put_texture(const Uv* corners) {
+  /// Writes the texture coordinates of a face's corners, or an empty list if one of them does not fit into floats.
+  void put_texture(const Uv* corners, NumberType type) {
     const bool has = std::all_of(corners, corners + 3, fits_floats);
     put(std::uint8_t(has ? 6 : 0));
     for (int i = 0; has && i < 3; ++i) {
-      for (const double number : corners[i]) put(float(number));
+      for (const double number : corners[i]) put_number(type, number);
     }
   }
 
@@ -186,7 +210,7 @@ void write_vertices(Rows& rows, const LabelledMesh& mesh, bool doubles) {
   }
 }
 
-void write_faces(Rows& rows, const LabelledMesh& mesh) {
+void write_faces(Rows& rows, const LabelledMesh& mesh, NumberType texture) {
   const auto further = further_properties(mesh, false);
   for (const FaceId f : mesh.mesh.faces()) {
     rows.put(std::uint8_t{3});
@@ -194,7 +218,7 @@ void write_faces(Rows& rows, const LabelledMesh& mesh) {
     if (mesh.face_label != nullptr) rows.put_label((*mesh.face_label)[f]);
     if (mesh.face_parent != nullptr) rows.put((*mesh.face_parent)[f].value());
     if (mesh.face_label != nullptr) rows.put(std::uint8_t((*mesh.face_label)[f].value()));
-    if (mesh.has_texture()) rows.put_texture(mesh.appearance->texture.data() + 3 * f.index());
+    if (mesh.has_texture()) rows.put_texture(mesh.appearance->texture.data() + 3 * f.index(), texture);
     for (const MeshProperty* property : further) rows.put_property(*property, f.index());
     if (mesh.face_numbers != nullptr) {
       for (const FaceNumbers& numbers : *mesh.face_numbers) rows.put(numbers.values[f]);
@@ -208,7 +232,8 @@ void write_faces(Rows& rows, const LabelledMesh& mesh) {
 void write_ply(std::ostream& stream, const ColoredMesh& given) {
   ByteWriter out(stream);
   ColoredMesh mesh = given;
-  const auto with_texture = list_with_texture(given);
+  const NumberType texture = given.has_texture() ? texture_type(given) : NumberType::float32;
+  const auto with_texture = list_with_texture(given, texture);
   if (with_texture) {
     mesh.properties = &*with_texture;
     mesh.appearance = nullptr;
@@ -216,11 +241,11 @@ void write_ply(std::ostream& stream, const ColoredMesh& given) {
   const bool doubles = needs_doubles(mesh);
   out.print("ply\nformat {} 1.0\n", mesh.ascii_ply ? "ascii" : "binary_little_endian");
   print_vertex_properties(out, mesh, doubles);
-  print_face_properties(out, mesh);
+  print_face_properties(out, mesh, texture);
   out.text("end_header\n");
   Rows rows(out, mesh);
   write_vertices(rows, mesh, doubles);
-  write_faces(rows, mesh);
+  write_faces(rows, mesh, texture);
   out.finish();
 }
 

@@ -1,6 +1,6 @@
-// STL, binary: 80 bytes of header, the number of triangles, and for each its normal, its corners and an attribute: 50
-// bytes, so that readers tell it from text by its length. STL has neither shared vertices nor labels. The colour of a
-// label goes into the attribute, by the convention of VisCAM and SolidView that most programs read.
+// Writes binary STL: 80 bytes of header, the number of triangles, and 50 bytes for each triangle, with its normal, its
+// corners and an attribute. Readers tell it from text by its length. STL has neither shared vertices nor labels. The
+// colour of a label goes into the attribute, by the convention of VisCAM and SolidView that most programs read.
 // Source: 3D Systems' StereoLithography Interface Specification, for all but the colours.
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace gvd::io {
 namespace {
 
-/// The header of an STL must not begin with "solid": readers would take the file for text.
+/// The header of an STL must not begin with "solid", or readers would take the file for text.
 constexpr std::string_view kHeader = "binary STL, 32-bit floats, face colours in the attribute";
 constexpr std::size_t kHeaderBytes = 80;
 
@@ -34,7 +34,8 @@ void write_stl(std::ostream& stream, const ColoredMesh& labelled) {
   for (const FaceId f : mesh.faces()) {
     const auto& [a, b, c] = mesh.vertices(f);
     const Vec3& origin = mesh.position(a);
-    // Normalized first: the product of two short edges can underflow. A face without area gets the normal 0.
+    // The edges are normalized first, because the product of two short edges can underflow. A face without area gets
+    // the normal 0.
     const Vec3 u = (mesh.position(b) - origin).stableNormalized();
     const Vec3 v = (mesh.position(c) - origin).stableNormalized();
     out.floats(u.cross(v).normalized());

@@ -1,10 +1,11 @@
-// VTK's PolyData and UnstructuredGrid in XML, with arrays in Base64 (VTK File Formats, version 4.2).
+// Writes VTK's PolyData and UnstructuredGrid in XML, with arrays in Base64 (VTK File Formats, version 4.2).
 //
-// Points are the vertices of the mesh, then those of the bisectors and curves. The cells of PolyData are these as
-// lines, then the faces: VTK numbers lines before polygons. meshio reads no PolyData, and of an UnstructuredGrid no
-// line of more than two points. There the faces come first, then the segments of the lines. Each array is encoded
-// number by number, so none is held in memory a second time. Its length comes first, in bytes. Invariant: an array has
-// one value for each point or cell in that order, and -1 where an element has none.
+// The points are the vertices of the mesh, followed by the points of the bisectors and curves. The cells of PolyData
+// are the bisectors and curves as lines, then the faces, because VTK numbers lines before polygons. For meshio, which
+// reads neither PolyData nor lines of more than two points, an UnstructuredGrid has the faces first and then the single
+// segments of the lines. Each array is encoded number by number, so no array is copied in memory. Its length in bytes
+// comes first.
+// Invariant: an array has one value for each point or cell in that order, and -1 for an element without a value.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -20,11 +21,11 @@
 namespace gvd::io {
 namespace {
 
-/// One DataArray: the number of its bytes as UInt64, then the numbers that `fill` passes to its argument.
+/// Writes one DataArray: the number of its bytes as UInt64, then the numbers that `fill` passes to its argument.
 template <class T, class Fill>
 void write_array(ByteWriter& out, std::string_view name, std::size_t size, int components, Fill fill) {
   const char* const kind = std::is_floating_point_v<T> ? "Float" : std::is_unsigned_v<T> ? "UInt" : "Int";
-  // Told only where there are several: meshio makes a matrix of an array that tells one.
+  // Written only for several components, because meshio makes a matrix of an array that declares one.
   const std::string several = components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "";
   out.print("<DataArray type=\"{}{}\" Name=\"{}\"{} format=\"binary\">\n", kind, 8 * sizeof(T), name, several);
   Base64Writer base64(out);
@@ -37,8 +38,8 @@ void write_array(ByteWriter& out, std::string_view name, std::size_t size, int c
 /// A line, or one of its segments.
 struct LineCell {
   const OutputLine* line;
-  std::int64_t first;  ///< point
-  std::int64_t size;   ///< points, which follow each other
+  std::int64_t first;  ///< number of its first point
+  std::int64_t size;   ///< number of consecutive points
 };
 
 constexpr std::uint8_t kLineType = 3, kTriangleType = 5;  // VTKCellType
@@ -133,7 +134,7 @@ class VtkWriter {
     }
   }
 
-  /// One value for each cell: `of_line` and `of_face` give them.
+  /// Writes an array with one value for each cell, which `of_line` or `of_face` returns.
   template <class OfLine, class OfFace>
   void write_cell_array(std::string_view name, OfLine of_line, OfFace of_face) {
     write_array<std::int32_t>(out_, name, line_cells_.size() + faces(), 1, [&](auto put) {
@@ -188,7 +189,7 @@ class VtkWriter {
     out_.text("</Points>\n");
   }
 
-  /// The points of the cells of these parts, where each one ends and, of a grid, what it is.
+  /// Writes the points of the cells in these parts, where each cell ends and, for a grid, the type of each cell.
   void write_cells(std::string_view name, Part first, Part second) {
     const std::array<Part, 2> parts{first, second};
     std::size_t count = 0, corners = 0;

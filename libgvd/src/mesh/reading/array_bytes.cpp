@@ -1,7 +1,7 @@
-// Arrays of numbers inside XML, for VTK's files and GIFTI: zlib and text.
+// Decodes arrays of numbers inside XML, for VTK's files and GIFTI, from zlib's format and from text.
 //
 // Source: zlib, Technical Details, for the limit of deflate.
-// Invariant: no size that a file gives takes memory that its bytes could not fill.
+// Invariant: memory is never allocated for a size in the file that the file's bytes could not fill.
 #include "mesh/reading/array_bytes.hpp"
 
 #include <fmt/format.h>
@@ -76,7 +76,7 @@ std::vector<double> parse_array_text(std::string_view text, std::string_view wha
     const auto number = parse_double(token);
     if (!number) {
       throw Error(ErrorCode::unreadable_input,
-                  fmt::format("{}: {} is no number in an array of {}", name, quoted(token), what));
+                  fmt::format("{}: {} is not a number in an array of {}", name, quoted(token), what));
     }
     numbers.push_back(*number);
     at += token.size();

@@ -1,7 +1,7 @@
-// Base64 inside of XML and of glTF's addresses.
+// Decodes Base64 in XML and in glTF's addresses.
 //
 // Source: RFC 4648.
-// Invariant: no size that a file gives takes memory that its bytes could not fill.
+// Invariant: memory is never allocated for a size in the file that the file's bytes could not fill.
 #include <algorithm>
 #include <utility>
 
@@ -35,7 +35,8 @@ std::string ArrayBytes::take(std::uint64_t count) {
   return taken;
 }
 
-/// Appends what the next four digits stand for: three bytes, or fewer where padding follows.
+/// Decodes the next four digits and appends three bytes, or fewer if the digits end in padding. Returns false at the
+/// end and for anything but Base64.
 bool ArrayBytes::decode_four(std::string& bytes) {
   std::uint32_t bits = 0;
   int digits = 0, padding = 0;

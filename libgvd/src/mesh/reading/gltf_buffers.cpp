@@ -1,8 +1,8 @@
-// The buffers of glTF that are not in its binary chunk: data URIs, and files beside the mesh.
+// Reads the buffers of glTF that are not in its binary chunk: data URIs, and files beside the mesh.
 //
-// A mesh from the Internet must not lead a program to other files, whose bytes would come out as coordinates. So the
-// decoded name is checked part by part, and what it leads to through links must be a regular file below the folder of
-// the mesh. A name is decoded once, before it is checked: "%2e%2e" is "..", and "%252e" is the name "%2e".
+// A mesh from the Internet must not make a program read other files, whose bytes would end up as coordinates. So each
+// part of the decoded name is checked, and after following links it must lead to a regular file below the folder of the
+// mesh. A name is decoded once, before it is checked: "%2e%2e" is "..", and "%252e" is the name "%2e".
 // Source: RFC 3986 for addresses, RFC 2397 for data URIs; Khronos, glTF 2.0, sections 2.8 and 3.6.1.1.
 #include "mesh/reading/gltf_buffers.hpp"
 
@@ -24,7 +24,7 @@ constexpr std::string_view kData = "data:";
 
 bool is_data_uri(std::string_view uri) { return to_lower(uri.substr(0, kData.size())) == kData; }
 
-/// The address with its percent-encoded bytes decoded; nothing where a '%' lacks its two digits.
+/// Decodes the percent-encoded bytes of an address; returns nothing if a '%' lacks its two digits.
 std::optional<std::string> decode_percents(std::string_view uri) {
   std::string path;
   for (std::size_t at = 0; at < uri.size(); ++at) {
@@ -42,16 +42,16 @@ std::optional<std::string> decode_percents(std::string_view uri) {
   return path;
 }
 
-/// Sets the path that an address stands for, down from the folder of the mesh. Returns why it stands for none; nothing
-/// where it does.
+/// Sets `relative` to the path of an address, relative to the folder of the mesh. If the address has no such path,
+/// returns the reason.
 std::string_view find_relative_path(std::string_view uri, std::filesystem::path& relative) {
   const std::optional<std::string> path = decode_percents(uri);
-  if (!path) return "has a '%' without two digits behind it";
+  if (!path) return "has a '%' without two digits after it";
   if (path->find(':') != path->npos) {
     return "is an address, and only files in the folder of the mesh are read; put it there, or export one .glb";
   }
   const bool is_plain = std::ranges::none_of(*path, [](char c) { return std::uint8_t(c) < ' ' || c == '\\'; });
-  if (path->empty() || !is_plain) return "is no name of a file";
+  if (path->empty() || !is_plain) return "is not the name of a file";
   relative = *path;
   if (path->front() == '/' || std::find(relative.begin(), relative.end(), "..") != relative.end()) {
     return "is not in the folder of the mesh; put it there, or export one .glb";
@@ -90,7 +90,7 @@ std::string read_gltf_buffer(std::string_view uri, std::size_t b, const std::opt
   if (error) refuse("is not there; put it beside the mesh, or export one .glb");
   const auto [end, below] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
   if (end != root.end()) refuse("leads out of the folder of the mesh by a symbolic link; put the file itself there");
-  if (!fs::is_regular_file(file, error)) refuse("is no file");
+  if (!fs::is_regular_file(file, error)) refuse("is not a file");
   std::ifstream in(file, std::ios::binary);
   if (!in) refuse("can't be opened; check its permissions");
   const std::uintmax_t size = fs::file_size(file, error);

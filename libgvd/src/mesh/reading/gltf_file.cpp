@@ -1,6 +1,7 @@
-// The container of glTF 2.0, binary (.glb) or as JSON (.gltf): its chunks, its description, and numbers in its buffers.
+// Reads the container of glTF 2.0, binary (.glb) or as JSON (.gltf): its chunks, its description, and the numbers in
+// its buffers.
 //
-// Accessors are numbers in buffers: the binary chunk, data URIs, or files beside the mesh.
+// Accessors describe numbers in buffers, which are the binary chunk, data URIs, or files beside the mesh.
 // Source: Khronos, glTF 2.0 (ISO/IEC 12113), sections 3.6 and 4.4.
 #include "mesh/reading/gltf_file.hpp"
 
@@ -26,15 +27,16 @@ constexpr std::string_view kMark = "glTF";
 constexpr std::uint32_t kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
 
-/// The largest size for numbers beyond it: nothing has so many elements, and a remainder would pass for a count.
+/// Converts a number to a size. A number that is too large becomes the largest size, because its remainder could pass
+/// for a valid count.
 std::size_t as_size(const Json& value) {
   return std::size_t(std::min<std::uint64_t>(value.get<std::uint64_t>(), std::numeric_limits<std::size_t>::max()));
 }
 
-/// Counts of a file may be beyond 63 bits.
+/// Formats a count of bytes, which in a damaged file may exceed 63 bits.
 std::string byte_count(std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "byte" : "bytes"); }
 
-/// The number that stands for 1 in normalized integers.
+/// The integer that stands for 1 in normalized integers.
 double largest(const StoredNumber& stored) {
   return std::exp2(8.0 * double(stored.size) - (stored.kind == StoredNumber::Kind::signed_integer ? 1 : 0)) - 1;
 }
@@ -46,7 +48,7 @@ GltfFile::GltfFile(std::string_view bytes, std::string_view name, const std::opt
   is_binary_ = bytes.starts_with(kMark);
   if (!is_binary_ && !is_json(bytes)) refuse("the file begins neither with 'glTF' nor, as JSON, with '{'");
   gltf_ = Json::parse(is_binary_ ? read_chunks() : bytes);
-  if (!gltf_.is_object()) refuse("the scene's description is no JSON object");
+  if (!gltf_.is_object()) refuse("the scene's description is not a JSON object");
   check_version();
 }
 
@@ -65,12 +67,12 @@ const Json& GltfFile::item(const char* key, std::size_t i) const {
 std::size_t GltfFile::number(const Json& object, const char* key, std::optional<std::size_t> otherwise) const {
   const auto found = object.find(key);
   if (found == object.end() && otherwise) return *otherwise;
-  if (found == object.end() || !found->is_number_unsigned()) refuse(fmt::format("'{}' is no index or count", key));
+  if (found == object.end() || !found->is_number_unsigned()) refuse(fmt::format("'{}' is not an index or count", key));
   return as_size(*found);
 }
 
 std::size_t GltfFile::index(const Json& value, const char* what) const {
-  if (!value.is_number_unsigned()) refuse(fmt::format("an index of {} is no whole number", what));
+  if (!value.is_number_unsigned()) refuse(fmt::format("an index of {} is not a whole number", what));
   return as_size(value);
 }
 
@@ -146,7 +148,7 @@ std::string_view GltfFile::read_chunks() {
     refuse(fmt::format("the header says that the file has {}, which is no more than the header itself; {}",
                        byte_count(whole), kExportAgain));
   }
-  bytes_ = bytes_.substr(0, whole);  // what follows the file's own length is no part of it
+  bytes_ = bytes_.substr(0, whole);  // ignores bytes after the length that the file declares
   std::string_view json;
   for (std::size_t at = kHeaderBytes; at < bytes_.size();) {
     const std::size_t length = word(at), begin = at + kChunkHeaderBytes;
@@ -168,7 +170,7 @@ std::string_view GltfFile::read_chunks() {
 
 void GltfFile::check_version() const {
   const auto asset = gltf_.find("asset");
-  if (asset == gltf_.end()) return;  // it should be there, and nothing depends on it
+  if (asset == gltf_.end()) return;  // a valid file has this member, but nothing depends on it
   const std::string version = asset->value("version", "2.0"), least = asset->value("minVersion", "2.0");
   if (!version.starts_with("2.") || least != "2.0") {
     refuse(fmt::format("the file has version {} of glTF, and only 2.0 is read",
@@ -176,8 +178,8 @@ void GltfFile::check_version() const {
   }
 }
 
-/// The bytes of a buffer. Each one, and each file, is read once. Addresses may be long: they are compared once for each
-/// buffer, and not for each view.
+/// The bytes of a buffer. Each buffer and each file is read only once. Addresses may be long, so they are compared once
+/// for each buffer and not for each view.
 std::string_view GltfFile::find_buffer(std::size_t b) {
   const auto known = buffers_.find(b);
   if (known != buffers_.end()) return known->second;
@@ -198,7 +200,7 @@ std::string_view GltfFile::find_buffer(std::size_t b) {
   if (length > stored.size()) {
     refuse(fmt::format("buffer {} should have {}, and has {}; {}", b, byte_count(length), stored.size(), kExportAgain));
   }
-  return buffers_[b] = stored.substr(0, length);  // a chunk is padded
+  return buffers_[b] = stored.substr(0, length);  // removes the padding of a chunk
 }
 
 StoredNumber GltfFile::stored_number(std::size_t component_type) const {

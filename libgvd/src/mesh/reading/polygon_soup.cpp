@@ -1,4 +1,4 @@
-// A soup of arrays, and how many elements a mesh may have.
+// Makes a soup of arrays, and checks how many elements a mesh has.
 #include "gvd/polygon_soup.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The bytes of a file, as its reader takes them.
+// Reads a file and unpacks it for the readers of the formats.
 #include <fmt/format.h>
 
 #include <fstream>

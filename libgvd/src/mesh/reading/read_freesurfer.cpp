@@ -1,10 +1,10 @@
-// FreeSurfer's own files: surfaces of triangles, annotations, and values of vertices ("morphometry", "curv").
+// Reads FreeSurfer's own formats: surfaces of triangles, annotations, and values of vertices ("morphometry", "curv").
 //
-// All numbers are big-endian. Three bytes say what a file is, but for annotations, which begin with a count.
-// An annotation has a colour for each vertex, and a table of regions with their colours: the colour is the key. Tables
-// have two layouts; the newer one, version 2, numbers its entries.
+// All numbers are big-endian. The first three bytes say what a file is, except that an annotation begins with a count.
+// An annotation has a colour for each vertex, and a table in which the colour is the key of a region. Tables have two
+// layouts; in the newer one, version 2, entries are numbered.
 // Source: FreeSurfer's wiki, pages FileFormats and LabelsClutsAnnotationFiles; nibabel's freesurfer.io.
-// Invariant: a count is compared with the bytes that are left before it reserves memory.
+// Invariant: each count is compared with the number of remaining bytes before memory is reserved for it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class FreeSurferReader {
 
   std::int32_t integer(std::string_view what) { return std::int32_t(numbers(kBigInteger, 1, what)[0]); }
 
-  /// A count of elements that take at least `bytes` each.
+  /// Reads a count of elements that take at least `bytes` bytes each.
   std::uint64_t count(std::string_view what, std::uint64_t bytes) {
     const std::int32_t count = integer(what);
     if (count < 0 || std::uint64_t(count) * bytes > bytes_.size()) {
@@ -55,11 +55,11 @@ class FreeSurferReader {
   }
 
  private:
-  std::string_view bytes_;  // what is left
+  std::string_view bytes_;  // not read yet
   std::string name_;
 };
 
-/// The number of each region of an annotation's table, by its colour.
+/// Reads an annotation's table: the number of each region, by its colour.
 std::map<std::int32_t, std::int32_t> read_color_table(FreeSurferReader& in) {
   std::map<std::int32_t, std::int32_t> region;
   std::int32_t entries = in.integer("the table of regions");
@@ -93,7 +93,7 @@ PolygonSoup parse_freesurfer(std::string_view bytes, std::string_view name) {
         "the file is FreeSurfer's, with quads or with values; give a surface of triangles, as mris_convert makes");
   }
   if (mark != kFreeSurferSurface) in.refuse("the file does not begin as a FreeSurfer surface of triangles does");
-  in.skip_line();  // who made it, and a blank line
+  in.skip_line();  // skips the line that says who made the file, and a blank line
   in.skip_line();
   const std::uint64_t vertices = in.count("the number of vertices", 12), faces = in.count("the number of faces", 12);
   VtkSoup soup(name);

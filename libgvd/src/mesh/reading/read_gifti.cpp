@@ -1,11 +1,11 @@
-// GIFTI (.gii): surfaces, and values of their vertices, in the XML that programs for brain images exchange.
+// Reads GIFTI (.gii), the XML in which programs for brain images exchange surfaces and values of their vertices.
 //
-// A document is a row of arrays, and the intent of each says what it holds. Points and triangles make a surface; all
-// others are values. Numbers are text, Base64, or zlib's data in Base64, which the format calls GZip.
-// The transform beside points leads to another space. It is left out and told, since the triangles' shapes are those
-// of the points as they are.
+// A document is a list of arrays, and the intent of each says what it holds. Points and triangles form a surface; all
+// other arrays are values. Numbers are stored as text, in Base64, or as zlib's data in Base64, which the format calls
+// GZip. The transform beside the points leads to another space. The reader does not apply it, because it would change
+// the shapes of the triangles, and notes that.
 // Source: GIFTI Surface Data Format, version 1.0 (January 2011).
-// Invariant: an array has as many numbers as its dimensions say, before anything is made of them.
+// Invariant: no array is used unless it has as many numbers as its dimensions say.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,13 +23,14 @@ namespace {
 
 constexpr std::string_view kPoints = "NIFTI_INTENT_POINTSET", kTriangles = "NIFTI_INTENT_TRIANGLE";
 
-/// Bytes that a small file may unfold to. A map of one region packs much further than a mesh: 164,000 equal labels, of
-/// a hemisphere, take 880 digits of Base64, and 2 MB as bytes and numbers. Eight such hemispheres fit.
+/// The number of bytes that even a small file may expand to. A map with a single region compresses much better than a
+/// mesh: the 164,000 equal labels of a hemisphere take 880 digits of Base64, and 2 MB as bytes and numbers. Eight such
+/// hemispheres fit.
 constexpr std::uint64_t kFree = 1 << 24;
 
 std::string_view intent_of(pugi::xml_node array) { return array.attribute("Intent").value(); }
 
-/// Whether an attribute has this value, as the format's document spells it or as nibabel does: "BigEndian" or
+/// Whether an attribute has a value that the format's document and nibabel spell differently, such as "BigEndian" and
 /// "GIFTI_ENDIAN_BIG".
 bool is_one_of(pugi::xml_node array, const char* attribute, std::string_view document, std::string_view nibabel) {
   const std::string_view value = array.attribute(attribute).value();
@@ -94,7 +95,7 @@ class GiftiParser {
     refuse(fmt::format("the GIFTI file has no array {}; give a surface (.surf.gii)", intent));
   }
 
-  /// The dimensions of an array, whose product is limited by the size of the file.
+  /// Reads the dimensions of an array. The size of the file limits their product.
   Shape read_shape(pugi::xml_node array) const {
     Shape shape;
     const std::uint64_t dimensions = std::min<std::uint64_t>(array.attribute("Dimensionality").as_ullong(), 6);
@@ -108,7 +109,7 @@ class GiftiParser {
     return shape;
   }
 
-  /// A dimension; 0 where it is missing, which no array fits.
+  /// Reads a dimension. A missing dimension is 0, which fits no array.
   std::uint64_t read_size(pugi::xml_node array, const std::string& dimension) const {
     const std::string_view text = array.attribute(dimension.c_str()).value();
     const auto size = parse_count(text);
@@ -133,8 +134,9 @@ class GiftiParser {
   std::vector<double> read_array(pugi::xml_node array, const Shape& shape) {
     const char* const text = array.child("Data").child_value();
     if (is_one_of(array, "Encoding", "ExternalFileBinary", "GIFTI_ENCODING_EXTBIN")) {
-      refuse(fmt::format("the numbers are in another file, {}; write all into one, with another encoding",
-                         quoted(array.attribute("ExternalFileName").value())));
+      refuse(fmt::format(
+          "the numbers are in another file, {}; write one file, with an encoding other than ExternalFileBinary",
+          quoted(array.attribute("ExternalFileName").value())));
     }
     if (!is_one_of(array, "Encoding", "ASCII", "GIFTI_ENCODING_ASCII")) {
       return decode(array, ArrayBytes(text, true), shape.numbers);
@@ -144,13 +146,13 @@ class GiftiParser {
     return numbers;
   }
 
-  /// The `count` numbers of a binary array.
+  /// Decodes the `count` numbers of a binary array.
   std::vector<double> decode(pugi::xml_node array, ArrayBytes data, std::uint64_t count) {
     const bool is_packed = is_one_of(array, "Encoding", "GZipBase64Binary", "GIFTI_ENCODING_B64GZ");
     const StoredNumber type = find_type(array, is_packed);
     std::string bytes = data.take(data.most());
     if (data.most() > 0) {
-      refuse(fmt::format("the Base64 of an array {} is damaged behind byte {}; {}", quoted(intent_of(array)),
+      refuse(fmt::format("the Base64 of an array {} is damaged after byte {}; {}", quoted(intent_of(array)),
                          bytes.size(), kExportAgain));
     }
     if (is_packed) bytes = unpack(array, bytes, count, type);
@@ -164,7 +166,7 @@ class GiftiParser {
     std::uint64_t unused = 0;
     if (append_inflated(bytes, packed, count * type.size, limit_, &unused)) {
       if (unused == 0) return bytes;
-      refuse(fmt::format("the packed data of an array {} end after its numbers, and {} behind them; {}",
+      refuse(fmt::format("the packed data of an array {} end after its numbers, but {} them; {}",
                          quoted(intent_of(array)), counted(std::int64_t(unused), "byte follows", "bytes follow"),
                          kExportAgain));
     }
@@ -188,7 +190,7 @@ class GiftiParser {
     return {type->kind, type->size, is_one_of(array, "Endian", "BigEndian", "GIFTI_ENDIAN_BIG")};
   }
 
-  /// Tells of transforms that are not the identity.
+  /// Adds a note if a transform is not the identity.
   void note_transforms(pugi::xml_node points, std::vector<std::string>& notes) const {
     constexpr const char* kTransform = "CoordinateSystemTransformMatrix";
     for (const pugi::xml_node transform : points.children(kTransform)) {
@@ -204,7 +206,7 @@ class GiftiParser {
 
   static std::string number_count(std::uint64_t count) { return counted(std::int64_t(count), "number", "numbers"); }
 
-  /// `found`: what the data hold.
+  /// `found` describes the data.
   [[noreturn]] void refuse_count(pugi::xml_node array, std::uint64_t declared, const std::string& found) const {
     std::string dimensions;
     for (const pugi::xml_attribute attribute : array.attributes()) {
@@ -212,7 +214,7 @@ class GiftiParser {
       if (name.size() != 4 || !name.starts_with("Dim")) continue;
       dimensions += fmt::format("{}{} {}", dimensions.empty() ? "" : ", ", name, quoted(attribute.value()));
     }
-    refuse(fmt::format("an array {} should have {} ({}), and its data hold {}; {}", quoted(intent_of(array)),
+    refuse(fmt::format("an array {} should have {} ({}), but its data hold {}; {}", quoted(intent_of(array)),
                        number_count(declared), dimensions, found, kExportAgain));
   }
 
@@ -236,7 +238,7 @@ class GiftiParser {
 
   std::string name_;
   ExpansionLimit limit_;
-  std::string text_;  // which the document refers to
+  std::string text_;  // the document refers to this text
   std::uint64_t most_numbers_;
   pugi::xml_document document_;
   pugi::xml_node root_;

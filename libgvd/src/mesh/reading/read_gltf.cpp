@@ -1,12 +1,13 @@
-// glTF 2.0: the triangles of a scene, moved by the transforms of its nodes.
+// Reads glTF 2.0: the triangles of a scene, placed by the transforms of its nodes.
 //
 // A scene is a forest of nodes; a node may have a mesh, a mesh has primitives, and a primitive is a list of triangles
-// with accessors for positions and indices (gltf_file.hpp). Vertices with several normals or materials come several
-// times, so that the soup is marked as unwelded, as that of an STL is.
-// The first set of texture coordinates is read, too; its v runs downwards. Other attributes are left out. Materials,
-// skins, morph targets and animations are left out: the surface is that of the stored positions.
+// with accessors for positions and indices (gltf_file.hpp). A vertex with several normals or materials occurs several
+// times, so the soup is marked as unwelded, like the soup of an STL. The first set of texture coordinates is read, too;
+// its v runs downwards. Other attributes, materials, skins, morph targets and animations are ignored, so the surface
+// has the stored positions.
 // Source: Khronos, glTF 2.0 (ISO/IEC 12113), sections 3.5 and 3.7.
-// Invariant: every node is visited at most once, and what primitives unfold to is counted before it takes memory.
+// Invariant: every node is visited at most once, and the size of each primitive is counted before memory is allocated
+// for it.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -30,22 +31,22 @@ using Transform = Eigen::Matrix4d;
 
 constexpr std::size_t kTriangleList = 4, kTriangleStrip = 5, kTriangleFan = 6;  // primitive.mode
 
-/// How far the last row of a matrix may be from 0 0 0 1, absolute: products of matrices of 32-bit floats are that
-/// exact.
+/// How far the last row of a matrix may differ from 0 0 0 1. Absolute; products of matrices of 32-bit floats are at
+/// least that accurate.
 constexpr double kAffine = 1e-5;
 
 /// The extension that compresses single primitives.
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
-/// The beginnings of the names of extensions that say nothing about the triangles but how they are painted, lit or
-/// described. A mesh that needs any other extension may be compressed, or stand elsewhere.
+/// Prefixes of the names of extensions that only say how triangles are painted, lit or described. A mesh that requires
+/// any other extension may be compressed, or placed differently.
 constexpr std::array<std::string_view, 12> kHarmless{
     "KHR_materials_", "EXT_materials_",        "ADOBE_materials_",      "KHR_texture_",
     "EXT_texture_",   "MSFT_texture_dds",      "KHR_lights_",           "EXT_lights_",
     "KHR_xmp",        "KHR_animation_pointer", "KHR_mesh_quantization", "FB_ngon_encoding"};
 constexpr std::string_view kTextureTransform = "KHR_texture_transform";
 
-/// The triangles of a file's scene.
+/// Collects the triangles of a file's scene.
 class GltfParser {
  public:
   GltfParser(std::string_view bytes, std::string_view name, const std::optional<std::filesystem::path>& folder)
@@ -77,7 +78,8 @@ class GltfParser {
     }
   }
 
-  /// The roots of the scene. Without scenes these are all nodes without a parent; without nodes, every mesh has one.
+  /// The roots of the scene. A file without scenes has all nodes without a parent as roots; in a file without nodes,
+  /// every mesh is placed once.
   std::vector<Placed> find_roots() {
     std::vector<Placed> roots;
     if (!file_.array("scenes").empty()) {
@@ -116,14 +118,15 @@ class GltfParser {
     }
   }
 
-  /// A matrix, by columns, or a translation, a rotation as quaternion (x, y, z, w) and a scale.
+  /// The transform of node n: a matrix, stored by columns, or a translation, a rotation as quaternion (x, y, z, w) and
+  /// a scale.
   Transform transform_of(const Json& node, std::size_t n) const {
     const auto matrix = node.find("matrix");
     if (matrix != node.end()) {
       const Transform made(matrix->get<std::array<double, 16>>().data());
       if (matrix->size() > 16 || !((made.row(3) - Transform::Identity().row(3)).cwiseAbs().maxCoeff() <= kAffine)) {
         file_.refuse(
-            fmt::format("node {} has a matrix of {} that is no affine transform: it needs 16, and the "
+            fmt::format("node {} has a matrix of {} that is not an affine transform: it needs 16, and the "
                         "last row 0 0 0 1; {}",
                         n, counted(std::int64_t(matrix->size()), "number", "numbers"), kExportAgain));
       }
@@ -140,7 +143,7 @@ class GltfParser {
     return transform.scale(Vec3(s[0], s[1], s[2])).matrix();
   }
 
-  /// A member of node n that is a list of numbers, all of which have a meaning.
+  /// A member of node n that is a list of kCount numbers, or `otherwise` if it is missing.
   template <std::size_t kCount>
   std::array<double, kCount> numbers_of(const Json& node, std::size_t n, const char* key,
                                         const std::array<double, kCount>& otherwise) const {
@@ -154,7 +157,7 @@ class GltfParser {
   }
 
   void add_mesh(std::size_t m, const Transform& transform) {
-    std::map<std::size_t, std::size_t> first_vertex;  // of each accessor of positions
+    std::map<std::size_t, std::size_t> first_vertex;  // the first vertex of each accessor of positions
     for (const Json& primitive : file_.item("meshes", m).at("primitives")) {
       const std::size_t mode = file_.number(primitive, "mode", kTriangleList);
       if (mode > kTriangleFan) file_.refuse(fmt::format("mesh {} has the unknown mode {}; {}", m, mode, kExportAgain));
@@ -188,7 +191,7 @@ class GltfParser {
     std::size_t first, count;
   };
 
-  /// Gives the corners from `begin` on their texture coordinates.
+  /// Adds texture coordinates for the corners from `begin` on.
   void add_texture(const Json& attributes, std::size_t begin, const Vertices& vertices) {
     has_second_set_ |= attributes.contains("TEXCOORD_1");
     if (!attributes.contains("TEXCOORD_0")) return;
@@ -211,7 +214,8 @@ class GltfParser {
     }
   }
 
-  /// Corners of primitives without texture coordinates have none. Names what else could paint the surface.
+  /// Fills in the corners of primitives without texture coordinates, and notes which other attributes could paint the
+  /// surface.
   void finish_appearance() {
     std::vector<Uv>& texture = soup_.appearance.texture;
     std::ranges::none_of(texture, is_finite) ? texture.clear() : texture.resize(soup_.corners.size(), kNoTexture);
@@ -239,7 +243,7 @@ class GltfParser {
     return all;
   }
 
-  /// Refuses corners that are no whole triangles: some of them are lost.
+  /// Refuses a number of corners that does not make whole triangles, because some corners must be missing.
   void check_corners(std::size_t corners, std::size_t mode, std::size_t mesh) const {
     if (mode == kTriangleList ? corners % 3 == 0 : corners == 0 || corners > 2) return;
     constexpr std::array<const char*, 3> kNames{"list", "strip", "fan"};
@@ -267,7 +271,7 @@ class GltfParser {
     }
   }
 
-  /// Triangle i of a list, a strip or a fan. A transform that mirrors turns the triangles round.
+  /// Adds the triangles of a list, a strip or a fan. A transform that mirrors reverses them.
   void add_triangles(const std::vector<double>& corners, std::size_t mode, bool is_mirrored) {
     const std::size_t step = mode == kTriangleList ? 3 : 1;
     for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
@@ -281,13 +285,14 @@ class GltfParser {
   }
 
   GltfFile file_;
-  std::vector<char> visited_;  // nodes
+  std::vector<char> visited_;  // whether each node was visited
   std::int64_t left_out_ = 0;
   bool has_sparse_ = false, has_second_set_ = false;  // of texture coordinates
   PolygonSoup soup_;
 };
 
-/// The result of `work`, which reads the description of a file.
+/// Returns the result of `work`, which reads the description of a file, and turns exceptions of the JSON library into
+/// Error.
 template <class Work>
 auto name_errors(std::string_view name, const Work& work) {
   try {

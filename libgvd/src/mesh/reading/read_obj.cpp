@@ -1,12 +1,12 @@
-// Wavefront OBJ: the statements v, vt, f, usemtl and mtllib, in one pass over the lines; and colours of vertices, which
-// few files have, in another.
+// Reads Wavefront OBJ: the statements v, vt, f, usemtl and mtllib in one pass over the lines, and colours of vertices,
+// which few files have, in another pass.
 //
 // A face may refer to vertices that come later in the file. Such references are kept and checked at the end, so that a
 // message names the line of the face. Indices are 1-based, or negative and counted back from the last vertex so far.
-// Groups, normals and curves are skipped, free-form surfaces (NURBS) are told. Wrong numbers of a texture are noted,
-// and not refused: the surface is whole.
+// Groups, normals and curves are skipped; free-form surfaces (NURBS) are skipped with a note. Wrong numbers of a
+// texture are only noted and not refused, because the surface is complete without them.
 // Source: Wavefront's Advanced Visualizer manual, appendix B1.
-// Invariant: every index that was stored fits 32 bits, whatever the file says.
+// Invariant: every stored index fits into 32 bits, whatever the file says.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,12 +23,12 @@
 namespace gvd {
 namespace {
 
-/// A face that refers to a vertex which comes later in the file, as is legal.
+/// A face that refers to a vertex later in the file, which the format allows.
 struct ForwardReference {
   std::int64_t polygon, index, line;
 };
 
-/// Joins the next line to one that ends in a backslash. `joined` holds the text of the lines.
+/// Joins a line that ends in a backslash with the next line. `joined` holds the text of the joined lines.
 void join_continued_lines(TextReader& text, std::string& joined) {
   const auto continued = [](std::string_view line) {
     while (line.ends_with('\r') || line.ends_with(' ') || line.ends_with('\t')) line.remove_suffix(1);
@@ -49,7 +49,7 @@ void join_continued_lines(TextReader& text, std::string& joined) {
 class ObjParser {
  public:
   ObjParser(std::string_view bytes, std::string_view name) : text_(bytes, name, true) {
-    // A vertex line has at least about 30 bytes, a face line about 20. The vectors grow where this is too little.
+    // A vertex line has at least about 30 bytes, a face line about 20. The vectors grow if this is too little.
     soup_.positions.reserve(bytes.size() / 100);
     soup_.corners.reserve(bytes.size() / 20);
     soup_.first_corner.reserve(bytes.size() / 60);
@@ -72,7 +72,7 @@ class ObjParser {
     }
     check_forward_references();
     finish_texture();
-    use_material("");  // the last polygons have the last one
+    use_material("");  // assigns the last material to the last polygons
     if (materials_.empty()) soup_.appearance.material.clear();
     if (lines_wanted_) return {};
     if (lines_ > 0)
@@ -90,7 +90,7 @@ class ObjParser {
       soup_.positions.push_back(text_.position(soup_.positions.size()));
     } else if (statement == "vt") {
       const std::optional<double> u = parse_double(text_.token());
-      const std::string_view v = text_.token();  // 0 where it is missing
+      const std::string_view v = text_.token();  // v is 0 if it is missing
       texture_vertices_.push_back({u.value_or(kNone), v.empty() ? 0 : parse_double(v).value_or(kNone)});
     } else if (statement == "f") {
       if (!lines_wanted_) add_face();
@@ -131,7 +131,8 @@ class ObjParser {
     const std::optional<std::int64_t> given = parse_integer(token.substr(0, slash));
     const bool tail_fits =
         slash == std::string_view::npos || token.find_first_not_of("0123456789+-/", slash) == std::string_view::npos;
-    if (!given || !tail_fits) text_.refuse(fmt::format("{} is no corner of a {}", quoted(token), element()), polygon);
+    if (!given || !tail_fits)
+      text_.refuse(fmt::format("{} is not a corner of a {}", quoted(token), element()), polygon);
     const std::int64_t count = std::ssize(soup_.positions);
     const std::int64_t index = *given > 0 ? *given - 1 : count + *given;
     if (*given == 0 || index < 0 || index >= kMostVertices) refuse_index(*given, count, polygon);
@@ -139,7 +140,7 @@ class ObjParser {
     return static_cast<std::int32_t>(index);
   }
 
-  /// Keeps the texture vertex of the next corner. `token` is what follows `v/`.
+  /// Stores the texture vertex of the next corner. `token` is the text after `v/`.
   void add_texture_number(std::string_view token) {
     token = token.substr(0, token.find('/'));
     if (token.empty()) return;
@@ -150,8 +151,8 @@ class ObjParser {
     texture_numbers_.push_back(is_number ? static_cast<std::int32_t>(index) : kWrongNumber);
   }
 
-  /// Gives the corners the coordinates that they refer to. Those may come later in the file, so all lines are read by
-  /// now. A file whose corners have none has no texture.
+  /// Replaces the corners' texture numbers by coordinates. This comes after the last line, because the coordinates may
+  /// be later in the file than the faces. If no corner has coordinates, the soup gets no texture.
   void finish_texture() {
     if (texture_numbers_.empty()) return;
     texture_numbers_.resize(soup_.corners.size(), kNoNumber);
@@ -168,14 +169,14 @@ class ObjParser {
                                       counted(wrong, "corner refers", "corners refer")));
   }
 
-  /// The name that follows the statement, which may have blanks and '#'.
+  /// The name after the statement, which may contain blanks and '#'.
   std::string rest_of_line() const {
     const std::string_view rest = text_.line();
     const std::size_t begin = std::min(rest.find_first_not_of(" \t"), rest.size());
     return std::string(rest.substr(begin, rest.find_last_not_of(" \t\r") + 1 - begin));
   }
 
-  /// The polygons from now on have this material.
+  /// Sets the material of the polygons that follow.
   void use_material(const std::string& name) {
     soup_.appearance.material.resize(soup_.polygon_count(), material_);
     material_ = -1;
@@ -207,24 +208,25 @@ class ObjParser {
   std::vector<ForwardReference> forward_;
   std::string joined_;
   std::int64_t lines_ = 0, free_surfaces_ = 0;
-  bool lines_wanted_ = false;  // instead of faces
+  bool lines_wanted_ = false;  // whether to read lines instead of faces
   std::vector<std::array<std::int32_t, 2>> edges_;
   static constexpr double kNone = kNoTexture[0];
   static constexpr std::int32_t kNoNumber = -1, kWrongNumber = std::numeric_limits<std::int32_t>::max();
   std::vector<Uv> texture_vertices_;
-  std::vector<std::int32_t> texture_numbers_;  // of the corners up to the last one that has one
+  std::vector<std::int32_t> texture_numbers_;  // of the corners, up to the last corner with a number
   std::map<std::string, std::int32_t> materials_;
-  std::int32_t material_ = -1;  // of the next polygon
+  std::int32_t material_ = -1;  // the material of the next polygon
 };
 
-/// The colours of vertices, as numbers behind their coordinates or in comments.
+/// Reads the colours of vertices, from numbers after their coordinates or from comments.
 ///
-/// MeshLab, Metashape and Blender write `v x y z r g b` with numbers from 0 to 1, others from 0 to 255, and MeshLab
-/// also an alpha. Which of the two holds is decided for the whole file, since dark colours of 0 to 255 may all be at
-/// most 1. Numbers that were computed leave their range by rounding (1.0000001), so the largest number decides with a
-/// tolerance, and what is beyond a range's end counts as the end. A single number behind the coordinates is the weight
-/// of a curve's point. Numbers that are further below 0 or above 255 are no colours (normals, for example), and then no
-/// vertex has one. ZBrush writes `#MRGB` and eight digits for each vertex: a mask, red, green and blue.
+/// MeshLab, Metashape and Blender write `v x y z r g b` with numbers from 0 to 1, other programs write numbers from 0
+/// to 255, and MeshLab also writes an alpha. The range is decided for the whole file by its largest number, because a
+/// single dark colour of 0 to 255 may have no number above 1. Computed numbers can leave their range by rounding
+/// (1.0000001), so there is a tolerance, and numbers beyond the end of a range are clamped to it. A single number after
+/// the coordinates is the weight of a curve's point. Numbers farther below 0 or above 255 are not colours (they may be
+/// normals), and then no vertex has a colour. ZBrush writes `#MRGB` and eight digits for each vertex: a mask, red,
+/// green and blue.
 class ObjColorParser {
  public:
   ObjColorParser(std::string_view bytes, std::string_view name) : text_(bytes, name, false) {}
@@ -247,8 +249,8 @@ class ObjColorParser {
  private:
   using Color = std::array<double, 4>;
   static constexpr double kMost = 255, kNone = -1;  // a vertex without a colour is white
-  /// How far numbers may leave their range, absolute: half of a step of 8 bits from 0 to 1. Up to there, rounding to 8
-  /// bits gives the end of the range anyway, so that clamping changes no colour.
+  /// How far numbers may leave their range. Absolute; it is half a step of 8 bits in the range from 0 to 1. Up to
+  /// there, rounding to 8 bits gives the end of the range anyway, so clamping changes no colour.
   static constexpr double kBeyond = 0.5 / kMost;
 
   void read_vertex() {
@@ -307,7 +309,7 @@ class ObjColorParser {
 
   TextReader text_;
   std::string joined_;
-  std::vector<Color> colors_, masked_;  // of vertices: in their lines, and in comments
+  std::vector<Color> colors_, masked_;  // of vertices: from their lines, and from comments
   double largest_ = kNone;              // of all numbers
   bool are_colors_ = true, has_alpha_ = false;
 };

@@ -1,11 +1,11 @@
-// Geomview's OFF in text: a keyword, the counts, then a line for each vertex and each face.
+// Reads Geomview's OFF in text: a keyword, the counts, then a line for each vertex and each face.
 //
 // The keyword is optional, and the counts may follow on its line, even without a blank: most files of ModelNet40 begin
-// with "OFF642 1280 0". Numbers of an element may continue on the next lines, but what follows them on the last line (a
-// normal, a colour) is skipped. A file whose numbers are all on the line of the counts has no such lines: there one
-// element follows the other, and colours can't be told from them.
-// Source: the Geomview manual, section OFF. Binary files and those of other dimensions are refused by their keyword.
-// Invariant: counts are compared with the bytes that are left before they reserve memory.
+// with "OFF642 1280 0". The numbers of an element may continue on the next lines; anything after them on the last line
+// (a normal, a colour) is skipped. In a file with all numbers on the line of the counts, elements simply follow each
+// other, and there can be no colours, which could not be told from the next element.
+// Source: the Geomview manual, section OFF. Binary files and files of other dimensions are refused by their keyword.
+// Invariant: each count is compared with the number of remaining bytes before memory is reserved for it.
 #include <fmt/format.h>
 
 #include "gvd/text.hpp"
@@ -14,7 +14,7 @@
 namespace gvd {
 namespace {
 
-/// The keyword at the beginning of a word, before the digits of the number of vertices.
+/// The part of a word before the digits at its end: the keyword without the number of vertices.
 std::string_view without_count(std::string_view word) {
   return word.substr(0, word.find_last_not_of("0123456789") + 1);
 }
@@ -41,10 +41,10 @@ class OffParser {
   }
 
  private:
-  /// Whether the line of the counts goes on with all numbers of the vertices and faces. It is not changed.
+  /// Whether all numbers of the vertices and faces follow on the line of the counts. Does not consume the line.
   bool is_one_line() {
     const std::string_view rest = text_.line();
-    std::int64_t wanted = 1 + 3 * vertices_ + faces_;  // the number of edges; of a face at least that of its corners
+    std::int64_t wanted = 1 + 3 * vertices_ + faces_;  // the number of edges; for a face at least its number of corners
     if (rest.size() < std::size_t(wanted)) return false;
     while (wanted > 0 && !text_.token().empty()) --wanted;
     text_.replace_line(rest);
@@ -145,7 +145,7 @@ class OffParser {
   PolygonSoup soup_;
   std::int64_t vertices_ = 0;
   std::int64_t faces_ = 0;
-  bool has_more_than_coordinates_ = false;  // by the keyword, for each vertex
+  bool has_more_than_coordinates_ = false;  // whether vertices have more numbers, by the keyword
 };
 
 }  // namespace

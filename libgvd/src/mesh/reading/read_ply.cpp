@@ -1,10 +1,10 @@
-// The data of a PLY file, in text and in binary: one walk over its elements, with a source of numbers for each
+// Reads the data of a PLY file, in text and in binary: one walk over its elements, with a source of numbers for each
 // encoding.
 //
-// `read_element` goes through the properties of an element and asks its caller for each whether it takes it; all others
-// are skipped. So the soup, single properties and attributes come from one walk, and a damaged file fails alike.
-// Source: G. Turk, The PLY polygon file format, 1994; strips of triangles as the files of the Stanford scans have them.
-// Invariant: no count in the file reserves memory before it is compared with the number of bytes that are left.
+// `read_element` passes each property of an element to its caller, which either reads or skips it. So the soup, single
+// properties and attributes share one walk, and refuse a damaged file in the same way.
+// Source: G. Turk, The PLY polygon file format, 1994; the files of the Stanford scans, for strips of triangles.
+// Invariant: each count is compared with the number of remaining bytes before memory is reserved for it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 namespace gvd {
 namespace {
 
-/// The properties of an element for a message: "the list vertex_indices, red"; of many, the first ones.
+/// Lists the properties of an element for a message: "the list vertex_indices, red". Lists only the first ones of many.
 std::string describe_properties(const PlyElement& element) {
   constexpr std::size_t kMost = 6;
   std::string text;
@@ -44,11 +44,11 @@ class AsciiSource {
     text_.skip_line_numbers(header.lines);
   }
 
-  /// The fewest bytes that an element can have: a digit and a blank for each property.
+  /// Lower bound on the bytes of an element: a digit and a blank for each property.
   static std::uint64_t least_bytes(const PlyElement& element) { return 2 * element.properties.size(); }
-  /// Bytes that are left; the last element may lack its line break.
+  /// Number of remaining bytes; one more, because the last element may lack its line break.
   std::uint64_t remaining() const { return text_.remaining() + 1; }
-  /// Upper bound on the entries of a list: each has a digit and a blank, on this line or later.
+  /// Upper bound on the entries of a list, each of which has a digit and a blank, on this line or later.
   std::uint64_t most_entries() const { return (text_.line().size() + 1 + text_.remaining()) / 2; }
   void begin_element(const PlyElement& element, std::int64_t i) {
     if (element.properties.empty() || text_.begin_element()) return;
@@ -85,7 +85,7 @@ class BinarySource {
     return bytes;
   }
   std::uint64_t remaining() const { return bytes_.size() - at_; }
-  /// Upper bound on the entries of a list: each has at least one byte.
+  /// Upper bound on the entries of a list, each of which has at least one byte.
   std::uint64_t most_entries() const { return remaining(); }
   void begin_element(const PlyElement& element, std::int64_t i) { element_ = &element, index_ = i; }
   void end_element(const PlyElement&, std::int64_t) {}
@@ -123,10 +123,11 @@ class BinarySource {
   std::int64_t index_ = 0;
 };
 
-/// The texture coordinates of a face's corners, as MeshLab and VCGlib name them.
+/// The property with the texture coordinates of a face's corners, as MeshLab and VCGlib name it.
 constexpr const char* kTextureList = "texcoord";
 
-/// Indices of the texture coordinates of vertices, by the names of Blender, of MeshLab or of others; -1 for none.
+/// The indices of the two properties of vertices that are texture coordinates, by the names that Blender, MeshLab or
+/// other programs use; -1 if there are none.
 std::array<int, 2> find_texture_pair(const PlyElement& element) {
   constexpr std::array<std::array<const char*, 2>, 3> kPairs{{{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}};
   for (const auto& [first, second] : kPairs) {
@@ -137,8 +138,8 @@ std::array<int, 2> find_texture_pair(const PlyElement& element) {
   return {-1, -1};
 }
 
-/// Whether property p is that of a texture: of a vertex a coordinate, or of a face the list of its corners'
-/// coordinates.
+/// Whether property p belongs to a texture: a coordinate of a vertex, or the list of the coordinates of a face's
+/// corners.
 bool is_texture(const PlyElement& element, int p) {
   const auto& [name, type, count_type] = element.properties[p];
   if (element.name == "face") return count_type && name == kTextureList;
@@ -148,28 +149,28 @@ bool is_texture(const PlyElement& element, int p) {
 
 bool is_on_mesh(const PlyElement& element) { return element.name == "vertex" || element.name == "face"; }
 
-/// Whether property p of a vertex is a coordinate, or property p of a face the list of its corners.
+/// Whether property p of a vertex is a coordinate of its position, or property p of a face is the list of its corners.
 bool is_geometry(const PlyElement& element, int p) {
   if (element.name == "face") return p == find_corner_list(element);
   const std::string& name = element.properties[p].name;
   return name == "x" || name == "y" || name == "z";
 }
 
-/// The walk over the elements, for surfaces, lines and properties.
-/// Long because all of them share the steps that read an element, and refuse alike what is damaged.
+/// Walks over the elements to read surfaces, lines and properties, which share the steps that read an element and
+/// refuse damaged data.
 template <class Source>
 class BodyParser {
  public:
   BodyParser(std::string_view bytes, std::string_view name, const PlyHeader& header)
       : header_(header), source_(bytes, name, header), name_(name) {}
 
-  /// The properties of vertices and faces for which wanted(element, number) holds.
+  /// Reads the properties of vertices and faces for which wanted(element, number) holds.
   std::vector<MeshProperty> parse_properties(const std::function<bool(const PlyElement&, int)>& wanted) {
     std::vector<MeshProperty> all;
     for (const PlyElement& element : header_.elements) {
       check_count(element);
       if (element.properties.empty()) continue;
-      std::vector<MeshProperty> found;  // one for each property, without a name where it is not wanted
+      std::vector<MeshProperty> found;  // one for each property; unwanted ones have no name
       for (int p = 0; p < std::ssize(element.properties); ++p) {
         const auto& [name, type, count_type] = element.properties[p];
         found.push_back({wanted(element, p) ? name : "", type, element.name == "vertex", {}, count_type, {}});
@@ -240,7 +241,7 @@ class BodyParser {
     throw Error(code, fmt::format("{}:{}: {}", name_, source_.location(), message), element);
   }
 
-  /// Reads element i. take(p) reads property p and returns true; where it returns false, the property is skipped.
+  /// Reads element i. take(p) either reads property p and returns true, or returns false, and the property is skipped.
   template <class Take>
   void read_element(const PlyElement& element, std::int64_t i, Take take) {
     source_.begin_element(element, i);
@@ -303,7 +304,7 @@ class BodyParser {
     }
   }
 
-  /// Reads the element `edge`, and skips any other one.
+  /// Reads the element `edge`, and skips all other elements.
   void read_edges(const PlyElement& element, std::vector<std::array<std::int32_t, 2>>& edges) {
     const std::array<int, 2> ends{element.find("vertex1"), element.find("vertex2")};
     for (std::int64_t i = 0; i < element.count; ++i) {
@@ -318,8 +319,9 @@ class BodyParser {
     }
   }
 
-  /// Reads strips of triangles: each corner makes a triangle with the two before it, every second one turned round. The
-  /// index -1 begins another strip. A triangle with a repeated corner only leads from one strip to the next.
+  /// Reads strips of triangles: each corner makes a triangle with the two corners before it, and every second triangle
+  /// is reversed. The index -1 begins another strip. A triangle with a repeated corner only leads from one strip to the
+  /// next.
   void read_strips(const PlyElement& element) {
     const int list = find_corner_list(element);
     const PlyProperty& property = element.properties[list];
@@ -386,7 +388,8 @@ void add_corner_texture(const MeshProperty& list, PolygonSoup& soup) {
                                    counted(wrong, "face has", "faces have")));
 }
 
-/// Gives the soup its texture from the properties of one. Coordinates of vertices count where no corner has its own.
+/// Gives the soup its texture from the properties that hold one. Coordinates of vertices count only if corners have no
+/// coordinates of their own.
 void add_texture(const std::vector<MeshProperty>& properties, PolygonSoup& soup) {
   std::vector<Uv>& texture = soup.appearance.texture;
   const MeshProperty *u = nullptr, *v = nullptr;
@@ -403,7 +406,7 @@ void add_texture(const std::vector<MeshProperty>& properties, PolygonSoup& soup)
   if (is_empty()) texture.clear();
 }
 
-/// The result of read(parser) for a parser of the encoding in the header.
+/// Returns read(parser) with a parser for the encoding that the header names.
 template <class Read>
 auto read_body(std::string_view bytes, std::string_view name, const PlyHeader& header, const Read& read) {
   return header.encoding == PlyEncoding::ascii ? read(BodyParser<AsciiSource>(bytes, name, header))
@@ -420,7 +423,7 @@ bool has_texture(const PlyHeader& header) {
   });
 }
 
-/// Reads a texture in a walk of its own: files without one are read as fast as can be.
+/// Reads a texture in a walk of its own, so that files without a texture are read as fast as possible.
 void read_texture(std::string_view bytes, std::string_view name, const PlyHeader& header, PolygonSoup& soup) {
   add_texture(read_body(bytes, name, header, [](auto parser) { return parser.parse_properties(is_texture); }), soup);
 }

@@ -1,8 +1,9 @@
-// The header of a PLY file: its encoding, and the elements and properties that the data consist of.
+// Reads the header of a PLY file: its encoding, and the elements and properties of its data.
 //
-// Source: G. Turk, The PLY polygon file format, 1994; also types such as int32, the list vertex_index and strips of
-// triangles, as scanners write them.
-// Invariant: data in binary follow the header at once, so its length is exact. All its lines end as the first one does.
+// Source: G. Turk, The PLY polygon file format, 1994; files of scanners, for types such as int32, the list vertex_index
+// and strips of triangles.
+// Invariant: the length of the header is exact, because binary data follow it immediately. All its lines end like the
+// first one.
 #include "mesh/reading/read_ply_header.hpp"
 
 #include <fmt/format.h>
@@ -58,13 +59,14 @@ class HeaderParser {
          at = bytes.find("end_header", at + 1)) {
       if (at == 0 || bytes[at - 1] != line_end.back()) continue;
       const std::size_t end = bytes.find(line_end, at);
-      if (end == std::string_view::npos) break;  // and none after a later end_header: searching again takes O(n^2)
+      // There is none after a later end_header either, and searching again would take O(n^2).
+      if (end == std::string_view::npos) break;
       return bytes.substr(0, end + line_end.size());
     }
     return bytes;
   }
 
-  /// Parses the current line. True at end_header.
+  /// Parses the current line. Returns true at end_header.
   bool parse_line() {
     const std::string_view word = text_.token();
     if (word == "end_header") return true;
@@ -77,7 +79,7 @@ class HeaderParser {
     } else if (word == "comment") {
       header_.has_images |= text_.token() == "TextureFile";
     } else if (word != "obj_info" && !word.empty()) {
-      text_.refuse(fmt::format("{} is no statement of a PLY header", quoted(word)));
+      text_.refuse(fmt::format("{} is not a statement of a PLY header", quoted(word)));
     }
     return false;
   }
@@ -119,7 +121,7 @@ class HeaderParser {
 
   NumberType require_type(std::string_view word) const {
     const std::optional<NumberType> type = parse_type(word);
-    if (!type) text_.refuse(fmt::format("{} is no type of a PLY property", quoted(word)));
+    if (!type) text_.refuse(fmt::format("{} is not a type of a PLY property", quoted(word)));
     return *type;
   }
 

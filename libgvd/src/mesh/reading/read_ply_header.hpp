@@ -21,21 +21,21 @@ inline std::size_t size_of(NumberType type) {
 }
 
 struct PlyProperty {
-  std::string name;  ///< printable and short, for messages: "x" and other names that mean something stay as they are
+  std::string name;  ///< made printable and short, for messages; names with a meaning, such as "x", do not change
   NumberType type{};
-  std::optional<NumberType> count_type;  ///< of a list
+  std::optional<NumberType> count_type;  ///< only for a list: the type of its length
 };
 
 struct PlyElement {
-  std::string name;  ///< printable and short, likewise
+  std::string name;  ///< made printable and short
   std::int64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// Index of the property of this name; -1 where there is none.
+  /// Index of the property with this name; -1 if there is none.
   int find(std::string_view property) const;
 };
 
-/// Index of the list of a face's or strip's corners; -1 where there is none.
+/// Index of the list with a face's or strip's corners; -1 if there is none.
 inline int find_corner_list(const PlyElement& element) {
   return std::max(element.find("vertex_indices"), element.find("vertex_index"));
 }
@@ -43,17 +43,17 @@ inline int find_corner_list(const PlyElement& element) {
 struct PlyHeader {
   PlyEncoding encoding{};
   std::vector<PlyElement> elements;
-  std::size_t bytes = 0;    ///< length of the header: the data begin there
+  std::size_t bytes = 0;    ///< length of the header, where the data begin
   std::int64_t lines = 0;   ///< number of lines of the header
   bool has_images = false;  ///< a comment names the image of a texture, as MeshLab writes it
 };
 
-/// The part of a PLY that is read.
+/// The part of a PLY to read.
 enum class PlyContent { surface, lines, points };
 
-/// Reads the header of a PLY file. Throws Error{unreadable_input} with the line where it is malformed. It needs an
-/// element `vertex` with x, y and z, and for a surface `face` or `tristrips` with a list `vertex_indices` or
-/// `vertex_index`; for lines `edge` with vertex1 and vertex2; for points nothing else.
+/// Reads the header of a PLY file. Throws Error{unreadable_input} with the line if it is malformed. The header must
+/// have an element `vertex` with x, y and z. A surface also needs `face` or `tristrips` with a list `vertex_indices` or
+/// `vertex_index`, and lines need `edge` with vertex1 and vertex2.
 PlyHeader parse_ply_header(std::string_view bytes, std::string_view name, PlyContent content = PlyContent::surface);
 
 }  // namespace gvd

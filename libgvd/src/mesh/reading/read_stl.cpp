@@ -1,10 +1,11 @@
-// STL, binary and text: triangles that share no vertices.
+// Reads STL, binary and text: triangles that share no vertices.
 //
-// A file of exactly the length that its triangle count asks for is binary, whatever its first word: many binary files
-// begin with "solid". Otherwise a file is text if it begins with "solid" and has no zero byte near its start.
-// Source: 3D Systems' StereoLithography Interface Specification. A text is a nest of solids, facets and loops, whose
-// level alone decides which statement may come next; normals are skipped, since the corners give them.
-// Invariant: the soup is marked as unwelded, so that the repair joins vertices at one position.
+// A file is binary if its length is exactly the length that follows from its triangle count, whatever its first word,
+// because many binary files begin with "solid". Otherwise a file is text if it begins with "solid" and has no zero byte
+// near its start.
+// Source: 3D Systems' StereoLithography Interface Specification. In a text, solids, facets and loops are nested, and
+// the level alone decides which statement may come next. Normals are skipped, because they follow from the corners.
+// Invariant: the soup is marked as unwelded, so that the repair joins vertices at the same position.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,18 +19,18 @@
 namespace gvd {
 namespace {
 
-// 64 bits, because the length of a file with 2^32 - 1 triangles has 38: WebAssembly's sizes have 32.
+// 64 bits, because the length of a file with 2^32 - 1 triangles needs 38 bits, and WebAssembly's sizes have 32.
 constexpr std::uint64_t kStlHeader = 84;    // 80 bytes of text and the triangle count
 constexpr std::uint64_t kStlTriangle = 50;  // a normal, three vertices, two bytes of attributes
 
-/// Four bytes as a number, the lowest first.
+/// Reads four bytes as a little-endian number.
 std::uint32_t little_endian(const char* bytes) {
   std::uint32_t bits = 0;
   for (int i = 3; i >= 0; --i) bits = bits << 8 | std::uint8_t(bytes[i]);
   return bits;
 }
 
-/// The count in a binary STL's header. The file must hold kStlHeader bytes.
+/// The triangle count in a binary STL's header. The file must have at least kStlHeader bytes.
 std::uint32_t stl_triangle_count(std::string_view bytes) { return little_endian(bytes.data() + 80); }
 
 std::uint64_t stl_length(std::string_view bytes) { return kStlHeader + kStlTriangle * stl_triangle_count(bytes); }
@@ -45,7 +46,7 @@ Vec3 binary_position(std::string_view bytes, std::size_t offset, std::string_vie
   return p;
 }
 
-/// Throws Error{unreadable_input} where the file is shorter than a binary STL with the count of its header.
+/// Throws Error{unreadable_input} if the file is shorter than the triangle count in its header requires.
 void check_binary_length(std::string_view bytes, std::string_view name) {
   if (bytes.size() < kStlHeader) {
     throw Error(ErrorCode::unreadable_input,
@@ -98,7 +99,7 @@ PolygonSoup parse_binary(std::string_view bytes, std::string_view name) {
   return soup;
 }
 
-/// Whether a word in upper or lower case is this one, given in lower case.
+/// Whether a word equals `lower`, ignoring case.
 bool same_word(std::string_view word, std::string_view lower) {
   if (word.size() != lower.size()) return false;
   return std::equal(word.begin(), word.end(), lower.begin(), [](char c, char l) { return (c | 0x20) == l; });
@@ -134,7 +135,8 @@ PolygonSoup parse_text_stl(std::string_view bytes, std::string_view name) {
     }
     const auto is_named = [&](const StlStatement& s) { return same_word(word, s.word); };
     const auto statement = std::ranges::find_if(kStlStatements, is_named);
-    if (statement == kStlStatements.end()) text.refuse(fmt::format("{} is no statement of a text STL", quoted(word)));
+    if (statement == kStlStatements.end())
+      text.refuse(fmt::format("{} is not a statement of a text STL", quoted(word)));
     if (level != statement->from) text.refuse(fmt::format("'{}' is out of place", statement->name));
     level = statement->to;
     if (statement->from != 3) continue;
@@ -148,7 +150,8 @@ PolygonSoup parse_text_stl(std::string_view bytes, std::string_view name) {
   return soup;
 }
 
-/// Some binary files start with "solid" too, but their first 512 bytes contain a zero byte, unlike any text.
+/// Whether a file is text. Some binary files also start with "solid", but unlike text they have a zero byte among their
+/// first 512 bytes.
 bool is_text(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");

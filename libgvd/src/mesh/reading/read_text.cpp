@@ -1,9 +1,11 @@
-// Lines, tokens and numbers of a text, with line numbers for messages.
+// Reads lines, tokens and numbers of a text, with line numbers for messages.
 //
-// Numbers are read by std::from_chars, which knows no locale. It does not tell overflow from underflow; the decimal
-// exponent does. Texts with lone CR as line ends are copied once, so that all others are read in place.
-// The readers of all formats share them, so a wrong token, a missing number and an early end read alike in all formats.
-// Invariant: an element that lacks a number is refused on its own line, before the next one's numbers are taken for it.
+// Numbers are read by std::from_chars, which does not depend on the locale. It does not distinguish overflow from
+// underflow, but the decimal exponent does. Only texts with lone CR as line ends are copied; all others are read in
+// place. The readers of all formats share this code, so messages about a wrong token, a missing number and an early end
+// are the same in all formats.
+// Invariant: an element that lacks a number is refused with its own line, before numbers of the next element are taken
+// for it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,8 +26,8 @@ std::string_view without_plus(std::string_view token) {
   return has_plus ? token.substr(1) : token;
 }
 
-/// 0 or infinity for a number beyond the range of a double. The decimal exponent of the first nonzero digit is above
-/// 300 for an overflow and below -300 for an underflow.
+/// Returns 0 or infinity for a number beyond the range of a double. The decimal exponent of the first nonzero digit is
+/// above 300 for an overflow and below -300 for an underflow.
 double out_of_range_value(std::string_view token) {
   const double sign = token[0] == '-' ? -1 : 1;
   const std::size_t e = std::min(token.find_first_of("eE"), token.size());
@@ -44,7 +46,7 @@ double out_of_range_value(std::string_view token) {
   return exponent < 0 ? sign * 0.0 : sign * kInfinity;
 }
 
-/// Whether there is a CR without an LF after it, which then ends a line.
+/// Whether there is a CR without an LF after it, so that CR alone ends lines.
 bool has_lone_return(std::string_view bytes) {
   for (std::size_t at = bytes.find('\r'); at != std::string_view::npos; at = bytes.find('\r', at + 1)) {
     if (at + 1 < bytes.size() && bytes[at + 1] != '\n') return true;
@@ -71,7 +73,7 @@ std::optional<double> parse_double(std::string_view token) {
   return error == std::errc::result_out_of_range ? out_of_range_value(token) : value;
 }
 
-// Inlined whole: as a call, the conversion costs an OBJ 4 % of the instructions of reading it.
+// Inlined completely, because calls of the conversion would take 4 % of the instructions of reading an OBJ.
 [[gnu::flatten]] std::optional<std::int64_t> parse_integer(std::string_view token) {
   return parse_number<std::int64_t>(without_plus(token));
 }

@@ -1,9 +1,9 @@
-// Legacy files of VTK (.vtk), text and binary: PolyData, and the surface cells of unstructured grids.
+// Reads legacy files of VTK (.vtk), text and binary: PolyData, and the surface cells of unstructured grids.
 //
-// Keywords and counts are text, numbers text or big-endian. Cells come as lists that begin with their length, or since
-// version 5.1 as two arrays. Sections after the cells hold data of points and cells, and are not read.
+// Keywords and counts are text; numbers are text or big-endian. Cells are lists that begin with their length or, since
+// version 5.1, two arrays. The sections after the cells hold data of points and cells, and are not read.
 // Source: VTK File Formats, version 4.2, and the release notes of VTK 9 for version 5.1 of the format.
-// Invariant: a count is compared with the bytes that are left before it takes memory.
+// Invariant: each count is compared with the number of remaining bytes before memory is allocated for it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class VtkParser {
   PolygonSoup parse() {
     read_header();
     for (std::string word = keyword(); !word.empty() && !is_data_section(word); word = keyword()) read_section(word);
-    // Data are not parsed: their sections begin lines of their own.
+    // Sections of data are not parsed, only searched for: each begins a line.
     if (bytes_.find("\nTEXTURE_COORDINATES ", at_) != bytes_.npos) soup_.leave_out_texture();
     if (!cells_.ends.empty()) soup_.add_cells(cells_, cell_types_);
     return soup_.take();
@@ -41,7 +41,7 @@ class VtkParser {
     const auto version = parse_double(mark.substr(mark.find_last_of(" \t") + 1));
     if (!version) refuse("the first line names no version, as in '# vtk DataFile Version 3.0'");
     has_offsets_ = *version >= kOffsetsVersion;
-    line();  // a title
+    line();  // skips the title
     const std::string encoding = keyword();
     if (encoding != "ascii" && encoding != "binary") {
       refuse(fmt::format("the third line is {}, and should be ASCII or BINARY", gvd::quoted(encoding)));
@@ -77,7 +77,7 @@ class VtkParser {
     } else if (word == "metadata") {
       for (line(); at_ < bytes_.size() && line().find_first_not_of(kWhitespace) != std::string_view::npos;) continue;
     } else {
-      refuse(fmt::format("{} is no section of a surface", gvd::quoted(word)));
+      refuse(fmt::format("{} is not a section of a surface", gvd::quoted(word)));
     }
   }
 
@@ -96,9 +96,9 @@ class VtkParser {
     for (std::size_t i = 0; i < mixed.size();) {
       const double length = mixed[i++];
       if (!(length >= 0 && length <= double(mixed.size() - i))) {
-        refuse(fmt::format("cell {} should have {} {}, and the list has {} behind it; {}", cells.ends.size(), length,
+        refuse(fmt::format("cell {} should have {} {}, but {}; {}", cells.ends.size(), length,
                            length == 1 ? "corner" : "corners",
-                           counted(std::int64_t(mixed.size() - i), "number", "numbers"), kExportAgain));
+                           counted(std::int64_t(mixed.size() - i), "number follows", "numbers follow"), kExportAgain));
       }
       cells.corners.insert(cells.corners.end(), mixed.begin() + std::ptrdiff_t(i),
                            mixed.begin() + std::ptrdiff_t(i + std::size_t(length)));
@@ -114,12 +114,12 @@ class VtkParser {
 
   StoredNumber offsets_type(std::string_view wanted) {
     const std::string word = keyword();
-    if (word != wanted) refuse(fmt::format("{} stands where {} should", gvd::quoted(word), gvd::quoted(wanted)));
+    if (word != wanted) refuse(fmt::format("expected {}, found {}", gvd::quoted(wanted), gvd::quoted(word)));
     return type();
   }
 
   void skip_field() {
-    keyword();  // its name
+    keyword();  // skips the name
     for (std::uint64_t arrays = count(); arrays > 0; --arrays) {
       const std::string name = keyword();
       if (name == "metadata") {
@@ -152,7 +152,7 @@ class VtkParser {
   std::uint64_t count() {
     const std::string_view text = token();
     const auto value = parse_number<std::uint64_t>(text);
-    if (!value) refuse(fmt::format("{} stands where a count should", quoted(text)));
+    if (!value) refuse(fmt::format("expected a count, found {}", quoted(text)));
     if (*value > bytes_.size()) refuse_count(*value);
     return *value;
   }
@@ -160,26 +160,27 @@ class VtkParser {
   StoredNumber type() {
     const std::string_view word = token();
     auto found = find_vtk_type(word);
-    if (!found) refuse(fmt::format("{} is no type of numbers that is read", quoted(word)));
+    if (!found) refuse(fmt::format("{} is not a type of numbers that is read", quoted(word)));
     found->big_endian = true;
     end_keywords();
     return *found;
   }
 
-  /// The type of numbers whose section names none.
+  /// The type of numbers in a section that names no type.
   StoredNumber plain_int() {
     end_keywords();
     return {StoredNumber::Kind::signed_integer, 4, true};
   }
 
-  /// Binary numbers begin on the line behind the keywords.
+  /// Moves to the numbers: binary ones begin on the line after the keywords.
   void end_keywords() {
     if (is_binary_) line();
   }
 
   std::vector<double> numbers(std::uint64_t wanted, const StoredNumber& stored) {
     const std::uint64_t left = bytes_.size() - at_;
-    if (wanted > (is_binary_ ? left / stored.size : (left + 1) / 2)) refuse_count(wanted);  // a digit and a blank
+    // As text, a number takes a digit and a blank.
+    if (wanted > (is_binary_ ? left / stored.size : (left + 1) / 2)) refuse_count(wanted);
     if (is_binary_) {
       const std::string_view data = bytes_.substr(at_, wanted * stored.size);
       at_ += data.size();
@@ -189,7 +190,7 @@ class VtkParser {
     for (double& value : values) {
       const std::string_view text = token();
       const auto number = parse_double(text);
-      if (!number) refuse(fmt::format("{} stands where a number should", quoted(text)));
+      if (!number) refuse(fmt::format("expected a number, found {}", quoted(text)));
       value = *number;
     }
     return values;
@@ -200,7 +201,7 @@ class VtkParser {
                        counted(std::int64_t(bytes_.size() - at_), "more byte", "more bytes")));
   }
 
-  /// Names the line, or in binary files the byte.
+  /// Throws with the line or, in a binary file, with the byte.
   [[noreturn]] void refuse(const std::string& message) const {
     const auto lines = std::ranges::count(bytes_.substr(0, at_), '\n') + 1;
     throw Error(ErrorCode::unreadable_input, is_binary_ ? fmt::format("{}: byte {}: {}", name_, at_, message)

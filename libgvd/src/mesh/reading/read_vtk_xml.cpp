@@ -1,10 +1,12 @@
-// VTK's PolyData and UnstructuredGrid in XML: text, Base64 and appended arrays, with or without zlib's compression.
+// Reads VTK's PolyData and UnstructuredGrid in XML: text, Base64 and appended arrays, with or without zlib's
+// compression.
 //
-// Appended data need not be XML. So the document is cut at their beginning and closed again before it is parsed, and
-// arrays find their bytes by their offset. The numbers of every array become doubles; a piece's points and polygons
-// are the only arrays that are read, and one array of their data where it is asked for.
+// Appended data need not be XML. So the document is cut where they begin and closed again before it is parsed, and
+// arrays find their bytes by their offset. The numbers of every array become doubles. Only the points and polygons of a
+// piece are read, and one array of their data on request.
 // Source: VTK File Formats, version 4.2; vtkXMLDataParser for the layout of compressed arrays.
-// Invariant: no count of the file takes memory that its bytes could not fill; deflate's limit goes for blocks.
+// Invariant: memory is never allocated for a count in the file that the file's bytes could not fill; for compressed
+// blocks, deflate's limit applies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +48,7 @@ class VtkXmlParser {
   }
 
  private:
-  /// Reads every piece into the soup, and calls done(piece) behind it.
+  /// Reads every piece into the soup, and calls done(piece) after each.
   template <class Done>
   void visit_pieces(const Done& done) {
     const pugi::xml_node root = document_.child("VTKFile");
@@ -86,7 +88,7 @@ class VtkXmlParser {
 
   SoupProperty read_property(SoupElement element, std::string_view property) {
     soup_.keep_cells();
-    std::vector<double> of_file;  // of all points, or of all cells in the order in which they are read
+    std::vector<double> of_file;  // for all points, or for all cells in the order in which they are read
     visit_pieces([&](pugi::xml_node piece) {
       if (count_in(piece, "NumberOfPoints") == 0) return;
       const bool of_points = element == SoupElement::vertex;
@@ -99,7 +101,7 @@ class VtkXmlParser {
             counted(std::int64_t(wanted), of_points ? "point" : "cell", of_points ? "points" : "cells")));
       }
       if (!of_points && std::string_view(piece.parent().name()) == "PolyData") {
-        // VTK numbers strips behind polygons, which are read behind them.
+        // VTK numbers strips after polygons, but this reader reads strips first.
         const auto strips = std::ptrdiff_t(count_in(piece, "NumberOfStrips"));
         const auto polygons = std::ptrdiff_t(count_in(piece, "NumberOfPolys"));
         std::rotate(numbers.end() - strips - polygons, numbers.end() - strips, numbers.end());
@@ -152,7 +154,7 @@ class VtkXmlParser {
     is_base64_appended_ = std::string_view(root.child("AppendedData").attribute("encoding").value()) == "base64";
   }
 
-  /// A number of elements of a piece; 0 where it is missing.
+  /// The number of elements that a piece declares; 0 if it declares none.
   std::uint64_t count_in(pugi::xml_node piece, const char* name) const {
     const pugi::xml_attribute given = piece.attribute(name);
     if (!given) return 0;
@@ -161,7 +163,7 @@ class VtkXmlParser {
                              quoted(given.value()), kExportAgain));
   }
 
-  /// Refuses a piece that has arrays of a kind and does not say how many: they would be taken for none.
+  /// Refuses a piece that has arrays of a kind but does not declare the number of elements, which would count as 0.
   void require_count(pugi::xml_node piece, const char* number, const char* kind) const {
     if (piece.attribute(number)) return;
     for (const pugi::xml_node array : piece.child(kind).children("DataArray")) {
@@ -170,7 +172,7 @@ class VtkXmlParser {
     }
   }
 
-  /// False where the piece is empty.
+  /// Returns false if the piece is empty.
   bool read_points(pugi::xml_node piece) {
     require_count(piece, "NumberOfPoints", "Points");
     const std::uint64_t points = count_in(piece, "NumberOfPoints");
@@ -246,7 +248,7 @@ class VtkXmlParser {
     return type.read_all(bytes);
   }
 
-  /// The bytes of an array behind its header, unpacked.
+  /// Reads the bytes of an array after its header, unpacked.
   std::string read_bytes(ArrayBytes data, std::string_view what) {
     const std::uint64_t first = read_word(data, what);
     if (is_compressed_) return unpack_blocks(data, first, what);
@@ -262,8 +264,8 @@ class VtkXmlParser {
     return header_.read_bits(bytes.data());
   }
 
-  /// Header: the number of blocks, the size of each, that of the last one or 0 where it is as large; then the packed
-  /// size of each.
+  /// Unpacks the blocks of a compressed array. Its header has the number of blocks, the size of a block, the size of
+  /// the last block or 0 if it is a full one, and then the packed size of each block.
   std::string unpack_blocks(ArrayBytes& data, std::uint64_t blocks, std::string_view what) {
     if (blocks == 0) return "";
     const std::uint64_t size = read_word(data, what), last = read_word(data, what);
@@ -281,15 +283,15 @@ class VtkXmlParser {
   }
 
   [[noreturn]] void refuse_short(std::string_view what) const {
-    soup_.refuse(fmt::format("an array of {} ends before its last byte, or is no Base64", what));
+    soup_.refuse(fmt::format("an array of {} ends before its last byte, or is not Base64", what));
   }
 
   std::string name_;
   VtkSoup soup_;
   ExpansionLimit limit_;
   std::string_view bytes_;
-  std::string_view appended_;  // behind the underscore
-  std::string text_;           // which the document refers to
+  std::string_view appended_;  // the data after the underscore
+  std::string text_;           // the document refers to this text
   pugi::xml_document document_;
   bool is_compressed_ = false, big_endian_ = false, is_base64_appended_ = false;
   StoredNumber header_;

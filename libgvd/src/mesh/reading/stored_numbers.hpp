@@ -13,7 +13,7 @@ struct StoredNumber {
   enum class Kind { signed_integer, unsigned_integer, real };
 
   Kind kind = Kind::real;
-  std::size_t size = 4;  ///< bytes: 1, 2, 4 or 8; of a real number 4 or 8
+  std::size_t size = 4;  ///< in bytes: 1, 2, 4 or 8; 4 or 8 for a real number
   bool big_endian = false;
 
   /// The bits of the number that begins at `bytes`.
@@ -31,7 +31,7 @@ struct StoredNumber {
     return kind == Kind::signed_integer ? double(std::int64_t(bits << unused) >> unused) : double(bits);
   }
 
-  /// All numbers of `bytes`; a remainder that is too short for one is left out.
+  /// All numbers of `bytes`; a remainder too short for a number is ignored.
   std::vector<double> read_all(std::string_view bytes) const {
     std::vector<double> numbers(bytes.size() / size);
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = read(bytes.data() + i * size);

@@ -1,4 +1,5 @@
-// Unpacks what a file is wrapped in, and names contents that are no mesh, by the marks of the formats' specifications.
+// Unpacks the wrapping of a file, and recognises contents that are no mesh by the marks in the specifications of their
+// formats.
 #include "mesh/reading/unpack.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@
 namespace gvd {
 namespace {
 
-/// Bytes that content is searched for a mark that need not come first.
+/// How many bytes are searched for a mark that need not be at the beginning.
 constexpr std::size_t kSearchedBytes = 4096;
 
 struct Mark {
@@ -41,8 +42,8 @@ constexpr std::array<Mark, 13> kMarks{{
     {"MeshVersionFormatted", "a Medit mesh; convert it to VTK or OBJ"},
 }};
 
-/// Whether a zip archive holds a 3MF model: by the names of its files, which stand before each one, and in the list at
-/// the end of the archive.
+/// Whether a zip archive holds a 3MF model, by the names of its files. The names are before each file and in the list
+/// at the end of the archive.
 bool is_3mf(std::string_view zip) {
   constexpr std::size_t kList = 1 << 16;
   const std::string_view end = zip.substr(zip.size() - std::min(zip.size(), kList));
@@ -50,14 +51,14 @@ bool is_3mf(std::string_view zip) {
          to_lower(end).find("3d/3dmodel.model") != std::string::npos;
 }
 
-/// Whether a file is an object of MNI in binary: `p`, five floats that tell how the surface shines, and the number of
-/// points. A number below 16 million has a zero among its bytes, and text has none.
+/// Whether a file is an object of MNI in binary: `p`, five floats for the shading, and the number of points. A number
+/// below 16 million has a zero among its bytes, and text has no zero.
 bool is_binary_mni(std::string_view bytes) {
   constexpr std::size_t kHeader = 4 * (5 + 1);
   return bytes.starts_with('p') && bytes.size() > kHeader && bytes.substr(1, kHeader).find('\0') != bytes.npos;
 }
 
-/// This many characters of ASCII tell UTF-16 from binary files, in which some zeros are common.
+/// How many ASCII characters distinguish UTF-16 from binary files, in which single zeros are common.
 constexpr std::size_t kTellingCharacters = 4;
 
 /// Appends a character of Unicode in UTF-8.
@@ -72,7 +73,7 @@ void append_utf8(std::string& text, std::uint32_t c) {
   for (int i = more - 1; i >= 0; --i) text += static_cast<char>(0x80 | (c >> 6 * i & 0x3F));
 }
 
-/// The name of an XML document's first element that is no declaration; empty where there is none.
+/// The name of the first element of an XML document; empty if there is none.
 std::string_view root_element(std::string_view xml) {
   for (std::size_t at = xml.find('<'); at < xml.size(); at = xml.find('<', at + 1)) {
     const std::string_view name = xml.substr(at + 1);
@@ -86,7 +87,7 @@ std::string_view root_element(std::string_view xml) {
 void ExpansionLimit::spend(std::uint64_t bytes) {
   if (bytes > left_) {
     throw Error(ErrorCode::unreadable_input,
-                fmt::format("{}: the file unfolds to more than {} times its size; unpack it first, or convert it",
+                fmt::format("{}: the file expands to more than {} times its size; unpack it first, or convert it",
                             name_, kMostExpansion));
   }
   left_ -= bytes;
@@ -106,7 +107,7 @@ std::string to_utf8(std::string_view utf16) {
   text.reserve(utf16.size() / 2);
   for (std::size_t at = 2; at < utf16.size(); at += 2) {
     const std::uint32_t first = unit(at), second = unit(at + 2);
-    if (at + 2 > utf16.size()) {  // half of a character
+    if (at + 2 > utf16.size()) {  // an odd byte at the end
       append_utf8(text, kUnknown);
     } else if (first < kHigh || first >= kAbove) {
       append_utf8(text, first);
@@ -126,7 +127,7 @@ void unpack(std::string& bytes, std::string_view name) {
 }
 
 std::string describe_content(std::string_view bytes) {
-  if (is_binary_stl(bytes)) return "";  // it begins with anything
+  if (is_binary_stl(bytes)) return "";  // a binary STL may begin with any bytes
   if (is_unmarked_utf16(bytes, kTellingCharacters)) return "text in UTF-16 without a byte order mark; save it as UTF-8";
   if (is_binary_mni(bytes)) return "a binary object of MNI; write it as text, or as PLY";
   if (bytes.starts_with(std::string_view("\xff\xfe\0\0", 4)) ||
@@ -141,7 +142,7 @@ std::string describe_content(std::string_view bytes) {
   const auto* mark = std::ranges::find_if(kMarks, [&](const Mark& m) { return bytes.starts_with(m.bytes); });
   if (mark != kMarks.end()) return std::string(mark->meaning);
   if (is_json(bytes) && bytes.find("\"asset\"") == bytes.npos) {
-    return "JSON, and no glTF, which has a member 'asset'; give the mesh";
+    return "JSON but not glTF (no member 'asset'); give the mesh";
   }
   const std::string begin = to_lower(bytes.substr(0, kSearchedBytes));
   if (begin.starts_with("<!doctype html") || begin.starts_with("<html")) {

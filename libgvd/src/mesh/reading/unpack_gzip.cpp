@@ -1,8 +1,9 @@
-// Content that gzip has packed.
+// Unpacks gzip files.
 //
-// A gzip file is a row of members; their contents follow each other. Zeros may fill it up to the block of a tape.
+// A gzip file is a sequence of members, whose contents are concatenated. It may be padded with zeros to the block size
+// of a tape.
 // Source: RFC 1952, by zlib.
-// Invariant: unpacked bytes are counted while they come, so that a small file can't take all memory.
+// Invariant: bytes are counted while they are unpacked, so that a small file can't use up all memory.
 #include <fmt/format.h>
 #include <zlib.h>
 
@@ -71,12 +72,12 @@ class GzipReader {
   }
 
   [[noreturn]] void refuse_rest() const {
-    throw Error(ErrorCode::unreadable_input,
-                fmt::format("{}: {} no gzip; remove them, or get the file again", name_,
-                            counted(std::ssize(bytes_), "byte behind gzip's data is", "bytes behind gzip's data are")));
+    throw Error(ErrorCode::unreadable_input, fmt::format("{}: {} not gzip; remove them, or get the file again", name_,
+                                                         counted(std::ssize(bytes_), "byte after the gzip data is",
+                                                                 "bytes after the gzip data are")));
   }
 
-  std::string_view bytes_;  // what is left
+  std::string_view bytes_;  // not read yet
   std::string name_, content_;
   ExpansionLimit limit_;
   z_stream stream_{};

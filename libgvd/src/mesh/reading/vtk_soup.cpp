@@ -1,7 +1,7 @@
-// Points and cells of VTK as a soup, for both kinds of its files.
+// Makes a soup of VTK's points and cells, for both kinds of VTK files.
 //
-// A file may hold lines and vertices beside its polygons: files of this library hold bisectors. They are left out, and
-// so are the points that no polygon has, so that the mesh is the one that was written.
+// A file may hold lines and vertices beside its polygons; files that this library writes hold bisectors. These lines
+// and vertices are left out together with the points that only they use, so that a written mesh reads back as it was.
 // Source: VTK File Formats, version 4.2; vtkCellType.h for the types of cells.
 // Invariant: every index is compared with the number of points before it is used.
 #include "mesh/reading/vtk_soup.hpp"
@@ -20,10 +20,10 @@
 namespace gvd {
 namespace {
 
-/// Types of cells, as a file's numbers.
+/// The numbers of cell types in files.
 constexpr double kPolyLine = 4, kTriangle = 5, kStrip = 6, kPolygon = 7, kPixel = 8, kQuad = 9;
 
-/// The number of corners that a type of faces fixes.
+/// The number of corners of a type of faces, if the type fixes it.
 std::optional<std::size_t> corners_of(double type) {
   if (type == kTriangle) return 3;
   return type == kPixel || type == kQuad ? std::optional<std::size_t>(4) : std::nullopt;
@@ -65,7 +65,7 @@ std::optional<StoredNumber> find_vtk_type(std::string_view name) {
 void VtkSoup::add_points(const std::vector<double>& coordinates) {
   first_point_ = soup_.positions.size();
   check_counts(first_point_ + coordinates.size() / 3, 0, name_);
-  // For each of many small pieces, this would take quadratic time.
+  // Reserving for each of many small pieces would take quadratic time.
   if (first_point_ == 0) soup_.positions.reserve(coordinates.size() / 3);
   for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {
     const Vec3 p(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
@@ -105,7 +105,7 @@ void VtkSoup::add_polygon(Corners corners) {
 
 void VtkSoup::add_strip(Corners corners) {
   for (std::size_t i = 2; i < corners.size(); ++i) {
-    const std::size_t turned = i % 2;  // every second triangle is turned round
+    const std::size_t turned = i % 2;  // every second triangle is reversed
     add_polygon(std::array{corners[i - 2 + turned], corners[i - 1 - turned], corners[i]});
   }
 }

@@ -1,4 +1,5 @@
-// Stand-ins for the readers that GVD_WITH_XML=OFF leaves out on platforms without pugixml and zlib: each says so.
+// Replaces the readers that GVD_WITH_XML=OFF leaves out on platforms without pugixml and zlib. Each function throws an
+// error that says so.
 #include <string>
 
 #include "gvd/error.hpp"

@@ -1,10 +1,10 @@
-// A soup of polygons becomes a manifold mesh: examined, cleaned, triangulated, oriented, cut apart and assembled.
+// Turns a soup of polygons into a manifold mesh: examines, cleans, triangulates, orients, cuts apart and assembles it.
 //
-// `build_repaired` near the end lists the steps in their order. Each has a file. All of them are deterministic. Welding
-// comes first, because all later steps know vertices by their numbers alone. Faces are oriented before edges are cut,
-// because the inside of the surface decides which faces of an edge stay together. A step that finds nothing changes
-// nothing and logs nothing. Under DefectPolicy::error the log throws at the first defect. Invariant: a soup of
-// triangles without a defect becomes the mesh with the same vertices and faces in the same order.
+// `build_repaired` near the end lists the steps in order. Each step has a file of its own and is deterministic. Welding
+// comes first, because all later steps identify vertices by their numbers alone. Faces are oriented before edges are
+// cut, because the inside of the surface decides which faces of an edge stay together. A step that finds no defect
+// changes nothing and logs nothing. Under DefectPolicy::error the log throws at the first defect.
+// Invariant: a soup of triangles without a defect becomes a mesh with the same vertices and faces in the same order.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,13 +38,13 @@ void examine_positions(const PolygonSoup& soup) {
     box.extend(p);
   }
   const double extent = box.sizes().maxCoeff();
-  if (extent == 0) refuse_soup("all vertices are at one position, that of vertex 0: there is no surface", 0);
+  if (extent == 0) refuse_soup("all vertices are at the same position, that of vertex 0: there is no surface", 0);
   if (extent < kSmallestExtent) {
     refuse_soup(fmt::format("the whole mesh is smaller than {:g}; scale it up", kSmallestExtent), 0);
   }
 }
 
-/// Refuses an appearance that is not that of the soup's corners and polygons. Readers never make one.
+/// Refuses an appearance whose arrays do not match the soup's corners and polygons. Readers never make one.
 void examine_appearance(const PolygonSoup& soup) {
   const auto& [texture, material, materials, files, unread] = soup.appearance;
   const bool is_whole = (texture.empty() || texture.size() == soup.corners.size()) &&
@@ -77,13 +77,13 @@ void examine_polygons(const PolygonSoup& soup) {
   }
 }
 
-/// A triangle whose height is at most this fraction of its longest side has no shape that distances could depend on.
-/// Its corners are rounded by up to 2^-53 of the side, so that the height is off by one part in 128 or more. A tube was
-/// stretched until half of its triangles were at most 1.8e-14 high: the lengths of three sets of bisectors were off by
-/// .2 to .6 %; at 1.8e-15 they were off by 7 to 17 %. Dimensionless.
+/// Rounding decides the shape of a triangle whose height is at most this fraction of its longest side: its corners are
+/// rounded by up to 2^-53 of the side, so the height is off by one part in 128 or more. On a stretched tube with half
+/// of its triangles below 1.8e-14, lengths of bisectors were off by up to .6 %; at 1.8e-15, by up to 17 %.
+/// Dimensionless.
 constexpr double kHeightWithoutShape = 0x1p-46;
 
-/// Logs the vertices in no polygon of the soup. Vertices that lost their faces by a repair do not count.
+/// Logs the vertices that no polygon of the soup uses. Vertices that lost their faces in the repair do not count.
 void log_unused_vertices(const PolygonSoup& soup, DefectLog& log) {
   const std::vector<char> used = find_used_vertices(soup);
   const std::int64_t count = std::count(used.begin(), used.end(), 0);
@@ -108,7 +108,7 @@ CheckedMesh assemble(WorkFaces work, const std::vector<std::int32_t>& weld) {
   checked.mesh_vertex.reserve(weld.size());
   for (const std::int32_t v : weld) checked.mesh_vertex.push_back(kept.after[VertexId(v)]);
   checked.input_polygon = IdVector<FaceId, std::int32_t>(std::move(work.origin));
-  work = {};  // its memory
+  work = {};  // frees its memory
   checked.mesh = Mesh(std::move(positions), std::move(faces));
   return checked;
 }
@@ -122,8 +122,8 @@ std::int64_t count_faces_below(const Mesh& mesh, double height) {
   });
 }
 
-/// Refuses a mesh of which most triangles have no shape. Single ones are common, and only hold the surface together.
-/// Triangles of area 0 are not counted: they are degenerate as they stand, and not by rounding.
+/// Refuses a mesh if rounding decides the shape of most triangles. A few such triangles are common, and only hold the
+/// surface together. Triangles of area 0 do not count, because they are degenerate in the input and not by rounding.
 void require_shapes(const Mesh& mesh) {
   const std::int64_t without = count_faces_below(mesh, kHeightWithoutShape) - count_faces_below(mesh, 0);
   if (2 * without <= mesh.face_count()) return;
@@ -131,7 +131,7 @@ void require_shapes(const Mesh& mesh) {
   for (const EdgeId e : mesh.edges()) shortest = std::min(shortest, mesh.length(e));
   throw Error(
       ErrorCode::precondition,
-      fmt::format("rounding hides the shape of {} of {}: heights are below {:.1g} of the longest sides, and edges "
+      fmt::format("rounding decides the shape of {} of {}: heights are below {:.1g} of the longest sides, and edges "
                   "from {:.3g} to {:.3g} long; scale the axes until they have similar extents",
                   without, counted(mesh.face_count(), "triangle", "triangles"), kHeightWithoutShape, shortest,
                   longest_edge(mesh)));
@@ -145,8 +145,9 @@ void add_remarks(CheckedMesh& checked, const PolygonSoup& soup) {
                                           counted(report.split_edges, "edge", "edges")));
   }
   if (report.zero_area_faces > 0) {
-    report.messages.push_back(fmt::format("{} no area (three points on a line): kept, they hold the surface together",
-                                          counted(report.zero_area_faces, "triangle has", "triangles have")));
+    report.messages.push_back(
+        fmt::format("{} no area (three points on a line): kept, because they hold the surface together",
+                    counted(report.zero_area_faces, "triangle has", "triangles have")));
   }
   examine_open_edges(checked, soup.weld_tolerance);
 }

@@ -1,9 +1,9 @@
-// Texture coordinates and materials of a soup, on the faces that its polygons became.
+// Carries the texture coordinates and materials of a soup to the faces that its polygons became.
 //
-// The repair knows vertices alone, so that meshes without a texture cost nothing. Afterwards each corner of a face
-// looks for its vertex among the corners of its polygon: welded and copied vertices are known by the vertex of the mesh
-// that the first of them became. Invariant: a corner has the texture coordinates of a corner of its own polygon, bit by
-// bit, so that seams stay seams.
+// The repair handles only vertices, so that a texture costs nothing on meshes that have none. Afterwards each corner of
+// a face is matched by its vertex to a corner of its polygon. Welded and copied vertices are identified by the vertex
+// of the mesh that the first of them became.
+// Invariant: a corner has the texture coordinates of a corner of its own polygon, bit by bit, so that seams stay seams.
 
 #include "mesh/repair/carry_appearance.hpp"
 
@@ -12,7 +12,7 @@
 namespace gvd {
 namespace {
 
-/// The texture coordinates of a polygon's corner at v: of the first one if there are several.
+/// The texture coordinates of a polygon's corner at v; of the first corner if there are several.
 Uv texture_at_vertex(const PolygonSoup& soup, const CheckedMesh& checked, std::size_t polygon, VertexId v) {
   const std::int32_t vertex = checked.input_vertex[v];
   for (std::size_t c = soup.first_corner[polygon]; c < soup.first_corner[polygon + 1]; ++c) {
@@ -22,14 +22,15 @@ Uv texture_at_vertex(const PolygonSoup& soup, const CheckedMesh& checked, std::s
   return kNoTexture;
 }
 
-/// The same at a midpoint. An edge or a diagonal of the polygon was split: the one on which the midpoint lies.
+/// The texture coordinates at the midpoint of a split edge or diagonal of the polygon: interpolated on the edge or
+/// diagonal on which the midpoint lies.
 Uv texture_at_midpoint(const PolygonSoup& soup, const CheckedMesh& checked, std::size_t polygon, const Vec3& midpoint) {
   const auto vertex = [&](std::size_t corner) { return std::size_t(soup.corners[corner]); };
   Uv found = kNoTexture;
   double nearest = kInfinity;
   for (std::size_t a = soup.first_corner[polygon]; a < soup.first_corner[polygon + 1]; ++a) {
     for (std::size_t b = soup.first_corner[polygon]; b < soup.first_corner[polygon + 1]; ++b) {
-      // One direction in both faces of the edge.
+      // Takes the edge in the same direction in both of its faces.
       if (!(checked.mesh_vertex[vertex(a)] < checked.mesh_vertex[vertex(b)])) continue;
       const Vec3 &from = soup.positions[vertex(a)], along = soup.positions[vertex(b)] - from;
       const double t = nearest_on_segment(from, along, midpoint);

@@ -1,11 +1,11 @@
-// Polygons of a soup are cleaned: vertices at one position welded, degenerate and duplicate polygons removed.
+// Cleans the polygons of a soup: welds vertices at the same position, and removes degenerate and duplicate polygons.
 //
-// An STL's triangles share no vertices, so all vertices at one position become one. Elsewhere two vertices at one place
-// may be meant as two, and only those at the ends of a polygon edge of length 0 are welded. Duplicates are found by an
-// order-independent hash of their corners, then compared in a canonical order.
-// Two faces back to back that no other face touches are a closed surface without volume, and stay.
+// An STL's triangles share no vertices, so all vertices at the same position become one. In other formats two vertices
+// at the same position may be intended, and only the two ends of a polygon edge of length 0 are welded. Duplicates are
+// found by an order-independent hash of their corners, then compared in a canonical order.
+// Two faces back to back that touch no other face are a closed surface without volume, and are kept.
 // Source: the hash of a corner is the finalizer of splitmix64 (Steele, Lea and Flood, 2014).
-// Invariant: polygons keep their order, and each keeps the order of the corners that are left.
+// Invariant: the polygons keep their order, and the remaining corners of each polygon keep theirs.
 #include "mesh/repair/clean_polygons.hpp"
 
 #include <fmt/format.h>
@@ -21,8 +21,8 @@
 namespace gvd {
 namespace {
 
-/// The first used vertex at the position of each used vertex; others are not joined. Positions are compared as numbers:
-/// -0 equals 0.
+/// For each used vertex, the first used vertex at its position. Unused vertices are not joined. Positions are compared
+/// as numbers, so that -0 equals 0.
 std::vector<std::int32_t> weld_all(const PolygonSoup& soup) {
   const std::vector<char> used = find_used_vertices(soup);
   std::vector<std::int32_t> weld(soup.positions.size());
@@ -43,7 +43,7 @@ std::vector<std::int32_t> weld_all(const PolygonSoup& soup) {
 }
 
 struct ZeroEdges {
-  std::int64_t count = 0;  // number of vertices that were welded to another one
+  std::int64_t count = 0;  // number of vertices welded to another vertex
   std::int64_t polygon = -1;
   std::int32_t a = -1, b = -1;
 };
@@ -63,8 +63,8 @@ ZeroEdges unite_zero_edges(const PolygonSoup& soup, UnionFind& welded) {
   return zero;
 }
 
-/// Appends `v` to the polygon whose corners start at `begin`. A corner that repeats the one before it is dropped, and
-/// so is the spike b in a, b, a, which encloses no area.
+/// Appends `v` to the polygon whose corners start at `begin`. Drops a corner that repeats the corner before it, and the
+/// spike b in a, b, a, which encloses no area.
 void append_corner(std::vector<std::int32_t>& corners, std::size_t begin, std::int32_t v) {
   const std::size_t size = corners.size() - begin;
   if (size >= 1 && corners.back() == v) return;
@@ -75,7 +75,7 @@ void append_corner(std::vector<std::int32_t>& corners, std::size_t begin, std::i
   corners.push_back(v);
 }
 
-/// Drops repeated corners and spikes where the end of the polygon meets its beginning.
+/// Drops repeated corners and spikes between the end of the polygon and its beginning.
 void close_ends(std::vector<std::int32_t>& corners, std::size_t begin) {
   std::size_t first = begin;
   bool changed = true;
@@ -102,7 +102,7 @@ struct CleanedPolygons {
   std::int64_t first = -1;  // polygon of the soup
 };
 
-/// Appends polygon p of the soup to `work` unless fewer than three corners are left.
+/// Appends polygon p of the soup to `work` if at least three corners remain.
 void append_polygon(const PolygonSoup& soup, const std::vector<std::int32_t>& weld, std::int32_t p, WorkPolygons& work,
                     CleanedPolygons& counts) {
   const std::size_t begin = work.corners.size();
@@ -123,8 +123,8 @@ void append_polygon(const PolygonSoup& soup, const std::vector<std::int32_t>& we
 
 std::string action_of(const CleanedPolygons& counts) {
   if (counts.shortened == 0) return "removed";
-  if (counts.dropped == 0) return "repeated corners taken out";
-  return fmt::format("{} removed, repeated corners taken out of {}", counts.dropped, counts.shortened);
+  if (counts.dropped == 0) return "repeated corners removed";
+  return fmt::format("{} removed, repeated corners removed from {}", counts.dropped, counts.shortened);
 }
 
 /// Hashes a vertex to 64 bits (the finalizer of splitmix64).
@@ -142,7 +142,8 @@ std::uint64_t key_of(std::span<const std::int32_t> polygon) {
   return key;
 }
 
-/// The corners from the smallest one in the direction of its smaller neighbour: equal for a polygon and its reverse.
+/// The corners in canonical order, which begins with the smallest corner and continues with its smaller neighbour. It
+/// is the same for a polygon and its reverse.
 std::vector<std::int32_t> canonical_corners(std::span<const std::int32_t> polygon) {
   std::vector<std::int32_t> corners(polygon.begin(), polygon.end());
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
@@ -150,15 +151,14 @@ std::vector<std::int32_t> canonical_corners(std::span<const std::int32_t> polygo
   return corners;
 }
 
-/// Whether two faces lie back to back and no other face touches them: then they are a flat closed surface, and are
-/// kept.
+/// Whether two faces lie back to back and touch no other face. They are then a flat closed surface, and are kept.
 bool is_pillow(const WorkPolygons& polygons, std::int32_t a, std::int32_t b, const std::vector<std::int32_t>& degree) {
   const auto first = polygons.polygon(a), second = polygons.polygon(b);
   const auto alone = [&](std::int32_t v) { return degree[v] == 2; };
   if (!std::all_of(first.begin(), first.end(), alone)) return false;
   const auto at = std::find(second.begin(), second.end(), first[0]) - second.begin();
   const auto next = second[std::size_t(at + 1) % second.size()];
-  return next != first[1];  // the same direction would make them copies
+  return next != first[1];  // with the same direction they would be copies
 }
 
 using Keyed = std::pair<std::uint64_t, std::int32_t>;  // a key and its polygon
@@ -166,7 +166,7 @@ using Keyed = std::pair<std::uint64_t, std::int32_t>;  // a key and its polygon
 /// Marks the duplicates among polygons with the same key, which are given in ascending order.
 void mark_group(const WorkPolygons& polygons, std::span<const Keyed> group, const std::vector<std::int32_t>& degree,
                 std::vector<char>& drop) {
-  std::vector<std::pair<std::vector<std::int32_t>, std::int32_t>> sorted;  // the corners in canonical order
+  std::vector<std::pair<std::vector<std::int32_t>, std::int32_t>> sorted;  // polygons by their canonical corners
   for (const auto& [key, p] : group) sorted.emplace_back(canonical_corners(polygons.polygon(p)), p);
   std::sort(sorted.begin(), sorted.end());
   std::size_t first = 0;
@@ -179,7 +179,7 @@ void mark_group(const WorkPolygons& polygons, std::span<const Keyed> group, cons
   }
 }
 
-/// 1 for each polygon that is a duplicate, 0 for the others.
+/// Returns 1 for each polygon that is a duplicate, and 0 for all others.
 std::vector<char> find_duplicates(const WorkPolygons& polygons, std::size_t vertex_count) {
   std::vector<std::int32_t> degree(vertex_count, 0);
   for (const std::int32_t v : polygons.corners) ++degree[v];

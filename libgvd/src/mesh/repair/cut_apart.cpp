@@ -1,11 +1,12 @@
-// Cuts a soup apart where it is no manifold: at edges of three or more faces, then at vertices of several fans.
+// Cuts a soup apart where it is not manifold: first at edges of three or more faces, then at vertices of several fans.
 //
-// The faces of an edge are sorted round it, and neighbours stay together where the inside of the surface lies between
+// The faces of an edge are sorted around it, and neighbours stay together if the inside of the surface lies between
 // them. So bodies that touch along an edge stay closed, and a fin is cut off. Then each fan of faces gets a vertex of
-// its own, and edges that still share both ends get midpoints. The angles need only divisions, so that the order is the
-// same on every machine, unlike with atan2.
-// Source: vertices are cut into their fans as by A. Gueziec, G. Taubin, F. Lazarus and B. Horn, Cutting and stitching,
-// 2001. Cost: O(n log n) for n halfedges of edges with three or more faces, and O(n) for all others.
+// its own, and edges that still share both ends get midpoints. Angles are compared by divisions alone, so that the
+// order is the same on every machine, unlike with atan2.
+// Source: A. Gueziec, G. Taubin, F. Lazarus and B. Horn, Cutting and stitching, 2001, for cutting vertices into their
+// fans.
+// Cost: O(n log n) for n halfedges of edges with three or more faces, and O(n) for all others.
 // Invariant: no vertex moves and no area is lost; copies and midpoints are appended.
 #include "mesh/repair/cut_apart.hpp"
 
@@ -35,10 +36,10 @@ double pseudo_angle(double x, double y) {
 struct Spoke {
   double angle;
   std::int32_t halfedge;
-  bool forward;  // runs from the edge's smaller vertex to its larger one
+  bool forward;  // whether it runs from the edge's smaller vertex to its larger one
 };
 
-/// The faces of an edge, counter-clockwise round it as seen from its larger vertex.
+/// Sorts the faces of an edge counter-clockwise around it, as seen from its larger vertex.
 std::vector<Spoke> sort_round_edge(const WorkFaces& work, const std::vector<std::int32_t>& halfedges,
                                    const std::vector<Vec3>& positions) {
   const auto at = [&](std::int32_t v) -> const Vec3& { return positions[v]; };
@@ -55,8 +56,9 @@ std::vector<Spoke> sort_round_edge(const WorkFaces& work, const std::vector<std:
   return spokes;
 }
 
-/// Pairs the faces between which the inside lies. The normal of a forward face points to increasing angles, that of a
-/// backward face to decreasing ones. So the inside lies between a backward face and the forward face that follows it.
+/// Pairs faces with the inside between them. The normal of a forward face points towards increasing angles, and the
+/// normal of a backward face towards decreasing angles. So the inside lies between a backward face and the next forward
+/// face.
 void pair_inside(WorkFaces& work, const std::vector<Spoke>& spokes) {
   for (std::size_t i = 0; i < spokes.size(); ++i) {
     const Spoke& a = spokes[i];
@@ -67,8 +69,8 @@ void pair_inside(WorkFaces& work, const std::vector<Spoke>& spokes) {
 }
 
 /// Gives the corners of a fan another vertex. A corner is identified by the halfedge that leaves it. The walk goes
-/// round the vertex from the corner h in both directions, until the fan closes or ends, as in vertex_ring.hpp, but for
-/// the faces of a soup, whose vertices may have several fans.
+/// around the vertex from the corner h in both directions until the fan closes or ends. It can't use vertex_ring.hpp,
+/// because vertices of a soup may have several fans.
 void rename_fan(WorkFaces& work, std::int32_t h, std::int32_t vertex, std::vector<char>& is_named) {
   const auto rename = [&](std::int32_t corner) {
     work.faces[corner / 3][corner % 3] = vertex;
@@ -87,12 +89,12 @@ void rename_fan(WorkFaces& work, std::int32_t h, std::int32_t vertex, std::vecto
   }
 }
 
-/// Splits the edges that would be taken for one, all but the first of them.
+/// Splits all but the first of several edges that have the same two vertices.
 class EdgeSplitter {
  public:
   explicit EdgeSplitter(WorkFaces& work) : work_(work), moved_(work.halfedge_count(), -1) {}
 
-  /// `halfedges`: all of one edge, numbered as before the first split.
+  /// `halfedges`: all halfedges between two vertices, by their numbers before the first split.
   void split(std::vector<std::int32_t> halfedges) {
     for (std::int32_t& h : halfedges) h = now(h);
     const std::int32_t kept = halfedges.front();
@@ -120,8 +122,7 @@ class EdgeSplitter {
     work_.link(second, twin);
   }
 
-  /// Splits the face (a, b, c) of h = a-b: (a, m, c) takes its place, (m, b, c) is appended. Returns m-b; h becomes
-  /// a-m.
+  /// Splits the face (a, b, c) of h = a-b: it becomes (a, m, c), and (m, b, c) is appended. Returns m-b; h becomes a-m.
   std::int32_t split_face(std::int32_t h, std::int32_t m) {
     const std::int32_t b = work_.to(h);
     const std::int32_t c = work_.from(WorkFaces::previous(h));
@@ -139,8 +140,8 @@ class EdgeSplitter {
     return first;
   }
 
-  /// A vertex at the middle of the edge, or beside it where an opposite corner lies at the middle: no edge may have
-  /// length 0.
+  /// Adds a vertex at the middle of the edge. If an opposite corner lies exactly there, the vertex is placed beside the
+  /// middle, so that no edge has length 0.
   std::int32_t add_vertex(std::int32_t h, std::int32_t twin) {
     const Vec3 a = at(work_.from(h));
     const Vec3 b = at(work_.to(h));
@@ -169,7 +170,7 @@ class EdgeSplitter {
 std::vector<char> cut_edges(WorkFaces& work, const EdgeTable& nonmanifold_edges, const std::vector<Vec3>& positions,
                             const std::vector<char>& one_sided, DefectLog& log) {
   std::vector<char> on_cut_edge(positions.size(), 0);
-  std::pair<std::int32_t, std::size_t> first(-1, 0);  // the halfedge of the smallest face, and its edge's faces
+  std::pair<std::int32_t, std::size_t> first(-1, 0);  // the least halfedge, and the number of its edge's faces
   for (std::vector<std::int32_t> halfedges : nonmanifold_edges) {
     const std::int32_t least = *std::min_element(halfedges.begin(), halfedges.end());
     if (first.first < 0 || least < first.first) first = {least, halfedges.size()};
@@ -193,8 +194,9 @@ void cut_vertices(WorkFaces& work, const std::vector<Vec3>& positions, const std
   work.positions = positions;
   work.source.resize(positions.size());
   std::iota(work.source.begin(), work.source.end(), 0);
-  std::vector<char> is_named(work.halfedge_count(), 0);  // per corner whether its vertex is final
-  std::vector<char> fans(positions.size(), 0);  // per input vertex the number of fans so far: 0, 1, or 2 for several
+  std::vector<char> is_named(work.halfedge_count(), 0);  // for each corner, whether its vertex is final
+  // For each input vertex, the number of fans so far: 0, 1, or 2 for several.
+  std::vector<char> fans(positions.size(), 0);
   std::int64_t count = 0;
   std::int32_t first = -1;
   // The first fan of a vertex keeps it; the others get copies, in the order of their first corners.

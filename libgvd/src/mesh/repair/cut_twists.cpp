@@ -1,11 +1,12 @@
-// Components with one side only are cut open, where the orientations in the file say where.
+// Cuts one-sided components open, if the orientations in the file say where.
 //
-// A twist is an edge whose two faces disagree about the orientation. Each face has two copies, one for each
-// orientation, and an edge joins the copies that agree there: a component has one side only if that joins the two
-// copies of a face. If it has few twists, it is joined anew: across all other edges first, which leaves parts that are
-// consistent in themselves, then across the seams between parts, the longest first, where that joins no face with its
-// own reverse. The twists that are left are cut. So a face that is reversed inside the component stays where it is.
-// Invariant: flips of faces alone make a component consistent afterwards, and no face is flipped here.
+// A twist is an edge whose two faces disagree about the orientation. Imagine two copies of each face, one for each
+// orientation, and let each edge join the copies that agree there. A component is one-sided if that joins the two
+// copies of a face. If a one-sided component has few twists, its faces are joined again: first across all other edges,
+// which gives parts that are consistent in themselves, and then across the seams between the parts, the longest seam
+// first, unless that would join a face with its own reverse. The remaining twists are cut. So a single reversed face
+// inside the component is not cut out.
+// Invariant: afterwards, flips of faces can make the component consistent. No face is flipped here.
 #include "mesh/repair/cut_twists.hpp"
 
 #include <fmt/format.h>
@@ -21,8 +22,8 @@
 namespace gvd {
 namespace {
 
-/// A component with one side only is cut open where fewer than one of so many edges is a twist: then the file's own
-/// orientation says where. Elsewhere it says nothing.
+/// A one-sided component is cut open if fewer than one of this many edges is a twist. With more twists, the
+/// orientations in the file do not tell where to cut.
 constexpr std::int64_t kLeastEdgesPerTwist = 100;
 
 /// The first halfedges of all twists, ascending.
@@ -39,7 +40,7 @@ std::vector<std::int32_t> find_twists(const WorkFaces& work) {
 
 bool is_twist(const WorkFaces& work, std::int32_t h) { return work.from(h) == work.from(work.twin[h]); }
 
-/// Faces and their reverses, joined where they agree.
+/// Joins faces and their reverses where they agree.
 class Sides {
  public:
   explicit Sides(const WorkFaces& work) : work_(work), joined_(2 * work.faces.size()) {}
@@ -51,7 +52,7 @@ class Sides {
     joined_.unite(a, turned ? reverse(b) : b);
     joined_.unite(reverse(a), turned ? b : reverse(b));
   }
-  /// The smallest face joined with f, or the reverse of one.
+  /// The smallest face, or reversed face, joined with f.
   std::int32_t part(std::int32_t f) { return joined_.find(f); }
   bool is_one_sided(std::int32_t f) { return part(f) == part(reverse(f)); }
 
@@ -62,16 +63,17 @@ class Sides {
   UnionFind joined_;
 };
 
-/// Per face, 1 where its component has one side only and few twists.
+/// For each face, 1 if its component is one-sided and has few twists.
 std::vector<char> find_few_twists(const WorkFaces& work, const std::vector<std::int32_t>& twists) {
   Sides sides(work);
   for (std::int32_t h = 0; h < work.halfedge_count(); ++h) {
     if (work.twin[h] > h) sides.join(h);
   }
-  std::vector<std::int64_t> edges(work.faces.size(), 0), twisted(work.faces.size(), 0);  // of the component of a part
+  // By the part that represents the component.
+  std::vector<std::int64_t> edges(work.faces.size(), 0), twisted(work.faces.size(), 0);
   std::vector<char> is_few(work.faces.size(), 0);
   for (std::int32_t f = 0; f < work.face_count(); ++f) is_few[f] = sides.is_one_sided(f);
-  // In a component with one side only, the part of a face and of its reverse is the component's first face.
+  // In a one-sided component, each face and its reverse belong to the part of the component's first face.
   for (std::int32_t h = 0; h < work.halfedge_count(); ++h) {
     if (is_few[h / 3] && (work.twin[h] < 0 || work.twin[h] > h)) ++edges[sides.part(h / 3)];
   }
@@ -86,13 +88,13 @@ std::vector<char> find_few_twists(const WorkFaces& work, const std::vector<std::
   return is_few;
 }
 
-/// The twists between two parts, or of one part with itself.
+/// The twists between two parts, or inside one part.
 struct Seam {
   std::int32_t low, high;            // the parts
   std::vector<std::int32_t> twists;  // ascending
 };
 
-/// The seams of faces marked in `is_few`: the longest first, of equal ones the one with the first twist.
+/// The seams of faces marked in `is_few`, the longest first. Seams of equal length are sorted by their first twist.
 std::vector<Seam> find_seams(const WorkFaces& work, const std::vector<std::int32_t>& twists,
                              const std::vector<char>& is_few, Sides& sides) {
   std::vector<std::tuple<std::int32_t, std::int32_t, std::int32_t>> sorted;
@@ -111,7 +113,7 @@ std::vector<Seam> find_seams(const WorkFaces& work, const std::vector<std::int32
   return seams;
 }
 
-/// The twists to cut, ascending.
+/// Chooses the twists to cut, in ascending order.
 std::vector<std::int32_t> choose_cuts(const WorkFaces& work, const std::vector<std::int32_t>& twists) {
   const std::vector<char> is_few = find_few_twists(work, twists);
   if (std::find(is_few.begin(), is_few.end(), 1) == is_few.end()) return {};
@@ -121,7 +123,7 @@ std::vector<std::int32_t> choose_cuts(const WorkFaces& work, const std::vector<s
   }
   std::vector<std::int32_t> cuts;
   for (const Seam& seam : find_seams(work, twists, is_few, sides)) {
-    // The twists of a seam are alike: they would all join a face with its own reverse, or none.
+    // Either all twists of a seam would join a face with its own reverse, or none would.
     const std::int32_t h = seam.twists.front();
     if (sides.part(h / 3) == sides.part(work.twin[h] / 3)) {
       cuts.insert(cuts.end(), seam.twists.begin(), seam.twists.end());
@@ -154,7 +156,7 @@ std::vector<std::int32_t> cut_twists(WorkFaces& work, DefectLog& log) {
                       counted(std::ssize(cuts), "edge between faces of opposite orientations makes",
                               "edges between faces of opposite orientations make"),
                       low, high, face),
-          "cut, the surface has a boundary there");
+          "cut open there");
   return ends;
 }
 

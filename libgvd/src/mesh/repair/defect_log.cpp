@@ -1,6 +1,6 @@
-// The defects of a soup, as they are found and repaired.
+// Records the defects of a soup as they are found and repaired.
 //
-// Invariant: under DefectPolicy::error the first one is refused, before its repair.
+// Invariant: under DefectPolicy::error the first defect is refused before it is repaired.
 #include "mesh/repair/defect_log.hpp"
 
 #include <fmt/format.h>

@@ -18,10 +18,10 @@ class DefectLog {
  public:
   explicit DefectLog(DefectPolicy policy) : policy_(policy) {}
 
-  /// Adds a defect. `what` says what is wrong and where first, `action` how it was repaired. Does nothing where `count`
-  /// is 0.
+  /// Adds a defect. `what` says what is wrong and where it occurs first, and `action` says how it was repaired. Does
+  /// nothing if `count` is 0.
   void add(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& what, const std::string& action);
-  /// Adds what the user asked for, which no policy refuses. Does nothing where `count` is 0.
+  /// Adds a change that the user asked for, which no policy refuses. Does nothing if `count` is 0.
   void add_asked(DefectKind kind, std::int64_t count, std::int64_t first, const std::string& message);
   DefectPolicy policy() const { return policy_; }
   DefectReport& report() { return report_; }

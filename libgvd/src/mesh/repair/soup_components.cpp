@@ -1,10 +1,9 @@
-// Components of a soup's triangles: one orientation for each, and those that are dropped.
+// Orients each component of a soup's triangles consistently, and drops components.
 //
-// A breadth-first search gives each face of a component the orientation that its neighbours ask for, relative to the
-// first face; the majority decides. A face that would need both belongs to a surface with one side only. The largest
-// component is that of the largest area; of equal ones the first is kept.
-// Edges of three or more faces connect no component. They are cut apart later, when all faces that they join are
-// oriented.
+// A breadth-first search orients each face of a component relative to the first face; then the majority decides. If a
+// face would need both orientations, the surface is one-sided. The largest component is the component with the largest
+// area; among equal ones, the first is kept. Edges of three or more faces do not connect components. They are cut apart
+// later, when all their faces are oriented.
 #include "mesh/repair/soup_components.hpp"
 
 #include <fmt/format.h>
@@ -18,15 +17,15 @@
 namespace gvd {
 namespace {
 
-/// Faces that are connected through edges of two faces, in the order of a breadth-first search from the first one.
+/// Faces connected through edges of two faces, in the order of a breadth-first search from the first face.
 struct OrientedComponent {
   std::vector<std::int32_t> faces;
   std::int32_t flipped = 0;    // number of `faces` with the opposite orientation of the first
   std::int32_t conflict = -1;  // a face that would need both orientations
 };
 
-/// Finds the component of `start`. Sets side[f] to 0 where f has the orientation of `start`, to 1 where the opposite
-/// one.
+/// Finds the component of `start`. Sets side[f] to 0 if f has the orientation of `start`, and to 1 if it has the
+/// opposite one.
 OrientedComponent walk_component(const WorkFaces& work, std::int32_t start, std::vector<signed char>& side) {
   OrientedComponent component;
   component.faces.push_back(start);
@@ -81,11 +80,11 @@ double twice_area(const WorkFaces& work, std::int32_t f, const std::vector<Vec3>
   return (at(b) - at(a)).cross(at(c) - at(a)).stableNorm();
 }
 
-/// Whether a face counts as one without area: the same faces as `count_faces_below` counts in the finished mesh.
+/// Whether a face counts as having no area. These are the faces that `count_faces_below` counts in the finished mesh.
 ///
-/// Nearly all faces pass a test that needs no root and no scaling: its bound is at least twice the one on twice the
-/// area, since 2 (|ab|^2 + |ac|^2) is at least the square of each side, bc too. Where squares underflow, the smallest
-/// normal number holds the test back.
+/// Nearly all faces are decided by a quick test without roots and scaling. Its bound is at least twice the exact bound
+/// on twice the area, because 2 (|ab|^2 + |ac|^2) is at least the square of each side, including bc. The smallest
+/// normal number makes the quick test fail if squares underflow.
 bool is_without_area(const WorkFaces& work, std::int32_t f) {
   const auto& [a, b, c] = work.faces[f];
   const Vec3 ab = work.positions[b] - work.positions[a], ac = work.positions[c] - work.positions[a];
@@ -97,7 +96,7 @@ bool is_without_area(const WorkFaces& work, std::int32_t f) {
   return twice_area(work, f, work.positions) <= kHeightWithoutArea * longest * longest;
 }
 
-/// The components in the order of their first faces. Fills `component`, the number of each face's component.
+/// Finds the components, in the order of their first faces. Fills `component` with the number of each face's component.
 std::vector<Component> find_components(const WorkFaces& work, const std::vector<Vec3>& positions,
                                        std::vector<std::int32_t>& component) {
   component.assign(work.faces.size(), -1);
@@ -123,7 +122,7 @@ std::vector<Component> find_components(const WorkFaces& work, const std::vector<
   return components;
 }
 
-/// Drops all faces but those of the components with a 1 in `kept`.
+/// Keeps only the faces of components with a 1 in `kept`.
 void keep_faces(WorkFaces& work, const std::vector<std::int32_t>& component, const std::vector<char>& kept) {
   std::vector<std::int32_t> renumbered(work.faces.size(), -1);
   std::int32_t count = 0;
@@ -178,8 +177,8 @@ std::vector<char> orient_faces(WorkFaces& work, EdgeTable& nonmanifold_edges, De
   }
   log.add(DefectKind::inconsistent_orientation, count, first,
           fmt::format("{}, first face {}",
-                      counted(count, "face is against the orientation of most of its component",
-                              "faces are against the orientation of most of their component"),
+                      counted(count, "face is oriented against most of its component",
+                              "faces are oriented against most of their component"),
                       first),
           "flipped");
   return one_sided;

@@ -1,14 +1,14 @@
-// The polygons of a soup become triangles, where possible along diagonals that are not edges yet.
+// Cuts the polygons of a soup into triangles, if possible along diagonals that are not edges yet.
 //
-// A second edge between two vertices of the mesh would count as the same edge, with four faces. So a diagonal that is
-// an edge already is the last choice. Quadrilaterals, the most frequent polygons, are cut along the better diagonal;
-// larger polygons are projected along their normal and cut by clipping ears. Nobody knows whether a polygon is simple
-// there: where no ear is left, it is folded or crosses itself. Ears come by four rules, from good ones to flat ones
-// along existing edges.
+// A second edge between two vertices of the mesh would count as the same edge, with four faces. So a diagonal that
+// already is an edge is the last choice. Quadrilaterals, the most frequent polygons, are cut along the better diagonal;
+// larger polygons are projected along their normal and cut by clipping ears. It is not known in advance whether the
+// projected polygon is simple; if no ear remains, it is folded or crosses itself. Ears are chosen by four rules, from
+// good ears to flat ears along existing edges.
 // Source: Newell's formula for the normal (M. E. Newell, R. G. Newell and T. L. Sancha, A solution to the hidden surface
 // problem, 1972); ear clipping (G. H. Meisters, Polygons have ears, 1975).
-// Invariant: each triangle but the last of its polygon was cut off along the side from its third corner to its first.
-// Only corners that are not convex at the start can lie in an ear, then or later, so only they are tested.
+// Invariant: each triangle of a polygon except the last is cut off along the side from its third corner to its first.
+// Only corners that are not convex at the start can lie in an ear, then or later, so only these corners are tested.
 #include "mesh/repair/triangulate_soup.hpp"
 
 #include <fmt/format.h>
@@ -30,30 +30,32 @@
 namespace gvd {
 namespace {
 
-/// The second diagonal of a quadrilateral is taken only if it is better by more than this fraction. So rounding does
-/// not decide between those of a square. Dimensionless; far above the rounding of a few operations.
+/// The second diagonal of a quadrilateral is taken only if it is better by more than this fraction, so that rounding
+/// does not decide between the diagonals of a square. Dimensionless; far above the rounding of a few operations.
 constexpr double kBetterDiagonal = 1e-6;
 
-/// The sine of an angle at or below this counts as 0. Coordinates scaled to 1 carry a rounding error of about 1e-16
-/// each. The sine of a corner between sides a thousandth as long has one of about 1e-13; this is ten times as much.
+/// The sine of an angle at or below this counts as 0. Coordinates scaled to 1 have a rounding error of about 1e-16
+/// each, and the sine of a corner between sides a thousandth as long has an error of about 1e-13. This is ten times as
+/// much.
 constexpr double kFlatSine = 1e-12;
 
-/// Largest number of point-in-triangle tests for one polygon: they take about a second. Concave polygons of about
+/// Largest number of point-in-triangle tests for one polygon, which take about a second. Concave polygons of about
 /// 20,000 corners reach it.
 constexpr std::int64_t kMostEarTests = 100'000'000;
 
 enum class PolygonShape {
   simple,         ///< cut into triangles
-  self_crossing,  ///< in the projection along its normal; no triangle was added
+  self_crossing,  ///< crosses itself in the projection along its normal; no triangle was added
   too_complex,    ///< more than kMostEarTests would be needed; no triangle was added
 };
 
-/// Twice the area over the sum of the squared sides: largest for the equilateral triangle, 0 for a flat one.
+/// Twice the area divided by the sum of the squared sides: largest for an equilateral triangle, 0 for a flat one.
 double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b - a).cross(c - a).norm() / ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
 }
 
-/// Moves the first corner to the origin and the others into a unit box, so that no product overflows or underflows.
+/// Moves the first corner to the origin and scales the polygon into a unit box, so that no product overflows or
+/// underflows.
 std::vector<Vec3> scale(std::span<const std::int32_t> polygon, const std::vector<Vec3>& positions) {
   const Vec3& origin = positions[polygon[0]];
   std::vector<Vec3> space;
@@ -66,7 +68,7 @@ std::vector<Vec3> scale(std::span<const std::int32_t> polygon, const std::vector
   return space;
 }
 
-/// Fills `plane` and `is_on_line`. False where the polygon has no normal and does not lie on a line.
+/// Fills `plane` and `is_on_line`. Returns false if the polygon has no normal although it does not lie on a line.
 bool project(ProjectedPolygon& polygon) {
   const std::vector<Vec3>& space = polygon.space;
   Vec3 normal = Vec3::Zero();
@@ -101,8 +103,8 @@ std::uint64_t edge_key(std::int32_t a, std::int32_t b) {
   return std::uint64_t(std::min(a, b)) << 32 | std::uint64_t(std::max(a, b));
 }
 
-/// The edges of all polygons, and the diagonals that were added. Only membership is asked, so that the order of the
-/// hash set does not reach the output.
+/// The edges of all polygons and the added diagonals. The hash set is only asked for membership, so its order does not
+/// affect the output.
 class KnownEdges {
  public:
   explicit KnownEdges(const WorkPolygons& polygons) {
@@ -142,7 +144,7 @@ class SoupEarClipper {
     queue_all(kRules[0]);
   }
 
-  /// Appends the triangles; what it appended counts only where it returns PolygonShape::simple.
+  /// Appends the triangles, which are valid only if it returns PolygonShape::simple.
   PolygonShape clip(std::vector<std::array<std::int32_t, 3>>& triangles) {
     while (ring_.left_count() > 3) {
       const std::optional<std::size_t> ear = take_ear();
@@ -159,19 +161,19 @@ class SoupEarClipper {
   }
 
  private:
-  /// A rule for ears. The rules are tried in this order, and from the first one again after every cut.
+  /// A rule for ears. The rules are tried in order, beginning again with the first after every cut.
   struct Rule {
     bool flat;      // the ear may have no area
-    bool existing;  // the diagonal may be an edge already
+    bool existing;  // the diagonal may be an existing edge
   };
   static constexpr std::array<Rule, 4> kRules = {{{false, false}, {true, false}, {false, true}, {true, true}}};
 
-  /// Sine of the angle at a from b to p: positive where p is to the left of the line from a to b.
+  /// Sine of the angle at a from b to p; positive if p is to the left of the line from a to b.
   double side(std::size_t a, std::size_t b, std::size_t p) const {
     return sine(plane_[b] - plane_[a], plane_[p] - plane_[a]);
   }
 
-  /// Sine of the turn at a corner: positive where it is convex.
+  /// Sine of the turn at a corner; positive if the corner is convex.
   double turn(std::size_t i) const {
     return sine(plane_[i] - plane_[ring_.before(i)], plane_[ring_.after(i)] - plane_[i]);
   }
@@ -181,7 +183,7 @@ class SoupEarClipper {
     return lengths > 0 ? cross(u, v) / lengths : 0;
   }
 
-  /// The best ear; where no good one is left, a worse one by the next rule. Nothing where there is none at all.
+  /// Takes the best ear by the first rule that some ear satisfies. Returns nothing if there is no ear at all.
   std::optional<std::size_t> take_ear() {
     while (!queue_.empty()) {
       const EarCandidate best = queue_.top();
@@ -221,8 +223,8 @@ class SoupEarClipper {
     return !is_blocked(i);
   }
 
-  /// Whether a corner that is not convex lies in the ear of corner i. A corner at the position of one of the ear's own
-  /// does not count.
+  /// Whether a corner that is not convex lies in the ear of corner i. Corners at the same position as a corner of the
+  /// ear do not count.
   bool is_blocked(std::size_t i) {
     tests_ += std::ssize(blockers_);
     const std::size_t a = ring_.before(i), b = ring_.after(i);
@@ -234,7 +236,7 @@ class SoupEarClipper {
     });
   }
 
-  /// Whether p lies in the bounding box of the ear of corner i: for flat ears.
+  /// Whether p lies in the bounding box of the ear of corner i. Used for flat ears.
   bool is_in_box(std::size_t i, std::size_t p) const {
     const Vec2 &a = plane_[ring_.before(i)], &b = plane_[ring_.after(i)];
     const Vec2 low = a.cwiseMin(plane_[i]).cwiseMin(b), high = a.cwiseMax(plane_[i]).cwiseMax(b);
@@ -251,7 +253,7 @@ class SoupEarClipper {
     return {polygon_[ring_.before(i)], polygon_[i], polygon_[ring_.after(i)]};
   }
 
-  /// A vertex may come twice round the polygon.
+  /// Whether the ear of corner i has three different vertices. A vertex may occur twice in the polygon.
   bool has_distinct_vertices(std::size_t i) const {
     const auto [a, v, b] = vertices(i);
     return a != b && a != v && b != v;
@@ -262,15 +264,15 @@ class SoupEarClipper {
   const std::vector<Vec2>& plane_;
   const KnownEdges& known_;
   PolygonRing ring_;
-  std::int64_t tests_ = 0;             // of points in triangles
-  std::vector<std::size_t> blockers_;  // corners that are not convex at the start: only they can lie in an ear
+  std::int64_t tests_ = 0;             // number of point-in-triangle tests so far
+  std::vector<std::size_t> blockers_;  // corners that are not convex at the start; only these can lie in an ear
   std::priority_queue<EarCandidate> queue_;
 };
 
 /// Cuts a polygon in space into triangles of its own orientation by clipping ears, the best shaped ones first.
 ///
-/// Inputs: four or more corners, neighbours at different positions; a vertex may come twice (a polygon with a bridge to
-/// its hole). A diagonal that is an edge already is used only where no other is left.
+/// Inputs: four or more corners, neighbours at different positions; a vertex may occur twice (a polygon with a bridge
+/// to its hole). A diagonal that already is an edge is used only if no other diagonal is left.
 /// Appends the triangles to `triangles`. Diagonals have a positive length. Deterministic.
 /// Cost: O(n log n + n r) time for n corners, r of them not convex.
 PolygonShape triangulate_polygon(std::span<const std::int32_t> polygon, const std::vector<Vec3>& positions,
@@ -283,16 +285,17 @@ PolygonShape triangulate_polygon(std::span<const std::int32_t> polygon, const st
   return shape;
 }
 
-/// Quadrilaterals, from the most usual: the two triangles of the first face the same way; those of the last may share
-/// an edge that the mesh has already, which is cut apart later.
+/// Kinds of quadrilaterals, in the order in which they are tried. The two triangles of a simple one face the same way.
+/// As a last resort, the diagonal may already be an edge of the mesh, which is cut apart later.
 enum class Quad { simple, crossing, along_edge };
 
-/// Cuts a quadrilateral along its better diagonal. False where neither will do.
+/// Cuts a quadrilateral along its better diagonal. Returns false if neither diagonal is allowed.
 bool split_quad(std::span<const std::int32_t> q, const std::vector<Vec3>& positions, const KnownEdges& known,
                 Quad shape, std::vector<std::array<std::int32_t, 3>>& faces) {
   if (q[0] == q[2] || q[1] == q[3]) return false;
-  // The quality of the diagonal from corner i to i + 2: that of the worse of its two triangles. 0 where a triangle is
-  // flat, the two of a simple quadrilateral face different ways, or the diagonal is an edge already and must not be.
+  // The quality of the diagonal from corner i to i + 2, which is the quality of the worse of its two triangles. It is 0
+  // if a triangle is flat, if the two triangles must face the same way and do not, or if the diagonal already is an
+  // edge and must not be.
   const auto quality = [&](std::size_t i) {
     const Vec3 &a = positions[q[i]], &b = positions[q[i + 1]], &c = positions[q[i + 2]], &d = positions[q[(i + 3) % 4]];
     const Vec3 normal_b = (b - a).cross(c - a), normal_d = (c - a).cross(d - a);
@@ -361,7 +364,7 @@ WorkFaces triangulate_polygons(WorkPolygons polygons, const std::vector<Vec3>& p
     } else if (!is_split(Quad::simple)) {
       const PolygonShape shape = triangulate_polygon(polygon, positions, known, work.faces);
       if (shape != PolygonShape::simple) {
-        // A quadrilateral that is folded or crosses itself is cut into two triangles with area.
+        // A quadrilateral that is folded or crosses itself is cut only if that gives two triangles with an area.
         if (!is_split(Quad::crossing) && !is_split(Quad::along_edge)) refuse_polygon(shape, polygon.size(), origin);
         if (crossing_quads++ == 0) first_crossing = origin;
       }

@@ -1,13 +1,14 @@
-// Vertices within a tolerance of each other move to one place, where the repair makes one vertex of them. Those in no
-// polygon take no part: nothing of the surface may move to one that is dropped afterwards.
+// Moves vertices within a tolerance of each other to the same place, where the repair welds them. Vertices that no
+// polygon uses take no part, because the surface must not move to a vertex that is dropped afterwards.
 //
-// In the order of their numbers, each vertex stays unless one that stays already is within the tolerance. Then every
-// other vertex moves to the nearest one that stays. Joining all chains of near pairs instead would move vertices by any
-// number of tolerances, collapse a mesh whose edges are shorter than the tolerance, and compare all pairs at worst.
-// Vertices that stay are farther than the tolerance apart, so that a ball holds few of them, however many vertices lie
-// in it. They are found by the cells of a grid, which are sorted.
+// In the order of their numbers, each vertex stays unless an earlier vertex that stays is within the tolerance. Then
+// every other vertex moves to the nearest vertex that stays. Joining all chains of near pairs instead could move
+// vertices by many tolerances, would collapse a mesh whose edges are shorter than the tolerance, and could compare all
+// pairs. Vertices that stay are farther apart than the tolerance, so a ball holds only few of them, however many
+// vertices lie in it. They are found through the sorted cells of a grid.
 // Source: the leader algorithm, J. A. Hartigan, Clustering Algorithms, 1975, chapter 3.
-// Invariant: what a vertex does depends on the vertices that stay, and not on the order in which cells list them.
+// Invariant: where a vertex moves depends only on the vertices that stay, and not on the order in which cells list
+// them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,27 +23,27 @@
 namespace gvd {
 namespace {
 
-/// The side of a cell, in tolerances. At 4, half of the balls cross the sides of their cell along an axis, and a cell
-/// holds at most 176 vertices that stay: balls of half a tolerance fill at most 74 % of a cube of 5 tolerances.
+/// The side of a cell, in tolerances. With 4, half of the balls cross a side of their cell along each axis, and a cell
+/// holds at most 176 vertices that stay, because balls of half a tolerance fill at most 74 % of a cube of 5 tolerances.
 constexpr double kCellSide = 4;
-/// Dimensionless. How much farther than the tolerance cells are looked at: far above the rounding of a distance, so
-/// that no vertex within the tolerance lies in a cell beyond.
+/// Cells are searched up to this multiple of the tolerance. Dimensionless; the excess is far above the rounding of a
+/// distance, so that no vertex within the tolerance lies in a cell that is not searched.
 constexpr double kReach = 1 + 1e-12;
 
-/// GridCell numbers are whole, but may be too large for an integer.
+/// The numbers of a cell are whole, but may be too large for an integer type.
 using GridCell = std::array<double, 3>;
 
-/// The next whole number that a double can hold. From 2^53 on, these are more than 1 apart.
+/// The next whole number that a double can hold. Beyond 2^53, these are more than 1 apart.
 double next_whole(double number) { return std::max(number + 1, std::nextafter(number, kInfinity)); }
 
-/// The vertex nearest to another one, of those that stay.
+/// The vertex nearest to a given one among the vertices that stay.
 struct NearestStaying {
   std::int32_t vertex = -1;
   double squared = kInfinity;  // its squared distance, in square mesh units
   std::int32_t count = 0;      // number of vertices that stay within the tolerance
 };
 
-/// The vertices that stay, in the cells of a grid.
+/// Stores the vertices that stay, by the cells of a grid.
 class StayingVertices {
  public:
   StayingVertices(const std::vector<Vec3>& positions, double tolerance)
@@ -66,19 +67,21 @@ class StayingVertices {
   }
   std::int32_t count() const { return count_; }
 
-  /// Whether a vertex that stays is within the tolerance of v. Copies find one in their own cell, without a search.
+  /// Whether a vertex that stays is within the tolerance of v. Copies find such a vertex in their own cell, without
+  /// searching other cells.
   bool covers(std::int32_t v) const {
     NearestStaying nearest;
     look_into(cell_of_[v], positions_[v], nearest);
     return nearest.count > 0 || find_nearest(v).count > 0;
   }
 
-  /// The nearest vertex that stays within the tolerance of v; of equally near ones that with the smallest number.
+  /// The nearest vertex that stays, within the tolerance of v. Among equally near ones, the vertex with the smallest
+  /// number wins.
   NearestStaying find_nearest(std::int32_t v) const {
     const Vec3& p = positions_[v];
     NearestStaying nearest;
     look_into(cell_of_[v], p, nearest);
-    if (nearest.squared == 0) return nearest;  // a copy: no other one that stays is within the tolerance
+    if (nearest.squared == 0) return nearest;  // for a copy, no other vertex that stays is within the tolerance
     nearest = {};
     const Vec3 reach = Vec3::Constant(kReach * tolerance_);
     const GridCell low = cell_at(p - reach), high = cell_at(p + reach);
@@ -109,12 +112,12 @@ class StayingVertices {
     }
   }
 
-  const std::vector<Vec3>& positions_;  // those of vertices that stay are read only
+  const std::vector<Vec3>& positions_;  // reads only the positions of vertices that stay
   double tolerance_;                    // mesh units
   std::vector<GridCell> cells_;         // ascending
   std::vector<std::int32_t> cell_of_;   // per vertex
-  std::vector<std::int32_t> first_;     // per cell a vertex that stays there, -1 for none
-  std::vector<std::int32_t> next_;      // per vertex the next one that stays in its cell, -1 for none
+  std::vector<std::int32_t> first_;     // per cell, the first vertex that stays in it; -1 for none
+  std::vector<std::int32_t> next_;      // per vertex, the next vertex that stays in its cell; -1 for none
   std::int32_t count_ = 0;
 };
 
@@ -122,7 +125,8 @@ class StayingVertices {
   refuse_soup(fmt::format("welding within {:g} joins all vertices: choose a smaller tolerance", tolerance), -1);
 }
 
-/// Moves vertices as the head of this file says. Notes those that had a choice: their mesh is finer than the tolerance.
+/// Moves vertices as described at the head of this file. Adds a note if vertices had a choice, because the mesh is then
+/// finer than the tolerance.
 void move_to_staying(PolygonSoup& soup, const std::vector<char>& used, double tolerance) {
   StayingVertices staying(soup.positions, tolerance);
   std::vector<char> stays(soup.positions.size(), 0);
@@ -140,10 +144,10 @@ void move_to_staying(PolygonSoup& soup, const std::vector<char>& used, double to
     soup.positions[v] = Vec3(soup.positions[nearest.vertex]);
   }
   if (between == 0) return;
-  soup.notes.push_back(fmt::format(
-      "welding within {:g}: {} between others that stay apart, and moved to the nearest; a smaller tolerance "
-      "joins copies only",
-      tolerance, counted(between, "vertex was", "vertices were")));
+  soup.notes.push_back(
+      fmt::format("welding within {:g}: {} several others within the tolerance, and {} joined only to the nearest. "
+                  "Choose a smaller tolerance to join copies only",
+                  tolerance, counted(between, "vertex had", "vertices had"), between == 1 ? "was" : "were"));
 }
 
 }  // namespace
@@ -164,7 +168,7 @@ void weld_soup(PolygonSoup& soup, double tolerance) {
   Eigen::AlignedBox3d box;
   for (std::size_t v = 0; v < used.size(); ++v) {
     const Vec3& p = soup.positions[v];
-    if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kLargestCoordinate) return;  // build_mesh refuses it
+    if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kLargestCoordinate) return;  // `build_mesh` refuses this position
     if (used[v]) box.extend(p);
   }
   if (tolerance >= box.sizes().norm()) refuse_joining_all(tolerance);

@@ -13,14 +13,14 @@ namespace gvd {
 /// The polygons of a soup while they are cleaned. Corners are vertices of the soup.
 struct WorkPolygons {
   std::vector<std::int32_t> corners;         ///< of all polygons, one after the other
-  std::vector<std::size_t> first_corner{0};  ///< per polygon, and the number of corners at the end
-  std::vector<std::int32_t> origin;          ///< per polygon, its polygon in the soup
+  std::vector<std::size_t> first_corner{0};  ///< per polygon, followed by the number of all corners
+  std::vector<std::int32_t> origin;          ///< for each polygon, its number in the soup
 
   std::size_t count() const { return origin.size(); }
   std::span<const std::int32_t> polygon(std::size_t p) const {
     return {corners.data() + first_corner[p], first_corner[p + 1] - first_corner[p]};
   }
-  /// Makes a polygon of the corners that were appended last; `from` is its polygon in the soup.
+  /// Makes a polygon of the corners appended since the last one; `from` is its number in the soup.
   void close(std::int32_t from) {
     first_corner.push_back(corners.size());
     origin.push_back(from);
@@ -30,8 +30,8 @@ struct WorkPolygons {
 /// Triangles while they are oriented and cut. Halfedge 3 f + i runs from corner i of face f to the next corner.
 struct WorkFaces {
   std::vector<std::array<std::int32_t, 3>> faces;  ///< vertices of the soup, until `cut_vertices` appends copies
-  std::vector<std::int32_t> origin;                ///< per face, its polygon in the soup
-  std::vector<std::int32_t> twin;                  ///< per halfedge, -1 where there is none
+  std::vector<std::int32_t> origin;                ///< for each face, its polygon in the soup
+  std::vector<std::int32_t> twin;                  ///< for each halfedge; -1 if there is none
   std::vector<std::int32_t> source;  ///< after `cut_vertices`: per vertex, its vertex in the soup, -1 for a midpoint
   std::vector<Vec3> positions;       ///< after `cut_vertices`: per vertex, in mesh units
 
@@ -48,11 +48,11 @@ struct WorkFaces {
   }
 };
 
-/// Edges of three or more faces: the halfedges of each, ascending, whatever their direction.
+/// Edges of three or more faces: for each edge its halfedges of either direction, ascending.
 using EdgeTable = std::vector<std::vector<std::int32_t>>;
 
-/// Sets `twin` of the two halfedges of each edge with two faces, whatever their direction. Returns the edges of three
-/// or more faces, in the order of `visit_edges`. Cost: that of `visit_edges`.
+/// Sets `twin` for the two halfedges of each edge with two faces, whatever their directions. Returns the edges of three
+/// or more faces, in the order of `visit_edges`. Cost: as for `visit_edges`.
 EdgeTable pair_halfedges(WorkFaces& work, std::size_t vertex_count);
 
 }  // namespace gvd

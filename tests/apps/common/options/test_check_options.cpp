@@ -44,7 +44,7 @@ TEST_CASE("a stray word is told as such, with what it may have been meant for") 
   CHECK(with("24") == "unexpected: '24' is not a file; options begin with a dash");
   CHECK(refusal({mesh, "--vertices", "1", "2"}) ==
         "unexpected: '2' is not a file; --vertices takes commas without blanks, as in 3,17,99");
-  CHECK(refusal({"-n", "3", "--", mesh, "-q"}) == "unexpected: '-q' is not a file; options go before --");
+  CHECK(refusal({"-n", "3", "--", mesh, "-q"}) == "unexpected: '-q' is not a file; put options before --");
   CHECK(with(scratch / "x.ply") ==
         "unexpected: '" + scratch / "x.ply" + "' is not a file; did you mean -o " + scratch / "x.ply" + "?");
   CHECK(with("%") == "unexpected: '%' is not a file; a percentage has no blank before %");
@@ -83,7 +83,7 @@ TEST_CASE("an option that does nothing is refused") {
   };
   for (std::vector<std::string> arguments : wrong) {
     arguments.insert(arguments.begin(), "a.obj");
-    CHECK_THAT(refusal(arguments), Contains("does nothing here: add") || Contains(" exclude each other: keep one") ||
+    CHECK_THAT(refusal(arguments), Contains("has no effect here: add") || Contains(" exclude each other: keep one") ||
                                        Contains(" needs ") || Contains("a radius gives farthest or poisson points"));
   }
   CHECK_NOTHROW(parse_options({"a.obj", "-n", "3", "-o", "a.ply", "-o", "-", "--output-format", "obj"}));

@@ -102,7 +102,7 @@ TEST_CASE("a usage error names the option as it was typed, what is wrong with it
   CHECK(refusal({"in", "-n", "2", "--radius", "1"}) == "-n and --radius exclude each other: keep one");
   CHECK(refusal({"in", "--cut"}) == "--cut needs --table: add it, or leave --cut out");
   CHECK(refusal({"in", "--colour", "red", "--front", "red"}) ==
-        "--front does nothing here: add --colour green, or leave --front out");
+        "--front has no effect here: add --colour green, or leave --front out");
   CHECK(refusal({"in", "--no-refine=maybe"}) == std::string("--no-refine: 'maybe' is neither true nor false") + kHint);
 }
 
@@ -194,7 +194,7 @@ TEST_CASE("a file of options goes behind the command line") {
   CHECK(refused("seed = 1\ncut = true\n", {"in"}) == ":2:1: cut needs table: add it, or leave cut out");
   CHECK(refused("n = 2\nradius = 1.0\n", {"in"}) == ":2:1: n and radius exclude each other: keep one");
   CHECK(refused("front = 'red'\ncolour = 'red'\n", {"in"}) ==
-        ":1:1: front does nothing here: add colour = \"green\", or leave front out");
+        ":1:1: front has no effect here: add colour = \"green\", or leave front out");
 }
 
 }  // namespace gvd::test_command_line

@@ -136,7 +136,7 @@ TEST_CASE("a value of the line overrides what does nothing beside it") {
   CHECK(computed(fast, {"--chord-tolerance", "1"}).method == Method::exact);
   CHECK(computed(fast, {"--chord-tolerance", "1"}).front == std::nullopt);
   CHECK(computed("chord-tolerance = 1\n", {"--method", "gbgvd"}).chord_tolerance == 1e-4);
-  CHECK_THROWS_WITH(computed("front = \"planar\"\n", {}), Contains("o.toml:1:1: front does nothing here: add"));
+  CHECK_THROWS_WITH(computed("front = \"planar\"\n", {}), Contains("o.toml:1:1: front has no effect here: add"));
   CHECK_THROWS_WITH(computed("method = \"paper\"\nchord-tolerance = 1\n", {}),
                     Contains("o.toml:1:1: method = \"paper\" and chord-tolerance exclude each other"));
 }

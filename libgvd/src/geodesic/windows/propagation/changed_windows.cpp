@@ -1,28 +1,30 @@
-// Windows after a change of some generators: only those around them are propagated again.
+// Windows after a change of some generators. Only the generators around the change are propagated again.
 //
-// Idea: a window matters only in the cell of its generator and where it competes at that cell's border. So the changed
-// generators and those whose windows meet theirs take part in a new propagation, in their cells; all others stay away.
-// Near the cells of generators that stayed away, the result is wrong; near the changed generators, it is that of a
-// whole propagation. To tell the one from the other, the digests of all windows at each halfedge are compared with
-// those before the change. They differ around the change, and they differ around what stayed away. If a strip of faces
-// without a difference separates the two, neither has had an effect on the other: what happens in a face depends on the
-// windows that come to its sides and on the distances of its corners, and these are the same in the strip. Otherwise
-// more generators take part.
+// Idea: a window matters only in the cell of its generator and where it competes at that cell's border. So only the
+// changed generators, and generators whose windows meet theirs, take part in a new propagation, inside their cells; all
+// other generators stay away. Near the cells of generators that stayed away, the result is wrong; near the changed
+// generators, it is that of a whole propagation. To tell the two apart, the digests of all windows at each halfedge are
+// compared with the digests before the change. They differ around the change, and they differ around generators that
+// stayed away. If a strip of faces without a difference separates these two areas, neither has had an effect on the
+// other: what happens in a face depends on the windows that come to its sides and on the distances of its corners, and
+// these are the same in the strip. Otherwise more generators take part.
 // Source: none; windows as in propagate_windows.cpp. The queue keeps the order of any two windows whatever else it
 // holds, so that the same windows meet in the same order.
 // Invariant: field and record have the bits of a whole propagation, unless shortest paths tie (see the end).
 //
-// Why a strip is enough. Consider the propagation of all generators, P, and that of those that take part, Q. In both,
-// a face gets its windows from its neighbours and from its corners. Let all halfedges of the strip have the same
-// digests in Q and before the change. Then the same windows enter the side of the change through the strip as before.
-// No window of a generator that stayed away is among them. Such a window in a face has its
-// generator in the face's list of windows, or its label at a corner, so the face belongs to the others. By induction
-// over the buckets, P does on the side of the change what Q does, and on the other side what was done before.
+// Why a strip is enough. Consider the propagation P of all generators, and the propagation Q of the generators that
+// take part. In both, a face gets its windows from its neighbours and from its corners. Let all halfedges of the strip
+// have the same digests in Q and before the change. Then the same windows enter the side of the change through the
+// strip as before. No window of a generator that stayed away is among them: if such a window is in a face, its
+// generator is in the face's list of windows or is the label of a corner, so that the face counts as beside generators
+// that stayed away. By induction over the buckets, P does on the side of the change what Q does, and on the other side
+// what was done before.
 // The digests have the bucket of each window, but not its place among windows of other halfedges in the bucket. Windows
 // of one bucket are carried in the order in which they were queued. This is the order of the windows that they descend
-// from, back to the order of the generators. So two windows that exist in P and in Q have the same order there.
-// This has exceptions: windows of others may have queued a halfedge before, and a split face turns the order round its
-// corners. They have an effect where two windows tie to the last bit, as on meshes with symmetries: the first one wins.
+// from, back to the order of the generators. So two windows that exist in both P and Q have the same order in both.
+// There are exceptions: windows of other generators may have queued a halfedge before, and a split face changes the
+// order round its corners. The exceptions matter only if two windows tie to the last bit, as on meshes with symmetries,
+// because then the first one wins.
 #include "geodesic/windows/propagation/changed_windows.hpp"
 
 #include <algorithm>
@@ -37,17 +39,18 @@ namespace {
 
 using GeneratorFlags = IdVector<GeneratorId, std::uint8_t>;
 
-/// Rings of faces around those that windows of changed generators have touched. Generators with windows there take
-/// part. Wider rings propagate more, narrower ones have to be widened more often.
+/// Number of rings of faces around those that windows of changed generators have touched. Generators with windows in
+/// these rings take part. More rings propagate more, fewer have to be widened more often.
 constexpr int kMarginRings = 3;
 
-/// Rings beyond the first meeting with a generator that stayed away, in which others are looked for, too.
+/// Number of rings beyond the first meeting with a generator that stayed away in which further generators are looked
+/// for.
 constexpr int kMeetingRings = 2;
 
-/// Attempts with more and more generators before all take part.
+/// Number of attempts, with more and more generators, before all take part.
 constexpr int kMaxLocalAttempts = 3;
 
-/// Share of the generators from which on all take part.
+/// If more than this share of the generators would take part, all do.
 constexpr double kMostGenerators = 0.6;
 
 /// Calls visit(FaceId) for the faces at the corners of f, some of them more than once.
@@ -60,8 +63,8 @@ void add_faces_of(const Mesh& mesh, VertexId v, FaceSet& set) {
   for_each_outgoing(mesh, v, [&](HalfedgeId h) { set.add(Mesh::face(h)); });
 }
 
-/// Adds the faces for which wanted(FaceId) holds and that such faces join to those in the set. Faces with a common
-/// corner are neighbours.
+/// Adds the faces for which wanted(FaceId) holds and that are connected to the set through such faces. Faces with a
+/// common corner are neighbours.
 template <class Wanted>
 void grow(const Mesh& mesh, FaceSet& set, Wanted wanted) {
   for (std::size_t i = 0; i < set.faces.size(); ++i) {
@@ -80,8 +83,8 @@ void for_each_generator(const Mesh& mesh, const WindowField& field, FaceId f, Vi
   field.windows.for_each(f, [&](const Window& w) { visit(w.generator); });
 }
 
-/// The windows before a change, and the change. Old faces are those of the mesh before it. Generators that do not
-/// change have the same number before and after.
+/// The windows before a change, and the change. Old faces are faces of the mesh before the change. Generators that do
+/// not change have the same number before and after.
 struct BeforeChange {
   const Mesh &old_mesh, &mesh;
   const CommonElements& common;
@@ -106,14 +109,14 @@ struct BeforeChange {
     for_each_generator(old_mesh, field, old_face, [&](GeneratorId g) { found = found || is_removed[g] != 0; });
     return found;
   }
-  /// Selects all generators that had windows in an old face, if there is one, and stay.
+  /// Selects all generators that had windows in an old face and are not removed. Does nothing if the face is invalid.
   void select_in(FaceId old_face, GeneratorFlags& selected) const {
     if (!old_face.valid()) return;
     for_each_generator(old_mesh, field, old_face, [&](GeneratorId g) {
       if (is_removed[g] == 0) selected[g] = 1;
     });
   }
-  /// The label of a vertex before the change; invalid if that generator does not stay.
+  /// The label of a vertex before the change; invalid if that generator is removed.
   GeneratorId label(VertexId v) const {
     const VertexId old = common.vertex_before[v];
     const GeneratorId g = old.valid() ? field.label[old] : GeneratorId();
@@ -123,7 +126,7 @@ struct BeforeChange {
   double distance(VertexId v) const { return label(v).valid() ? field.distance[common.vertex_before[v]] : kInfinity; }
 };
 
-/// Propagates the selected generators of a working mesh. Their windows enter the open faces alone.
+/// Propagates the selected generators of a working mesh. Their windows enter only the open faces.
 RecordedWindows propagate_recorded(const WorkingMesh& working, const GeneratorFlags& selected, const FaceSet& open,
                                    const PropagationSite& site) {
   RecordedWindows result;
@@ -137,8 +140,8 @@ RecordedWindows propagate_recorded(const WorkingMesh& working, const GeneratorFl
   return result;
 }
 
-/// The distances after the changed generators were added to the others, whose cells only shrink: the distances before
-/// the change bound the propagation.
+/// Computes the distances when only the added generators are propagated. All other cells only shrink, so that the
+/// distances before the change bound the propagation.
 WindowField probe_added(const BeforeChange& before, const WorkingMesh& after, const PropagationSite& site) {
   PropagationState& state = site.state;
   for (std::size_t i = 0; i < state.labels.distance.size(); ++i) {
@@ -158,8 +161,8 @@ WindowField probe_added(const BeforeChange& before, const WorkingMesh& after, co
   return probe;
 }
 
-/// The faces that the change touches: those that are new, those where changed generators had windows, and those where
-/// they come closer to a corner than what stays.
+/// The faces that the change touches: new faces, faces in which removed generators had windows, and faces with a corner
+/// to which an added generator is nearer than all generators that stay.
 FaceSet find_touched(const BeforeChange& before, const GeneratorChange& change, const PropagationSite& site) {
   FaceSet touched(before.mesh.face_count());
   for (const FaceId f : before.common.only_after) touched.add(f);
@@ -181,7 +184,7 @@ FaceSet find_touched(const BeforeChange& before, const GeneratorChange& change, 
   return touched;
 }
 
-/// The changed generators, and those that had windows within some rings of the faces that the change touches.
+/// The added generators, and those that had windows within kMarginRings rings of the faces that the change touches.
 GeneratorFlags select_near(const BeforeChange& before, const FaceSet& touched) {
   GeneratorFlags selected = before.is_added;
   FaceSet near = touched;
@@ -196,7 +199,7 @@ GeneratorFlags select_near(const BeforeChange& before, const FaceSet& touched) {
   return selected;
 }
 
-/// The faces that windows may enter: those in the cells of the selected generators, and those that the change touches.
+/// The faces that windows may enter: faces in the cells of the selected generators, and faces that the change touches.
 FaceSet find_open(const BeforeChange& before, const WorkingMesh& after, const GeneratorFlags& selected,
                   const FaceSet& touched) {
   FaceSet open = touched;
@@ -212,17 +215,17 @@ FaceSet find_open(const BeforeChange& before, const WorkingMesh& after, const Ge
   return open;
 }
 
-/// The faces among these that differ from before the change, after a propagation that opened them.
+/// The faces among `faces` that differ from before the change, after a propagation that opened them.
 FaceSet find_different(const BeforeChange& before, const std::vector<FaceId>& faces, const RecordedWindows& now,
                        const PropagationState& state) {
   const Mesh& mesh = before.mesh;
   const CommonElements& common = before.common;
-  // New faces, and those with several labels now that had one before, or the other way round.
+  // True for new faces, and for faces that have several labels now and had one before, or the other way round.
   const auto has_other_state = [&](FaceId f) {
     const FaceId old = common.before[f];
     return !old.valid() || has_several_labels(state, now.field, f) != (before.record.multi_label[old] != 0);
   };
-  // The states of a face's neighbours count as well: on them depends which windows are kept.
+  // The states of a face's neighbours count, too, because they determine which windows are kept.
   const auto is_different = [&](FaceId f) {
     if (has_other_state(f)) return true;
     for (int i = 0; i < 3; ++i) {
@@ -257,7 +260,7 @@ Repropagation repropagate(const GeneratorFlags& selected, FaceSet open, const Be
   return {selected, std::move(open), std::move(now), std::move(different)};
 }
 
-/// Whether generators that stayed away had windows in an open face, or it has one at its corners that is not open.
+/// Whether generators that stayed away had windows in an open face, or a face at its corners is not open.
 bool is_beside_others(const BeforeChange& before, const Repropagation& run, FaceId f) {
   bool found = false;
   if (const FaceId old = before.common.before[f]; old.valid()) {
@@ -268,8 +271,8 @@ bool is_beside_others(const BeforeChange& before, const Repropagation& run, Face
   return found;
 }
 
-/// Adds to `changed` all differences that are connected to it, and returns whether they are apart from those beside
-/// generators that stayed away. If they meet, selects the generators there for the next attempt.
+/// Adds to `changed` all different faces that are connected to it. Returns whether none of them lies beside generators
+/// that stayed away. Otherwise, selects the generators there for the next attempt.
 bool grow_apart(const BeforeChange& before, const Repropagation& run, FaceSet& changed, GeneratorFlags& selected) {
   int rings_left = kMeetingRings;
   bool are_apart = true;
@@ -287,8 +290,8 @@ bool grow_apart(const BeforeChange& before, const Repropagation& run, FaceSet& c
   return are_apart;
 }
 
-/// The faces that the change makes different, if they are apart from those that differ because generators stayed away.
-/// If not, selects more generators for the next attempt and returns nothing.
+/// The faces that the change makes different, if they are separate from faces that differ because generators stayed
+/// away. Otherwise, selects more generators for the next attempt and returns nothing.
 std::optional<FaceSet> separate_changed(const BeforeChange& before, const Repropagation& run,
                                         GeneratorFlags& selected) {
   const FaceSet& different = run.different;
@@ -307,7 +310,7 @@ std::optional<FaceSet> separate_changed(const BeforeChange& before, const Reprop
   }
   grow(before.mesh, explained, [&](FaceId f) { return different.contains[f] != 0; });
   if (explained.faces.size() == different.faces.size()) return changed;
-  // The change has had an effect far away that no window shows: all generators have to take part.
+  // The change has had an effect far away that no window explains, so that all generators have to take part.
   selected.assign(selected.size(), 1);
   return std::nullopt;
 }
@@ -346,7 +349,7 @@ ChangedWindows find_changed_windows(const GeneratorChange& change, const WindowF
     }
     site.state.restart();
   }
-  // The last resort: what differs when all take part is what the change makes different.
+  // As a last resort, all generators take part. Then every difference is an effect of the change.
   selected.assign(selected.size(), 1);
   Repropagation whole = repropagate(selected, make_full_set(before.mesh), before, change.after, site);
   return {std::move(whole.different), std::move(whole.now), selected.count()};

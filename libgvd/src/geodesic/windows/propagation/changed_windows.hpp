@@ -17,7 +17,7 @@
 
 namespace gvd {
 
-/// A set of faces: flags for look-ups, and a list, so that nothing visits all faces.
+/// A set of faces: flags for look-ups, and a list, so that loops don't have to visit all faces of the mesh.
 struct FaceSet {
   IdVector<FaceId, std::uint8_t> contains;
   std::vector<FaceId> faces{};  ///< in the order of insertion
@@ -31,10 +31,10 @@ struct FaceSet {
 /// All faces of a mesh, ascending.
 FaceSet make_full_set(const Mesh& mesh);
 
-/// Where and how to propagate. Refers to what the caller holds.
+/// Where and how to propagate. It refers to objects of the caller.
 struct PropagationSite {
-  PropagationState& state;         ///< of the mesh, before a propagation
-  const ParallelChunks& parallel;  ///< reports no progress
+  PropagationState& state;         ///< state of the mesh, ready for a propagation
+  const ParallelChunks& parallel;  ///< must not report progress
   const Progress& progress;
 };
 
@@ -47,19 +47,19 @@ struct RecordedWindows {
 /// Propagates all generators.
 RecordedWindows propagate_all(const WorkingMesh& working, const PropagationSite& site);
 
-/// Whether a face has, or at some time had, several labels. After a propagation with the result `field`.
+/// Whether a face has, or at some time had, several labels. Call it after a propagation with the result `field`.
 bool has_several_labels(const PropagationState& state, const WindowField& field, FaceId f);
 
 /// The faces that a change of some generators makes different, and their windows after it.
 struct ChangedWindows {
-  FaceSet faces;            ///< that are new, or whose windows, corners or state have changed
+  FaceSet faces;            ///< faces that are new, or whose windows, corners or state have changed
   RecordedWindows windows;  ///< in `faces`, with the bits of a propagation of all generators; elsewhere unspecified
   std::int32_t propagated;  ///< number of generators that were propagated again
 };
 
 /// Finds the windows that a change alters, by propagating as few generators as possible again.
 ///
-/// Inputs: the field and the record before the change; the state of the mesh after it, prepared for a propagation.
+/// Inputs: the field and the record before the change; the state of the mesh after the change, ready for a propagation.
 /// Cost: O(n) with small constants, and the propagation in the cells of the generators that take part.
 ChangedWindows find_changed_windows(const GeneratorChange& change, const WindowField& field, const WindowRecord& record,
                                     const PropagationSite& site);

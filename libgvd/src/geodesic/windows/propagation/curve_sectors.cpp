@@ -1,10 +1,10 @@
 // Where a vertex of a curve is the nearest point of the curve.
 //
-// A shortest path that leaves a curve at a vertex makes an angle of at least pi / 2 with both segments beside it: with
-// less, a path from a point of the segment would be shorter. So between two segments with an angle theta between them,
-// paths leave in [pi / 2, theta - pi / 2] and nowhere else. The segments send the others, at right angles.
-// Error: angles are sums of a dozen arc tangents, 1e-15 radians. A sector narrower than kFlatAngle is left out. Vertices
-// in it are found by kGrazingAngle from the windows on its two sides.
+// A shortest path that leaves a curve at a vertex forms an angle of at least pi / 2 with both segments beside it; if an
+// angle were smaller, a path from a point of that segment would be shorter. Between two segments that form the angle
+// theta, paths therefore leave only in [pi / 2, theta - pi / 2]. All other paths leave the segments at right angles.
+// Error: angles are sums of a dozen arc tangents, 1e-15 radians. A sector narrower than kFlatAngle is left out;
+// kGrazingAngle lets the windows on its two sides find the vertices in it.
 #include "geodesic/windows/propagation/curve_sectors.hpp"
 
 #include <algorithm>
@@ -25,7 +25,8 @@ CurveSectors::CurveSectors(const Mesh& mesh, const FaceFrames& frames, const Cur
   for (const HalfedgeId h : curves.edges) is_curve_[mesh.edge(h).index()] = true;
 }
 
-/// The last edge of a boundary vertex has no halfedge that leaves the vertex: it is the one before the last corner's.
+/// At a boundary vertex, the last edge has no halfedge that leaves the vertex; its halfedge precedes the one of the
+/// last corner.
 CurveSectors::Spokes CurveSectors::spokes(VertexId v) const {
   Spokes found;
   double angle = 0;
@@ -44,7 +45,7 @@ CurveSectors::Spokes CurveSectors::spokes(VertexId v) const {
   return found;
 }
 
-/// The ray at an angle in [0, total[, or a full turn more.
+/// The ray at an angle in [0, 2 total), where angles of at least the total angle have gone round once.
 FanRay CurveSectors::ray(const Spokes& spokes, double angle) {
   if (angle >= spokes.angle.back()) angle -= spokes.angle.back();
   const auto next = std::upper_bound(spokes.angle.begin(), spokes.angle.end() - 1, angle);

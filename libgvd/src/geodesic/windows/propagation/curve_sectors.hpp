@@ -9,11 +9,11 @@
 
 namespace gvd {
 
-/// Finds the sectors through which the vertices of curves send windows. Once for each vertex at the start: angles by
-/// arc tangents cost nothing there.
+/// Finds the sectors through which the vertices of curves send windows. This is done once per vertex at the start, so
+/// that computing angles by arc tangents costs next to nothing.
 class CurveSectors {
  public:
-  /// Mesh and frames have to outlive this. Cost: O(n).
+  /// `mesh` and `frames` must outlive this object. Cost: O(n).
   CurveSectors(const Mesh& mesh, const FaceFrames& frames, const CurveEdges& curves);
 
   /// The sectors at a vertex, counter-clockwise. Cost: O(valence).
@@ -23,8 +23,8 @@ class CurveSectors {
   /// The edges at a vertex by their angles, counter-clockwise, radians.
   struct Spokes {
     std::vector<HalfedgeId> corner;   ///< the halfedges that leave the vertex, one for each face
-    std::vector<double> angle;        ///< of these halfedges; the last one is the total angle
-    std::vector<double> curve_angle;  ///< of the edges that belong to the curve
+    std::vector<double> angle;        ///< angles of these halfedges, and at the end the total angle
+    std::vector<double> curve_angle;  ///< angles of the edges that belong to the curve
   };
   Spokes spokes(VertexId v) const;
   static FanRay ray(const Spokes& spokes, double angle);

@@ -1,4 +1,4 @@
-// Exact distances and shortest paths for users: propagates all windows once, then answers from those that are kept.
+// Exact distances and shortest paths for users: propagates all windows once, then answers queries from the windows.
 //
 // Idea: generators become vertices of a working mesh. A query is translated into that mesh, answered by the window
 // field, and translated back.
@@ -40,18 +40,19 @@ const ExactFieldOptions& checked(const ExactFieldOptions& options, std::size_t g
   if (!offsets.empty() && offsets.size() != generators) {
     throw Error(
         ErrorCode::precondition,
-        fmt::format("the offsets are {} and the generators {}; give one for each or none", offsets.size(), generators));
+        fmt::format("there are {} offsets for {} generators; give one for each or none", offsets.size(), generators));
   }
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     if (offsets[i] >= 0 && std::isfinite(offsets[i])) continue;
-    throw Error(ErrorCode::invalid_option, fmt::format("offset {} is negative or not finite", i), std::int64_t(i));
+    throw Error(ErrorCode::invalid_option,
+                fmt::format("offset {} is negative or not finite; give a number of 0 or more", i), std::int64_t(i));
   }
   return options;
 }
 
 /// The point of a triangle that is nearest to p. The corners and p are given in barycentric coordinates of one face. In
-/// a thin triangle, areas tell only the distance of p from the longest side. The position along that side is measured
-/// on the side itself. So the point is right up to rounding although its coordinates may not be.
+/// a thin triangle, areas only determine the distance of p from the longest side, so the position along that side is
+/// measured on the side itself. The point is then accurate up to rounding, although its coordinates may not be.
 PlacedInTriangle nearest_inside(const std::array<Bary, 3>& corners, const Bary& p) {
   const auto way = [](const Bary& a, const Bary& b) { return Vec2(b[0] - a[0], b[1] - a[1]); };
   const auto side = [&](std::size_t k) { return way(corners[(k + 1) % 3], corners[(k + 2) % 3]); };
@@ -79,7 +80,7 @@ VertexDistances compute_from(const Mesh& mesh, const Sources& sources, const Exa
                                          .threads = options.threads,
                                          .max_distance = options.max_distance},
                                         options.progress);
-  // The vertices of the input come first; those of generators inside faces follow.
+  // The vertices of the input come first, then those of generators inside faces.
   field.distance.resize(mesh.vertex_count());
   field.label.resize(mesh.vertex_count());
   return {std::move(field.distance), std::move(field.label)};
@@ -112,7 +113,7 @@ struct ExactField::State {
     if (!working.is_split(point.face)) return point;
     return make_surface_point(working.parent(point.face), working.parent_bary(point.face, point.bary));
   }
-  /// The tangent plane of a generator. All are made for the first one that is asked for.
+  /// The tangent plane of a generator. The first call makes the planes of all generators.
   const TangentFan& fan(GeneratorId g) {
     std::call_once(fans_made, [this] {
       for (const SurfacePoint& generator : generators) fans.emplace_back(working.input(), generator);
@@ -165,7 +166,7 @@ ExactField::Nearest ExactField::nearest(const SurfacePoint& point) const {
     const Vec2 at = FaceLayout(mesh, p.face).at(p.bary);
     if (const FaceSource* best = nearest_source(sources, at, nearest.distance)) nearest.generator = best->generator;
   }
-  // Sources within the limit see points beyond it, though not on shortest paths.
+  // Sources within the limit also see points beyond it, though not on shortest paths.
   return nearest.distance > state_->max_distance ? Nearest{kInfinity, GeneratorId()} : nearest;
 }
 
@@ -179,7 +180,8 @@ GeodesicPath ExactField::path(const SurfacePoint& point, GeneratorId only) const
 }
 
 std::vector<Isoline> ExactField::isolines(const std::vector<double>& levels, const IsolineOptions& options) const {
-  if (!(options.chord_tolerance > 0)) throw Error(ErrorCode::invalid_option, "the chord tolerance must be above 0");
+  if (!(options.chord_tolerance > 0))
+    throw Error(ErrorCode::invalid_option, "the chord tolerance must be a number above 0");
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (levels[i] > (i > 0 ? levels[i - 1] : 0) && levels[i] <= state_->max_distance && std::isfinite(levels[i]))
       continue;
@@ -200,8 +202,8 @@ Vec2 ExactField::departure(const GeodesicPath& path) const {
   const Mesh& mesh = state_->working.input();
   if (!path.complete || path.points.size() < 2 || state_->generators.empty()) return Vec2::Zero();
   const TangentFan& fan = state_->fan(path.generator);
-  // The last piece of the path lies in one face, mostly that of its end. The fan knows the generator in each of its
-  // faces.
+  // The last piece of the path lies in one face, mostly in the face that its end names. The fan has the generator as a
+  // point of each of its faces.
   const SurfacePoint& before = path.points[path.points.size() - 2];
   const auto holds_piece = [&](const TangentSector& s) {
     return locate_in_face(mesh, s.point.face, before).has_value();
@@ -230,10 +232,12 @@ void compute_distance_rows(const Mesh& mesh, const std::vector<SurfacePoint>& so
                            const std::vector<SurfacePoint>* at, std::span<double> rows,
                            const ExactFieldOptions& options) {
   const std::size_t columns = at != nullptr ? at->size() : std::size_t(mesh.vertex_count());
-  if (!options.offsets.empty()) throw Error(ErrorCode::invalid_option, "rows of distances have no offsets");
+  if (!options.offsets.empty())
+    throw Error(ErrorCode::invalid_option, "rows of distances take no offsets; leave them out");
   if (rows.size() != sources.size() * columns) {
     throw Error(ErrorCode::invalid_option,
-                fmt::format("{} numbers are given for {} rows of {} distances", rows.size(), sources.size(), columns));
+                fmt::format("the array has room for {} numbers, and {} rows of {} distances need {}", rows.size(),
+                            sources.size(), columns, sources.size() * columns));
   }
   ExactFieldOptions alone = options;
   alone.threads = 1;

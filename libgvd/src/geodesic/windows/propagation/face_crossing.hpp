@@ -28,8 +28,8 @@ struct DistanceLabels {
   bool is_improved_by(VertexCopyId v, double d, GeneratorId generator) const {
     return is_before(d, generator, distance[v], label[v]);
   }
-  /// Whether a vertex copy has another label than this. One without a path takes the label provisionally: whoever gives
-  /// it a path later sees whether the label changes.
+  /// Whether a vertex copy has a label other than `generator`. A copy without a path takes this label provisionally, so
+  /// that the first path to it shows whether the label changes.
   bool has_other_label(VertexCopyId v, GeneratorId generator) {
     GeneratorId& known = label[v];
     if (!known.valid()) known = generator;
@@ -37,20 +37,20 @@ struct DistanceLabels {
   }
 };
 
-/// An edge that a window has come to, in the window's frame.
+/// An edge that a window has reached, in the window's frame.
 struct WindowEdge {
   double length;
   VertexCopyId start, end;
-  HalfedgeId behind;  ///< of the face that the window leaves
+  HalfedgeId behind;  ///< halfedge of the face that the window leaves
 };
 
-/// The edge of a window that leaves face f by the halfedge `side` (0 to 2), of which corner `next` is the end.
+/// The edge of a window that leaves face f by the halfedge of corner `side` (0 to 2), which ends at corner `next`.
 inline WindowEdge exit_edge(const FaceFrame& f, HalfedgeId behind, std::size_t side, std::size_t next) {
   return {f.length[side], f.vertex[next], f.vertex[side], behind};
 }
 
-/// The halfedge by which windows enter a face, and the face as seen from there. Many windows enter by one halfedge, one
-/// after the other: what they have in common is computed once.
+/// The halfedge by which windows enter a face, and the face as seen from there. Many windows enter by the same
+/// halfedge, one after the other, so that whatever they have in common is computed once.
 struct FaceEntry {
   const FaceFrame& frame;
   HalfedgeId halfedge;
@@ -90,9 +90,9 @@ struct FaceEntry {
 /// Source: Chen and Han (1990); the gaps that rounding opens are closed as window_geometry.hpp says.
 class FaceCrossing {
  public:
-  /// `apex_path`: of each halfedge, the best straight path across it to the apex; read only if there are needles.
-  /// `angles`: empty unless departures are recorded; only then `starts` are read.
-  /// All have to outlive this.
+  /// `apex_path` has for each halfedge the best straight path across it to the apex; it is used only if there are
+  /// needles. `angles` is empty unless departures are recorded; `starts` is read only in that case. All must outlive
+  /// this object.
   FaceCrossing(const FaceFrames& frames, const DistanceLabels& labels, IdVector<HalfedgeId, ApexPath>& apex_path,
                const CornerAngles& angles, const StartDistances& starts)
       : labels_(labels),
@@ -107,7 +107,7 @@ class FaceCrossing {
   /// Calls target.reach_vertex(VertexCopyId, const VertexPath&) for paths to the apex, and then
   /// target.enqueue_on_edge(const Window&, const WindowHistory&, const WindowEdge&) for each of the two sides that the
   /// window continues to. At the boundary these windows have no valid halfedge.
-  /// Always inlined: it belongs to the innermost loop.
+  /// It is always inlined, because it belongs to the innermost loop.
   template <class Target>
   [[gnu::always_inline]] void cross(const PropagatedWindow& entering, const FaceEntry& entry, Target& target) {
     const Window& w = entering.window;
@@ -124,9 +124,9 @@ class FaceCrossing {
     leave(entering, entry, apex, exits, target);
   }
 
-  /// The same for a parallel window, with target.enqueue_parallel_on_edge. Curves have no departures. Rare enough for a
-  /// call. Of several windows that cover the apex all split there: strips of one curve do not overlap, so that they do
-  /// not double from face to face.
+  /// The same for a parallel window, with target.enqueue_parallel_on_edge. Curves have no departures. These windows are
+  /// rare enough for a function call. If several windows cover the apex, all of them split there; the strips of one
+  /// curve do not overlap, so that windows do not double from face to face.
   template <class Target>
   [[gnu::noinline]] void cross_parallel(const PropagatedWindow& entering, const FaceEntry& entry, Target& target) {
     const Window& w = entering.window;
@@ -153,7 +153,8 @@ class FaceCrossing {
   }
 
  private:
-  /// Hands the sub-windows on. If the apex is flat and splits the window, the two may be joined again behind it.
+  /// Hands the sub-windows on to the target. If a flat apex splits the window, the two parts may be joined again behind
+  /// it.
   template <class Target>
   [[gnu::always_inline]] void leave(const PropagatedWindow& entering, const FaceEntry& entry, const ApexView& apex,
                                     const Exits& exits, Target& target) {
@@ -179,7 +180,7 @@ class FaceCrossing {
     }
   }
 
-  /// The sides of the face that a window which covers the apex continues to.
+  /// The sides of the face to which a window that covers the apex continues.
   Exits split_at_apex(const Window& w, const FaceEntry& entry, const ApexView& apex, double image_distance) {
     const ApexPath own{w.offset + image_distance, w.x + (apex.x - w.x) * w.depth / (w.depth + apex.y)};
     const double tolerance = kSameImage * image_distance + kPositionRounding * entry.frame.length[entry.start];
@@ -205,8 +206,9 @@ class FaceCrossing {
     target.reach_vertex(f.vertex[entry.top], {d, w.generator, {entry.leaving(entry.top), angle}, departure});
   }
 
-  /// Offers the paths along the two sides to an apex that has no path yet. So no window is ever on an edge of which an
-  /// end has no distance: no filter could drop it. This makes the propagation end, whatever rounding does.
+  /// Offers the paths along the two sides to an apex that has no path yet. Every edge with a window therefore has
+  /// distances at both ends; without them, no filter could drop the window. This makes the propagation end, whatever
+  /// rounding does.
   template <class Target>
   void reach_apex_along_sides(const FaceEntry& entry, Target& target) {
     const FaceFrame& f = entry.frame;
@@ -215,7 +217,7 @@ class FaceCrossing {
     const HalfedgeId at_start = entry.leaving(entry.start), at_end = entry.leaving(entry.end);
     Departure from_start, from_end;
     if (has_departures_) {
-      const bool leads_left = is_generator(start);  // the side after the corner at the start
+      const bool leads_left = is_generator(start);  // the side that follows the corner at the start
       from_start = leads_left ? angles_.side(at_start) + angles_.corner(at_start) : labels_.departure[start];
       from_end = is_generator(end) ? angles_.side(at_end) : labels_.departure[end];
     }
@@ -226,7 +228,8 @@ class FaceCrossing {
         top, {labels_.distance[end] + f.length[entry.end], labels_.label[end], {outgoing, corner}, from_end});
   }
 
-  /// Whether the paths of a window come straight from its generator. Exact: offsets are copied, never computed anew.
+  /// Whether the paths of a window come straight from its generator. This is exact, because offsets are copied and
+  /// never recomputed.
   bool is_direct(const Window& w) const { return w.offset == starts_[w.generator]; }
   bool is_generator(VertexCopyId v) const { return labels_.distance[v] == starts_[labels_.label[v]]; }
 
@@ -235,12 +238,12 @@ class FaceCrossing {
   const StartDistances& starts_;
   bool has_departures_;
   IdVector<HalfedgeId, ApexPath>& apex_path_;
-  bool has_needles_;     // other meshes keep no ApexPath
-  bool has_thin_faces_;  // other meshes count no faces and look for no gaps
+  bool has_needles_;     // without needles, no ApexPath is kept
+  bool has_thin_faces_;  // without thin faces, faces are not counted and gaps are not looked for
   static constexpr double kLeastPositive = std::numeric_limits<double>::min();
 
-  /// By how much rounding turns the directions of paths, radians: kPositionRounding over the power of two of the least
-  /// sine, so that it is the same for most sets of generators.
+  /// The angle by which rounding turns the directions of paths, in radians: kPositionRounding divided by the least
+  /// sine, rounded to a power of two so that most sets of generators have the same value.
   double drift_;
 };
 

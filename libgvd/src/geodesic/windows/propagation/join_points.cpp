@@ -1,4 +1,5 @@
-// The shortest path between two points that are near each other, by distances up to the first radius that reaches.
+// The shortest path between two points that are near each other, from distances up to the first radius that is large
+// enough.
 #include "geodesic/windows/propagation/join_points.hpp"
 
 #include <algorithm>
@@ -9,13 +10,15 @@
 namespace gvd {
 namespace {
 
-/// The first radius, in distances of the points in space; it is doubled up to the last one, in diagonals of the mesh.
-/// On a long spiral the last one may not reach: then there is no limit.
+/// The first radius, relative to the distance of the points in space. It is doubled up to the last radius, which is
+/// relative to the mesh's diagonal. If even that is too short, as on a long spiral, the search continues without a
+/// limit.
 constexpr double kFirstRadius = 1.5, kLastRadius = 4;
 
 }  // namespace
 
-// A field costs O(n) for its tables, so the radius is doubled and not raised by little: most points are joined at once.
+// A field costs O(n) for its tables, so the radius is doubled rather than raised in small steps. Most points are joined
+// at the first attempt.
 std::vector<SurfacePoint> join_points(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   if (find_common_view(mesh, a, b)) return {};
   const double last = kLastRadius * mesh.bbox_diagonal();
@@ -24,7 +27,8 @@ std::vector<SurfacePoint> join_points(const Mesh& mesh, const SurfacePoint& a, c
     const GeodesicPath path = ExactField(mesh, {b}, {.threads = 1, .max_distance = radius}).path(a);
     if (path.complete) return {path.points.begin() + 1, path.points.end() - 1};
     if (radius == kInfinity) {
-      throw Error(ErrorCode::precondition, "no path joins two points of a curve: they lie on two components; part it");
+      throw Error(ErrorCode::precondition,
+                  "two points of a curve lie on different components, so no path joins them; split the curve");
     }
     radius = 2 * radius < last && radius > 0 ? 2 * radius : kInfinity;
   }

@@ -7,8 +7,8 @@
 
 namespace gvd {
 
-/// The points between two points on a shortest path from a to b; none where one face contains both.
-/// Throws Error{precondition} if they lie on two components. Cost: that of distances from b up to twice that of a, and O(n).
+/// The inner points of a shortest path from a to b; none if one face contains both. Throws Error{precondition} if a and
+/// b lie on two components. Cost: O(n), and that of distances from b up to twice the distance of a.
 std::vector<SurfacePoint> join_points(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
 }  // namespace gvd

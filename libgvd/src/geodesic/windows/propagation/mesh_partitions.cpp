@@ -13,7 +13,7 @@
 namespace gvd {
 namespace {
 
-/// Number of points that are sampled: the contents of 64 boxes then differ by some tenths.
+/// Number of points that are sampled. With it, the contents of 64 boxes differ by a few tenths.
 constexpr std::size_t kSample = 4096;
 
 /// A pseudo-random number in [0, count) that depends on i and count alone. A constant stride would sample every row of
@@ -142,7 +142,7 @@ void MeshPartitions::add_copies(const std::vector<ForeignCorner>& corners,
 
 void MeshPartitions::enter_copies(const std::vector<ForeignCorner>& corners, FaceFrames& frames) const {
   const std::size_t vertices = frames.kind.size();
-  frames.kind.reserve(shared_.size());  // `resize` alone would take twice as much
+  frames.kind.reserve(shared_.size());  // `resize` alone could take twice as much memory
   frames.kind.resize(shared_.size());
   for (std::size_t i = vertices; i < shared_.size(); ++i) {
     const VertexCopyId copy(i);

@@ -16,7 +16,7 @@ namespace gvd {
 /// Points with the same coordinate are ordered by their index in the list.
 class KdCut {
  public:
-  /// At least one point; some thousands of them are sampled. `boxes` in [1, number of points].
+  /// There must be at least one point; some thousands of points are sampled. `boxes` is in [1, number of points].
   KdCut(std::span<const Vec3> points, std::int32_t boxes);
 
   /// The box, in [0, boxes), of point p, which has the index i in the list.
@@ -34,7 +34,7 @@ class KdCut {
   struct Node {
     int axis;
     double split;
-    std::size_t split_index;    // of the point at the split
+    std::size_t split_index;    // index of the point at the split
     std::int32_t below, above;  // nodes, or ~boxes
   };
 
@@ -57,12 +57,12 @@ struct ElementCounts {
 /// The mesh cut into compact partitions of about equal size, in which windows are propagated at the same time.
 ///
 /// A partition owns its faces and their halfedges. A vertex whose faces lie in several partitions has a copy in each of
-/// them, with a distance and a label. So no partition ever reads what another one writes. The frames of the faces refer
-/// to these copies.
+/// them, with a distance and a label. No partition therefore ever reads what another one writes. The frames of the
+/// faces refer to these copies.
 ///
 /// The cut depends on the mesh alone: vertices are sorted into boxes, and a face belongs to the box of its first
-/// corner. Vertices that generators have added do not move the boxes, so that other generators leave the cut as it is.
-/// Memory: 1 byte a face; with several partitions, 4 a vertex and 24 for each copy of a shared one.
+/// corner. Vertices that generators have added do not move the boxes, so that the cut is the same for other generators.
+/// Memory: 1 byte a face; with several partitions, also 4 bytes a vertex and 24 bytes for each copy of a shared vertex.
 class MeshPartitions {
  public:
   struct VertexCopy {
@@ -71,8 +71,8 @@ class MeshPartitions {
   };
 
   /// Lets the frames refer to vertex copies, and gives each copy its vertex's kind. Cost: O(n).
-  /// `partition_faces` >= 1: about so many faces make a partition, of which there are kMaxPartitions at the most.
-  /// `before`: the elements of the mesh before generators were inserted, which come first.
+  /// `partition_faces` is the approximate number of faces of a partition, >= 1; there are at most kMaxPartitions
+  /// partitions. `before` are the numbers of elements before generators were inserted; these elements come first.
   MeshPartitions(const Mesh& mesh, const ElementCounts& before, std::int32_t partition_faces, FaceFrames& frames);
   MeshPartitions(const Mesh& mesh, std::int32_t partition_faces, FaceFrames& frames)
       : MeshPartitions(mesh, {mesh.vertex_count(), mesh.face_count()}, partition_faces, frames) {}
@@ -82,7 +82,8 @@ class MeshPartitions {
   MeshPartitions(const MeshPartitions&) = delete;
   MeshPartitions& operator=(const MeshPartitions&) = delete;
 
-  /// Larger meshes get larger partitions, so that vertex copies, queues and mailboxes stay few.
+  /// The largest number of partitions. Larger meshes get larger partitions, so that there are few vertex copies, queues
+  /// and mailboxes.
   static constexpr std::int32_t kMaxPartitions = 64;
 
   std::int32_t count() const { return count_; }
@@ -91,16 +92,16 @@ class MeshPartitions {
   PartitionId of_face(FaceId f) const { return PartitionId(of_face_[f.value()]); }
   PartitionId of_halfedge(HalfedgeId h) const { return PartitionId(of_face_[h.value() / 3]); }
 
-  /// Number of a copy among those of shared vertices; invalid if the vertex belongs to one partition alone.
+  /// Number of a copy among the copies of shared vertices; invalid if the vertex belongs to a single partition.
   SharedCopyId shared(VertexCopyId v) const { return count_ == 1 ? SharedCopyId() : shared_[v]; }
   /// Number of copies of shared vertices.
   std::size_t shared_count() const { return copies_.size(); }
-  /// All copies of the vertex that a shared copy belongs to; the first copy comes first.
+  /// All copies of the vertex to which a shared copy belongs; the first copy comes first.
   std::span<const VertexCopy> copies(SharedCopyId shared) const {
     const Range& range = range_[shared];
     return {copies_.raw().data() + range.begin, copies_.raw().data() + range.end};
   }
-  /// The vertex that a copy belongs to.
+  /// The vertex to which a copy belongs.
   VertexId vertex(VertexCopyId v) const {
     const SharedCopyId number = shared(v);
     return VertexId((number.valid() ? copies(number).front().vertex : v).value());
@@ -128,14 +129,14 @@ class MeshPartitions {
 
   std::int32_t count_;
   std::size_t copy_count_;
-  std::optional<KdCut> cut_;                     // none for one partition
-  PartitionOfVertex of_input_;                   // for vertices that were there before generators were inserted
-  std::vector<ForeignCorner> foreign_;           // whose frames do not refer to first copies
+  std::optional<KdCut> cut_;                     // none if there is a single partition
+  PartitionOfVertex of_input_;                   // partitions of the vertices before generators were inserted
+  std::vector<ForeignCorner> foreign_;           // corners whose frames don't refer to first copies
   std::vector<std::uint8_t> partitions_;         // [face]
-  const std::uint8_t* of_face_;                  // the same: one indirection less in the innermost loop
-  IdVector<VertexCopyId, SharedCopyId> shared_;  // invalid where the vertex is not shared
-  IdVector<SharedCopyId, VertexCopy> copies_;    // those of one vertex one after the other
-  IdVector<SharedCopyId, Range> range_;          // of the copies of the same vertex
+  const std::uint8_t* of_face_;                  // the same array, with one indirection less in the innermost loop
+  IdVector<VertexCopyId, SharedCopyId> shared_;  // invalid if the vertex is not shared
+  IdVector<SharedCopyId, VertexCopy> copies_;    // copies of the same vertex follow each other
+  IdVector<SharedCopyId, Range> range_;          // for each copy, the range of all copies of its vertex
 };
 
 }  // namespace gvd

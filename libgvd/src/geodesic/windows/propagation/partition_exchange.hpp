@@ -15,7 +15,7 @@ namespace gvd {
 
 /// The messages from one partition to another in a round.
 struct PartitionMessages {
-  /// A path to a vertex that both have.
+  /// A path to a vertex that both partitions have.
   struct SentPath {
     VertexCopyId vertex;  ///< the receiver's copy
     VertexPath path;
@@ -23,9 +23,9 @@ struct PartitionMessages {
 
   std::vector<PropagatedWindow> windows;  ///< on edges between the two; their halfedges are the receiver's
   std::vector<SentPath> paths;
-  std::vector<FaceId> multi_label_faces;  ///< the receiver's, with a window of another label on one of their sides
+  std::vector<FaceId> multi_label_faces;  ///< faces of the receiver with another label on one of their sides
   double least_key = kInfinity;           ///< no path in the messages is shorter
-  bool is_open = false;                   ///< the sender has begun them
+  bool is_open = false;                   ///< whether the sender has begun to write them
 
   std::size_t count() const { return windows.size() + paths.size() + multi_label_faces.size(); }
   void clear() {
@@ -37,8 +37,8 @@ struct PartitionMessages {
   }
 };
 
-/// Messages between any two partitions. Those of one round are received in the next one, ordered by sender and then as
-/// they were sent. So it does not matter which partition works first, nor on which thread.
+/// Messages between any two partitions. Messages of one round are received in the next, ordered by sender and then as
+/// they were sent. It therefore does not matter which partition works first, nor on which thread.
 class Mailboxes {
  public:
   explicit Mailboxes(std::int32_t partitions)
@@ -46,8 +46,8 @@ class Mailboxes {
     for (auto& boxes : boxes_) boxes.resize(partitions_ * partitions_);
   }
 
-  /// Messages to be written by `from` alone, during a round. The caller must write something: an empty box is not
-  /// received, and would not be opened again.
+  /// The messages from one partition to another. During a round, only `from` may write them. The caller must write
+  /// something, because an empty box is not received and would not be opened again.
   PartitionMessages& to_send(PartitionId from, PartitionId to) {
     PartitionMessages& messages = box(sent_, from, to);
     if (!messages.is_open) {
@@ -57,15 +57,16 @@ class Mailboxes {
     return messages;
   }
 
-  /// Calls visit(PartitionMessages&) for what has come for `to`, which alone may call this during a round.
+  /// Calls visit(PartitionMessages&) for all messages that have come for `to`. During a round, only `to` may call this.
   template <class Visit>
   void for_each_received(PartitionId to, Visit visit) {
     for (const PartitionId from : senders_[to]) visit(box(1 - sent_, from, to));
   }
 
-  /// Between two rounds: how many messages have come for a partition.
+  /// The number of messages that have come for a partition. To be called between two rounds.
   std::size_t count_for(PartitionId to) const { return count_[to]; }
-  /// Between two rounds: lets what was sent be received. All that was received before must have been cleared.
+  /// Makes the sent messages available to their receivers. To be called between two rounds, when all messages received
+  /// before have been cleared.
   void deliver() {
     sent_ = 1 - sent_;
     has_come_ = false;
@@ -78,7 +79,7 @@ class Mailboxes {
     }
   }
 
-  /// Between two rounds: whether anything can be received, and the least key in it.
+  /// Whether there are messages to receive, and their least key. To be called between two rounds.
   bool has_come() const { return has_come_; }
   double least_key() const { return least_key_; }
 
@@ -97,24 +98,25 @@ class Mailboxes {
 
   std::size_t partitions_;
   std::array<std::vector<PartitionMessages>, 2> boxes_;        // [set][from, to]
-  std::size_t sent_ = 0;                                       // the set that is written
-  IdVector<PartitionId, std::vector<PartitionId>> receivers_;  // [from] of the messages that are written
-  IdVector<PartitionId, std::vector<PartitionId>> senders_;    // [to] of the messages that have come, ascending
+  std::size_t sent_ = 0;                                       // the set that is being written
+  IdVector<PartitionId, std::vector<PartitionId>> receivers_;  // [from] of the messages being written
+  IdVector<PartitionId, std::vector<PartitionId>> senders_;    // [to] senders of the messages that have come, ascending
   IdVector<PartitionId, std::size_t> count_;                   // [to] number of messages that have come
   bool has_come_ = false;
   double least_key_ = kInfinity;
 };
 
-/// The path with which a copy of a vertex last sent windows.
+/// The path for which a copy of a vertex last sent windows.
 struct LastSent {
   double distance = kInfinity;
   GeneratorId generator;
 };
 
-/// One partition's side of the exchange with the others: what it tells them, and what it hears from them.
+/// One partition's side of the exchange with other partitions: what it sends and what it receives.
 class PartitionExchange {
  public:
-  /// The partition uses its own mailboxes only, and its own copies in `last_sent`. All have to outlive this.
+  /// The partition only uses its own mailboxes, and its own copies in `last_sent`. All arguments must outlive this
+  /// object.
   PartitionExchange(const MeshPartitions& partitions, Mailboxes& mailboxes, IdVector<SharedCopyId, LastSent>& last_sent,
                     PartitionId own)
       : partitions_(partitions), mailboxes_(mailboxes), last_sent_(last_sent), own_(own) {}
@@ -129,7 +131,7 @@ class PartitionExchange {
     if (shared.valid()) [[unlikely]]
       send_to_copies(shared, path);
   }
-  /// Hands a window over to the partition whose halfedge it crosses next. No path in the window is shorter than `key`.
+  /// Sends a window to the partition whose halfedge it crosses next. No path in the window is shorter than `key`.
   void send_window(const Window& w, const WindowHistory& history, double key) {
     PartitionMessages& messages = mailboxes_.to_send(own_, partitions_.of_halfedge(w.halfedge));
     messages.windows.push_back({w, history});
@@ -140,9 +142,9 @@ class PartitionExchange {
     mailboxes_.to_send(own_, partitions_.of_face(f)).multi_label_faces.push_back(f);
   }
 
-  /// Hands on what has come since the last round, and clears it: target.receive_multi_label_face(FaceId) and
-  /// target.receive_path(VertexCopyId, const VertexPath&) first, then target.receive_window(const PropagatedWindow&),
-  /// so that the windows are compared with all paths.
+  /// Passes the messages that have come since the last round to the target, and clears them:
+  /// target.receive_multi_label_face(FaceId) and target.receive_path(VertexCopyId, const VertexPath&) first, then
+  /// target.receive_window(const PropagatedWindow&), so that the windows are compared with all paths.
   template <class Target>
   void receive(Target& target) {
     mailboxes_.for_each_received(own_, [&](PartitionMessages& messages) {
@@ -155,8 +157,8 @@ class PartitionExchange {
     });
   }
 
-  /// Whether windows for this path to a vertex were not sent yet. Another partition may have found a path that is
-  /// shorter by rounding alone. True for a vertex of this partition alone.
+  /// Whether windows for this path to a vertex have not been sent yet; records that they are sent now. Another
+  /// partition may have found a path that is shorter by rounding alone. Always true for a vertex that is not shared.
   bool record_sending(VertexCopyId v, const VertexPath& path) {
     const SharedCopyId shared = partitions_.shared(v);
     if (!shared.valid()) return true;

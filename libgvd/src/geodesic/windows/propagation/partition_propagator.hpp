@@ -41,7 +41,7 @@ class QueueItem {
 };
 static_assert(sizeof(QueueItem) == 4);
 
-/// The vertex events that wait in the queue of a partition. Ids of events that were taken are used again.
+/// The vertex events that wait in the queue of a partition. The ids of events that were taken are reused.
 class VertexEvents {
  public:
   VertexEventId add(const VertexEvent& event) {
@@ -55,7 +55,7 @@ class VertexEvents {
     free_.push_back(id);
     return events_[id];
   }
-  /// Gives the memory back. No event may wait.
+  /// Frees the memory. No event may wait.
   void release() {
     events_ = {};
     free_ = {};
@@ -72,11 +72,11 @@ class VertexEvents {
 /// a vertex, and PartitionExchange receives them from other partitions. Partitions may work on several threads, each
 /// thread on one of them at a time. See propagate_windows.hpp.
 /// `Recorder` sees each window that is carried, and may forbid windows to enter faces (window_record.hpp).
-/// Long because the steps of the innermost loop share its members, and are inlined into it.
+/// The class is long because the steps of the innermost loop share its members and are inlined into it.
 template <class Recorder>
 class RecordedPartition {
  public:
-  /// `state` has to outlive this.
+  /// `state` must outlive this object.
   RecordedPartition(PropagationState& state, PartitionId own, Recorder recorder = {})
       : recorder_(recorder),
         frames_(state.frames),
@@ -94,7 +94,8 @@ class RecordedPartition {
   RecordedPartition(const RecordedPartition&) = delete;
   RecordedPartition& operator=(const RecordedPartition&) = delete;
 
-  /// Before the first round: makes a vertex copy a generator at this distance, unless it has a shorter path.
+  /// Makes a vertex copy a generator at this distance, unless it has a shorter path. To be called before the first
+  /// round.
   void start_vertex(VertexCopyId v, GeneratorId g, double d) {
     if (!(d < labels_.distance[v])) return;
     labels_.distance[v] = d;
@@ -112,7 +113,8 @@ class RecordedPartition {
   void send_from_curve(VertexCopyId v, std::span<const CurveSector> sectors) {
     sources_.send_from_curve(v, labels_.label[v], sectors, *this);
   }
-  /// From a segment, into the face of its halfedge: the window waits as if it had come to the edge, with key 0.
+  /// Sends the window of a segment into the face of its halfedge: the window waits, with key 0, as if it had come to
+  /// the edge.
   void send_from_segment(HalfedgeId h) {
     const FaceFrame& f = frames_.frame[Mesh::face(h)];
     const std::size_t start = Mesh::corner(h);
@@ -120,8 +122,8 @@ class RecordedPartition {
     if (waiting_.add(w, {0, 0, FaceId()}, f.length[start], 0)) queue_.push(0, QueueItem(h));
   }
 
-  /// Takes the messages of the last round, and then all that waits in the current bucket of the queue. `settled`: no
-  /// window in the whole mesh that has still to be carried holds a distance below it.
+  /// Takes the messages of the last round, and then everything that waits in the current bucket of the queue.
+  /// `settled`: no window of the whole mesh that has not been carried yet holds a distance below it.
   void run_round(double settled) {
     settled_ = settled;
     exchange_.receive(*this);
@@ -135,11 +137,12 @@ class RecordedPartition {
       }
     }
   }
-  /// Advances by `steps` buckets, of which none but the last one holds anything. Only while no partition runs and no
-  /// message for the current bucket is left. `settled` as above.
+  /// Advances by `steps` buckets; the buckets that are skipped must be empty. To be called only while no partition runs
+  /// and no message for the current bucket is left. `settled` is as in run_round.
   void end_bucket(double settled, std::size_t steps) {
     pruning_.review_border(settled);
-    // An empty queue gives its memory to other partitions, but only after much work: releasing visits all buckets.
+    // An empty queue frees its memory for other partitions, but only after much work, because releasing visits all
+    // buckets.
     if (queue_.empty() && carried_ - carried_before_ > static_cast<std::int64_t>(queue_.bucket_count())) release();
     queue_.advance(steps);
   }
@@ -152,25 +155,25 @@ class RecordedPartition {
   std::size_t steps_to_next() const { return queue_.steps_to_next(); }
   /// The least key of the current bucket.
   double front() const { return queue_.front(); }
-  /// After the last round: returns all windows of the partition that are kept.
+  /// Returns all windows of the partition that are kept. To be called after the last round.
   KeptWindows finish() { return pruning_.finish(); }
   std::int64_t carried() const { return carried_; }     ///< windows carried across a face
   std::int64_t events() const { return events_sent_; }  ///< vertices that sent windows
 
-  /// From FaceCrossing and PseudoSources: a path to a vertex. A path that is better than the known one is sent to the
-  /// other partitions with a copy of v. If paths can bend at v, v will send windows.
+  /// FaceCrossing and PseudoSources call this with a path to a vertex. If it is better than the known one, it is sent
+  /// to the other partitions with a copy of v, and if paths can bend at v, v will send windows.
   void reach_vertex(VertexCopyId v, const VertexPath& path) {
     if (!labels_.is_improved_by(v, path.distance, path.generator)) return;
     take_path(v, path);
     exchange_.send_path(v, path);
   }
 
-  /// From FaceCrossing, PseudoSources and the exchange: a window that comes to an edge. It is queued or handed to the
-  /// partition beyond the edge, unless the filters show that it holds no shortest path.
+  /// FaceCrossing, PseudoSources and the exchange call this with a window that comes to an edge. It is queued, or sent
+  /// to the partition beyond the edge, unless the filters show that it holds no shortest path.
   [[gnu::always_inline]] void enqueue_on_edge(const Window& w, const WindowHistory& history, const WindowEdge& edge) {
     const bool by_start = is_beaten_by_start(w, labels_.distance[edge.start]);
     const bool by_end = is_beaten_by_end(w, labels_.distance[edge.end], edge.length);
-    if (is_empty(w) | by_start | by_end) return;  // no shortcuts: branches that can't be predicted cost more
+    if (is_empty(w) | by_start | by_end) return;  // `|` and not `||`, because unpredictable branches cost more
     if (has_needles_ && is_left_to_ends(w, edge)) return;
     enqueue(w, history, edge, w.offset + w.least_image_distance());
   }
@@ -181,9 +184,9 @@ class RecordedPartition {
   }
 
   void receive_multi_label_face(FaceId f) { pruning_.mark_own_face(f, settled_); }
-  /// A path to vertex copy v that another partition found. Each copy takes the first of all paths that are the best of
-  /// any copy, in the order of is_before, and of one generator's paths the shortest. So all copies agree to the last
-  /// bit in the end.
+  /// Receives a path to vertex copy v that another partition has found. Each copy takes the first, in the order of
+  /// is_before, of the best paths of all copies, and the shortest of several paths from the same generator. In the end,
+  /// all copies therefore agree to the last bit.
   void receive_path(VertexCopyId v, const VertexPath& path) {
     const bool is_shorter_by_rounding = path.generator == labels_.label[v] && path.distance < labels_.distance[v];
     if (is_shorter_by_rounding || labels_.is_improved_by(v, path.distance, path.generator)) take_path(v, path);
@@ -201,7 +204,7 @@ class RecordedPartition {
   }
 
  private:
-  /// Queues a window that no filter drops, or hands it over. No path in it is shorter than `key`.
+  /// Queues a window that no filter drops, or sends it to another partition. No path in it is shorter than `key`.
   [[gnu::always_inline]] void enqueue(const Window& w, const WindowHistory& history, const WindowEdge& edge,
                                       double key) {
     // A curve is nearer to all points of its edges than anything that comes to them.
@@ -221,8 +224,8 @@ class RecordedPartition {
     }
   }
 
-  /// Prefetches what the next items of the queue will need: first the addresses, then what they lead to. Without it,
-  /// half of the time would be spent waiting for memory.
+  /// Prefetches the data of the next items of the queue: first the addresses, then the data at these addresses.
+  /// Otherwise half of the time would be spent waiting for memory.
   void look_ahead() const {
     constexpr std::size_t kFar = 8, kNear = 4;
     if (const QueueItem* far = queue_.ahead(kFar); far != nullptr && far->is_halfedge()) {
@@ -242,7 +245,7 @@ class RecordedPartition {
   }
 
   void cross_halfedge(HalfedgeId h) {
-    if (!waiting_.waits(h)) return;  // it was queued with a smaller key too
+    if (!waiting_.waits(h)) return;  // it was also queued with a smaller key
     const FaceEntry entry(frames_, h);
     const std::int32_t faces = frames_.frame.count();
     KeepingEdge kept{h, entry.frame.vertex[entry.start], entry.frame.vertex[entry.end], pruning_.place(h)};
@@ -319,8 +322,8 @@ class RecordedPartition {
   [[no_unique_address]] Recorder recorder_;
   const FaceFrames& frames_;
   DistanceLabels& labels_;
-  bool has_needles_;     // meshes without needles look no kinds up
-  bool has_thin_faces_;  // other meshes look for no faces that are entered twice
+  bool has_needles_;     // without needles, kinds of vertices are not looked up
+  bool has_thin_faces_;  // without thin faces, faces that are entered twice are not looked for
   bool has_curves_;
   const IdVector<HalfedgeId, std::uint8_t>& on_curve_;
   PartitionExchange exchange_;
@@ -335,7 +338,7 @@ class RecordedPartition {
   std::int64_t carried_before_ = 0;  // carried_ at the last `release`
 };
 
-/// Without a record.
+/// A partition whose windows are not recorded.
 using PartitionPropagator = RecordedPartition<NoRecorder>;
 
 }  // namespace gvd

@@ -1,8 +1,8 @@
-// Exact distances from the nearest generator, by windows that several threads propagate.
+// Exact distances from the nearest generator. Several threads propagate the windows.
 //
-// Idea: the mesh is cut into partitions, each with a queue of its own. Generators start in the partitions of their
-// vertices. All partitions work in rounds until nothing waits. Then their windows are sorted by face, and the distances
-// of the vertices are read off.
+// Idea: the mesh is cut into partitions, each of which has its own queue. Generators start in the partitions of their
+// vertices. All partitions work in rounds until nothing waits in any queue. Then their windows are sorted by face, and
+// the distances of the vertices are taken from the labels.
 // Source: Chen and Han (1990), with the filters of Xin and Wang (2009), for many generators at once.
 // Invariant: the distance of a vertex copy is always the length of a path, and only falls, up to rounding.
 #include "geodesic/windows/propagation/propagate_windows.hpp"
@@ -22,16 +22,16 @@
 namespace gvd {
 namespace {
 
-/// Bucket width in mean edge lengths. Between 0.2 and 0.8 the time of one thread is the same. Narrow buckets let faces
-/// settle earlier, so that fewer windows are in memory. Wide buckets put more work into a round, which threads share
-/// better.
+/// Width of a bucket in mean edge lengths. Between 0.2 and 0.8, one thread takes the same time. With narrow buckets,
+/// faces settle earlier, so that fewer windows are in memory. With wide buckets, a round has more work, which threads
+/// share better.
 constexpr double kBucketWidth = 0.4;
 
-/// The same for meshes with needles, where many vertices lie within one edge length of each other. Each vertex that is
-/// taken too early sends windows in vain. With a hundredth of the width there are an eighth of them.
+/// The same for meshes with needles, where many vertices lie within one edge length of each other. A vertex that is
+/// taken too early sends windows in vain. With a hundredth of the width, there are an eighth as many such windows.
 constexpr double kFineBucketWidth = 0.01;
 
-/// Bound on the number of buckets of all partitions. Keys beyond it share the last bucket, which costs repeated events
+/// Largest number of buckets of all partitions together. Larger keys share the last bucket, which costs repeated events
 /// but no exactness.
 constexpr double kMaxBuckets = 1 << 16;
 
@@ -120,7 +120,7 @@ WindowField propagate_windows(const WorkingMesh& working, const PropagationOptio
     return propagate_from_points(working.mesh(), before, working.generator_vertices().raw(), options, progress);
   }
   if (!options.offsets.empty() || options.departures) {
-    throw Error(ErrorCode::invalid_option, "curves have neither offsets nor directions of departure");
+    throw Error(ErrorCode::invalid_option, "curves take no offsets and no directions of departure; leave them out");
   }
   report_progress(progress, steps::kDistances, 0);
   const Progress silent;

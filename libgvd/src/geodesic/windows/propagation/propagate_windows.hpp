@@ -13,20 +13,21 @@ namespace gvd {
 /// The windows that are kept after they have been carried across their face.
 enum class KeepWindows {
   none,
-  near_bisectors,  ///< those on the edges of faces that a bisector can cross
+  near_bisectors,  ///< windows on the edges of faces that a bisector can cross
   all,
 };
 
 struct PropagationOptions {
   KeepWindows keep = KeepWindows::all;
-  /// Distance at which each generator starts, mesh units, >= 0: an additive weight, or a tie break. Empty: 0 for all.
+  /// Distance at which each generator starts, mesh units, >= 0: an additive weight, or a tie break. If empty, 0 for
+  /// all.
   std::vector<double> offsets;
-  int threads = 0;  ///< number of threads, >= 1; 0: as many as there are cores
-  /// Number of faces of a partition, >= 1; one thread works on a partition at a time, and there are at most 64 of them.
-  /// Smaller partitions exchange more windows; with larger ones, threads wait longer at the end of a round. Distances
-  /// are exact with any; the number of windows on edges between partitions may differ.
+  int threads = 0;  ///< number of threads, >= 1, or 0 for one per core
+  /// Number of faces of a partition, >= 1; there are at most 64 partitions, and one thread works on a partition at a
+  /// time. Smaller partitions exchange more windows; with larger ones, threads wait longer at the end of a round.
+  /// Distances are exact for any value; the number of windows on edges between partitions may differ.
   std::int32_t partition_faces = 8192;
-  /// Records where all paths leave their generators; for KeepWindows::all.
+  /// Record where all paths leave their generators. This needs KeepWindows::all.
   bool departures = false;
   /// Points farther than this from all generators are not reached; mesh units, >= 0. Distances up to it are exact, and
   /// every window that holds one of them is kept. The propagation goes on for a few edges beyond it.
@@ -43,14 +44,14 @@ struct PropagationOptions {
 /// windows that matter are never dropped.
 ///
 /// Source: Chen and Han (1990), with the filters of Xin and Wang (2009), for many generators at once.
-/// Inputs: the generators' vertices, each once. Error: 1e-14 of the distance over 200 faces,
-/// 6e-14 over 1000 (kSameImage in window.hpp), 1e-13 with thin faces.
+/// Inputs: the generators' vertices, each once.
+/// Error: 1e-14 of the distance over 200 faces, 6e-14 over 1000 (kSameImage in window.hpp), 1e-13 with thin faces.
 /// Properties: (1) every distance is the length of a path; (2) none is shorter; (3) the order in which windows are
 /// propagated changes distances by rounding at most, and it is the same for any number of threads
-/// (propagation_rounds.hpp); (4) of generators that tie at a vertex, to 2e-14 of the distance, the first one is its
-/// label, however the mesh is partitioned. Cost: O(windows); about 5 to 16 a face on curved meshes, 2 where flat parts
+/// (propagation_rounds.hpp); (4) if generators tie at a vertex, within 2e-14 of the distance, its label is the first of
+/// them, however the mesh is partitioned. Cost: O(windows); about 5 to 16 a face on curved meshes, 2 where flat parts
 /// are refined. Memory: 130 to 350 bytes a face on such meshes, 460 and more with a single generator. If all faces are
-/// needles, paths tie in many places: up to O(faces) windows a face were seen.
+/// needles, paths tie in many places, and there may be up to O(faces) windows a face.
 WindowField propagate_windows(const Mesh& mesh, const std::vector<VertexId>& generators,
                               const PropagationOptions& options, const Progress& progress);
 /// The same from the generators of a working mesh, which may be curves. Throws Error{invalid_option} if curves have

@@ -17,7 +17,8 @@
 
 namespace gvd {
 
-/// Keys are floats: the propagation goes on to this fraction beyond the largest distance, so that none is missed.
+/// Because keys are floats, the propagation continues beyond the largest distance by this fraction of it, so that no
+/// distance is missed.
 inline constexpr double kKeyRounding = 1e-6;
 
 /// One propagation in all partitions, on the state of its mesh.
@@ -26,7 +27,7 @@ class Propagation {
  public:
   using Partition = RecordedPartition<Recorder>;
 
-  /// All have to outlive this. `parallel` reports no progress.
+  /// All arguments must outlive this object. `parallel` must not report progress.
   Propagation(PropagationState& state, const ParallelChunks& parallel, double max_distance, const Progress& progress,
               Recorder recorder = {})
       : progress_(progress), max_distance_(max_distance), parallel_(parallel), state_(state) {
@@ -39,8 +40,9 @@ class Propagation {
     for_each_copy(v, [&](Partition& partition, VertexCopyId copy) { partition.start_vertex(copy, g, d); });
   }
 
-  /// All vertices before the first window: their distances are known when windows meet them. Then the vertices send
-  /// windows before the segments do, in ascending order: what waits at the start is the same for any partitions.
+  /// Starts curves. All vertices of curves get their distances before the first window, so that windows that meet them
+  /// find these distances. Then first the vertices and after them the segments send windows, in ascending order, so
+  /// that the same windows wait at the start for any partitions.
   void start(const CurveEdges& curves) {
     for (const auto& [v, generator] : curves.vertices) {
       for_each_copy(
@@ -85,7 +87,7 @@ class Propagation {
     }
   }
 
-  /// Reports once every kProgressStride windows: there can be many short rounds.
+  /// Reports once per kProgressStride windows, because there can be many short rounds.
   void report() {
     std::int64_t carried = 0;
     for (const auto& partition : partitions_) carried += partition->carried();
@@ -103,8 +105,8 @@ class Propagation {
     return windows;
   }
 
-  /// Takes the distances and labels of the vertices: those of their first copies. Labels of vertices without a path
-  /// are provisional.
+  /// Takes the distances and labels of the vertices from their first copies. Labels of vertices without a path are only
+  /// provisional, and are removed.
   void take_labels(WindowField& field) {
     field.distance = IdVector<VertexId, double>(std::move(state_.labels.distance.raw()));
     field.label = IdVector<VertexId, GeneratorId>(std::move(state_.labels.label.raw()));

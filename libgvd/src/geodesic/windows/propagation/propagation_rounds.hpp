@@ -16,21 +16,23 @@ namespace gvd {
 
 /// Lets the partitions of a mesh work in rounds until nothing waits any more. In each round every partition takes the
 /// messages of the last round and the current bucket of its queue. When no message for that bucket is left, all
-/// partitions advance to the next one. What crosses from one partition to another comes a round late. This costs a few
-/// windows that a shorter path would have stopped earlier; distances do not depend on the order of windows.
+/// partitions advance to the next one. Windows and paths that cross from one partition to another arrive a round late.
+/// This costs a few windows that a shorter path would have stopped earlier, but distances do not depend on the order of
+/// windows.
 ///
-/// Why the result is the same to the last bit for any number of threads: the partitions, and what lies in a bucket, do
-/// not depend on it. During a round a partition writes only its own data and its outgoing messages. It reads these, the
-/// mesh, and what is written only between rounds. Messages are read in the order of the senders. So the state of a
-/// partition after a round is a function of its state and messages before, whichever thread works on it, and when.
+/// The result is bit-identical for any number of threads for the following reasons. The partitions, and the contents of
+/// the buckets, do not depend on the number of threads. During a round, a partition writes only its own data and its
+/// outgoing messages. It reads only these, the mesh, and data that is written only between rounds. Messages are read in
+/// the order of the senders. The state of a partition after a round is therefore a function of its state and messages
+/// before it, whichever thread works on it, and when.
 ///
-/// All queues have buckets of the same width, and are at the same one.
+/// All queues have buckets of the same width, and are at the same bucket.
 ///
-/// `Partition` is PartitionPropagator, or what a test puts in its place.
+/// `Partition` is RecordedPartition, or a substitute in tests.
 template <class Partition>
 class PropagationRounds {
  public:
-  /// All have to outlive this.
+  /// All arguments must outlive this object.
   PropagationRounds(std::vector<std::unique_ptr<Partition>>& partitions, Mailboxes& mailboxes, double bucket_width,
                     const ParallelChunks& parallel)
       : partitions_(partitions),
@@ -39,8 +41,8 @@ class PropagationRounds {
         parallel_(parallel),
         alone_(1, parallel.progress()) {}
 
-  /// Ends where all that waits holds only distances beyond `limit`. Calls report() after each round. An exception from
-  /// it ends the propagation.
+  /// Ends when everything that waits holds only distances beyond `limit`. Calls report() after each round; if it
+  /// throws, the propagation ends.
   template <class Report>
   void run(double limit, Report report) {
     while (waits()) {
@@ -58,7 +60,7 @@ class PropagationRounds {
   }
 
  private:
-  /// Number of windows from which on it is worth while to wake other threads up.
+  /// With fewer windows than this, it is not worth waking up other threads.
   static constexpr std::size_t kWorthSharing = 128;
 
   struct Busy {
@@ -70,7 +72,7 @@ class PropagationRounds {
                                                 [](const auto& partition) { return partition->waits(); });
   }
 
-  /// Number of buckets, >= 1, to the next one with any work. With needles, most buckets are empty.
+  /// Number of buckets, >= 1, to the next bucket with any work. With needles, most buckets are empty.
   std::size_t steps_to_next() const {
     const double to_messages = std::floor((mailboxes_.least_key() - partitions_.front()->front()) / bucket_width_);
     std::size_t steps = std::numeric_limits<std::size_t>::max();
@@ -87,7 +89,7 @@ class PropagationRounds {
       work += own_work;
     }
     if (busy_.empty()) return;
-    // The largest first, so that threads end at about the same time.
+    // The largest partitions come first, so that threads end at about the same time.
     std::sort(busy_.begin(), busy_.end(), [](const Busy& a, const Busy& b) { return a.work > b.work; });
     const ParallelChunks& parallel = work < kWorthSharing ? alone_ : parallel_;
     parallel.run(busy_.size(), {steps::kDistances},

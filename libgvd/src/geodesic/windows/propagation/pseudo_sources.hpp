@@ -11,25 +11,25 @@
 
 namespace gvd {
 
-/// A pseudo-source or a generator that a path has reached, and that will send windows.
+/// A generator, or a pseudo-source that a path has reached, that will send windows.
 struct VertexEvent {
   VertexCopyId vertex;
   bool all_round;  ///< into all directions: a generator, or an ambiguous vertex
   VertexPath path;
 };
 
-/// The directions at a vertex of a curve between two of its segments, or a segment and the boundary, in which the
-/// vertex is the nearest point of the curve: at right angles to both, and between. An invalid ray stands for the
-/// boundary.
+/// The directions at a vertex of a curve, between two of its segments or between a segment and the boundary, in which
+/// the vertex is the nearest point of the curve. They form at least a right angle with the segments. An invalid ray
+/// stands for the boundary.
 struct CurveSector {
   FanRay first, last;  ///< counter-clockwise
 };
 
-/// Sends windows from generators and pseudo-sources into the faces of one partition: in all directions, or where
-/// shortest paths that arrive can continue (VertexFan).
+/// Sends windows from generators and pseudo-sources into the faces of one partition: in all directions, or only in
+/// directions in which arriving shortest paths can continue (VertexFan).
 class PseudoSources {
  public:
-  /// All have to outlive this.
+  /// All arguments must outlive this object.
   PseudoSources(const Mesh& mesh, const FaceFrames& frames, const MeshPartitions& partitions,
                 const CornerAngles& angles, PartitionId own)
       : mesh_(mesh), frames_(frames), partitions_(partitions), angles_(angles), own_(own), fan_(frames) {}
@@ -57,8 +57,8 @@ class PseudoSources {
     }
   }
 
-  /// Sends windows from a vertex of a curve, with the paths along all edges there: so each edge that a window comes to
-  /// has distances at both ends, as FaceCrossing needs it.
+  /// Sends windows from a vertex of a curve, and paths along all edges there, so that each edge to which a window comes
+  /// has distances at both ends, as FaceCrossing requires.
   template <class Target>
   void send_from_curve(VertexCopyId v, GeneratorId g, std::span<const CurveSector> sectors, Target& target) const {
     const VertexEvent event{v, false, {0, g, {}}};
@@ -108,8 +108,8 @@ class PseudoSources {
     }
   }
 
-  /// Sends a window through a sector of a face, and paths along those sides of the face that bound the sector.
-  /// The faces of other partitions are left to the events of the vertex's copies there.
+  /// Sends a window through a sector of a face, and paths along the sides of the face that bound the sector. Does
+  /// nothing for faces of other partitions, which the events of the vertex's copies there handle.
   template <class Target>
   void send_into(const VertexEvent& event, const FanSector& sector, Target& target) const {
     const HalfedgeId outgoing = sector.outgoing;

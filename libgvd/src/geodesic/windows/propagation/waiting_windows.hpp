@@ -15,24 +15,25 @@ namespace gvd {
 /// The windows of one partition that wait to be carried across the faces beyond their edges: a list for every
 /// halfedge.
 ///
-/// Slots are used again in the order last out, first in, while the cache still holds them.
-/// Memory: 68 bytes for each of the most windows that have waited at once since the last `release`.
+/// The slot that was freed last is reused first, while the cache still holds it. Memory: 68 bytes times the largest
+/// number of windows that have waited at the same time since the last `release`.
 class WaitingWindows {
  public:
-  /// `first`: -1 for every halfedge of the mesh; has to outlive this. Only those of the partition's halfedges are used.
-  /// `key_step`: keys that differ by no more than this count as equal.
+  /// `first` must be -1 for every halfedge of the mesh, and must outlive this object; only the items of the partition's
+  /// halfedges are used. Keys that differ by at most `key_step` count as equal.
   WaitingWindows(IdVector<HalfedgeId, std::int32_t>& first, double key_step)
       : first_(first.raw().data()), key_step_(key_step), key_unit_(std::ldexp(1.0, -std::ilogb(key_step))) {}
 
   /// Adds a window with the key `key` to the list of its halfedge, which is `length` long. Returns whether the halfedge
-  /// has to be queued with that key: no window waited there, or the halfedge is queued with a larger key.
-  /// Always inlined: it belongs to the innermost loop.
+  /// has to be queued with that key: no window waited there, or the halfedge is queued with a larger key. It is always
+  /// inlined, because it belongs to the innermost loop.
   [[gnu::always_inline]] bool add(const Window& w, const WindowHistory& history, double length, double key) {
     std::int32_t& head = first_[w.halfedge.value()];
     if (head >= 0 && history.joinable_ends != 0 && join(head, w, history, length)) return lower_key(head, key);
     const std::int32_t slot = take_slot();
     Entry& added = at(slot);
-    // One by one: a copy in one piece would have to wait until the pieces have reached the cache.
+    // Members are stored one by one, because a copy in one piece would have to wait until the members have reached the
+    // cache.
     added.begin = w.begin;
     added.end = w.end;
     added.x = w.x;
@@ -80,7 +81,7 @@ class WaitingWindows {
     }
   }
 
-  /// Gives the memory back. No window may wait.
+  /// Frees the memory. No window may wait.
   void release() {
     blocks_ = std::vector<std::unique_ptr<Entry[]>>();
     next_ = std::vector<std::int32_t>();
@@ -88,20 +89,21 @@ class WaitingWindows {
   }
 
  private:
-  /// One line of the cache. The members of a window without its halfedge, which the list tells.
+  /// A waiting window, which fills one cache line. It has the members of Window except the halfedge, which the list
+  /// determines.
   struct alignas(64) Entry {
     double begin, end, x, depth, offset;
     GeneratorId generator;
     WindowHistory history;
-    float key;  ///< of the first window of a list: that of the halfedge in the queue, times key_unit_
+    float key;  ///< only in the first window of a list: the key of the halfedge in the queue, times key_unit_
   };
   static_assert(sizeof(Entry) == 64);
 
-  /// Windows that are prefetched before they are taken: a line from memory takes as long as some windows.
+  /// Windows are prefetched this many ahead, because a cache line from memory takes as long as several windows.
   static constexpr int kAhead = 4;
   static constexpr int kShift = 8;
   static constexpr std::int32_t kMask = (1 << kShift) - 1;
-  /// Interval ends that differ by less than this fraction of the edge are the same.
+  /// Interval ends that differ by less than this fraction of the edge count as the same.
   static constexpr double kSameEnd = 1e-9;
 
   [[gnu::always_inline]] const Entry& at(std::int32_t i) const {
@@ -123,7 +125,7 @@ class WaitingWindows {
     return slot;
   }
 
-  /// Adds a block of slots, the first one of which is the first to be taken.
+  /// Adds a block of slots, which will be taken in ascending order.
   [[gnu::noinline]] void add_block() {
     check_window_count(next_.size(), kMask + 1);
     const auto begin = static_cast<std::int32_t>(next_.size()), end = begin + kMask + 1;
@@ -140,8 +142,8 @@ class WaitingWindows {
     return true;
   }
 
-  /// Joins the window with a waiting one if the two are neighbours with one image: a flat vertex has split them. The
-  /// joined window holds exactly the paths of both.
+  /// Joins the window with a waiting one if the two are neighbours with the same image because a flat vertex has split
+  /// them. The joined window holds exactly the paths of both. Returns whether it was joined.
   bool join(std::int32_t head, const Window& w, const WindowHistory& history, double length) {
     constexpr std::uint32_t kBegin = WindowHistory::kAtBegin, kEnd = WindowHistory::kAtEnd;
     const double tolerance = kSameImage * (w.offset + w.depth + std::abs(w.x));
@@ -165,8 +167,8 @@ class WaitingWindows {
     return false;
   }
 
-  /// The two can be narrower than kSameEnd, so the ends that meet do not tell which one comes first. Their paths have
-  /// crossed different faces: only what holds for both is kept.
+  /// Either window can be narrower than kSameEnd, so the ends that meet do not tell which window comes first. Their
+  /// paths have crossed different faces, so the history keeps only what holds for both.
   static void unite(Entry& entry, const Window& w, const WindowHistory& history) {
     entry.begin = std::min(entry.begin, w.begin);
     entry.end = std::max(entry.end, w.end);
@@ -176,8 +178,8 @@ class WaitingWindows {
 
   std::int32_t* first_;  // [halfedge] slot of the first entry, or -1
   std::vector<std::unique_ptr<Entry[]>> blocks_;
-  /// [slot] the next one in its list, or -1; of a slot without a window, in the list of those. A table of its own: the
-  /// nearest cache holds it, so that lists can be followed far ahead.
+  /// [slot] the next slot in its list, or -1; free slots form a list, too. The table is separate from the entries so
+  /// that the nearest cache holds it, and lists can be followed far ahead.
   std::vector<std::int32_t> next_;
   std::int32_t free_ = -1;
   double key_step_;

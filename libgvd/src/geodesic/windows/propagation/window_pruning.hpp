@@ -12,18 +12,18 @@
 
 namespace gvd {
 
-/// Keeps the windows of one partition that have been carried across their face. Those that no bisector can need are
+/// Keeps the windows of one partition that have been carried across their face. Windows that no bisector can need are
 /// dropped while the propagation is still running, so that they never fill the memory.
 ///
 /// A face has a single label if all distances in it are settled, its corners' labels are equal, and no window with
 /// another label was ever on its sides. The windows on an edge are needed as long as one of its two faces may turn out
-/// to have several labels: points inside of a face see the windows on all of its sides.
-/// Each partition decides about its own faces, and tells the others of windows with another label on edges to theirs.
-/// It decides about windows on such an edge while no other partition runs, so that it can read the states of their
-/// faces.
+/// to have several labels, because points inside a face see the windows on all of its sides. Each partition decides
+/// about its own faces, and tells the other partitions about windows with another label on edges between them. It
+/// decides about windows on such an edge while no other partition runs, so that it can read the states of the other
+/// partition's faces.
 class WindowPruning {
  public:
-  /// Only the states of the partition's own faces are written. Both have to outlive this.
+  /// Only the states of the partition's own faces are written. Both arguments must outlive this object.
   WindowPruning(PropagationState& state, PartitionExchange& exchange)
       : keep_(state.keep),
         keeps_departures_(!state.angles.empty()),
@@ -33,8 +33,8 @@ class WindowPruning {
         state_(state.face_state.raw().data()),
         exchange_(exchange) {}
 
-  /// Where the windows on an edge go: nowhere, or to the list of those that are kept, that are decided about while no
-  /// other partition runs, or that are decided about soon.
+  /// Where the windows on an edge go: nowhere, or to the list of windows that are kept, of windows that are decided
+  /// about while no other partition runs, or of windows that are decided about soon.
   enum class Place : std::uint8_t { none, kept, on_border, recent };
 
   Place place(HalfedgeId h) const {
@@ -44,7 +44,7 @@ class WindowPruning {
     return twin.valid() && !exchange_.is_own(twin) ? Place::on_border : Place::recent;
   }
 
-  /// Adds a window on its edge. `departure`: kept if the state has angles, which asks for all windows. `settled`: no
+  /// Adds a window on its edge. `departure` is kept if the state has angles; then all windows are kept. `settled`: no
   /// window to come holds a distance below it.
   [[gnu::always_inline]] void add(const Window& w, Departure departure, Place place, double settled) {
     if (place == Place::recent) {
@@ -57,14 +57,15 @@ class WindowPruning {
     }
   }
 
-  /// Notes that halfedge h has a window with a label that one end of the edge does not have.
+  /// Records that halfedge h has a window whose label differs from that of an end of the edge.
   void mark_edge(HalfedgeId h, double settled) {
     if (keep_ != KeepWindows::near_bisectors) return;
     mark_face(Mesh::face(h), settled);
     const HalfedgeId twin = fan_.twin(h);
     if (twin.valid()) mark_face(Mesh::face(twin), settled);
   }
-  /// Notes that the vertex that `outgoing` leaves changes its label: windows on its edges may have had the old one.
+  /// Records that the vertex that `outgoing` leaves changes its label, because windows on its edges may have the old
+  /// label.
   void mark_vertex(HalfedgeId outgoing, double settled) {
     if (keep_ != KeepWindows::near_bisectors) return;
     HalfedgeId h = outgoing;
@@ -76,40 +77,43 @@ class WindowPruning {
     for (h = outgoing; h.valid(); h = fan_.right_of(h)) mark_face(Mesh::face(h), settled);
   }
 
-  /// Notes that a side of a face of this partition has a window with another label. `settled` as in `add`.
+  /// Records that a side of a face of this partition has a window with another label. `settled` is as in `add`.
   void mark_own_face(FaceId f, double settled) {
     // If the face has a single label already, the paths through its corners beat such a window. Faces are decided about
     // before they are marked, so that their states do not depend on when windows far away were reviewed.
     if (state(f) == FaceState::open && decide_face(f, settled) == FaceState::open) state(f) = FaceState::multi_label;
   }
 
-  /// Decides about windows on edges to other partitions. Only while no partition runs. `settled` as in `add`.
+  /// Decides about windows on edges to other partitions. To be called only while no partition runs. `settled` is as in
+  /// `add`.
   void review_border(double settled) { review(on_border_, settled); }
 
-  /// Decides about all other windows, and returns those that are kept. After the propagation in all partitions.
+  /// Decides about all remaining windows, and returns the windows that are kept. To be called after the propagation has
+  /// ended in all partitions.
   KeptWindows finish() {
     const auto decide = [&](HalfedgeId h, std::span<const Window> windows) {
       if (!is_edge_multi_label_at_end(h)) return;
       for (const Window& w : windows) kept_.windows.push_back(w);
     };
     for (Undecided* list : {&recent_, &on_border_}) {
-      while (!list->windows.empty()) visit_edges(list->windows, decide);  // adds nothing
+      while (!list->windows.empty()) visit_edges(list->windows, decide);  // this adds no windows to the list
     }
     return std::move(kept_);
   }
 
  private:
-  /// Relative distance by which a distance counts as settled later, because the queue's keys are floats.
+  /// A distance counts as settled later by this fraction of itself, because the queue's keys are floats.
   static constexpr double kKeyRounding = 1e-6;
   static constexpr double kCornerRadius = 0.5773503;  // 1 / sqrt(3), rounded up
 
   /// Windows that are neither kept nor dropped yet, in the order in which they were added.
   struct Undecided {
     BlockQueue<Window> windows;
-    std::size_t patience = 2;  // number of blocks up to which none is reviewed
+    std::size_t patience = 2;  // lists of up to this many blocks are not reviewed
   };
 
-  /// Decides about windows, oldest first. Stops if half of a block stays undecided: younger ones would, too.
+  /// Decides about windows, oldest first. Stops if half of a block stays undecided, because then younger windows would,
+  /// too.
   [[gnu::noinline]] void review(Undecided& list, double settled) {
     while (list.windows.block_count() > list.patience) {
       const std::size_t undecided = review_block(list.windows, settled);
@@ -135,7 +139,8 @@ class WindowPruning {
     return undecided;
   }
 
-  /// Takes the oldest block and calls visit(HalfedgeId, std::span<const Window>) for each run of windows on one edge.
+  /// Takes the oldest block, and calls visit(HalfedgeId, std::span<const Window>) for each sequence of windows on the
+  /// same edge.
   template <class Visit>
   void visit_edges(BlockQueue<Window>& windows, const Visit& visit) const {
     constexpr std::size_t kWindowsAhead = 8;
@@ -166,7 +171,7 @@ class WindowPruning {
     }
   }
 
-  /// Whether one of the edge's faces has several labels, both have a single one, or this is still open.
+  /// Whether one of the edge's faces has several labels, both have a single label, or this is still open.
   FaceState decide_edge(HalfedgeId h, double settled) {
     const FaceState here = decide_face(Mesh::face(h), settled);
     if (here == FaceState::multi_label) return here;
@@ -177,9 +182,9 @@ class WindowPruning {
     return here == FaceState::single_label ? there : here;
   }
 
-  /// Every point of a triangle is within its longest side of each corner, and within that / sqrt(3) of one of them. If
-  /// the nearest corner's distance plus the former, or the farthest one's plus the latter, is below `settled`, paths
-  /// through the corners beat all windows to come.
+  /// Let l be the longest side of a triangle. Every point of the triangle is at most l away from each corner, and at
+  /// most l / sqrt(3) from some corner. If the nearest corner's distance plus l, or the farthest corner's distance plus
+  /// l / sqrt(3), is below `settled`, paths through the corners beat all windows to come.
   FaceState decide_face(FaceId face, double settled) {
     FaceState& decision = state(face);
     if (decision != FaceState::open) return decision;
@@ -203,7 +208,7 @@ class WindowPruning {
     return is_multi_label_at_end(Mesh::face(h)) || (twin.valid() && is_multi_label_at_end(Mesh::face(twin)));
   }
 
-  /// Changes nothing: several partitions may ask about one face at the same time.
+  /// This changes nothing, because several partitions may ask about the same face at the same time.
   bool is_multi_label_at_end(FaceId f) const {
     if (state(f) != FaceState::open) return state(f) == FaceState::multi_label;
     return !has_one_label(frames_.frame[f]);
@@ -214,7 +219,7 @@ class WindowPruning {
   const FaceFrames& frames_;
   const DistanceLabels& labels_;
   VertexFan fan_;
-  FaceState* state_;  // [face]; while partitions run, each one reads and writes those of its own faces only
+  FaceState* state_;  // [face]; while partitions run, each uses only the items of its own faces
   PartitionExchange& exchange_;
   Undecided recent_, on_border_;
   KeptWindows kept_;

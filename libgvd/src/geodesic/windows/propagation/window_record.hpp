@@ -20,7 +20,7 @@ struct HalfedgeRecord {
   bool operator==(const HalfedgeRecord&) const = default;
 };
 
-/// The properties of all faces together on which each window depends: see FaceFrames.
+/// Properties of the mesh as a whole on which each window depends; see FaceFrames.
 struct PropagationMode {
   bool has_needles = false, has_thin_faces = false;
   int drift = 0;  ///< the power of two in the drift of directions, if there are thin faces
@@ -35,17 +35,16 @@ struct WindowRecord {
   IdVector<FaceId, std::uint8_t> multi_label;  ///< 1 for faces that have, or at some time had, several labels
 };
 
-/// For propagations that nobody updates. All calls vanish.
+/// For propagations that are not updated later. All calls compile to nothing.
 struct NoRecorder {
   static bool allows(HalfedgeId) { return true; }
   static void record(HalfedgeId, const Window&, double) {}
 };
 
-/// Records windows, and keeps them out of faces that are closed to them. Each partition writes the records of its own
-/// halfedges.
+/// Records windows, and keeps windows out of closed faces. Each partition writes the records of its own halfedges.
 class WindowRecorder {
  public:
-  /// `is_open`: 1 for faces that windows may enter. Both have to outlive this.
+  /// `is_open` is 1 for faces that windows may enter. Both arguments must outlive this object.
   WindowRecorder(const IdVector<FaceId, std::uint8_t>& is_open, IdVector<HalfedgeId, HalfedgeRecord>& records)
       : is_open_(&is_open), records_(&records) {}
 

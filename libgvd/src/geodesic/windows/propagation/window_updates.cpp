@@ -1,11 +1,11 @@
 // Keeps windows up to date with the generators of a diagram.
 //
-// Idea: find_changed_windows tells which faces a change makes different. Their windows, labels and digests are
-// replaced; those of all other faces stay where they are. Parts of split faces get new numbers with each change, and
-// what belongs to them moves along.
+// Idea: find_changed_windows tells which faces a change makes different. The windows, labels and digests of these faces
+// are replaced; those of all other faces stay where they are. Parts of split faces get new numbers with each change,
+// and their data moves along.
 // Source: none; see changed_windows.cpp.
 // Invariant: field and record have the bits of a propagation of all generators. All windows depend on the mode, so that
-// all are propagated again when it changes.
+// all generators are propagated again when it changes.
 #include "geodesic/windows/propagation/window_updates.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace gvd {
 namespace {
 
-/// The options of the windows of a diagram, so that all of them are carried as `compute_diagram` carries them.
+/// The options with which `compute_diagram` propagates windows.
 PropagationOptions recorded_options(int threads) {
   PropagationOptions options;
   options.keep = KeepWindows::near_bisectors;
@@ -37,8 +37,8 @@ PropagationMode mode_of(const FaceFrames& frames) {
   return {frames.has_needles, frames.has_thin_faces, frames.has_thin_faces ? std::ilogb(sine) : 0};
 }
 
-/// Brings what belongs to elements from `first` to `end` under their new numbers: number_before(id) is that of an
-/// element before, or invalid for one that gets `fresh`.
+/// Moves the items of elements `first` .. `end` - 1 to their new numbers. number_before(id) is the previous number of
+/// an element, or invalid for an element that gets `fresh`.
 template <class Id, class Item, class NumberBefore>
 void renumber(IdVector<Id, Item>& items, std::int32_t first, std::int32_t end, const NumberBefore& number_before,
               const Item& fresh) {
@@ -85,7 +85,7 @@ EditableWindows::EditableWindows(const WorkingMesh& working, int threads, const 
   packed_ = field_.windows.size();
 }
 
-/// Remembers the least sine of a face that no generator splits, if it is among these.
+/// Updates the least sine of faces that no generator splits by these faces.
 template <class Faces>
 void EditableWindows::note_least_sine(const WorkingMesh& working, const Faces& faces) {
   for (const FaceId f : faces) {
@@ -94,8 +94,8 @@ void EditableWindows::note_least_sine(const WorkingMesh& working, const Faces& f
   }
 }
 
-/// Brings the frames of the faces up to date, and all that depends on them. Faces that either mesh splits have changed,
-/// and their neighbours have other halfedges beside them.
+/// Updates the frames of the faces, and everything that depends on them. Faces that are split in either mesh have
+/// changed, and their neighbours have other halfedges beside them.
 void EditableWindows::follow(const GeneratorChange& change) {
   const WorkingMesh &before = change.before, &after = change.after;
   const Mesh& mesh = after.mesh();
@@ -121,7 +121,7 @@ void EditableWindows::follow(const GeneratorChange& change) {
   frames.set_least_sine(least);
 }
 
-/// Brings all that belongs to parts of split faces, and to inserted vertices, under their new numbers.
+/// Moves all data of parts of split faces, and of inserted vertices, to their new numbers.
 void EditableWindows::renumber_split(const GeneratorChange& change) {
   const Mesh &mesh = change.after.mesh(), &input = change.after.input();
   const auto face_before = [&](FaceId f) { return change.common.before[f]; };
@@ -137,7 +137,7 @@ void EditableWindows::renumber_split(const GeneratorChange& change) {
   renumber(field_.label, input.vertex_count(), mesh.vertex_count(), vertex_before, GeneratorId());
 }
 
-/// Keeps the number of carried windows up to date; those that end at the boundary are not carried.
+/// Updates the number of carried windows. Windows that end at the boundary are not carried.
 void EditableWindows::count_carried(const GeneratorChange& change, const ChangedWindows& changed) {
   const auto count = [](const Mesh& mesh, const IdVector<HalfedgeId, HalfedgeRecord>& records, FaceId f) {
     std::int64_t windows = 0;
@@ -152,7 +152,7 @@ void EditableWindows::count_carried(const GeneratorChange& change, const Changed
   }
 }
 
-/// Takes over the changed faces from the last propagation on the state.
+/// Takes over the data of the changed faces from the last propagation.
 void EditableWindows::take(const GeneratorChange& change, const ChangedWindows& changed) {
   const Mesh& mesh = change.after.mesh();
   const WindowField& now = changed.windows.field;

@@ -28,7 +28,7 @@ struct WindowChange {
 ///
 /// Properties: (1) field() has the bits that `propagate_windows` gives for the same working mesh; (2) so has the record
 /// of all windows that were carried. If an update throws, the object can only be assigned to or destroyed.
-/// Memory: 49 bytes a face besides the windows, and what one propagation takes.
+/// Memory: 49 bytes a face besides the windows, and the memory of one propagation.
 class EditableWindows {
  public:
   /// Propagates all generators. Cost: that of `propagate_windows`, and about a tenth more for the record.
@@ -37,8 +37,8 @@ class EditableWindows {
   const WindowField& field() const { return field_; }
   const WindowRecord& record() const { return record_; }
 
-  /// Follows a change, from the present working mesh `before` to `after`, which has to outlive the next update.
-  /// Cost: O(n) with small constants, and the propagation in the cells that the change may concern: those of the
+  /// Follows a change from the present working mesh `before` to `after`, which must outlive the next update.
+  /// Cost: O(n) with small constants, and the propagation in the cells that the change may affect: the cells of the
   /// changed generators and of their neighbours. If these are most cells, or the change has effects farther away, all
   /// generators are propagated.
   WindowChange update(const GeneratorChange& change, const Progress& progress);
@@ -47,7 +47,7 @@ class EditableWindows {
   void run_with(int threads) { threads_ = threads; }
 
  private:
-  /// The face with the least sine among those that no generator splits.
+  /// The least sine among the faces that no generator splits, and the face that has it.
   struct LeastSine {
     FaceId face;
     double sine = kInfinity;
@@ -61,11 +61,11 @@ class EditableWindows {
   void take(const GeneratorChange& change, const ChangedWindows& changed);
 
   int threads_;
-  std::unique_ptr<PropagationState> state_;  // between propagations; its mesh is the last one's
+  std::unique_ptr<PropagationState> state_;  // ready for the next propagation; its mesh is that of the last change
   LeastSine least_;
   WindowField field_;
   WindowRecord record_;
-  std::size_t packed_ = 0;  // number of windows when they were packed last
+  std::size_t packed_ = 0;  // number of windows when they were last packed
 };
 
 }  // namespace gvd
