@@ -240,6 +240,7 @@ lint:
 	@scripts/check_links.py
 	@scripts/check_names.py
 	@scripts/check_api_page.py
+	@scripts/check_questions.py
 	@scripts/check_commands.py
 	@scripts/check_type_names.py
 	@scripts/check_includes.py
