@@ -47,7 +47,8 @@ struct ConstrainedStart {
 /// nearest one, for those that are fixed or lie on features, so that their number stays. Listed ones stay, and those on
 /// creases are kept there. Those on features are as far apart as in an even triangulation of the surface; they are at
 /// most half of all, as far as corners and closed creases do not need more, and an even triangulation has no more on
-/// the boundary. Of the others, those that coincide with an earlier one are left out. Without any restriction, the start is `points`. The faces of all points must be of `mesh`.
+/// the boundary. Of the others, those that coincide with an earlier one are left out. Without any restriction, the
+/// start is `points`. The faces of all points must be of `mesh`.
 ///
 /// Sampled generators keep to a boundary that is preferred if at most half of them suffice: at its corners, and three
 /// on a loop without. If not, they keep to the loops that are at least three spacings long, or to none. They keep to

@@ -32,11 +32,10 @@ std::vector<GeneratorId> find_non_discs(const Diagram& diagram);
 /// While there are cells that are no discs, each one that is apart from others is divided by one more generator: of
 /// some candidates the one that a forecast says to leave least to do. These are the point opposite its generator on a
 /// limb, that of its shortest non-contractible loop, one as far from a tip as its generator, and vertices. Where the
-/// forecast fails, each is tried on the part of the mesh round the cell. A search follows: generators that the discs can
-/// do without are left out, and one is put in
-/// the place of two where that will do. There may be fewer still; but no single added one can be left out, as far as
-/// parts of the mesh tell, unless the search was cut short. Two cells may share several bisectors, and a cell may touch
-/// itself at a branch point.
+/// forecast fails, each is tried on the part of the mesh round the cell. A search follows: generators that the discs
+/// can do without are left out, and one is put in the place of two where that will do. There may be fewer still; but no
+/// single added one can be left out, as far as parts of the mesh tell, unless the search was cut short. Two cells may
+/// share several bisectors, and a cell may touch itself at a branch point.
 ///
 /// `diagram`: of `mesh` with `options.diagram`. Given generators are neither moved nor removed. Deterministic.
 /// Throws Error{no_valid_result} with the cell as its element where `max_added` or kMaxRemeshRounds rounds are not
