@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -143,6 +144,59 @@ TEST_CASE("disc cells: a surface of genus 3 becomes discs with one generator a h
   const DiscCells made = make(mesh, given);
   check_discs(mesh, given, made);
   CHECK(made.added <= 9);
+}
+
+/// A closed surface round the bars of a lattice of `cells`^3 cubes: unit squares, each two faces. Bars are a square
+/// wide.
+Mesh make_lattice(int cells) {
+  const int size = 2 * cells + 1;
+  const auto is_solid = [&](const std::array<int, 3>& at) {
+    const auto is_inside = [&](int i) { return i >= 0 && i < size; };
+    return std::ranges::all_of(at, is_inside) && std::ranges::count_if(at, [](int i) { return i % 2 == 0; }) >= 2;
+  };
+  std::map<std::array<int, 3>, int> number;
+  std::vector<std::array<int, 3>> faces;
+  std::vector<Vec3> positions;
+  const auto corner = [&](const std::array<int, 3>& at) {
+    const auto [found, is_new] = number.emplace(at, int(positions.size()));
+    if (is_new) positions.emplace_back(at[0], at[1], at[2]);
+    return found->second;
+  };
+  const auto add_side = [&](std::array<int, 3> at, std::size_t axis, bool is_upper) {
+    at[axis] += is_upper;
+    std::array<int, 4> square{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      auto place = at;
+      place[(axis + (is_upper ? 1 : 2)) % 3] += i == 1 || i == 2;
+      place[(axis + (is_upper ? 2 : 1)) % 3] += i >= 2;
+      square[i] = corner(place);
+    }
+    faces.push_back({square[0], square[1], square[2]});
+    faces.push_back({square[0], square[2], square[3]});
+  };
+  for (int i = 0; i < size * size * size; ++i) {
+    const std::array<int, 3> at{i % size, i / size % size, i / size / size};
+    if (!is_solid(at)) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const bool is_upper : {false, true}) {
+        auto beside = at;
+        beside[axis] += is_upper ? 1 : -1;
+        if (!is_solid(beside)) add_side(at, axis, is_upper);
+      }
+    }
+  }
+  return test::make_mesh(positions, faces);
+}
+
+TEST_CASE("disc cells: a lattice of bars as wide as its faces becomes discs from few generators") {
+  const Mesh lattice = make_lattice(3);
+  SamplingOptions sampling;
+  sampling.count = 5;
+  const auto given = sample_generators(lattice, sampling);
+  const DiscCells made = make(lattice, given);
+  check_discs(lattice, given, made);
+  CHECK(made.added < 110);  // the surface has 81 handles
+  CHECK(made.rounds < 40);
 }
 
 TEST_CASE("disc cells: the pieces of the cut mesh are discs") {

@@ -2,18 +2,20 @@
 //
 // A disc needs less than the dual of a remesh: two cells round a loop may do, not three. But both have to reach as far
 // along a limb, or one of them surrounds it beyond the other. The point opposite the generator does
-// (opposite_points.cpp), and others may leave less to do elsewhere. So candidates are tried on the part of the mesh
-// round the cell. With few given generators that part is the whole mesh, and each trial a diagram of it, so few follow
-// on one that mends the cell. The search of a remesh then finds what was added in vain, with discs as the one property
-// that counts. A closed component takes two generators, a handle three: two cells meet in closed curves only, and leave
-// annuli.
+// (opposite_points.cpp), and others may leave less to do elsewhere. A forecast by the labels of vertices
+// (disc_forecast.cpp) ranks candidates in a fraction of the time of a diagram. Where the mesh is too coarse for it, as
+// on a needle whose edges are longer than its girth, the opposite point comes first. After some rounds in vain,
+// candidates are tried on the part of the mesh round the cell; with few given generators that part is the whole mesh,
+// and each trial a diagram of it. The search of a remesh then finds what was added in vain, with discs as the one
+// property that counts. A closed component takes two generators, a handle three: two cells meet in closed curves only,
+// and leave annuli.
 #include "gvd/disc_cells.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/least.hpp"
@@ -21,15 +23,13 @@
 #include "gvd/remesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "gvd/text.hpp"
+#include "repair/disc_forecast.hpp"
 #include "repair/fewer_generators.hpp"
 #include "repair/local_dual.hpp"
 #include "repair/propose_generators.hpp"
 
 namespace gvd {
 namespace {
-
-/// How far a cell is from a disc.
-int count_defects(const Cell& cell) { return std::abs(cell.euler_characteristic - 1) + cell.components - 1; }
 
 /// Candidates that are tried in one cell.
 constexpr std::size_t kCandidates = 24;
@@ -38,9 +38,16 @@ constexpr std::size_t kCandidates = 24;
 /// with all, the first of several cells takes all trials on a large mesh.
 constexpr double kTrialsAfterSuccess = 1.0 / 8;
 
-/// A cell is divided in the same round as another one that is farther than so many bisectors: the cells that the two
-/// changes alter, one ring round each, do not meet.
-constexpr int kRingsApart = 3;
+/// Cells that are divided in the same round have no common bisector: a change alters its neighbours.
+constexpr int kRingsApart = 1;
+
+/// Rounds in vain after which forecasts are no longer believed.
+constexpr std::size_t kVainForecasts = 4;
+
+/// The most windows of all trials, and of the search. `events`: those of the given diagram.
+double find_most_events(double events) {
+  return std::clamp(kDiscSearchWindows, kDiscSearch * events, kMostDiscSearch * events);
+}
 
 class DiscMaker {
  public:
@@ -50,7 +57,7 @@ class DiscMaker {
         options_(options),
         given_(given.generators.size()),
         max_added_(options.max_added.value_or(default_max_added(compute_mesh_summary(mesh), given_))),
-        most_events_(std::max(kDiscSearch * double(given.report.propagation_events), kDiscSearchWindows)) {
+        most_events_(find_most_events(double(given.report.propagation_events))) {
     result_.diagram = given;
   }
 
@@ -71,6 +78,8 @@ class DiscMaker {
     if (result_.rounds == 0) first_ = cells.size();
     if (added() >= max_added_ || result_.rounds >= kMaxRemeshRounds) refuse(cells, describe_limit(cells.size()));
     DiscCandidates candidates(mesh_, result_.diagram, kCandidates);
+    if (!forecast_) forecast_.emplace(mesh_);
+    forecast_->take(result_.diagram);
     std::vector<SurfacePoint> generators = result_.diagram.generators;
     CellFlags near_change(generators.size(), 0);
     for (const GeneratorId cell : cells) {
@@ -78,8 +87,7 @@ class DiscMaker {
       if (near_change[cell]) continue;
       std::vector<SurfacePoint> points = candidates.list(cell);
       if (points.empty()) continue;
-      std::rotate(points.begin(), points.begin() + std::ptrdiff_t(vain_rounds_ % points.size()), points.end());
-      generators.push_back(choose_point(cell, points));
+      generators.push_back(choose_point(cell, std::move(points)));
       const CellFlags rings = grow_rings(result_.diagram, {cell}, kRingsApart);
       for (const GeneratorId g : rings.ids()) near_change[g] |= rings[g];
     }
@@ -94,15 +102,38 @@ class DiscMaker {
 
   int count_all_defects() const {
     int all = 0;
-    for (const Cell& each : result_.diagram.cells) all += count_defects(each);
+    for (const Cell& each : result_.diagram.cells) all += count_disc_defects(each);
     return all;
+  }
+
+  SurfacePoint choose_point(GeneratorId cell, std::vector<SurfacePoint> candidates) {
+    const bool foretells = forecast_->tells(cell) && !is_coarse(cell, candidates.front());
+    if (foretells && vain_rounds_ < kVainForecasts) return choose_by_forecast(cell, candidates);
+    if (vain_rounds_ == 0) return candidates.front();
+    const std::size_t first = vain_rounds_ % candidates.size();
+    std::rotate(candidates.begin(), candidates.begin() + std::ptrdiff_t(first), candidates.end());
+    return choose_by_trials(cell, candidates);
+  }
+
+  /// Whether edges at a generator are longer than the way to the point opposite it. Labels of vertices tell little
+  /// then.
+  bool is_coarse(GeneratorId cell, const SurfacePoint& opposite) const {
+    const SurfacePoint& generator = result_.diagram.generators[cell.index()];
+    const double across = (position(mesh_, opposite) - position(mesh_, generator)).norm();
+    return std::ranges::any_of(Mesh::halfedges(generator.face), [&](HalfedgeId h) { return mesh_.length(h) > across; });
+  }
+
+  SurfacePoint choose_by_forecast(GeneratorId cell, const std::vector<SurfacePoint>& candidates) {
+    Least<SurfacePoint, DiscForecast::Outcome> best{candidates.front(), DiscForecast::kWorst};
+    for (const SurfacePoint& point : candidates) best.offer(forecast_->find(point, cell), point);
+    return best.value;
   }
 
   /// The candidate that takes away most defects, as far as trials are allowed. Where it takes away as many as the cell
   /// has, few more are tried: one may mend other cells, too.
-  SurfacePoint choose_point(GeneratorId cell, const std::vector<SurfacePoint>& candidates) {
+  SurfacePoint choose_by_trials(GeneratorId cell, const std::vector<SurfacePoint>& candidates) {
     const LocalDual local(mesh_, result_.diagram, {cell}, {}, options_.diagram);
-    const int own = count_defects(result_.diagram.cells[cell]);
+    const int own = count_disc_defects(result_.diagram.cells[cell]);
     const int all = count_all_defects();
     Least<SurfacePoint, int> best{candidates.front(), std::numeric_limits<int>::max()};
     const double few = events_ + (most_events_ - events_) * kTrialsAfterSuccess;
@@ -123,7 +154,7 @@ class DiscMaker {
       if (!with->inner[cell.generator]) continue;
       const std::size_t i = cell.generator.index();
       const bool is_new = i >= local.kept().size();
-      change += count_defects(cell) - (is_new ? 0 : count_defects(result_.diagram.cells[local.kept()[i]]));
+      change += count_disc_defects(cell) - (is_new ? 0 : count_disc_defects(result_.diagram.cells[local.kept()[i]]));
     }
     return change;
   }
@@ -172,8 +203,9 @@ class DiscMaker {
   const DiscOptions& options_;
   const std::size_t given_;
   const std::int64_t max_added_;
-  const double most_events_;  // windows propagated in trials, and in the search
-  double events_ = 0;         // of trials
+  const double most_events_;              // windows propagated in trials, and in the search
+  double events_ = 0;                     // of trials
+  std::optional<DiscForecast> forecast_;  // once a cell is no disc
   /// Rounds in a row that took no defect away. Each lets another candidate come first, which is taken where none is
   /// better: the point opposite a generator divides a straight limb, and creeps along a bent one.
   std::size_t vain_rounds_ = 0;

@@ -30,12 +30,12 @@ std::vector<GeneratorId> find_non_discs(const Diagram& diagram);
 /// Adds generators until every cell is a disc, as few as are found.
 ///
 /// While there are cells that are no discs, each one that is apart from others is divided by one more generator: of
-/// some candidates the one that leaves least to do. These are the point opposite its generator on a limb, that of its
-/// shortest non-contractible loop, one as far from a tip as its generator, and vertices; each is tried on the part of
-/// the mesh round the cell. A search follows: generators that the discs can do without are left out, and one is put in
-/// the place of two where that will do. There may be fewer still; but no single added one can be left out, as far as
-/// parts of the mesh tell, unless the search was cut short. Two cells may share several bisectors, and a cell may touch
-/// itself at a branch point.
+/// some candidates the one that a forecast says to leave least to do. These are the point opposite its generator on a
+/// limb, that of its shortest non-contractible loop, one as far from a tip as its generator, and vertices. Where the
+/// forecast fails, each is tried on the part of the mesh round the cell. A search follows: generators that the discs
+/// can do without are left out, and one is put in the place of two where that will do. There may be fewer still; but no
+/// single added one can be left out, as far as parts of the mesh tell, unless the search was cut short. Two cells may
+/// share several bisectors, and a cell may touch itself at a branch point.
 ///
 /// `diagram`: of `mesh` with `options.diagram`. Given generators are neither moved nor removed. Deterministic.
 /// Throws Error{no_valid_result} with the cell as its element where `max_added` or kMaxRemeshRounds rounds are not
@@ -43,8 +43,8 @@ std::vector<GeneratorId> find_non_discs(const Diagram& diagram);
 /// weights. Cost: one diagram a round, and trials and search as kDiscSearch allows.
 DiscCells make_discs(const Mesh& mesh, const Diagram& diagram, const DiscOptions& options = {});
 
-/// The most work of all trials and of the search, each: that of so many diagrams of the given generators, or so many
-/// windows, which take some seconds. With a third of it, 6 generators in place of 2 were added on a model.
-inline constexpr double kDiscSearch = 20, kDiscSearchWindows = 3e7;
+/// The most work of all trials and of the search, each, in diagrams of the given generators: the least number; as many
+/// more as propagate so many windows, which take a sixth of a second; and the largest number, for small meshes.
+inline constexpr double kDiscSearch = 1, kDiscSearchWindows = 1e6, kMostDiscSearch = 50;
 
 }  // namespace gvd

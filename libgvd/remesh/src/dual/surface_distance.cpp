@@ -328,7 +328,6 @@ class DistanceMeasure {
   }
 
   Sample sample(const Vec3& at, FaceId guess) const {
-    guess = walk(at, guess);
     const NearestFace nearest = tree_.nearest_face(at, guess, rounding_);
     return {at, nearest.distance, nearest.face};
   }
@@ -440,7 +439,8 @@ class DistanceMeasure {
 
   /// The middle of two corners.
   Sample middle(const Sample& a, const Sample& b, Findings& found) const {
-    const Sample between = sample((a.position + b.position) / 2, a.nearest);
+    const Vec3 at = (a.position + b.position) / 2;
+    const Sample between = sample(at, walk(at, a.nearest));
     found.farthest = std::max(found.farthest, between.distance);
     return between;
   }

@@ -102,13 +102,20 @@ bool search_fewer_generators(const Mesh& mesh, const Diagram& diagram, const Gen
   LocalChanges changes(mesh, diagram, search);
   std::vector<GeneratorId> free;
   const auto list = [&]() -> const std::vector<GeneratorId>& { return free = list_free(diagram, search); };
-  repeat(changes, std::max(search.kept, search.least), list, [&](GeneratorId g) {
+  const std::size_t least = std::max(search.kept, search.least);
+  const auto leave_out = [&] {
+    changes.forget_trials();
+    repeat(changes, least, list, [&](GeneratorId g) { changes.leave_out(g); });
+  };
+  // Of generators that were added by forecasts, some are in vain: they go first, at a single trial each.
+  if (search.only) leave_out();
+  changes.forget_trials();
+  repeat(changes, least, list, [&](GeneratorId g) {
     const auto other = find_nearest(mesh, diagram, g, free);
     if (!other) return changes.leave_out(g);
     if (!changes.is_near_change(*other)) changes.unite(g, *other);
   });
-  changes.forget_trials();
-  repeat(changes, std::max(search.kept, search.least), list, [&](GeneratorId g) { changes.leave_out(g); });
+  leave_out();
   return !changes.is_over();
 }
 

@@ -30,7 +30,8 @@ struct GeneratorSearch {
 };
 
 /// Looks for generators without which the dual has no defect either, among those that a repair has added. It tries to
-/// leave one out, and to put a single one in the place of two that are near each other.
+/// leave one out, and to put a single one in the place of two that are near each other. Where a single property counts,
+/// all are tried alone first: a trial of two looks for points in their place, and would take all the time.
 ///
 /// Candidates for the place of two are the points that would repair the defects that the two leave. In the cells with
 /// these defects, branch points and some vertices are candidates, too. Afterwards no single added generator can be left

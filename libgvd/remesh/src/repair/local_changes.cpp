@@ -123,6 +123,10 @@ void LocalChanges::unite(GeneratorId g, GeneratorId other) {
     const bool may_both_go = count() >= search_.least + removed.size();
     return may_both_go ? collect(removed, {}) : collect({g}, {});
   }
+  // Loops of cells are sought in the part cut along its bisectors, which takes about as long as its diagram.
+  if (search_.only == DualProperty::cell_is_disc) {
+    events_ += std::ssize(without->defects) * without->diagram.report.propagation_events;
+  }
   std::size_t trials = 0;
   for (const SurfacePoint& candidate : list_candidates(local, *without)) {
     if (is_over() || trials++ == kMostCandidates) return;

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "geodesic/marching/local_march.hpp"
+#include "gvd/diagram.hpp"
+#include "gvd/mesh.hpp"
+
+namespace gvd {
+
+/// How far a cell is from a disc.
+int count_disc_defects(const Cell& cell);
+
+/// Foretells by the labels of vertices how many cells would be discs with one more generator.
+///
+/// A march from the point finds the vertices that would be nearest to it. A cell stands for its vertices, and the edges
+/// and faces between them. Where the mesh is fine enough, these have the cell's Euler characteristic; elsewhere the
+/// cell has no voice. It takes the time of the cell of the point, while a diagram of a part takes that of two rings
+/// of cells: of the whole mesh where there are few.
+class DiscForecast {
+ public:
+  /// The mesh must outlive this. Cost: O(n); memory: about 150 bytes a face.
+  explicit DiscForecast(const Mesh& mesh);
+
+  /// Goes on with this diagram of the mesh, which must outlive the calls of `find`. Cost: O(n).
+  void take(const Diagram& diagram);
+
+  /// Whether the vertices tell what the cell is.
+  bool tells(GeneratorId cell) const { return tells_[cell] != 0; }
+
+  /// What one more generator would change. The least one is best.
+  struct Outcome {
+    int defects = 0;  ///< `count_disc_defects` of all cells: below 0 for fewer
+    /// The sum of their squares: below 0 where a cell with several is divided into cells with one each.
+    int squares = 0;
+    int imbalance = 0;  ///< vertices that the cell has more than the new one, or fewer
+    auto operator<=>(const Outcome&) const = default;
+  };
+  static constexpr Outcome kWorst{std::numeric_limits<int>::max(), 0, 0};
+  /// For a point that is to divide a cell. Cost: O(k log k) for the k vertices of its own cell.
+  Outcome find(const SurfacePoint& point, GeneratorId divided);
+
+ private:
+  struct Change {
+    GeneratorId cell;
+    int euler = 0;
+  };
+  GeneratorId label_after(VertexId v) const { return is_moved_[v] == run_ ? new_cell_ : diagram_->vertex_label[v]; }
+  void add(GeneratorId cell, int euler);
+  void replace_around(VertexId v);
+  void replace(const std::vector<VertexId>& corners, int sign);
+
+  const Mesh& mesh_;
+  LocalMarch march_;
+  const Diagram* diagram_ = nullptr;
+  IdVector<PlaceId, double> distance_;
+  IdVector<GeneratorId, std::int32_t> euler_;  // of the vertices of each cell, with edges and faces between them
+  IdVector<GeneratorId, std::int32_t> vertices_;
+  IdVector<GeneratorId, char> tells_;
+  GeneratorId new_cell_;
+  std::int32_t run_ = 0;
+  IdVector<VertexId, std::int32_t> is_moved_;  // the last run in which the vertex would change its cell
+  IdVector<FaceId, std::int32_t> is_counted_;  // the last run in which the face was counted
+  std::vector<Change> changes_;
+};
+
+}  // namespace gvd
