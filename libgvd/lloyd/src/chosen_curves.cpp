@@ -40,9 +40,17 @@ std::size_t count_least(const Mesh& mesh, const std::vector<EdgeId>& creases, do
   return place_on_creases(mesh, creases, mesh.bbox_diagonal(), kCornerDistance * spacing).points.size();
 }
 
-/// Least share of the creases that has to be in long groups (CreaseGroup): noise makes some closed rings, too. It is
-/// .76 or more on CAD models, and at most .25 on scans and other smooth models.
-constexpr double kLongShare = 0.5;
+/// Least share of the creases that has to be in clear groups: noise makes some closed rings, too. It is .7 or more on
+/// CAD models, and at most .2 on scans and other smooth models.
+constexpr double kClearShare = 0.5;
+
+/// Least length of a clear group of creases for each of its ends and turns, in spacings. Groups of CAD models have 4 or
+/// more, those of scans mostly 2 or less.
+constexpr double kLengthPerEnd = 3;
+
+/// Least mean crispness of a clear group of creases. It is .99 to 1 on CAD models with sharp edges, and .5 to .93 on
+/// scans and on models with rounded or bevelled edges. There, following creases gains little distance and costs shape.
+constexpr double kLeastCrispness = 0.95;
 
 /// The least number of generators of which the share that may be on curves suffices for these.
 std::int64_t find_enough(const Mesh& mesh, const std::vector<EdgeId>& curves, double boundary, std::int64_t count) {
@@ -100,12 +108,28 @@ std::int64_t find_enough_for_creases(std::int64_t asked, double excess, const Ex
   return excess > 1 ? 0 : static_cast<std::int64_t>(count);
 }
 
-/// Leaves out creases that are noise, and all if they would take too many generators.
-void choose_creases(const Mesh& mesh, double spacing, const std::vector<EdgeId>& boundary, std::vector<EdgeId>& creases,
-                    ConstrainedStart& start) {
-  const double length = total_length(mesh, creases);
-  creases = keep_long(group_creases(mesh, creases), spacing);
-  if (total_length(mesh, creases) < kLongShare * length) creases.clear();
+/// The creases of the groups that are clear: long, crisp, and with few ends and turns.
+std::vector<EdgeId> keep_clear(const Mesh& mesh, const CreaseChains& chains, double spacing) {
+  const CreaseNetwork network(mesh, chains.edges, kCornerDistance * spacing);
+  IdVector<EdgeId, double> crispness(mesh.edge_count(), 0);
+  for (std::size_t i = 0; i < chains.edges.size(); ++i) crispness[chains.edges[i]] = chains.crispness[i];
+  std::vector<CreaseGroup> groups = group_creases(mesh, chains.edges);
+  std::erase_if(groups, [&](const CreaseGroup& group) {
+    const auto ends = std::ranges::count_if(group.vertices, [&](VertexId v) {
+      return network.is_corner(v) && network.leaving(v).size() <= 2 && !mesh.is_boundary(v);
+    });
+    double crisp = 0;  // length times crispness
+    for (const EdgeId e : group.edges) crisp += mesh.length(e) * crispness[e];
+    return group.length < kLengthPerEnd * spacing * static_cast<double>(ends) || crisp < kLeastCrispness * group.length;
+  });
+  return keep_long(groups, spacing);
+}
+
+/// Leaves out creases that are noise or rounded, and all if they would take too many generators.
+void choose_creases(const Mesh& mesh, double spacing, const std::vector<EdgeId>& boundary, const CreaseChains& chains,
+                    std::vector<EdgeId>& creases, ConstrainedStart& start) {
+  creases = keep_clear(mesh, chains, spacing);
+  if (total_length(mesh, creases) < kClearShare * total_length(mesh, chains.edges)) creases.clear();
   if (creases.empty()) return;
   const std::vector<EdgeId> curves = join_edges(boundary, creases);
   const auto excess_of = [&, border = total_length(mesh, boundary)](std::int64_t count) {
@@ -133,13 +157,13 @@ double choose_curves(const Mesh& mesh, const StartOptions& options, ConstrainedS
   const bool prefers_boundary = options.prefers_boundary && !options.keep_boundary && !options.are_listed;
   std::vector<EdgeId> boundary, creases;
   if (options.keep_boundary || prefers_boundary) boundary = find_creases(mesh, {180, true});
-  if (options.crease_angle) creases = find_creases(mesh, {*options.crease_angle, false});
   const double spacing = spacing_beside(compute_area(mesh), total_length(mesh, boundary), std::ssize(start.points));
   start.corner_distance = kCornerDistance * spacing;
-  if (prefers_boundary) {
-    choose_loops(mesh, spacing, options.prefers_creases ? std::vector<EdgeId>() : creases, boundary, start);
-  }
-  if (options.prefers_creases) choose_creases(mesh, spacing, boundary, creases, start);
+  CreaseChains chains;
+  if (options.crease_angle) chains = find_crease_chains(mesh, *options.crease_angle, spacing);
+  if (!options.prefers_creases) creases = chains.edges;
+  if (prefers_boundary) choose_loops(mesh, spacing, creases, boundary, start);
+  if (options.prefers_creases) choose_creases(mesh, spacing, boundary, chains, creases, start);
   start.creases = join_edges(boundary, creases);
   return spacing;
 }
