@@ -48,6 +48,10 @@ constexpr double kClearShare = 0.5;
 /// more, those of scans mostly 2 or less.
 constexpr double kLengthPerEnd = 3;
 
+/// The same for each end where faces are larger than the spacing. Each edge of such a mesh is crisp, and the creases of
+/// CAD models have no end, or one in 40 spacings.
+constexpr double kLengthPerEndOfFaces = 20;
+
 /// Least mean crispness of a clear group of creases. It is .99 to 1 on CAD models with sharp edges, and .5 to .93 on
 /// scans and on models with rounded or bevelled edges. There, following creases gains little distance and costs shape.
 constexpr double kLeastCrispness = 0.95;
@@ -113,14 +117,18 @@ std::vector<EdgeId> keep_clear(const Mesh& mesh, const CreaseChains& chains, dou
   const CreaseNetwork network(mesh, chains.edges, kCornerDistance * spacing);
   IdVector<EdgeId, double> crispness(mesh.edge_count(), 0);
   for (std::size_t i = 0; i < chains.edges.size(); ++i) crispness[chains.edges[i]] = chains.crispness[i];
+  const double per_end = spacing < mesh.mean_edge_length() ? kLengthPerEndOfFaces : kLengthPerEnd;
   std::vector<CreaseGroup> groups = group_creases(mesh, chains.edges);
   std::erase_if(groups, [&](const CreaseGroup& group) {
-    const auto ends = std::ranges::count_if(group.vertices, [&](VertexId v) {
-      return network.is_corner(v) && network.leaving(v).size() <= 2 && !mesh.is_boundary(v);
-    });
+    double least = 0;
+    for (const VertexId v : group.vertices) {
+      if (!network.is_corner(v) || mesh.is_boundary(v)) continue;
+      if (network.leaving(v).size() == 1) least += per_end * spacing;
+      if (network.leaving(v).size() == 2) least += kLengthPerEnd * spacing;
+    }
     double crisp = 0;  // length times crispness
     for (const EdgeId e : group.edges) crisp += mesh.length(e) * crispness[e];
-    return group.length < kLengthPerEnd * spacing * static_cast<double>(ends) || crisp < kLeastCrispness * group.length;
+    return group.length < least || crisp < kLeastCrispness * group.length;
   });
   return keep_long(groups, spacing);
 }
