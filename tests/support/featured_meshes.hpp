@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "gvd/creases.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/surface_point.hpp"
 #include "support/meshes.hpp"
 
 // Meshes with what generators keep to or leave: ends of limbs, creases, holes.
@@ -53,6 +57,20 @@ inline Mesh make_domed_box() {
   return {std::move(positions), box.face_vertices()};
 }
 
+/// A closed box of 1 x 1 x 0.5 whose edges are rounded with a radius of 0.08, over about four faces.
+inline Mesh make_rounded_box() {
+  const Mesh box = make_plate(40, 0.5);
+  std::vector<Vec3> positions = box.positions();
+  const Vec3 radius(0.08, 0.08, 0.08);
+  Vec3 least = positions.front(), most = positions.front();
+  for (const Vec3& p : positions) least = least.cwiseMin(p), most = most.cwiseMax(p);
+  for (Vec3& p : positions) {
+    const Vec3 core = p.cwiseMax(least + radius).cwiseMin(most - radius);
+    p = core + 0.08 * (p - core).normalized();
+  }
+  return {std::move(positions), box.face_vertices()};
+}
+
 /// A flat square of 24 x 24 unit squares without 16 of them: 17 boundary loops.
 inline Mesh make_plane_with_holes() {
   const Mesh grid = make_grid(24, 24);
@@ -64,6 +82,35 @@ inline Mesh make_plane_with_holes() {
     if (!in_hole) faces.push_back({a, b, c});
   }
   return {grid.positions(), std::move(faces)};
+}
+
+/// The mesh with a sliver along each edge whose faces meet at 40 degrees or more, folded over one of them: the edge and
+/// the way round its sliver turn by 90 degrees and more, too. `depth`: of the slivers, relative to their edges.
+inline Mesh fold_creases(const Mesh& mesh, double depth) {
+  std::vector<Vec3> positions = mesh.positions();
+  std::vector<std::array<VertexId, 3>> faces = mesh.face_vertices();
+  std::map<std::pair<VertexId, VertexId>, std::size_t> face_of;  // by its halfedges
+  const auto enter = [&](std::size_t f) {
+    for (int i = 0; i < 3; ++i) face_of[{faces[f][i], faces[f][(i + 1) % 3]}] = f;
+  };
+  for (std::size_t f = 0; f < faces.size(); ++f) enter(f);
+  for (const EdgeId e : find_creases(mesh, {40})) {
+    const HalfedgeId h = mesh.halfedge(e);
+    const VertexId a = mesh.from(h), b = mesh.to(h), added(positions.size());
+    const Vec3 along = mesh.position(b) - mesh.position(a), normal = face_normal(mesh, Mesh::face(h));
+    const Vec3 inwards = normal.cross(along);
+    positions.push_back(mesh.position(a) + along / 2 + depth * (inwards + along.norm() / 2 * normal));
+    const std::size_t right = face_of.at({b, a});
+    VertexId opposite;
+    for (const VertexId v : faces[right]) {
+      if (v != a && v != b) opposite = v;
+    }
+    faces[right] = {b, added, opposite};
+    faces.push_back({added, a, opposite});
+    faces.push_back({b, a, added});
+    enter(right), enter(faces.size() - 2), enter(faces.size() - 1);
+  }
+  return {std::move(positions), std::move(faces)};
 }
 
 }  // namespace gvd::test

@@ -41,9 +41,21 @@ std::size_t count_least(const Mesh& mesh, const std::vector<EdgeId>& creases, do
   return place_on_creases(mesh, creases, mesh.bbox_diagonal(), kCornerDistance * spacing).points.size();
 }
 
-/// The least share of the creases' length in long groups (CreaseGroup), because noise also forms some closed rings. The
-/// share is .76 or more on CAD models, and at most .25 on scans and other smooth models.
-constexpr double kLongShare = 0.5;
+/// The least share of the creases' length in clear groups, because noise also forms some closed rings. The share is .7 or
+/// more on CAD models, and at most .2 on scans and other smooth models.
+constexpr double kClearShare = 0.5;
+
+/// The least length of a clear group of creases for each of its ends and turns, in spacings. Groups of CAD models have 4
+/// or more, and groups of scans mostly 2 or less.
+constexpr double kLengthPerEnd = 3;
+
+/// The same for each end if faces are larger than the spacing. Each edge of such a mesh is crisp, and the creases of CAD
+/// models have no end, or one in 40 spacings.
+constexpr double kLengthPerEndOfFaces = 20;
+
+/// The least mean crispness of a clear group of creases. It is .99 to 1 on CAD models with sharp edges, and .5 to .93 on
+/// scans and on models with rounded or bevelled edges, where following creases gains little distance and costs shape.
+constexpr double kLeastCrispness = 0.95;
 
 /// The least number of generators with which the share allowed on curves suffices for these curves.
 std::int64_t find_enough(const Mesh& mesh, const std::vector<EdgeId>& curves, double boundary, std::int64_t count) {
@@ -102,12 +114,32 @@ std::int64_t find_enough_for_creases(std::int64_t asked, double excess, const Ex
   return excess > 1 ? 0 : static_cast<std::int64_t>(count);
 }
 
-/// Leaves out creases that are noise, or all creases if they would take too many generators.
-void choose_creases(const Mesh& mesh, double spacing, const std::vector<EdgeId>& boundary, std::vector<EdgeId>& creases,
-                    ConstrainedStart& start) {
-  const double length = total_length(mesh, creases);
-  creases = keep_long(group_creases(mesh, creases), spacing);
-  if (total_length(mesh, creases) < kLongShare * length) creases.clear();
+/// Keeps the creases of the groups that are clear: long, crisp, and with few ends and turns.
+std::vector<EdgeId> keep_clear(const Mesh& mesh, const CreaseChains& chains, double spacing) {
+  const CreaseNetwork network(mesh, chains.edges, kCornerDistance * spacing);
+  IdVector<EdgeId, double> crispness(mesh.edge_count(), 0);
+  for (std::size_t i = 0; i < chains.edges.size(); ++i) crispness[chains.edges[i]] = chains.crispness[i];
+  const double per_end = spacing < mesh.mean_edge_length() ? kLengthPerEndOfFaces : kLengthPerEnd;
+  std::vector<CreaseGroup> groups = group_creases(mesh, chains.edges);
+  std::erase_if(groups, [&](const CreaseGroup& group) {
+    double least = 0;
+    for (const VertexId v : group.vertices) {
+      if (!network.is_corner(v) || mesh.is_boundary(v)) continue;
+      if (network.leaving(v).size() == 1) least += per_end * spacing;
+      if (network.leaving(v).size() == 2) least += kLengthPerEnd * spacing;
+    }
+    double crisp = 0;  // length times crispness
+    for (const EdgeId e : group.edges) crisp += mesh.length(e) * crispness[e];
+    return group.length < least || crisp < kLeastCrispness * group.length;
+  });
+  return keep_long(groups, spacing);
+}
+
+/// Leaves out creases that are noise or rounded, or all creases if they would take too many generators.
+void choose_creases(const Mesh& mesh, double spacing, const std::vector<EdgeId>& boundary, const CreaseChains& chains,
+                    std::vector<EdgeId>& creases, ConstrainedStart& start) {
+  creases = keep_clear(mesh, chains, spacing);
+  if (total_length(mesh, creases) < kClearShare * total_length(mesh, chains.edges)) creases.clear();
   if (creases.empty()) return;
   const std::vector<EdgeId> curves = join_edges(boundary, creases);
   const auto excess_of = [&, border = total_length(mesh, boundary)](std::int64_t count) {
@@ -135,13 +167,13 @@ double choose_curves(const Mesh& mesh, const StartOptions& options, ConstrainedS
   const bool prefers_boundary = options.prefers_boundary && !options.keep_boundary && !options.are_listed;
   std::vector<EdgeId> boundary, creases;
   if (options.keep_boundary || prefers_boundary) boundary = find_creases(mesh, {180, true});
-  if (options.crease_angle) creases = find_creases(mesh, {*options.crease_angle, false});
   const double spacing = spacing_beside(compute_area(mesh), total_length(mesh, boundary), std::ssize(start.points));
   start.corner_distance = kCornerDistance * spacing;
-  if (prefers_boundary) {
-    choose_loops(mesh, spacing, options.prefers_creases ? std::vector<EdgeId>() : creases, boundary, start);
-  }
-  if (options.prefers_creases) choose_creases(mesh, spacing, boundary, creases, start);
+  CreaseChains chains;
+  if (options.crease_angle) chains = find_crease_chains(mesh, *options.crease_angle, spacing);
+  if (!options.prefers_creases) creases = chains.edges;
+  if (prefers_boundary) choose_loops(mesh, spacing, creases, boundary, start);
+  if (options.prefers_creases) choose_creases(mesh, spacing, boundary, chains, creases, start);
   start.creases = join_edges(boundary, creases);
   return spacing;
 }

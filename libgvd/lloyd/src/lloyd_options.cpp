@@ -42,8 +42,9 @@ void describe(OptionList& list, RelaxationStartOptions& options) {
       "features", CreaseAngle{&constraints.crease_angle, &constraints.prefers_creases, kUsualCreaseAngle},
       {.help = "Put generators on corners and creases first and keep them there",
        .more = fmt::format(
-           "; a crease is an edge between faces whose normals differ by more than this many degrees; 'auto': by "
-           "more than {} degrees, if at most half of the sampled generators suffice for creases and boundary",
+           "; a crease is a line along which the surface, as it looks at the distance of the generators, turns by more "
+           "than this many degrees; 'auto': by more than {} degrees, where creases are sharp, and at most half of the "
+           "sampled generators suffice for creases and boundary",
            kUsualCreaseAngle),
        .shown = Shown::main});
   list.option("keep_boundary", Flag{&constraints.keep_boundary},

@@ -75,7 +75,7 @@ void add_edge(const Mesh& mesh, EdgeId e, const std::vector<LabelInterval>& labe
   const bool is_boundary = !twin.valid();
   const Vec3 here = face_normal(mesh, Mesh::face(h)), there = is_boundary ? here : face_normal(mesh, Mesh::face(twin));
   const double angle = angle_between(here, there);
-  const bool is_sharp = CreaseTest(kSharpAngle, CreaseRule::angle)(here, there);
+  const bool is_sharp = CreaseTest(kSharpAngle)(here, there);
   const Vec3 along = (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).normalized();
   for (const LabelInterval& label : labels) {  // two for each part of an inner edge
     const double length = (label.end - label.begin) * mesh.length(h) * (is_boundary ? 1 : 0.5);
@@ -96,7 +96,7 @@ Vec3 find_direction(const EdgeSum& sum) {
 
 /// Whether a point of an edge or a vertex has faces that make a sharp edge.
 bool is_on_crease(const Mesh& mesh, const SurfacePoint& point) {
-  const CreaseTest meet_at_crease(kSharpAngle, CreaseRule::angle);
+  const CreaseTest meet_at_crease(kSharpAngle);
   const std::vector<FaceId> faces = faces_around(mesh, point);
   for (const FaceId f : faces) {
     for (const FaceId g : faces) {

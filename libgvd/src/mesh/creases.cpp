@@ -24,15 +24,10 @@ constexpr int kChordEdges = 5;
 /// Least length of a group of creases that an even spacing gives three generators, in spacings.
 constexpr double kLeastGroup = 3;
 
-/// Least length of a group of creases for each of its dead ends, in spacings; shorter ones are noise. Groups of CAD
-/// models have no dead end, or one in 40 spacings; those of scans mostly have one in 1 to 5.
-constexpr double kDeadEndLength = 20;
-
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// Unit normal of a face, or 0 where the face has no area.
-Vec3 crease_normal(const Mesh& mesh, FaceId f, CreaseRule rule) {
-  if (rule == CreaseRule::angle) return face_normal(mesh, f);
+Vec3 crease_normal(const Mesh& mesh, FaceId f) {
   if (!(mesh.area(f) > 0)) return Vec3::Zero();
   const auto& [a, b, c] = mesh.vertices(f);
   return (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a)).stableNormalized();
@@ -40,21 +35,22 @@ Vec3 crease_normal(const Mesh& mesh, FaceId f, CreaseRule rule) {
 
 }  // namespace
 
-CreaseTest::CreaseTest(double angle, CreaseRule rule) : rule_(rule), bound_(radians(angle)) {
-  if (rule == CreaseRule::cosine) bound_ = angle == 180 ? -2 : std::cos(radians(angle));
-}
+CreaseTest::CreaseTest(double angle) : bound_(radians(angle)) {}
 
 bool CreaseTest::operator()(const Vec3& here, const Vec3& there) const {
-  if (here.isZero(0) || there.isZero(0)) return false;
-  return rule_ == CreaseRule::cosine ? here.dot(there) < bound_ : angle_between(here, there) > bound_;
+  return angle_between(here, there) > bound_;  // 0 where one is 0
+}
+
+void check_crease_angle(double angle) {
+  if (!(angle > 0 && angle <= 180)) {
+    throw Error(ErrorCode::invalid_option, "the angle of creases must be above 0 and at most 180 degrees");
+  }
 }
 
 std::vector<EdgeId> find_creases(const Mesh& mesh, const CreaseOptions& options) {
-  if (!(options.angle > 0 && options.angle <= 180)) {
-    throw Error(ErrorCode::invalid_option, "the angle of creases must be above 0 and at most 180 degrees");
-  }
-  const CreaseTest meet_at_crease(options.angle, options.rule);
-  const auto normal = [&](HalfedgeId h) { return crease_normal(mesh, Mesh::face(h), options.rule); };
+  check_crease_angle(options.angle);
+  const CreaseTest meet_at_crease(options.angle);
+  const auto normal = [&](HalfedgeId h) { return crease_normal(mesh, Mesh::face(h)); };
   std::vector<EdgeId> creases;
   for (const EdgeId e : mesh.edges()) {
     const HalfedgeId h = mesh.halfedge(e), twin = mesh.twin(h);
@@ -69,21 +65,20 @@ double total_length(const Mesh& mesh, const std::vector<EdgeId>& edges) {
   return length;
 }
 
-bool CreaseGroup::is_long(double spacing) const {
-  return length >= spacing * std::max(kLeastGroup, kDeadEndLength * double(dead_ends));
-}
+bool CreaseGroup::is_long(double spacing) const { return length >= kLeastGroup * spacing; }
 
 std::vector<CreaseGroup> group_creases(const Mesh& mesh, const std::vector<EdgeId>& creases) {
   UnionFind sets(mesh.vertex_count());
-  IdVector<VertexId, std::int32_t> degree(mesh.vertex_count(), 0), group_of(mesh.vertex_count(), -1);
+  IdVector<VertexId, char> has_crease(mesh.vertex_count(), 0);
+  IdVector<VertexId, std::int32_t> group_of(mesh.vertex_count(), -1);
   for (const EdgeId e : creases) {
     const VertexId from = mesh.from(mesh.halfedge(e)), to = mesh.to(mesh.halfedge(e));
     sets.unite(from.value(), to.value());
-    ++degree[from], ++degree[to];
+    has_crease[from] = has_crease[to] = 1;
   }
   std::vector<CreaseGroup> groups;
   for (const VertexId v : mesh.vertices()) {
-    if (degree[v] == 0) continue;
+    if (!has_crease[v]) continue;
     const VertexId first(sets.find(v.value()));
     if (first == v) {
       group_of[v] = std::int32_t(groups.size());
@@ -92,7 +87,6 @@ std::vector<CreaseGroup> group_creases(const Mesh& mesh, const std::vector<EdgeI
     group_of[v] = group_of[first];
     CreaseGroup& group = groups[group_of[v]];
     group.vertices.push_back(v);
-    if (degree[v] == 1 && !mesh.is_boundary(v)) ++group.dead_ends;
   }
   for (const EdgeId e : creases) {
     CreaseGroup& group = groups[group_of[mesh.from(mesh.halfedge(e))]];

@@ -17,13 +17,15 @@ namespace gvd {
 class CreaseTest {
  public:
   /// `angle`: degrees, in (0, 180].
-  CreaseTest(double angle, CreaseRule rule);
+  explicit CreaseTest(double angle);
   bool operator()(const Vec3& here, const Vec3& there) const;
 
  private:
-  CreaseRule rule_;
-  double bound_;  // the angle, radians, or its cosine
+  double bound_;  // radians
 };
+
+/// Throws Error{invalid_option} for an angle that is not in (0, 180] degrees.
+void check_crease_angle(double angle);
 
 /// Length of the edges, mesh units.
 double total_length(const Mesh& mesh, const std::vector<EdgeId>& edges);
@@ -33,10 +35,8 @@ struct CreaseGroup {
   std::vector<EdgeId> edges;       ///< ascending
   std::vector<VertexId> vertices;  ///< their ends, ascending
   double length = 0;               ///< mesh units
-  std::int64_t dead_ends = 0;      ///< vertices inside the surface with one crease
 
-  /// Whether generators this far apart can follow the group, which then is no noise: it is three times as long, and 20
-  /// times for each dead end.
+  /// Whether generators this far apart can follow the group: it is three times as long.
   bool is_long(double spacing) const;
 };
 

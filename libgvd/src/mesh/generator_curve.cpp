@@ -97,7 +97,7 @@ std::vector<GeneratorCurve> boundary_curves(const Mesh& mesh) {
 }
 
 std::vector<GeneratorCurve> crease_curves(const Mesh& mesh, double angle) {
-  return collect_curves(mesh, find_creases(mesh, {.angle = angle, .rule = CreaseRule::angle}));
+  return collect_curves(mesh, find_creases(mesh, {.angle = angle}));
 }
 
 }  // namespace gvd

@@ -157,7 +157,7 @@ ShadingVertices split_shading_vertices(const LabelledMesh& labelled) {
   const Mesh& mesh = labelled.mesh;
   IdVector<FaceId, Vec3> normal;
   for (const FaceId f : mesh.faces()) normal.push_back(face_normal(mesh, f));
-  const CreaseTest meet_at_crease(kShadingAngle, CreaseRule::cosine);
+  const CreaseTest meet_at_crease(kShadingAngle);
   const auto is_crease = [&](HalfedgeId g, HalfedgeId h) {
     return meet_at_crease(normal[Mesh::face(g)], normal[Mesh::face(h)]);
   };

@@ -1,0 +1,175 @@
+// The angle at an edge, at a scale: mean normals of the two sides of a disc around it.
+//
+// The idea of several scales is that of A. Hubeli and M. Gross, Multiresolution feature extraction for unstructured
+// meshes, 2001. A mean over the whole disc would blur the crease itself; so the disc is parted at the edge, by two
+// fronts that grow from its two faces.
+#include "mesh/angle_at_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "base/angles.hpp"
+
+namespace gvd {
+namespace {
+
+/// A side has a voice if its weight is this share of the square of the radius. A strip that is as wide as this share of
+/// the radius, along an edge, has about so much: a tenth of the spacing of samples that are two radii apart.
+constexpr double kLeastVoice = 0.2;
+
+/// At an edge, a quarter of the radius shows at least 1 / kFineFactor of the turn. A fillet of constant curvature does
+/// so if it is narrower than the radius; a cylinder shows a quarter.
+constexpr double kFineFactor = 5.0 / 3;
+
+/// Faces in a disc. The radius of find_crease_chains is that of 200 equal ones.
+constexpr int kMostFaces = 400;
+
+/// A wall lies beside an edge if their directions, and the way between them and the edge's normal, differ by less than
+/// 45 degrees.
+const double kHalfRight = std::sqrt(0.5);
+
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+/// The vector from a point to the nearest one of a segment.
+Vec3 to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
+  const Vec3 way = b - a;
+  return a + std::clamp((point - a).dot(way) / way.squaredNorm(), 0.0, 1.0) * way - point;
+}
+
+}  // namespace
+
+AngleAtScale::AngleAtScale(const Mesh& mesh, double radius, const IdVector<EdgeId, bool>& walls)
+    : mesh_(mesh), radius_(radius), walls_(walls), seen_(mesh.face_count(), 0) {
+  sizes_.reserve(mesh.face_count());
+  for (const FaceId f : mesh.faces()) {
+    const FaceShape& shape = mesh.shape(f);
+    const auto& [a, b, c] = mesh.vertices(f);
+    const double longest = *std::ranges::max_element(shape.length);
+    FaceSize size{Vec3::Zero(), longest, shape.twice_area / longest};
+    if (shape.twice_area > 0) {
+      size.normal = (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a)).stableNormalized();
+    }
+    sizes_.push_back(size);
+  }
+}
+
+bool AngleAtScale::bends(EdgeId e, double angle) const {
+  const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
+  if (!twin.valid()) return false;
+  const FaceId f = Mesh::face(h), g = Mesh::face(twin);
+  if (!(mesh_.area(f) > 0 && mesh_.area(g) > 0)) return true;
+  const double width = (mesh_.area(f) + mesh_.area(g)) / mesh_.length(h);  // from centre to centre it is two thirds
+  const double turn = degrees(angle_between(sizes_[f].normal, sizes_[g].normal));
+  return turn >= angle * std::min(1.0, width / (2 * radius_));
+}
+
+ScaleAngle AngleAtScale::measure(EdgeId e, double least, double beside) {
+  const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
+  const Vec3 &from = mesh_.position(mesh_.from(h)), &to = mesh_.position(mesh_.to(h));
+  const Vec3 middle = (from + to) / 2, along = (to - from).normalized();
+  const double reach = beside > 0 ? kShoulderReach * radius_ : radius_, fine = radius_ / 4;
+  ++measurement_;
+  front_.clear();
+  pushed_ = 0;
+  std::array<Side, 2> sides;
+  push(0, Mesh::face(h), 0);
+  push(0, Mesh::face(twin), 1);
+  bool is_shoulder = false, is_fine_known = false;
+  int faces = 0;
+  for (; !front_.empty() && faces < kMostFaces;) {
+    const Entry entry = pop();
+    if (seen_[entry.face] == measurement_) continue;
+    if (entry.distance >= fine && !is_fine_known) {
+      is_fine_known = true;
+      const bool is_flat = kFineFactor * angle_of(sides, kLevels - 1) < least;
+      if (is_flat && has_voice(sides, kLevels - 1, false)) return {};
+    }
+    seen_[entry.face] = measurement_;
+    ++faces;
+    add(entry.face, entry.distance, sides[entry.side]);
+    for (const HalfedgeId side : Mesh::halfedges(entry.face)) {
+      const EdgeId edge = mesh_.edge(side);
+      const HalfedgeId across = mesh_.twin(side);
+      if (edge == e || !across.valid()) continue;
+      if (walls_[edge]) {
+        is_shoulder = is_shoulder || (beside > 0 && is_beside(side, middle, along, reach));
+        continue;
+      }
+      if (seen_[Mesh::face(across)] == measurement_) continue;
+      const Vec3 way = to_segment(middle, mesh_.position(mesh_.from(side)), mesh_.position(mesh_.to(side)));
+      const double distance = std::max(way.norm(), entry.distance);
+      if (distance < reach) push(distance, Mesh::face(across), entry.side);
+    }
+  }
+  std::array<double, kLevels> angle{};
+  int levels = 0;
+  while (levels < kLevels && has_voice(sides, levels, faces == kMostFaces)) {
+    angle[levels] = angle_of(sides, levels);
+    ++levels;
+  }
+  if (levels == 0) return {};
+  double result = angle[0];
+  if (levels == 2) result = std::min(result, 2 * angle[1] - angle[0]);
+  if (levels == 3) {
+    // At radius 0, by the line through the two larger or the two smaller scales: other creases may be in reach of the
+    // largest, and a fillet is wider than the smallest.
+    const double at_zero = std::max(2 * angle[1] - angle[0], 2 * angle[2] - angle[1]);
+    result = std::min({result, at_zero, kFineFactor * angle[2]});
+  }
+  if (result < least && least > 0) return {};
+  if (is_shoulder && result < beside) return {};
+  return {std::max(0.0, result), angle[0] > 0 ? std::min(1.0, angle[levels - 1] / angle[0]) : 1};
+}
+
+void AngleAtScale::push(double distance, FaceId face, int side) {
+  const auto is_later = [](const Entry& a, const Entry& b) {
+    return std::tie(a.distance, a.order) > std::tie(b.distance, b.order);
+  };
+  front_.push_back({distance, pushed_++, face, side});
+  std::ranges::push_heap(front_, is_later);
+}
+
+AngleAtScale::Entry AngleAtScale::pop() {
+  const auto is_later = [](const Entry& a, const Entry& b) {
+    return std::tie(a.distance, a.order) > std::tie(b.distance, b.order);
+  };
+  std::ranges::pop_heap(front_, is_later);
+  const Entry entry = front_.back();
+  front_.pop_back();
+  return entry;
+}
+
+/// Adds a face to the means of all radii that reach it. Long faces count as far as the disc may hold of them.
+void AngleAtScale::add(FaceId f, double distance, Side& side) const {
+  const FaceSize& size = sizes_[f];
+  double radius = radius_;
+  for (int level = 0; level < kLevels && distance < radius; ++level, radius /= 2) {
+    const double area = std::min(size.longest, 2 * radius) * std::min(size.height, 2 * radius) / 2;
+    const double weight = area * (1 - distance / radius);
+    side.normal[level] += weight * size.normal;
+    side.weight[level] += weight;
+  }
+}
+
+/// Whether both sides have a voice at a level. A disc that is cut off holds too many faces for slivers alone.
+bool AngleAtScale::has_voice(const std::array<Side, 2>& sides, int level, bool is_cut_off) const {
+  const double radius = std::ldexp(radius_, -level), least = is_cut_off ? 0 : kLeastVoice * radius * radius;
+  return std::ranges::all_of(sides, [&](const Side& side) { return side.weight[level] > least; });
+}
+
+double AngleAtScale::angle_of(const std::array<Side, 2>& sides, int level) {
+  return degrees(angle_between(sides[0].normal[level], sides[1].normal[level]));
+}
+
+/// Whether a wall runs beside an edge, given by its midpoint and direction, within reach.
+bool AngleAtScale::is_beside(HalfedgeId wall, const Vec3& middle, const Vec3& along, double reach) const {
+  const Vec3 &a = mesh_.position(mesh_.from(wall)), &b = mesh_.position(mesh_.to(wall));
+  const Vec3 way = to_segment(middle, a, b);
+  const double distance = way.norm();
+  return distance < reach && std::abs((b - a).normalized().dot(along)) > kHalfRight &&
+         std::abs(way.dot(along)) < kHalfRight * distance;
+}
+
+}  // namespace gvd
