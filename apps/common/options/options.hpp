@@ -25,6 +25,7 @@ struct InputOptions {
   DefectPolicy on_defect = DefectPolicy::repair;
   std::optional<GeneratorFormat> list_format;  ///< of a file of points; nothing: told from extension and content
   std::optional<double> weld;  ///< tolerance in mesh units, 0 for exact copies; nothing: as the format asks
+  std::optional<ErrorBound> drop_smaller_than;
 };
 
 struct ComputeOptions {

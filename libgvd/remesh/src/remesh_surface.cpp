@@ -57,6 +57,19 @@ bool follows_creases(const Mesh& mesh, const RelaxationStart& start) {
   return false;
 }
 
+/// A needle is longer than this many times its height; and the share of the faces that makes exact distances expensive.
+constexpr double kNeedle = 1000, kNeedleShare = 0.2;
+
+/// Whether diagrams of the mesh cost many times those of its copy: paths cross many needles.
+bool has_needles(const Mesh& mesh) {
+  const auto needles = std::count_if(mesh.faces().begin(), mesh.faces().end(), [&](FaceId f) {
+    const auto& [length, twice_area] = mesh.shape(f);
+    const double longest = *std::max_element(length.begin(), length.end());
+    return twice_area * kNeedle < longest * longest;
+  });
+  return double(needles) > kNeedleShare * mesh.face_count();
+}
+
 /// One remesh by its options.
 class SurfaceRemesher {
  public:
@@ -117,7 +130,7 @@ class SurfaceRemesher {
       asked.copy.faces = 0;
     }
     RelaxationStart start = start_relaxation(mesh_, asked);
-    if (is_small && follows_creases(mesh_, start)) start.copy.reset();
+    if (is_small && follows_creases(mesh_, start) && !has_needles(mesh_)) start.copy.reset();
     return start;
   }
 
@@ -125,7 +138,7 @@ class SurfaceRemesher {
     enter("relaxation");
     LloydOptions options;
     options.max_iterations = options_.iterations();
-    made_.relaxation_ends_on_copy = !follows_creases(mesh_, made_.start);
+    made_.relaxation_ends_on_copy = !follows_creases(mesh_, made_.start) || has_needles(mesh_);
     options.diagram = options_.remesh.diagram;
     options.progress = options_.remesh.diagram.progress;
     options.on_iteration = [this](std::int64_t iterations, double energy, const std::vector<SurfacePoint>&) {
