@@ -1,8 +1,11 @@
 // Components that are their own triangles, decimated, where the dual of generators is no proper mesh.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -164,19 +167,28 @@ Mesh join(const Mesh& first, const Mesh& second) {
   return {std::move(positions), std::move(faces)};
 }
 
+/// "2: 1, 3: 4" for one component by the cause of number 2 and four by that of number 3.
+std::string causes_of(const RemeshResult& result) {
+  std::string causes;
+  for (const auto& [cause, count] : result.decimated.causes) {
+    causes += fmt::format("{}{}: {}", causes.empty() ? "" : ", ", int(cause), count);
+  }
+  return causes;
+}
+
 TEST_CASE("remesh: a component of several that takes too many generators is decimated, the others are not") {
   const Mesh hose = make_hose(300, 8, 0.02);
   const Mesh both = join(hose, test::make_sphere(2));
   std::vector<SurfacePoint> generators{vertex_point(both, VertexId(0)), vertex_point(both, VertexId(1200))};
-  for (int i = 0; i < 12; ++i) generators.push_back(vertex_point(both, VertexId(hose.vertex_count() + 13 * i)));
+  for (int i = 0; i < 80; ++i) generators.push_back(vertex_point(both, VertexId(hose.vertex_count() + 2 * i)));
   RemeshOptions options;
   options.may_decimate = true;
   const RemeshResult result = remesh(both, generators, options);
   CHECK(result.certificate.ok());
-  CHECK(result.decimated.causes == std::map<DecimationCause, std::int64_t>{{DecimationCause::generators, 1}});
+  CHECK(causes_of(result) == "2: 1");
   CHECK(result.decimated.generators == 2);
   CHECK(result.decimated.vertices < 60);
-  CHECK(result.mesh.vertex_count() < result.decimated.vertices + 20);
+  CHECK(result.mesh.vertex_count() < result.decimated.vertices + 90);
 }
 
 /// A sphere of which one vertex is the tip of a spike too narrow for generators. The tip is vertex 0.
@@ -197,7 +209,7 @@ TEST_CASE("remesh: a decimated component gets vertices back until it does not me
   const Mesh outer = make_spiked_sphere();
   const Mesh sphere = test::make_sphere(3);
   std::vector<Vec3> smaller;
-  for (const Vec3& p : sphere.positions()) smaller.push_back(0.93 * p);
+  for (const Vec3& p : sphere.positions()) smaller.push_back(0.75 * p);
   const Mesh both = join(outer, Mesh(std::move(smaller), outer.face_vertices()));
   std::vector<SurfacePoint> generators{vertex_point(both, VertexId(0))};
   for (int i = 1; i < 8; ++i) generators.push_back(vertex_point(both, VertexId(80 * i)));
@@ -207,8 +219,8 @@ TEST_CASE("remesh: a decimated component gets vertices back until it does not me
   const RemeshResult result = remesh(both, generators, options);
   CHECK(result.certificate.ok());
   CHECK(result.certificate.self_intersections.empty());
-  CHECK(result.decimated.causes == std::map<DecimationCause, std::int64_t>{{DecimationCause::narrow_tip, 1}});
-  CHECK(result.decimated.vertices > decimate_all(outer, 8).mesh.vertex_count());
+  CHECK(result.decimated.causes.at(DecimationCause::narrow_tip) == 1);
+  CHECK(result.decimated.vertices > 2 * decimate_all(outer, 8).mesh.vertex_count());
 }
 
 }  // namespace gvd::test_decimated_components

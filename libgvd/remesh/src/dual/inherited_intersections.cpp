@@ -27,6 +27,16 @@ namespace {
 /// not alike.
 constexpr double kPairsPerSpacing = 9;
 
+/// Triangles whose normals have a smaller sine between them are parallel: rounding hides where they cross.
+constexpr double kParallel = 1e-6;
+
+Vec3 normal_of(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
+
+bool are_parallel(const Triangle& first, const Triangle& second) {
+  const Vec3 a = normal_of(first), b = normal_of(second);
+  return !(a.cross(b).norm() > kParallel * a.norm() * b.norm());
+}
+
 Box3 box_of(const Triangle& t) { return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])}; }
 
 double longest_side(const Triangle& t) {
@@ -65,10 +75,12 @@ class UntakenPairs {
     std::vector<Box3> boxes;
     std::vector<Vec3> middles;
     for (const FacePair& pair : given) {
-      boxes.push_back(meeting_box(faces.corners(pair.first), faces.corners(pair.second)));
+      const Triangle first = faces.corners(pair.first), second = faces.corners(pair.second);
+      boxes.push_back(meeting_box(first, second));
       middles.push_back(boxes.back().center());
       const double length = boxes.back().diagonal().norm() / spacing;
-      count_.push_back(length < 1 ? 1 : static_cast<std::int64_t>(std::ceil(kPairsPerSpacing * length)));
+      const double size = are_parallel(first, second) ? length * length : length;
+      count_.push_back(length < 1 ? 1 : static_cast<std::int64_t>(std::ceil(kPairsPerSpacing * size)));
     }
     given_at_ = order_in_space(middles);
     slot_.resize(given.size());
@@ -113,7 +125,7 @@ bool is_own(const RemeshFaces& faces, FaceId f) {
 
 Box3 meeting_box(const Triangle& first, const Triangle& second) {
   const Box3 common = box_of(first).intersection(box_of(second));
-  const auto normal_of = [](const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); };
+  if (are_parallel(first, second)) return common;
   const Vec3 a = normal_of(first), b = normal_of(second), direction = a.cross(b);
   const Stretch of_first = cross_plane(first, second[0], b, direction);
   const Stretch of_second = cross_plane(second, first[0], a, direction);
