@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -71,6 +73,10 @@ constexpr std::int32_t kNeedleRounds = 2;
 constexpr std::int64_t kLeastMeshes = 2;
 /// Rounds in which such a component may have defects.
 constexpr std::int32_t kMostComponentRounds = 8;
+
+/// A repair is given up after so many rounds without fewer defects of one kind (in topology, flipped, intersecting)
+/// than ever before. Those that succeed take 50 rounds at most, and nine of ten take 12.
+constexpr std::int32_t kStagnantRounds = 20;
 
 /// From this round on, a repair is given up whose defects are half as many again as at first, and one for two
 /// generators: the surface is finer than their spacing nearly everywhere. The first round of few generators has few
@@ -165,6 +171,8 @@ class Remesher {
   }
 
  private:
+  static constexpr std::size_t kNoDefects = std::numeric_limits<std::size_t>::max();
+
   void enter(RemeshStage stage) const {
     if (options_.on_stage) options_.on_stage(stage);
   }
@@ -187,7 +195,7 @@ class Remesher {
       ++placements_;
     }
     if (result_.rounds == 1) result_.given_defects = round.defects;
-    if (!round.defects.empty()) history_.emplace_back(result_.added, round.defects.size());
+    if (!round.defects.empty()) note_defects(round.defects);
     if (follows_creases) return false;
     // Once duals are given up, those that meet decimated faces are decimated, too, and do not meet them any more.
     const bool duals_go = given_up_ && !round.defects.empty();
@@ -203,6 +211,18 @@ class Remesher {
       return true;
     }
     return false;
+  }
+
+  /// Keeps their number, and the last round that had fewer of a kind than all before.
+  void note_defects(const std::vector<DualDefect>& defects) {
+    history_.emplace_back(result_.added, defects.size());
+    const DualProperty property = defects.front().property;
+    std::size_t& least = least_defects_[property < DualProperty::not_flipped    ? 0
+                                        : property == DualProperty::not_flipped ? 1
+                                                                                : 2];
+    if (defects.size() >= least) return;
+    least = defects.size();
+    progress_round_ = result_.rounds;
   }
 
   /// The diagram after generators were added. An exact one is computed anew once; then only what they change.
@@ -289,6 +309,7 @@ class Remesher {
         kRepairDiagrams * first_events_ + kRepairEventsPerFace * mesh_.face_count() + kRepairEvents;
     const bool are_needles = first_events_ > kNeedleEventsPerFace * mesh_.face_count() + kRepairEvents;
     if (are_needles && result_.rounds > kNeedleRounds) return DecimationCause::work;
+    if (result_.rounds - progress_round_ >= kStagnantRounds) return DecimationCause::work;
     const std::int32_t most_placements = components_ > 1 ? kMaxAssemblyPlacements : kMaxPlacements;
     if (placements_ >= most_placements || events_ - earlier_events_ > most_events) return DecimationCause::work;
     // Triangles that intersect are looked for only where nothing else is wrong: they say nothing of growth.
@@ -510,10 +531,12 @@ class Remesher {
   RepairHistory history_;
   const IdVector<FaceId, std::int32_t> component_ = compute_face_components(mesh_);
   const std::vector<ComponentTopology> topologies_ = compute_topologies(mesh_, component_);
-  std::size_t components_ = 0;                          // of the surface
-  std::vector<std::int32_t> rounds_of_;                 // of each component: those that found defects
-  std::vector<std::int64_t> given_to_, added_to_;       // generators of each component: given, and added in repairs
-  std::optional<DecimationCause> given_up_;             // why each component that still has defects is decimated
+  std::size_t components_ = 0;                     // of the surface
+  std::vector<std::int32_t> rounds_of_;            // of each component: those that found defects
+  std::vector<std::int64_t> given_to_, added_to_;  // generators of each component: given, and added in repairs
+  std::optional<DecimationCause> given_up_;        // why each component that still has defects is decimated
+  std::array<std::size_t, 3> least_defects_{kNoDefects, kNoDefects, kNoDefects};  // in a round, by their kind
+  std::int32_t progress_round_ = 0;                     // the last one that had fewer defects of a kind than all before
   std::int32_t placements_ = 0;                         // of all vertices, in rounds
   std::int64_t first_events_ = 0, earlier_events_ = 0;  // of the first diagram, and of all until then
   std::int64_t events_ = 0;                             // windows propagated in all diagrams but those of searches
