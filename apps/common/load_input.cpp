@@ -19,6 +19,7 @@
 #include "common/process.hpp"
 #include "common/referred_files.hpp"
 #include "gvd/curve_list.hpp"
+#include "gvd/drop_components.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/mesh_writer.hpp"
@@ -245,7 +246,11 @@ MeshPtr load_input(Run& run, PipedInput* piped) {
   PolygonSoup soup = run.timed("read", [&] { return read_mesh(input, piped); });
   check_referred_files(run.options(), soup.appearance);
   if (input.weld) run.timed("weld", [&] { weld_input(soup, input); });
-  CheckedMesh checked = run.timed("check", [&] { return build_mesh(soup, input.on_defect, name_of(input)); });
+  CheckedMesh checked = run.timed("check", [&] {
+    CheckedMesh whole = build_mesh(soup, input.on_defect, name_of(input));
+    if (input.drop_smaller_than) drop_small_components(whole, *input.drop_smaller_than);
+    return whole;
+  });
   for (const std::string& message : checked.defects.messages) note_on_input(run, message);
   note_coarse_coordinates(run, checked.mesh);
   note_far_vertices(run, checked);

@@ -25,6 +25,7 @@ struct InputOptions {
   DefectPolicy on_defect = DefectPolicy::repair;
   std::optional<GeneratorFormat> list_format;  ///< of a file of points; nothing: extension and content decide
   std::optional<double> weld;  ///< tolerance in mesh units, 0 for exact copies; nothing: as usual for the format
+  std::optional<ErrorBound> drop_smaller_than;  ///< components that are smaller are left out
 };
 
 struct ComputeOptions {

@@ -89,6 +89,9 @@ void describe_input(OptionList& list, InputOptions& input) {
               {.help = "Join vertices at most this far apart",
                .more = "; without a number, those at the same place, as in an STL",
                .unit = "mesh units"});
+  list.option("drop_smaller_than", SizeOrPercent{&input.drop_smaller_than},
+              {.help = "Leave out components whose bounding box has a smaller diagonal than this",
+               .more = ", in mesh units or in percent of the whole mesh's diagonal"});
 }
 
 void describe_generators_format(OptionList& list, InputOptions& input) {

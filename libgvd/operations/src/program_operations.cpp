@@ -12,6 +12,7 @@
 #include "figures.hpp"
 #include "given_arrays.hpp"
 #include "gvd/check.hpp"
+#include "gvd/drop_components.hpp"
 #include "gvd/error.hpp"
 #include "gvd/read_soup.hpp"
 #include "gvd/read_values.hpp"
@@ -79,6 +80,9 @@ void describe(OptionList& list, MeshCall& call) {
                .more = ": refuse them, repair them without loss, or repair them and keep only the largest component"});
   list.option("weld", Number{&call.weld, {.least = 0}},
               {.help = "Join vertices at most this far apart; 0: those at the same place", .unit = "mesh units"});
+  list.option("drop_smaller_than", SizeOrPercent{&call.drop_smaller_than},
+              {.help = "Leave out components whose bounding box has a smaller diagonal than this",
+               .more = ", in mesh units or in percent of the whole mesh's diagonal"});
   list.needs("input_format", "file");
 }
 
@@ -89,7 +93,9 @@ std::shared_ptr<const MeshObject> run(MeshCall& call, Observer& observer) {
   });
   const Step step(observer, "check");
   if (call.weld) weld_soup(soup, *call.weld);
-  return std::make_shared<MeshObject>(std::make_shared<CheckedMesh>(build_mesh(soup, call.on_defect, call.file)));
+  CheckedMesh checked = build_mesh(soup, call.on_defect, call.file);
+  if (call.drop_smaller_than) drop_small_components(checked, *call.drop_smaller_than);
+  return std::make_shared<MeshObject>(std::make_shared<CheckedMesh>(std::move(checked)));
 }
 
 void describe(OptionList& list, SavedMeshCall& call) {

@@ -214,18 +214,39 @@ std::int64_t count_given(const RemeshResult& result) {
   return std::ssize(result.generators) - result.added + result.left_out - decimated.vertices + decimated.generators;
 }
 
+/// Why one component was decimated, and why several were.
+constexpr std::array<std::pair<const char*, const char*>, 5> kCauseWords{{
+    {"gets more defects from round to round", "get more defects from round to round"},
+    {"takes too long to repair", "take too long to repair"},
+    {"would take too many generators", "would take too many generators"},
+    {"has a tip too narrow for generators", "have a tip too narrow for generators"},
+    {"has no room for more generators", "have no room for more generators"},
+}};
+
+/// "3 would take too many generators, 1 has no room for more generators"; without numbers where all parts are alike.
+std::string describe_causes(const DecimatedParts& decimated) {
+  std::vector<std::string> parts;
+  for (const auto& [cause, count] : decimated.causes) {
+    const auto& [one, several] = kCauseWords[static_cast<std::size_t>(cause)];
+    const char* const words = count == 1 ? one : several;
+    parts.push_back(decimated.components == 1 ? fmt::format("it {}", words) : fmt::format("{} {}", count, words));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 /// Describes the components that were decimated and are not dual to generators.
 void describe_decimated(const RemeshResult& result, std::vector<std::string>& lines) {
   const DecimatedParts& decimated = result.decimated;
   if (decimated.components == 0) return;
   const std::int64_t all = result.certificate.input.components;
-  lines.push_back(
-      fmt::format("{} the input's own triangles, decimated to {}, since the dual of generators there is no "
-                  "valid mesh: {}",
-                  all == 1 ? "the surface is"
-                           : fmt::format("{} of {} connected parts {}", decimated.components, all,
-                                         decimated.components == 1 ? "is" : "are"),
-                  counted(decimated.vertices, "vertex", "vertices"), decimated.reason));
+  lines.push_back(fmt::format(
+      "{} the input's own triangles, decimated to {} in place of {}, since the dual of generators there "
+      "is no valid mesh: {}; the first defect: {}",
+      all == 1 ? "the surface is"
+               : fmt::format("{} of {} connected parts {}", decimated.components, all,
+                             decimated.components == 1 ? "is" : "are"),
+      counted(decimated.vertices, "vertex", "vertices"), counted(decimated.generators, "generator", "generators"),
+      describe_causes(decimated), decimated.reason));
 }
 
 /// Describes the generators that were added, and why.
@@ -406,12 +427,16 @@ void RemeshOutcome::visit(ObjectVisitor& visitor) const {
   figure("search_cut_short", "", "whether fewer generators may do", result.search_cut_short);
   figure("decimated_components", "", "whose own triangles, decimated, stand for a dual", result.decimated.components);
   figure("decimated_vertices", "", "in these, each at a vertex of the input", result.decimated.vertices);
+  figure("decimated_generators", "", "given ones, whose place these vertices took", result.decimated.generators);
   figure("slivers", "", "triangles that are nearly flat lines", std::ssize(result.slivers));
   creases("length", "mesh units", "of creases and boundary to follow", result.crease_length);
   creases("followed", "mesh units", "that edges follow", result.crease_length - result.crease_gap_length);
   creases("added_generators", "", "on them", result.added_on_creases);
   visit_summary(visitor, result.certificate.output, "output");
-  add_figures(group("certificate"), result.certificate);
+  const Figures certificate = group("certificate");
+  add_figures(certificate, result.certificate);
+  certificate("dropped_components", "", "of the input, left out before",
+              input->defects.count(DefectKind::dropped_components));
   add_figures(group("quality.input"), result.input_quality);
   add_figures(group("quality.output"), result.output_quality);
   add_figures(group("valences.input"), compute_valences(input->mesh));

@@ -12,8 +12,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "crease_defects.hpp"
@@ -51,11 +54,29 @@ constexpr double kGapTolerance = 1e-9;
 /// A placement of all vertices costs several times as much as the other steps of a round. After so many, triangles that
 /// still intersect are not repaired by more generators, where their component can be decimated.
 constexpr std::int32_t kMaxPlacements = 20;
+/// The components of an assembly that intersect each other do so wherever generators are added.
+constexpr std::int32_t kMaxAssemblyPlacements = 2;
 
 /// Windows that a repair may propagate before components with defects are decimated: those of so many diagrams like the
 /// first one, some for each face, since the diagram of few generators says little of others, and what takes a fraction
 /// of a second, whatever the mesh.
 constexpr std::int64_t kRepairDiagrams = 60, kRepairEventsPerFace = 300, kRepairEvents = 200'000;
+
+/// Faces have 10 to 30 windows, needles hundreds: a diagram then takes as long as twenty others. Where there are so
+/// many for each face, so many rounds have to do.
+constexpr std::int64_t kNeedleEventsPerFace = 100;
+constexpr std::int32_t kNeedleRounds = 2;
+
+/// The generators that a component of several may be given: as many again as it had, and so many times the fewest
+/// vertices of its topology. Then its own triangles do, with fewer vertices. So a part does not cost more than the
+/// whole is worth.
+constexpr std::int64_t kLeastMeshes = 2;
+/// Rounds in which such a component may have defects.
+constexpr std::int32_t kMostComponentRounds = 8;
+
+/// A repair is given up after so many rounds without fewer defects of one kind (in topology, flipped, intersecting)
+/// than ever before. Those that succeed take 50 rounds at most, and nine of ten take 12.
+constexpr std::int32_t kStagnantRounds = 20;
 
 /// From this round on, a repair is given up whose defects are half as many again as at first, and one for two
 /// generators: the surface is finer than their spacing nearly everywhere. The first round of few generators has few
@@ -95,6 +116,13 @@ std::string others(std::size_t count) {
               fmt::format("no valid mesh of {} was found: {}", counted(count, "vertex", "vertices"), why));
 }
 
+/// The fewest vertices of a mesh with this topology: four of a sphere, three of a disc, six of an annulus, seven of a
+/// torus. An upper bound for more handles than three.
+std::int64_t least_vertices(const ComponentTopology& topology) {
+  const std::int64_t handles = twice_genus(1, topology.boundary_loops, topology.euler_characteristic) / 2;
+  return (topology.boundary_loops == 0 ? 4 : 3 * std::int64_t{topology.boundary_loops}) + 3 * handles;
+}
+
 /// The points of some generators, in the order of their ids.
 std::vector<SurfacePoint> list_points(const std::vector<SurfacePoint>& generators, std::vector<GeneratorId> ids) {
   std::sort(ids.begin(), ids.end());
@@ -118,7 +146,11 @@ class Remesher {
                  even_spacing(compute_area(mesh), std::ssize(generators))) {
     result_.generators = generators;
     stays_ = fixed_;
-    components_ = std::size_t(compute_mesh_summary(mesh).components);
+    components_ = topologies_.size();
+    given_to_.resize(components_);
+    added_to_.resize(components_);
+    rounds_of_.resize(components_);
+    for (const SurfacePoint& point : generators) ++given_to_[component_of(point)];
   }
 
   /// `first`: the diagram of the given generators.
@@ -139,6 +171,8 @@ class Remesher {
   }
 
  private:
+  static constexpr std::size_t kNoDefects = std::numeric_limits<std::size_t>::max();
+
   void enter(RemeshStage stage) const {
     if (options_.on_stage) options_.on_stage(stage);
   }
@@ -153,6 +187,7 @@ class Remesher {
     ++result_.rounds;
     enter(RemeshStage::dual);
     RemeshRound round = maker_.build(result_.diagram, result_.rounds);
+    if (!round.obstacle.empty()) throw Error(ErrorCode::no_valid_result, round.obstacle);
     const bool follows_creases = follow_creases();
     if (!follows_creases && round.defects.empty()) {
       enter(RemeshStage::placement);
@@ -160,9 +195,11 @@ class Remesher {
       ++placements_;
     }
     if (result_.rounds == 1) result_.given_defects = round.defects;
-    if (!round.defects.empty()) history_.emplace_back(result_.added, round.defects.size());
+    if (!round.defects.empty()) note_defects(round.defects);
     if (follows_creases) return false;
-    if (!round.decimated_wrong.empty()) refine_decimated(round);
+    // Once duals are given up, those that meet decimated faces are decimated, too, and do not meet them any more.
+    const bool duals_go = given_up_ && !round.defects.empty();
+    if (!round.decimated_wrong.empty() && !duals_go) refine_decimated(round);
     if (!round.defects.empty()) {
       refine(round.defects);
     } else if (!round.decimated_wrong.empty()) {
@@ -174,6 +211,18 @@ class Remesher {
       return true;
     }
     return false;
+  }
+
+  /// Keeps their number, and the last round that had fewer of a kind than all before.
+  void note_defects(const std::vector<DualDefect>& defects) {
+    history_.emplace_back(result_.added, defects.size());
+    const DualProperty property = defects.front().property;
+    std::size_t& least = least_defects_[property < DualProperty::not_flipped    ? 0
+                                        : property == DualProperty::not_flipped ? 1
+                                                                                : 2];
+    if (defects.size() >= least) return;
+    least = defects.size();
+    progress_round_ = result_.rounds;
   }
 
   /// The diagram after generators were added. An exact one is computed anew once; then only what they change.
@@ -224,8 +273,13 @@ class Remesher {
     if (result_.added >= max_added_) raise_limit();
     const std::int64_t may_add = max_added_ - result_.added;
     const bool is_over = may_add <= 0 || result_.rounds >= kMaxRemeshRounds;
-    gives_up_ = gives_up_ || is_over || is_hopeless(defects);
-    if (may_decimate() && gives_up_) return decimate(defects);
+    if (!given_up_) given_up_ = is_over ? std::optional(DecimationCause::work) : find_hopeless(defects);
+    if (may_decimate() && given_up_) return decimate(defects, *given_up_);
+    if (may_decimate() && components_ > 1) {
+      count_rounds(defects);
+      const std::vector<DualDefect> spent = find_spent(defects);
+      if (!spent.empty()) return decimate(spent, DecimationCause::generators);
+    }
     if (is_over) {
       const MeshSummary summary = compute_mesh_summary(mesh_);
       refuse(defects, fmt::format("{} added in {}{}", counted(result_.added, "generator was", "generators were"),
@@ -236,27 +290,59 @@ class Remesher {
     const auto [points, narrow] =
         propose_generators(mesh_, result_.diagram, defects, may_add, options_.diagram.progress);
     if (narrow && may_decimate()) return decimate_around(narrow->tip, defects);
-    if (points.empty() && may_decimate()) return decimate(defects);
+    if (points.empty() && may_decimate()) return decimate(defects, DecimationCause::no_room);
     if (narrow) refuse(defects, describe(mesh_, *narrow));
     if (points.empty()) {
       refuse(defects, "every point for a new generator is too close to another one; move or remove generators there");
     }
     const auto nearby = propose_nearby(mesh_, result_.diagram, points, may_add - points.size(), options_.diagram);
-    append(points);
-    append(nearby.points);
+    for (const auto* const more : {&points, &nearby.points}) {
+      append(*more);
+      for (const SurfacePoint& point : *more) ++added_to_[component_of(point)];
+    }
     events_ += nearby.events;
   }
 
-  /// Whether more generators are no way to a right dual, or take too long.
-  bool is_hopeless(const std::vector<DualDefect>& defects) const {
+  /// Why more generators are no way to a right dual, if they are none, or take too long.
+  std::optional<DecimationCause> find_hopeless(const std::vector<DualDefect>& defects) const {
     const std::int64_t most_events =
         kRepairDiagrams * first_events_ + kRepairEventsPerFace * mesh_.face_count() + kRepairEvents;
-    if (placements_ >= kMaxPlacements || events_ - earlier_events_ > most_events) return true;
+    const bool are_needles = first_events_ > kNeedleEventsPerFace * mesh_.face_count() + kRepairEvents;
+    if (are_needles && result_.rounds > kNeedleRounds) return DecimationCause::work;
+    if (result_.rounds - progress_round_ >= kStagnantRounds) return DecimationCause::work;
+    const std::int32_t most_placements = components_ > 1 ? kMaxAssemblyPlacements : kMaxPlacements;
+    if (placements_ >= most_placements || events_ - earlier_events_ > most_events) return DecimationCause::work;
     // Triangles that intersect are looked for only where nothing else is wrong: they say nothing of growth.
     const bool is_topology = defects.front().property < DualProperty::not_flipped;
     const bool has_grown = result_.rounds >= kGrowthRound && 2 * defects.size() > 3 * history_.front().second;
     const std::size_t generators = result_.generators.size();
-    return is_topology && has_grown && 2 * defects.size() > generators && generators >= kGrowthGenerators * components_;
+    const bool is_everywhere = 2 * defects.size() > generators && generators >= kGrowthGenerators * components_;
+    return is_topology && has_grown && is_everywhere ? std::optional(DecimationCause::growth) : std::nullopt;
+  }
+
+  std::int32_t component_of(const DualDefect& defect) const {
+    return defect.cells.empty() ? defect.component : component_of(result_.generators[defect.cells.front().index()]);
+  }
+
+  /// The defects of components that have been given as many generators as one of several may. Where more have none than
+  /// generators were given, these are too few for a dual of all.
+  std::vector<DualDefect> find_spent(std::vector<DualDefect> defects) const {
+    const auto is_unreached = [](const DualDefect& d) { return d.cells.empty(); };
+    const bool are_too_few = std::count_if(defects.begin(), defects.end(), is_unreached) > given_count();
+    std::erase_if(defects, [&](const DualDefect& d) {
+      if (is_unreached(d)) return !are_too_few;
+      const std::int32_t c = component_of(d);
+      return rounds_of_[c] <= kMostComponentRounds &&
+             added_to_[c] <= given_to_[c] + kLeastMeshes * least_vertices(topologies_[c]);
+    });
+    return defects;
+  }
+
+  /// Counts this round for each component with defects.
+  void count_rounds(const std::vector<DualDefect>& defects) {
+    std::set<std::int32_t> components;
+    for (const DualDefect& d : defects) components.insert(component_of(d));
+    for (const std::int32_t c : components) ++rounds_of_[c];
   }
 
   /// Who asks for an exact number of vertices, for the given generators alone or for a limit may be refused.
@@ -265,37 +351,30 @@ class Remesher {
   }
 
   /// Gives up the dual of the components with these defects: their own triangles, decimated, take its place.
-  void decimate(const std::vector<DualDefect>& defects) {
+  void decimate(const std::vector<DualDefect>& defects, DecimationCause cause) {
     if (!decimated_) {
       decimated_.emplace(mesh_);
       result_.decimated.reason = defects.front().message;
     }
     std::map<std::int32_t, std::int64_t> vertices_of;
     for (const DualDefect& d : defects) {
-      const bool has_cells = !d.cells.empty();
-      vertices_of[has_cells ? component_of(result_.generators[d.cells.front().index()]) : d.component] = 0;
+      const std::int32_t c = component_of(d);
+      vertices_of[c] = std::max(given_to_[c], least_vertices(topologies_[c]));
     }
-    for (std::int64_t i = 0; i < given_count(); ++i) {
-      const auto found = vertices_of.find(component_of(result_.generators[i]));
-      if (found == vertices_of.end()) continue;
-      ++found->second;
-      ++result_.decimated.generators;
-    }
+    for (const auto& [component, vertices] : vertices_of) result_.decimated.generators += given_to_[component];
+    result_.decimated.causes[cause] += std::ssize(vertices_of);
     decimated_->add(vertices_of);
     replace_decimated();
   }
 
-  /// The same for the component of a vertex alone.
+  /// The same for the component of a vertex alone, where generators have no room.
   void decimate_around(VertexId vertex, std::vector<DualDefect> defects) {
-    const auto component = compute_face_components(mesh_);
-    const std::int32_t chosen = component[Mesh::face(mesh_.halfedge(vertex))];
-    std::erase_if(defects, [&](const DualDefect& d) {
-      return d.cells.empty() || component[result_.generators[d.cells.front().index()].face] != chosen;
-    });
-    decimate(defects);
+    const std::int32_t chosen = component_[Mesh::face(mesh_.halfedge(vertex))];
+    std::erase_if(defects, [&](const DualDefect& d) { return component_of(d) != chosen; });
+    decimate(defects, DecimationCause::narrow_tip);
   }
 
-  std::int32_t component_of(const SurfacePoint& point) const { return decimated_->component()[point.face]; }
+  std::int32_t component_of(const SurfacePoint& point) const { return component_[point.face]; }
 
   void refine_decimated(const RemeshRound& round) {
     const auto on_surface = [&](VertexId v) { return vertex(mesh_, result_.generators[v.index()]); };
@@ -403,22 +482,18 @@ class Remesher {
   /// the mesh is accepted.
   template <class IsAccepted>
   bool take_if(const std::vector<SurfacePoint>& generators, IsAccepted is_accepted) {
-    try {
-      Diagram diagram = compute_diagram(mesh_, generators, options_.diagram);
-      creases_.propose(diagram, 0);
-      if (creases_.gap_length() > result_.crease_gap_length + kGapTolerance * creases_.length()) return false;
-      RemeshRound round = maker_.build(diagram, result_.rounds);
-      if (round.defects.empty()) maker_.place(diagram, round);
-      if (!round.defects.empty() || !is_accepted(round.mesh)) return false;
-      result_.crease_gap_length = creases_.gap_length();
-      result_.generators = generators;
-      result_.diagram = std::move(diagram);
-      take(std::move(round));
-      return true;
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::no_valid_result) throw;
-      return false;
-    }
+    Diagram diagram = compute_diagram(mesh_, generators, options_.diagram);
+    creases_.propose(diagram, 0);
+    if (creases_.gap_length() > result_.crease_gap_length + kGapTolerance * creases_.length()) return false;
+    RemeshRound round = maker_.build(diagram, result_.rounds);
+    if (!round.obstacle.empty()) return false;
+    if (round.defects.empty()) maker_.place(diagram, round);
+    if (!round.defects.empty() || !is_accepted(round.mesh)) return false;
+    result_.crease_gap_length = creases_.gap_length();
+    result_.generators = generators;
+    result_.diagram = std::move(diagram);
+    take(std::move(round));
+    return true;
   }
 
   void measure() {
@@ -429,7 +504,8 @@ class Remesher {
         return !options_.diagram.progress || options_.diagram.progress(step, begin + 0.5 * done);
       });
     };
-    result_.certificate = certify_remesh(mesh_, result_.diagram, result_.mesh, result_.face_points, threads);
+    result_.certificate = certify_remesh(mesh_, result_.diagram, result_.mesh, result_.face_points, threads,
+                                         decimated_ ? std::ssize(decimated_->faces()) : 0);
     result_.certificate.intersections_allowed = options_.allow_intersections;
     if (!result_.certificate.ok()) {
       throw Error(ErrorCode::no_valid_result,
@@ -453,8 +529,14 @@ class Remesher {
   CreaseFollower creases_;
   RemeshResult result_;
   RepairHistory history_;
-  std::size_t components_ = 0;                          // of the surface
-  bool gives_up_ = false;                               // decimates each component that still has defects
+  const IdVector<FaceId, std::int32_t> component_ = compute_face_components(mesh_);
+  const std::vector<ComponentTopology> topologies_ = compute_topologies(mesh_, component_);
+  std::size_t components_ = 0;                     // of the surface
+  std::vector<std::int32_t> rounds_of_;            // of each component: those that found defects
+  std::vector<std::int64_t> given_to_, added_to_;  // generators of each component: given, and added in repairs
+  std::optional<DecimationCause> given_up_;        // why each component that still has defects is decimated
+  std::array<std::size_t, 3> least_defects_{kNoDefects, kNoDefects, kNoDefects};  // in a round, by their kind
+  std::int32_t progress_round_ = 0;                     // the last one that had fewer defects of a kind than all before
   std::int32_t placements_ = 0;                         // of all vertices, in rounds
   std::int64_t first_events_ = 0, earlier_events_ = 0;  // of the first diagram, and of all until then
   std::int64_t events_ = 0;                             // windows propagated in all diagrams but those of searches

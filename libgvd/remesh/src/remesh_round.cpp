@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "dual/dual_defects.hpp"
+#include "dual/inherited_intersections.hpp"
 #include "dual/self_intersections.hpp"
 #include "gvd/error.hpp"
 #include "gvd/placement.hpp"
@@ -124,22 +125,20 @@ void RoundMaker::build_mesh(const Diagram& diagram, RemeshRound& round) const {
   try {
     round.mesh = Mesh(std::move(positions), std::move(faces));
   } catch (const Error& error) {
-    throw Error(ErrorCode::no_valid_result,
-                std::string("the dual of the generators is not a manifold mesh: ") + error.what() +
-                    "; move or remove generators",
-                error.element());
+    round.obstacle = std::string("the dual of the generators is not a manifold mesh: ") + error.what() +
+                     "; move or remove generators";
   }
 }
 
 std::vector<FacePair> RoundMaker::find_intersections(const Diagram& diagram, const RemeshRound& round) {
   if (options_.allow_intersections) return {};
-  const std::vector<FacePair> pairs = drop_pairs_of_surface(
-      mesh_, round.mesh, find_self_intersections(round.mesh, options_.diagram.threads, options_.diagram.progress),
-      diagram.generators, round.face_points);
+  const std::vector<FacePair> pairs =
+      find_self_intersections(round.mesh, options_.diagram.threads, options_.diagram.progress);
   if (pairs.empty()) return {};
   if (!of_input_) of_input_ = find_self_intersections(mesh_, options_.diagram.threads, options_.diagram.progress);
-  const auto cells = find_intersecting_cells(mesh_, diagram, *of_input_, options_.diagram.progress);
-  const auto inherited = find_inherited(round.mesh, pairs, cells);
+  const auto decimated_faces = std::int64_t{round.mesh.face_count()} - std::ssize(round.dual.faces);
+  const auto inherited = find_inherited_pairs({mesh_, diagram, round.mesh, round.face_points, decimated_faces}, pairs,
+                                              *of_input_, options_.diagram.progress);
   std::vector<FacePair> own;
   std::set_difference(pairs.begin(), pairs.end(), inherited.begin(), inherited.end(), std::back_inserter(own));
   return own;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gvd/diagram.hpp"
@@ -20,6 +21,7 @@ struct RemeshRound {
   Mesh mesh;      ///< none where the dual has defects; the faces of decimated components follow those of the dual
   std::vector<SurfacePoint> face_points;
   std::vector<DualDefect> defects;      ///< of the dual
+  std::string obstacle;                 ///< why a dual without defects is no manifold mesh; empty as a rule
   std::vector<FaceId> decimated_wrong;  ///< faces of decimated components that intersect others
 };
 
@@ -33,7 +35,7 @@ class RoundMaker {
       : mesh_(mesh), options_(options), fixed_(fixed), decimated_(decimated) {}
 
   /// The round of a diagram, with the vertices at the generators, and the defects of the dual and flipped triangles.
-  /// `number`: of the round, from 1 on. Throws Error{no_valid_result} if the triangles are no manifold mesh.
+  /// `number`: of the round, from 1 on.
   RemeshRound build(const Diagram& diagram, std::int32_t number) const;
 
   /// Moves the vertices of a round without defects as the options say; its defects are then triangles that intersect.

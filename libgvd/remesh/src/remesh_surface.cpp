@@ -57,6 +57,20 @@ bool follows_creases(const Mesh& mesh, const RelaxationStart& start) {
   return false;
 }
 
+/// A needle is longer than this many times its height. Where so many faces are needles, paths cross many of them, and a
+/// diagram takes as long as twenty others of as many faces: so many iterations have to do, if nobody asks for more.
+constexpr double kNeedle = 1000, kNeedleShare = 0.2;
+constexpr std::int32_t kNeedleIterations = 3;
+
+bool has_needles(const Mesh& mesh) {
+  const auto needles = std::count_if(mesh.faces().begin(), mesh.faces().end(), [&](FaceId f) {
+    const auto& [length, twice_area] = mesh.shape(f);
+    const double longest = *std::max_element(length.begin(), length.end());
+    return twice_area * kNeedle < longest * longest;
+  });
+  return double(needles) > kNeedleShare * mesh.face_count();
+}
+
 /// One remesh by its options.
 class SurfaceRemesher {
  public:
@@ -124,14 +138,15 @@ class SurfaceRemesher {
   void relax() {
     enter("relaxation");
     LloydOptions options;
-    options.max_iterations = options_.iterations();
+    const bool is_short = !options_.relaxation && has_needles(mesh_);
+    options.max_iterations = is_short ? std::min(options_.iterations(), kNeedleIterations) : options_.iterations();
     made_.relaxation_ends_on_copy = !follows_creases(mesh_, made_.start);
     options.diagram = options_.remesh.diagram;
     options.progress = options_.remesh.diagram.progress;
     options.on_iteration = [this](std::int64_t iterations, double energy, const std::vector<SurfacePoint>&) {
       if (options_.on_iteration) options_.on_iteration(iterations, energy);
     };
-    const LloydStages stages{.ends_on_copy = made_.relaxation_ends_on_copy, .keeps_extremities = true};
+    const LloydStages stages{.ends_on_copy = made_.relaxation_ends_on_copy, .keeps_extremities = !is_short};
     made_.relaxation = relax_generators(mesh_, made_.start, std::move(options), stages);
     made_.start.points = made_.relaxation->generators;
   }

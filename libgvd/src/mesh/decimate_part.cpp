@@ -192,6 +192,7 @@ bool PartDecimator::keeps_normals(std::int32_t v, std::int32_t w) const {
     const Vec3 old_normal = (p - before).cross(q - before), new_normal = (p - after).cross(q - after);
     const double old_norm = old_normal.norm(), new_norm = new_normal.norm();
     if (p == after || q == after) keeps = false;
+    if (!is_strict_) return;
     if (old_norm > 0 && !(old_normal.dot(new_normal) > kLeastCosine * old_norm * new_norm)) keeps = false;
     if (keeps) keeps = shape(after, p, q) >= std::min(kLeastShape, 0.25 * shape(before, p, q));
   });
@@ -245,6 +246,15 @@ void PartDecimator::decimate(double share, const std::function<void(double)>& re
     held += is_locked_[corner_[h]] || is_locked_[corner_[h + 1]] || is_locked_[corner_[h + 2]];
   }
   const std::int64_t faces = held + static_cast<std::int64_t>(share * static_cast<double>(left_ - held));
+  collapse_to(faces, report);
+  if (!guard_ || left_ <= faces) return;
+  is_strict_ = false;
+  collapse_to(faces, [&](double) {
+    if (report) report(1);
+  });
+}
+
+void PartDecimator::collapse_to(std::int64_t faces, const std::function<void(double)>& report) {
   const double all = static_cast<double>(std::max<std::int64_t>(1, left_ - faces));
   const auto key = [&](std::int32_t v) { return find_best(v); };
   LazyMaxHeap heap(static_cast<std::int32_t>(vertex_.size()), key);

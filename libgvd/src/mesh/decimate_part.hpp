@@ -52,7 +52,8 @@ class PartDecimator {
   void guard(CollapseGuard& guard) { guard_ = &guard; }
 
   /// Collapses halfedges until this share of the faces is left, or none can be collapsed. Faces with a vertex that has
-  /// to stay count as if all were left. `report` is called now and then with the share of the work that is done, and
+  /// to stay count as if all were left. With a guard, collapses that make thin faces or turn them by much follow where
+  /// others do not do. `report` is called now and then with the share of the work that is done, and
   /// may throw; it may be empty.
   void decimate(double share, const std::function<void(double)>& report = {});
 
@@ -107,6 +108,8 @@ class PartDecimator {
   std::int32_t other_end(std::int32_t v, std::int32_t halfedge) const {
     return from(halfedge) == v ? to(halfedge) : from(halfedge);
   }
+  /// Collapses until so many faces are left, or none can be collapsed.
+  void collapse_to(std::int64_t faces, const std::function<void(double)>& report);
   bool is_refused_by_guard(std::int32_t v, std::int32_t halfedge);
   void collapse(std::int32_t v, std::int32_t halfedge);
   void remove_face(std::int32_t halfedge, std::int32_t kept);
@@ -127,6 +130,7 @@ class PartDecimator {
   std::vector<std::int32_t> mark_;     // per vertex: the last question that it is a neighbour in
   std::vector<std::pair<double, std::int32_t>> choices_;
   CollapseGuard* guard_ = nullptr;
+  bool is_strict_ = true;                                    // no face gets thin, or turns by much
   std::set<std::pair<std::int32_t, std::int32_t>> refused_;  // collapses by the guard, from the first to the second
   std::vector<MovedFace> moved_;
   std::vector<std::int32_t> removed_;

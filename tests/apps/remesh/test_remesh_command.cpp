@@ -51,8 +51,34 @@ TEST_CASE(
   CHECK(results["map"]["obstacle"] == "a connected part is decimated, and not the dual of its cells");
   const CommandResult plain = run_command("gvd-remesh", run + " -o " + scratch / "coarse.obj");
   CHECK(plain.exit_code == 0);
-  CHECK_THAT(plain.err, Contains("the surface is the input's own triangles, decimated to 7 vertices, since"));
+  CHECK_THAT(plain.err, Contains("the surface is the input's own triangles, decimated to 7 vertices in place of 10 "
+                                 "generators, since the dual of generators there is no valid mesh: it has a tip too "
+                                 "narrow for generators; the first defect: "));
+  CHECK(results["decimated_generators"] == 10);
   CHECK(run_command("gvd-remesh", run + " --no-refine -o " + scratch / "none.obj").exit_code == 5);
+}
+
+TEST_CASE("gvd-remesh: --drop-smaller-than leaves small components out, and report, map and stderr say so") {
+  const ScratchFolder scratch;
+  write_text(scratch / "parts.off",
+             "OFF\n12 12 0\n0 0 0\n.1 0 0\n0 .1 0\n0 0 .1\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n5 5 5\n5 5 6\n"
+             "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 6 8\n3 6 5 8\n3 5 7 8\n3 7 4 8\n3 6 4 9\n3 5 6 9\n3 7 5 9\n3 4 7 "
+             "9\n");
+  const std::string run = scratch / "parts.off" + " -n 6 --drop-smaller-than ";
+  const auto report = report_of(run + "10% --map " + scratch / "map.json");
+  CHECK(report["options"]["drop_smaller_than"] == "10%");
+  CHECK(report["input"]["components"] == 1);
+  CHECK(report["input"]["defects"]["dropped_components"] == 1);
+  CHECK(report["results"]["certificate"]["dropped_components"] == 1);
+  CHECK(report["results"]["output"]["components"] == 1);
+  const auto map = nlohmann::json::parse(read_text(scratch / "map.json"))["input_vertices"];
+  CHECK((map[3].is_null() && !map[4].is_null()));
+  const CommandResult told = run_command("gvd-remesh", run + "0.2 -o " + scratch / "coarse.obj");
+  CHECK_THAT(told.err, Contains("1 component is smaller than 0.2, first the one of face 0: left out, with "));
+  const CommandResult all = run_command("gvd-remesh", run + "3 -o " + scratch / "none.obj");
+  CHECK(all.exit_code == 4);
+  CHECK_THAT(all.err,
+             Contains("all components are smaller than 3, the largest one ") && Contains("--drop-smaller-than"));
 }
 
 TEST_CASE("gvd-remesh: listed generators stay where they are, unless --relax asks to move them") {

@@ -1,7 +1,12 @@
 // Components that are their own triangles, decimated, where the dual of generators is no proper mesh.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "dual/flipped_triangles.hpp"
@@ -59,6 +64,11 @@ TEST_CASE("decimated components: as many vertices as asked for, with the topolog
     CHECK(compute_topologies(made.mesh, compute_face_components(made.mesh)) ==
           compute_topologies(mesh, compute_face_components(mesh)));
   }
+}
+
+TEST_CASE("decimated components: down to the fewest vertices that the topology allows") {
+  CHECK(decimate_all(test::make_sphere(3), 1).mesh.vertex_count() == 4);
+  CHECK(decimate_all(test::make_grid(8, 6), 1).mesh.vertex_count() == 3);
 }
 
 TEST_CASE("decimated components: no face is flipped, and none intersects another") {
@@ -143,6 +153,74 @@ TEST_CASE("remesh: what a few rounds repair is not decimated, however many defec
   CHECK(result.given_defects.size() > 90);
   CHECK(result.decimated.components == 0);
   CHECK(result.added > 60);
+}
+
+/// Both meshes as components of one.
+Mesh join(const Mesh& first, const Mesh& second) {
+  std::vector<Vec3> positions = first.positions();
+  std::vector<std::array<VertexId, 3>> faces = first.face_vertices();
+  positions.insert(positions.end(), second.positions().begin(), second.positions().end());
+  const std::int32_t n = first.vertex_count();
+  for (const auto& [a, b, c] : second.face_vertices()) {
+    faces.push_back({VertexId(n + a.value()), VertexId(n + b.value()), VertexId(n + c.value())});
+  }
+  return {std::move(positions), std::move(faces)};
+}
+
+/// "2: 1, 3: 4" for one component by the cause of number 2 and four by that of number 3.
+std::string causes_of(const RemeshResult& result) {
+  std::string causes;
+  for (const auto& [cause, count] : result.decimated.causes) {
+    causes += fmt::format("{}{}: {}", causes.empty() ? "" : ", ", int(cause), count);
+  }
+  return causes;
+}
+
+TEST_CASE("remesh: a component of several that takes too many generators is decimated, the others are not") {
+  const Mesh hose = make_hose(300, 8, 0.02);
+  const Mesh both = join(hose, test::make_sphere(2));
+  std::vector<SurfacePoint> generators{vertex_point(both, VertexId(0)), vertex_point(both, VertexId(1200))};
+  for (int i = 0; i < 80; ++i) generators.push_back(vertex_point(both, VertexId(hose.vertex_count() + 2 * i)));
+  RemeshOptions options;
+  options.may_decimate = true;
+  const RemeshResult result = remesh(both, generators, options);
+  CHECK(result.certificate.ok());
+  CHECK(causes_of(result) == "2: 1");
+  CHECK(result.decimated.generators == 2);
+  CHECK(result.decimated.vertices < 60);
+  CHECK(result.mesh.vertex_count() < result.decimated.vertices + 90);
+}
+
+/// A sphere of which one vertex is the tip of a spike too narrow for generators. The tip is vertex 0.
+Mesh make_spiked_sphere() {
+  const Mesh sphere = test::make_sphere(3);
+  std::vector<Vec3> positions = sphere.positions();
+  const Vec3 axis = sphere.position(VertexId(0));
+  for (const HalfedgeId h : sphere.halfedges()) {
+    if (sphere.from(h) != VertexId(0)) continue;
+    const Vec3& at = sphere.position(sphere.to(h));
+    positions[sphere.to(h).index()] = axis + 1e-6 * (at - axis * axis.dot(at)).normalized();
+  }
+  positions[0] = 2 * axis;
+  return {std::move(positions), sphere.face_vertices()};
+}
+
+TEST_CASE("remesh: a decimated component gets vertices back until it does not meet the dual of another one") {
+  const Mesh outer = make_spiked_sphere();
+  const Mesh sphere = test::make_sphere(3);
+  std::vector<Vec3> smaller;
+  for (const Vec3& p : sphere.positions()) smaller.push_back(0.75 * p);
+  const Mesh both = join(outer, Mesh(std::move(smaller), outer.face_vertices()));
+  std::vector<SurfacePoint> generators{vertex_point(both, VertexId(0))};
+  for (int i = 1; i < 8; ++i) generators.push_back(vertex_point(both, VertexId(80 * i)));
+  for (int i = 0; i < 40; ++i) generators.push_back(vertex_point(both, VertexId(outer.vertex_count() + 16 * i)));
+  RemeshOptions options;
+  options.may_decimate = true;
+  const RemeshResult result = remesh(both, generators, options);
+  CHECK(result.certificate.ok());
+  CHECK(result.certificate.self_intersections.empty());
+  CHECK(result.decimated.causes.at(DecimationCause::narrow_tip) == 1);
+  CHECK(result.decimated.vertices > 2 * decimate_all(outer, 8).mesh.vertex_count());
 }
 
 }  // namespace gvd::test_decimated_components

@@ -34,9 +34,10 @@ struct MeshCall : GivenFile {
   std::optional<MeshFormat> format;
   DefectPolicy on_defect = DefectPolicy::repair;
   std::optional<double> weld;  ///< mesh units
+  std::optional<ErrorBound> drop_smaller_than;
 };
 void describe(OptionList& list, MeshCall& call);
-/// Reads and repairs a mesh. Throws what `read_soup`, `weld_soup` and `build_mesh` throw.
+/// Reads and repairs a mesh. Throws what `read_soup`, `weld_soup`, `build_mesh` and `drop_small_components` throw.
 std::shared_ptr<const MeshObject> run(MeshCall& call, Observer& observer);
 
 /// The options of the operation `saved_mesh`, which restores a mesh from its arrays, in the order in which a mesh

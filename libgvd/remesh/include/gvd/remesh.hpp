@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,12 +70,22 @@ std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators);
 /// that succeeded took at most 50 rounds, and nine of ten of them at most 12.
 inline constexpr std::int32_t kMaxRemeshRounds = 60;
 
+/// Why a component of the surface is no dual.
+enum class DecimationCause {
+  growth,      ///< more defects from round to round: it is finer than the spacing of the generators nearly everywhere
+  work,        ///< its repair takes too long
+  generators,  ///< one of several components, and it would take too many generators
+  narrow_tip,  ///< generators round a tip would be too close to each other
+  no_room,     ///< every point for a new generator is too close to another one
+};
+
 /// Components of the surface without a proper dual: they are the input's own triangles, decimated.
 struct DecimatedParts {
   std::int64_t components = 0;
+  std::map<DecimationCause, std::int64_t> causes;  ///< how many components have each
   std::int64_t generators = 0;  ///< given ones, in these components: they are no vertices of the remesh
   std::int64_t vertices = 0;    ///< of the remesh, in these components; each stands for a vertex of the input
-  std::string reason;           ///< the defect that no generators removed; empty where there are no such components
+  std::string reason;           ///< the first defect that no generators removed; empty without such components
 };
 
 struct RemeshResult {

@@ -45,9 +45,11 @@ struct RemeshCertificate {
 
 /// Compares a remesh with its surface. Vertex i stands for generator i of the diagram, and `face_points` are the branch
 /// points of the faces. Of the diagram, only the generators count where no faces intersect. `threads` (0: one a core)
-/// changes no result. Never throws on a finding.
+/// changes no result. `decimated_faces`: so many of the last faces are those of decimated components
+/// (RemeshResult::decimated), for whose pairs fewer conditions hold. Never throws on a finding.
 /// Cost: O(n log n), and where the remesh intersects itself as much for the pairs of the surface.
 RemeshCertificate certify_remesh(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
-                                 const std::vector<SurfacePoint>& face_points, int threads = 0);
+                                 const std::vector<SurfacePoint>& face_points, int threads = 0,
+                                 std::int64_t decimated_faces = 0);
 
 }  // namespace gvd

@@ -15,6 +15,7 @@
 #include <iterator>
 #include <map>
 
+#include "dual/inherited_intersections.hpp"
 #include "dual/self_intersections.hpp"
 #include "gvd/dual.hpp"
 #include "gvd/error.hpp"
@@ -102,7 +103,8 @@ std::string RemeshCertificate::first_failure() const {
 bool RemeshCertificate::ok() const { return first_failure().empty(); }
 
 RemeshCertificate certify_remesh(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
-                                 const std::vector<SurfacePoint>& face_points, int threads) {
+                                 const std::vector<SurfacePoint>& face_points, int threads,
+                                 std::int64_t decimated_faces) {
   RemeshCertificate certificate;
   const std::vector<SurfacePoint>& generators = diagram.generators;
   certificate.input = compute_mesh_summary(surface);
@@ -121,11 +123,9 @@ RemeshCertificate certify_remesh(const Mesh& surface, const Diagram& diagram, co
   certificate.flipped_faces = std::ssize(find_flipped_faces(surface, remesh, generators, face_points));
   certificate.self_intersections = find_self_intersections(remesh, threads);
   if (!certificate.self_intersections.empty()) {
-    const auto cells = find_intersecting_cells(surface, diagram, find_self_intersections(surface, threads));
-    const std::vector<FacePair>& pairs = certificate.self_intersections;
-    const auto others = drop_pairs_of_surface(surface, remesh, pairs, generators, face_points);
     certificate.inherited_intersections =
-        std::ssize(pairs) - std::ssize(others) + std::ssize(find_inherited(remesh, others, cells));
+        std::ssize(find_inherited_pairs({surface, diagram, remesh, face_points, decimated_faces},
+                                        certificate.self_intersections, find_self_intersections(surface, threads)));
   }
   return certificate;
 }

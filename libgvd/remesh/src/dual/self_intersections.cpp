@@ -14,7 +14,6 @@
 #include "base/parallel_chunks.hpp"
 #include "diagram/cell_parts.hpp"
 #include "dual/faces_intersect.hpp"
-#include "dual/flipped_triangles.hpp"
 #include "dual/placed_faces.hpp"
 
 namespace gvd {
@@ -115,14 +114,6 @@ std::vector<FacePair> find_inherited(const Mesh& remesh, const std::vector<FaceP
     });
   });
   return inherited;
-}
-
-std::vector<FacePair> drop_pairs_of_surface(const Mesh& surface, const Mesh& remesh, std::vector<FacePair> pairs,
-                                            const std::vector<SurfacePoint>& generators,
-                                            const std::vector<SurfacePoint>& face_points) {
-  const auto is_own = [&](FaceId f) { return is_surface_triangle(surface, remesh, f, generators, face_points); };
-  std::erase_if(pairs, [&](const FacePair& pair) { return is_own(pair.first) && is_own(pair.second); });
-  return pairs;
 }
 
 }  // namespace gvd

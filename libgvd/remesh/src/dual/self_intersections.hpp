@@ -41,10 +41,11 @@ struct CellPair {
 std::vector<CellPair> find_intersecting_cells(const Mesh& surface, const Diagram& diagram,
                                               const std::vector<FacePair>& given, const Progress& progress = {});
 
-/// The pairs of faces of a remesh that intersect because the surface does, ascending. All other ones are defects.
+/// The pairs of faces of a remesh under which the surface intersects itself, ascending. Only such pairs can be inherited
+/// (find_inherited_pairs).
 ///
 /// The part of the surface under a face of the remesh consists of the cells of its three corners; vertex i stands for
-/// cell i. A pair is inherited if the surface intersects itself between the two parts: if a cell of one face and a cell
+/// cell i. The surface intersects itself between two parts if a cell of one face and a cell
 /// of the other one are among `cells`, the pairs of find_intersecting_cells. Distances in space play no part.
 /// By a one-to-one map of the surface (map_to_remesh), each face is the image of a piece of each of its three cells.
 /// Why whole cells: a coarse mesh moves a curve of intersection aside. By the pieces alone, a face near the end of
@@ -52,11 +53,5 @@ std::vector<CellPair> find_intersecting_cells(const Mesh& surface, const Diagram
 /// `pairs`: of find_self_intersections of the remesh. Cost: O(p log q) for p pairs and q pairs of cells.
 std::vector<FacePair> find_inherited(const Mesh& remesh, const std::vector<FacePair>& pairs,
                                      const std::vector<CellPair>& cells);
-
-/// The pairs but for those of two triangles of the surface itself (is_surface_triangle): these intersect because the
-/// surface does, whatever their cells are. `generators` and `face_points`: of the remesh. Cost: O(p).
-std::vector<FacePair> drop_pairs_of_surface(const Mesh& surface, const Mesh& remesh, std::vector<FacePair> pairs,
-                                            const std::vector<SurfacePoint>& generators,
-                                            const std::vector<SurfacePoint>& face_points);
 
 }  // namespace gvd

@@ -7,13 +7,13 @@
 #include "repair/decimated_components.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 #include <utility>
 
 #include "base/box_tree.hpp"
 #include "dual/faces_intersect.hpp"
 #include "dual/flipped_triangles.hpp"
+#include "dual/order_in_space.hpp"
 #include "dual/placed_faces.hpp"
 #include "gvd/closest_point.hpp"
 #include "mesh/decimate_part.hpp"
@@ -39,9 +39,9 @@ class FaceGuard {
       origin_.push_back(face.origin);
       faces_.push_back(placed(face.corners));
     }
-    std::vector<std::int32_t> order(origin_.size());
-    std::iota(order.begin(), order.end(), 0);
-    order_by_halves(order.begin(), order.end());
+    std::vector<Vec3> middles;
+    for (const PlacedFace& face : faces_) middles.push_back(face.corners[0] + face.corners[1] + face.corners[2]);
+    std::vector<std::int32_t> order = order_in_space(middles);
     slot_.resize(order.size());
     for (std::size_t slot = 0; slot < order.size(); ++slot) slot_[order[slot]] = slot;
     tree_.build(order.size(), [&](std::size_t slot) { return box(faces_[order[slot]].corners); });
@@ -114,25 +114,6 @@ class FaceGuard {
     const auto& [a, b, c] = face.corners;
     const auto at = [&](VertexId v) { return surface_normal(surface_, vertex_point(surface_, v)); };
     return at(a) + at(b) + at(c) + face_normal(surface_, origin_[face.place]);
-  }
-
-  /// Sorts places so that those of each half of a range, of its halves and so on lie near each other.
-  void order_by_halves(std::vector<std::int32_t>::iterator begin, std::vector<std::int32_t>::iterator end) const {
-    if (end - begin < 3) return;
-    const auto middle_of = [&](std::int32_t place) -> Vec3 {
-      const auto& [a, b, c] = surface_.vertices(origin_[place]);
-      return surface_.position(a) + surface_.position(b) + surface_.position(c);
-    };
-    Box3 all;
-    for (auto it = begin; it != end; ++it) all.extend(middle_of(*it));
-    Eigen::Index axis = 0;
-    all.sizes().maxCoeff(&axis);
-    const auto middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end, [&](std::int32_t p, std::int32_t q) {
-      return std::pair(middle_of(p)[axis], p) < std::pair(middle_of(q)[axis], q);
-    });
-    order_by_halves(begin, middle);
-    order_by_halves(middle, end);
   }
 
   const Mesh& surface_;
