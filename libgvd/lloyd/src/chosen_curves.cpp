@@ -41,20 +41,21 @@ std::size_t count_least(const Mesh& mesh, const std::vector<EdgeId>& creases, do
   return place_on_creases(mesh, creases, mesh.bbox_diagonal(), kCornerDistance * spacing).points.size();
 }
 
-/// The least share of the creases' length in clear groups, because noise also forms some closed rings. The share is .7 or
-/// more on CAD models, and at most .2 on scans and other smooth models.
+/// The least share of the creases' length in clear groups, because noise also forms some closed rings. The share is .7
+/// or more on CAD models, and at most .2 on scans and other smooth models.
 constexpr double kClearShare = 0.5;
 
-/// The least length of a clear group of creases for each of its ends and turns, in spacings. Groups of CAD models have 4
-/// or more, and groups of scans mostly 2 or less.
+/// The least length of a clear group of creases for each of its ends and turns, in spacings. Groups of CAD models have
+/// 4 or more, and groups of scans mostly 2 or less.
 constexpr double kLengthPerEnd = 3;
 
-/// The same for each end if faces are larger than the spacing. Each edge of such a mesh is crisp, and the creases of CAD
-/// models have no end, or one in 40 spacings.
+/// The same for each end if faces are larger than the spacing. Each edge of such a mesh is crisp, and the creases of
+/// CAD models have no end, or one in 40 spacings.
 constexpr double kLengthPerEndOfFaces = 20;
 
-/// The least mean crispness of a clear group of creases. It is .99 to 1 on CAD models with sharp edges, and .5 to .93 on
-/// scans and on models with rounded or bevelled edges, where following creases gains little distance and costs shape.
+/// The least mean crispness of a clear group of creases. It is .99 to 1 on CAD models with sharp edges, and .5 to .93
+/// on scans and on models with rounded or bevelled edges, where following creases gains little distance and costs
+/// shape.
 constexpr double kLeastCrispness = 0.95;
 
 /// The least number of generators with which the share allowed on curves suffices for these curves.

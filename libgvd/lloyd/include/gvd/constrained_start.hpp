@@ -60,9 +60,10 @@ struct ConstrainedStart {
 /// Sampled generators follow a preferred boundary if at most half of them suffice: one at each of its corners, and
 /// three on a loop without corners. Otherwise they follow only the loops that are at least three spacings long, or
 /// none. They follow preferred creases if at most half of them suffice at their spacing, including the generators on
-/// the boundary and the ones that a remesh is expected to add, which may be 12 % of all. Noise and small details do not
-/// count as creases: a connected network must be at least three spacings long, and may have at most one dead end per 20
-/// spacings. At least half of the length of all creases has to be in such networks.
+/// the boundary and the ones that a remesh is expected to add, which may be 12 % of all. Noise, small details and
+/// rounded edges do not count: a connected group of creases must be at least three spacings long, crisp (see
+/// CreaseChains), and three spacings longer for each of its ends and turns. At least half of the length of all creases
+/// has to be in such groups.
 ///
 /// Throws Error{interrupted} if the progress callback cancels, Error{precondition} if there are fewer sampled points
 /// than generators that are fixed or on features, and Error{invalid_option} for an angle out of range. Cost: O(n log

@@ -41,8 +41,8 @@ struct CellPair {
 std::vector<CellPair> find_intersecting_cells(const Mesh& surface, const Diagram& diagram,
                                               const std::vector<FacePair>& given, const Progress& progress = {});
 
-/// The pairs of faces of a remesh under which the surface intersects itself, ascending. Only such pairs can be inherited
-/// (find_inherited_pairs).
+/// The pairs of faces of a remesh under which the surface intersects itself, ascending. Only such pairs can be
+/// inherited (find_inherited_pairs).
 ///
 /// The part of the surface under a face of the remesh consists of the cells of its three corners; vertex i stands for
 /// cell i. The surface intersects itself between two parts if a cell of one face and a cell
