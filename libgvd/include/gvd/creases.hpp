@@ -43,7 +43,7 @@ struct CreaseChains {
 /// (3) groups of chains shorter than a spacing are left out, and branches that end inside the surface after less.
 ///
 /// `angle`: degrees, in (0, 180]; with 180, there is no crease. `spacing`: mesh units, > 0. Meshes of many more faces
-/// than samples are seen at the scale of 200 faces. Throws Error{invalid_option} for a number out of its range.
+/// than samples are seen at the scale of a hundred faces. Throws Error{invalid_option} for a number out of its range.
 /// Cost: O(n log n), with a disc of at most 400 faces for each edge that a smaller one shows to be sharp.
 CreaseChains find_crease_chains(const Mesh& mesh, double angle, double spacing);
 

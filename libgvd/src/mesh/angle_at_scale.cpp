@@ -23,7 +23,7 @@ constexpr double kLeastVoice = 0.2;
 /// so if it is narrower than the radius; a cylinder shows a quarter.
 constexpr double kFineFactor = 5.0 / 3;
 
-/// Faces in a disc. The radius of find_crease_chains is that of 200 equal ones.
+/// Faces in a disc. The radius of find_crease_chains is that of at most a hundred equal ones.
 constexpr int kMostFaces = 400;
 
 /// A wall lies beside an edge if their directions, and the way between them and the edge's normal, differ by less than
@@ -53,16 +53,37 @@ AngleAtScale::AngleAtScale(const Mesh& mesh, double radius, const IdVector<EdgeI
     }
     sizes_.push_back(size);
   }
+  turns_.reserve(mesh.edge_count());
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e), twin = mesh.twin(h);
+    double turn = 0;
+    if (twin.valid()) {
+      const Vec3 &here = sizes_[Mesh::face(h)].normal, &there = sizes_[Mesh::face(twin)].normal;
+      turn = here.isZero(0) || there.isZero(0) ? 180 : degrees(angle_between(here, there));
+    }
+    turns_.push_back(turn);
+  }
+}
+
+/// The width of the faces of an inner edge: half of each one's height.
+double AngleAtScale::width(EdgeId e) const {
+  const HalfedgeId h = mesh_.halfedge(e);
+  return (mesh_.area(Mesh::face(h)) + mesh_.area(Mesh::face(mesh_.twin(h)))) / mesh_.length(h);
 }
 
 bool AngleAtScale::bends(EdgeId e, double angle) const {
-  const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
-  if (!twin.valid()) return false;
-  const FaceId f = Mesh::face(h), g = Mesh::face(twin);
-  if (!(mesh_.area(f) > 0 && mesh_.area(g) > 0)) return true;
-  const double width = (mesh_.area(f) + mesh_.area(g)) / mesh_.length(h);  // from centre to centre it is two thirds
-  const double turn = degrees(angle_between(sizes_[f].normal, sizes_[g].normal));
-  return turn >= angle * std::min(1.0, width / (2 * radius_));
+  return !mesh_.is_boundary(e) && turns_[e] >= angle * std::min(1.0, width(e) / (2 * radius_));
+}
+
+bool AngleAtScale::is_sharpest(EdgeId e) const {
+  if (std::max(mesh_.length(e), width(e)) > radius_ / 2) return true;
+  const HalfedgeId h = mesh_.halfedge(e);
+  for (const HalfedgeId side : {h, mesh_.twin(h)}) {
+    for (const HalfedgeId other : {Mesh::next(side), Mesh::previous(side)}) {
+      if (turns_[mesh_.edge(other)] > turns_[e]) return false;
+    }
+  }
+  return true;
 }
 
 ScaleAngle AngleAtScale::measure(EdgeId e, double least, double beside) {

@@ -39,6 +39,10 @@ class AngleAtScale {
   /// area.
   bool bends(EdgeId e, double angle) const;
 
+  /// Whether an edge that is small for the scale turns as much as the other edges of its two faces. Of the many edges
+  /// that see one crease, these are enough to find it. Larger edges count as sharpest, too.
+  bool is_sharpest(EdgeId e) const;
+
   /// The angle at an inner edge. Angles below `least` may be given as 0, and so may those below `beside` within
   /// `kShoulderReach` radii of a wall beside the edge. `beside` = 0: the walls beside it do not matter.
   ScaleAngle measure(EdgeId e, double least, double beside);
@@ -68,6 +72,7 @@ class AngleAtScale {
   Entry pop();
   void add(FaceId f, double distance, Side& side) const;
   bool has_voice(const std::array<Side, 2>& sides, int level, bool is_cut_off) const;
+  double width(EdgeId e) const;
   static double angle_of(const std::array<Side, 2>& sides, int level);
   bool is_beside(HalfedgeId wall, const Vec3& middle, const Vec3& along, double reach) const;
 
@@ -75,6 +80,7 @@ class AngleAtScale {
   double radius_;
   const IdVector<EdgeId, bool>& walls_;
   IdVector<FaceId, FaceSize> sizes_;
+  IdVector<EdgeId, double> turns_;  // between the two faces, degrees; 180 at a face without area, 0 at the boundary
   IdVector<FaceId, std::int32_t> seen_;  // number of the last measurement that took the face
   std::int32_t measurement_ = 0;
   std::vector<Entry> front_;  // a heap

@@ -24,8 +24,8 @@ namespace {
 /// Radius of the discs in which the surface is looked at, in spacings.
 constexpr double kScale = 0.5;
 
-/// Most radius of these discs, in square roots of a mean face: 200 faces. That many make a mean of any noise.
-constexpr double kMostScale = 8;
+/// Most radius of these discs, in square roots of a mean face: a hundred faces. That many make a mean of any noise.
+constexpr double kMostScale = 6;
 
 /// Factor of the angle below which a chain that begins beside another one is its shoulder. The two edges of a rounded
 /// crease of 90 degrees have 45 each.
@@ -54,7 +54,7 @@ class ChainFinder {
   void grow_chains() {
     std::vector<std::pair<double, EdgeId>> seeds;  // by their negative angles
     for (const EdgeId e : mesh_.edges()) {
-      if (!angle_.bends(e, weak_)) continue;
+      if (!angle_.bends(e, weak_) || !angle_.is_sharpest(e)) continue;
       const double angle = angle_.measure(e, strong_, 0).degrees;
       if (angle > strong_) seeds.emplace_back(-angle, e);
     }
