@@ -21,8 +21,10 @@ namespace gvd {
 /// Cost: O(n log n) where faces overlap the boxes of a bounded number of others.
 std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0, const Progress& progress = {});
 
-/// find_self_intersections for a mesh whose vertices have moved.
-std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress = {});
+/// find_self_intersections for a mesh whose vertices have moved. `counts`: of each face, whether its pairs are looked
+/// for; a pair is where one of its faces is. Empty: all are.
+std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress = {},
+                                              const std::vector<char>& counts = {});
 
 /// Two cells of a diagram, or one cell twice: first <= second.
 struct CellPair {
@@ -41,8 +43,8 @@ struct CellPair {
 std::vector<CellPair> find_intersecting_cells(const Mesh& surface, const Diagram& diagram,
                                               const std::vector<FacePair>& given, const Progress& progress = {});
 
-/// The pairs of faces of a remesh under which the surface intersects itself, ascending. Only such pairs can be inherited
-/// (find_inherited_pairs).
+/// The pairs of faces of a remesh under which the surface intersects itself, ascending. Only such pairs can be
+/// inherited (find_inherited_pairs).
 ///
 /// The part of the surface under a face of the remesh consists of the cells of its three corners; vertex i stands for
 /// cell i. The surface intersects itself between two parts if a cell of one face and a cell
