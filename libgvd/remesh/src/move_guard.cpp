@@ -62,8 +62,15 @@ std::vector<FaceId> MoveGuard::find_bad_faces(const std::vector<Vec3>& positions
 }
 
 std::vector<FaceId> MoveGuard::find_crossed_faces(const std::vector<Vec3>& positions) const {
+  // Two faces that have not moved intersect only if they did before.
+  std::vector<char> has_moved;
+  for (const FaceId f : remesh_.faces()) {
+    const bool moves = std::ranges::any_of(remesh_.vertices(f),
+                                           [&](VertexId v) { return positions[v.index()] != remesh_.position(v); });
+    has_moved.push_back(moves ? 1 : 0);
+  }
   std::vector<FaceId> crossed;
-  for (const FacePair& pair : find_self_intersections({remesh_, positions}, threads_, progress_)) {
+  for (const FacePair& pair : find_self_intersections({remesh_, positions}, threads_, progress_, has_moved)) {
     if (std::binary_search(crossed_before_.begin(), crossed_before_.end(), pair)) continue;
     crossed.insert(crossed.end(), {pair.first, pair.second});
   }

@@ -63,9 +63,9 @@ constexpr std::int32_t kMaxAssemblyPlacements = 2;
 constexpr std::int64_t kRepairDiagrams = 60, kRepairEventsPerFace = 300, kRepairEvents = 200'000;
 
 /// Faces have 10 to 30 windows, needles hundreds: a diagram then takes as long as twenty others. Where there are so
-/// many for each face, so many rounds have to do.
+/// many for each face, so many rounds of repair have to do.
 constexpr std::int64_t kNeedleEventsPerFace = 100;
-constexpr std::int32_t kNeedleRounds = 2;
+constexpr std::int32_t kNeedleRounds = 1;
 
 /// The generators that a component of several may be given: as many again as it had, and so many times the fewest
 /// vertices of its topology. Then its own triangles do, with fewer vertices. So a part does not cost more than the

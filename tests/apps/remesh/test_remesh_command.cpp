@@ -75,10 +75,10 @@ TEST_CASE("gvd-remesh: --drop-smaller-than leaves small components out, and repo
   CHECK((map[3].is_null() && !map[4].is_null()));
   const CommandResult told = run_command("gvd-remesh", run + "0.2 -o " + scratch / "coarse.obj");
   CHECK_THAT(told.err, Contains("1 component is smaller than 0.2, first the one of face 0: left out, with "));
-  const CommandResult all = run_command("gvd-remesh", run + "3 -o " + scratch / "none.obj");
+  const CommandResult all = run_command("gvd-remesh", run + "4 -o " + scratch / "none.obj");
   CHECK(all.exit_code == 4);
   CHECK_THAT(all.err,
-             Contains("all components are smaller than 3, the largest one ") && Contains("--drop-smaller-than"));
+             Contains("all components are smaller than 4, the largest one ") && Contains("--drop-smaller-than"));
 }
 
 TEST_CASE("gvd-remesh: listed generators stay where they are, unless --relax asks to move them") {

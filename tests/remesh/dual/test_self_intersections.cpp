@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
@@ -190,6 +191,20 @@ std::set<FaceId> faces_under(const Mesh& surface, const RemeshResult& result, Fa
     }
   }
   return under;
+}
+
+TEST_CASE("pairs are found where one of their faces counts") {
+  const Mesh sheets = make_crossing_sheets(9, 0.3);
+  const auto all = find_self_intersections(sheets);
+  REQUIRE(all.size() > 10);
+  std::vector<char> counts(sheets.face_count(), 0);
+  CHECK(find_self_intersections(PlacedFaces(sheets), 1, {}, counts).empty());
+  const FaceId one = all[all.size() / 2].second;
+  counts[one.index()] = 1;
+  std::vector<FacePair> wanted;
+  std::ranges::copy_if(all, std::back_inserter(wanted),
+                       [&](const FacePair& p) { return p.first == one || p.second == one; });
+  CHECK(find_self_intersections(PlacedFaces(sheets), 1, {}, counts) == wanted);
 }
 
 TEST_CASE("every inherited pair has faces of the input under it that intersect, by brute force") {

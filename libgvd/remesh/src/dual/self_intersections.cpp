@@ -57,10 +57,12 @@ constexpr std::size_t kProgressStride = 4096;
 
 }  // namespace
 
-std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress) {
+std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress,
+                                              const std::vector<char>& counts) {
   if (const auto scaled = scale_to_unit(faces.positions)) {
-    return find_self_intersections(PlacedFaces(faces.mesh, *scaled), threads, progress);
+    return find_self_intersections(PlacedFaces(faces.mesh, *scaled), threads, progress, counts);
   }
+  const auto is_wanted = [&](FaceId f, FaceId g) { return counts.empty() || counts[f.index()] || counts[g.index()]; };
   constexpr std::size_t kFacesPerChunk = 256;
   const FaceBoxes boxes(faces, faces.mesh.faces());
   const auto chunks = cut_into_chunks(faces.mesh.face_count(), kFacesPerChunk);
@@ -69,7 +71,7 @@ std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int thre
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const FaceId f(i);
       boxes.any_of(face_box(faces, f), [&](FaceId g) {
-        if (f < g && faces_intersect(faces, f, g)) found.push_back({f, g});
+        if (f < g && is_wanted(f, g) && faces_intersect(faces, f, g)) found.push_back({f, g});
         return false;
       });
     }

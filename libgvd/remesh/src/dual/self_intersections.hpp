@@ -21,8 +21,10 @@ namespace gvd {
 /// Cost: O(n log n) where faces overlap the boxes of a bounded number of others.
 std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0, const Progress& progress = {});
 
-/// find_self_intersections for a mesh whose vertices have moved.
-std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress = {});
+/// find_self_intersections for a mesh whose vertices have moved. `counts`: of each face, whether its pairs are looked
+/// for; a pair is where one of its faces is. Empty: all are.
+std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress = {},
+                                              const std::vector<char>& counts = {});
 
 /// Two cells of a diagram, or one cell twice: first <= second.
 struct CellPair {
