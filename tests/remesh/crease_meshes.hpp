@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gvd/creases.hpp"
+#include "gvd/surface_point.hpp"
 #include "support/meshes.hpp"
 #include "support/tiny_meshes.hpp"
 
