@@ -98,7 +98,7 @@ PlacedRemesh place_vertices(const Mesh& surface, const Diagram& diagram, const M
 /// The steps of a vertex are halved at most so often.
 inline constexpr int kMaxHalvings = 4;
 
-/// Rounds of the fit.
+/// Rounds of the fit; remeshes of few vertices have one more.
 inline constexpr int kFitRounds = 4;
 
 }  // namespace gvd
