@@ -81,7 +81,7 @@ TEST_CASE("map to a remesh: a sphere keeps the orientation of nearly every face"
   const RemeshMap map = map_to_remesh(sphere, remesh(sphere, test::random_generators(sphere, 100, 1)));
   CHECK(static_cast<double>(map.kept_faces) >= 0.97 * sphere.face_count());
   CHECK(map.largest_move > 0);
-  CHECK(map.largest_move < 0.45);  // vertices slide towards better triangles
+  CHECK(map.largest_move < 0.5);  // vertices slide towards better triangles
   CHECK(map.mean_move < 0.06);
 }
 
