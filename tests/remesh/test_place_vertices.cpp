@@ -26,7 +26,7 @@ RemeshResult remesh_at_generators(const Mesh& mesh, int count) {
 }
 
 std::vector<Vec3> place(const Mesh& mesh, const RemeshResult& result, const PlacementOptions& options) {
-  return place_vertices(mesh, result.diagram, result.mesh, result.face_points, options);
+  return place_vertices(mesh, result.diagram, result.mesh, result.face_points, options).positions;
 }
 
 TEST_CASE("the rim of a plate is met: the distances fall by more than on smooth surfaces") {

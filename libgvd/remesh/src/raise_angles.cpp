@@ -50,10 +50,6 @@ constexpr double kMostPaid = 0.01;
 /// A Q above this times most_q is that of no thin triangle: a million times the rounding.
 constexpr double kQSlack = 1 + 1e-9;
 
-/// The share of the price of Q at creases and beside them. With a fifth, RMS of fandisk, rotor and plate with 500
-/// vertices grows by 8 %, for a mean Q that is .005 larger.
-constexpr double kShapeAtCrease = 0.1;
-
 /// The largest Q of a triangle with this smallest angle, degrees: that of the isosceles one whose apex has it. Of two
 /// sides at the angle, the longer one of length 1, the area over the perimeter grows with the other one.
 double most_q(double angle) {

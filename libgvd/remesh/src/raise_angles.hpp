@@ -25,6 +25,10 @@ struct AnglePrice {
   double shape = 0;   ///< of the lack of Q, 1 - Q; 0: vertices without thin triangles stay
 };
 
+/// The share of the price of Q at creases and beside them. With a fifth, RMS of fandisk, rotor and plate with 500
+/// vertices grows by 8 %, for a mean Q that is .005 larger.
+inline constexpr double kShapeAtCrease = 0.1;
+
 /// Passes of raise_angles over the vertices, and places that a vertex tries in one.
 inline constexpr int kAnglePasses = 6, kAngleTrials = 32;
 

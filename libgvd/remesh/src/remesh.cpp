@@ -180,6 +180,7 @@ class Remesher {
   void take(RemeshRound&& round) {
     result_.mesh = std::move(round.mesh);
     result_.face_points = std::move(round.face_points);
+    result_.flips = std::move(round.flips);
   }
 
   /// One round of the diagram. Takes its mesh and returns true if nothing is left to do; else adds generators.

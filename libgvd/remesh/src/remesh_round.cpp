@@ -54,7 +54,10 @@ void RoundMaker::place(const Diagram& diagram, RemeshRound& round) {
   options.fixed = find_in_order(fixed_, diagram.generators);
   if (decimated_) add_decimated(diagram, options.fixed);
   if (options.method != Placement::generator && options.fixed.size() < diagram.generators.size()) {
-    round.mesh = with_positions(round.mesh, place_vertices(mesh_, diagram, round.mesh, round.face_points, options));
+    options.on_curves = list_on_curves(diagram);
+    PlacedRemesh placed = place_vertices(mesh_, diagram, round.mesh, round.face_points, options);
+    round.mesh = Mesh(std::move(placed.positions), apply_flips(round.mesh.face_vertices(), placed.flips));
+    round.flips = std::move(placed.flips);
   }
   for (const FacePair& pair : find_intersections(diagram, round)) {
     for (const auto& [f, g] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
@@ -68,6 +71,24 @@ void RoundMaker::place(const Diagram& diagram, RemeshRound& round) {
           triangle_defect(diagram, round.dual, f.index(), what, DualProperty::no_self_intersection));
     }
   }
+}
+
+std::vector<GeneratorId> RoundMaker::list_on_curves(const Diagram& diagram) const {
+  IdVector<EdgeId, char> has_edge(mesh_.edge_count(), 0);
+  IdVector<VertexId, char> has_vertex(mesh_.vertex_count(), 0);
+  for (const CreaseCurve& curve : options_.creases) {
+    for (const EdgeId e : curve.edges) has_edge[e] = 1;
+    for (const VertexId v : curve.vertices) has_vertex[v] = 1;
+  }
+  std::vector<GeneratorId> on_curves;
+  for (std::size_t i = 0; i < diagram.generators.size(); ++i) {
+    const SurfacePoint& point = diagram.generators[i];
+    const bool is_on = point.kind() == SurfacePoint::Kind::vertex ? has_vertex[vertex(mesh_, point)] != 0
+                       : point.kind() == SurfacePoint::Kind::edge ? has_edge[mesh_.edge(halfedge(point))] != 0
+                                                                  : false;
+    if (is_on) on_curves.emplace_back(i);
+  }
+  return on_curves;
 }
 
 std::vector<DualDefect> RoundMaker::find_coincident_corners(const Diagram& diagram, const DualMesh& dual) const {

@@ -20,6 +20,7 @@ struct RemeshRound {
   DualMesh dual;  ///< without decimated components
   Mesh mesh;      ///< none where the dual has defects; the faces of decimated components follow those of the dual
   std::vector<SurfacePoint> face_points;
+  std::vector<EdgeFlip> flips;          ///< of edges of the dual, that lead to the mesh
   std::vector<DualDefect> defects;      ///< of the dual
   std::string obstacle;                 ///< why a dual without defects is no manifold mesh; empty as a rule
   std::vector<FaceId> decimated_wrong;  ///< faces of decimated components that intersect others
@@ -45,6 +46,8 @@ class RoundMaker {
   /// Triangles with an edge of length 0: generators on the two sides of a slit can have the same position while they
   /// are far apart on the surface.
   std::vector<DualDefect> find_coincident_corners(const Diagram& diagram, const DualMesh& dual) const;
+  /// The generators on curves that edges follow.
+  std::vector<GeneratorId> list_on_curves(const Diagram& diagram) const;
   /// Leaves decimated components out of the dual.
   void leave_out_decimated(const Diagram& diagram, RemeshRound& round) const;
   /// Vertices of decimated components stay where the input has them: their faces may be folded as the input's are.

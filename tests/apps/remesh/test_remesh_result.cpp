@@ -115,13 +115,10 @@ TEST_CASE("gvd-remesh: no thin triangles at creases") {
 }
 
 TEST_CASE("gvd-remesh: few triangles are good ones beside creases that no edges follow") {
-  const ScratchFolder scratch;
-  const Mesh plate = make_plate(12, 0.2);
-  write_simple_obj(scratch / "plate.obj", plate);
   // With springs alone, mean Q is .7443 and .7905.
   for (const auto& [n, least] : {std::pair(60, 0.79), std::pair(200, 0.82)}) {
     CAPTURE(n);
-    const auto results = report_of(scratch / "plate.obj" + fmt::format(" -n {}", n))["results"];
+    const auto results = report_of(data_file("plate.stl") + fmt::format(" -n {}", n))["results"];
     CHECK(double(results["quality"]["output"]["q_average"]) > least);
   }
 }

@@ -18,8 +18,9 @@ namespace gvd::test_cell_map {
 /// The pieces of a map: its cells in the plane.
 struct Pieces {
   Pieces(const Mesh& surface, const RemeshResult& result)
-      : cells(cut_into_cells(surface, result)),
-        polygons(cells.cut.mesh, cells.cut.label, result.mesh),
+      : dual(result.mesh.positions(), undo_flips(result.mesh.face_vertices(), result.flips)),
+        cells(cut_into_cells(surface, result)),
+        polygons(cells.cut.mesh, cells.cut.label, dual),
         faces(result.generators.size()) {
     place_crossings(cells, polygons);
     for (std::int32_t f = 0; f < cells.cut.mesh.face_count(); ++f)
@@ -30,6 +31,7 @@ struct Pieces {
     }
   }
 
+  Mesh dual;
   CellSurface cells;
   DualPolygons polygons;
   IdVector<GeneratorId, std::vector<FaceId>> faces;

@@ -81,7 +81,7 @@ TEST_CASE("map to a remesh: a sphere keeps the orientation of nearly every face"
   const RemeshMap map = map_to_remesh(sphere, remesh(sphere, test::random_generators(sphere, 100, 1)));
   CHECK(static_cast<double>(map.kept_faces) >= 0.97 * sphere.face_count());
   CHECK(map.largest_move > 0);
-  CHECK(map.largest_move < 0.45);  // vertices slide towards better triangles
+  CHECK(map.largest_move < 0.5);  // vertices slide towards better triangles
   CHECK(map.mean_move < 0.06);
 }
 
@@ -167,7 +167,9 @@ TEST_CASE("map to a remesh: the same with any number of threads") {
 
 TEST_CASE("map to a remesh: a mesh that was remeshed onto itself keeps every face") {
   const Mesh grid = test::make_grid(6, 6);
-  const RemeshResult result = remesh(grid, all_vertices(grid));
+  RemeshOptions options;
+  options.placement.method = Placement::generator;
+  const RemeshResult result = remesh(grid, all_vertices(grid), options);
   const RemeshMap map = map_to_remesh(grid, result);
   CHECK(map.kept_faces == grid.face_count());
   CHECK(map.largest_move < 1e-9);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "gvd/diagram.hpp"
@@ -20,9 +22,30 @@ enum class Placement {
 inline const Choices<Placement> kPlacementNames{
     {"generator", Placement::generator}, {"quadric", Placement::quadric}, {"fit", Placement::fit}};
 
+/// An edge whose two faces were joined and cut along the other diagonal. They keep their ids, and the points of the
+/// surface that they stand for.
+struct EdgeFlip {
+  using Face = std::array<VertexId, 3>;
+
+  FaceId left, right;              ///< the faces on the two sides of the edge from `from` to `to`
+  VertexId from, to;               ///< the ends of the edge before
+  VertexId left_apex, right_apex;  ///< those of the edge after
+
+  /// The corners of `left` and `right`, counter-clockwise.
+  std::pair<Face, Face> before() const { return {{from, to, left_apex}, {to, from, right_apex}}; }
+  std::pair<Face, Face> after() const { return {{from, right_apex, left_apex}, {right_apex, to, left_apex}}; }
+};
+
+/// The faces after some flips, one after another; and before them, with their corners in the order of EdgeFlip.
+/// Cost: O(n).
+std::vector<EdgeFlip::Face> apply_flips(std::vector<EdgeFlip::Face> faces, const std::vector<EdgeFlip>& flips);
+std::vector<EdgeFlip::Face> undo_flips(std::vector<EdgeFlip::Face> faces, const std::vector<EdgeFlip>& flips);
+
 struct PlacementOptions {
   Placement method = Placement::fit;
   std::vector<GeneratorId> fixed;  ///< generators whose vertices stay at them
+  /// Generators on curves that edges follow: edges between two of these, or of those on the boundary, are not flipped.
+  std::vector<GeneratorId> on_curves;
   /// The weight of good triangles against the distance with Placement::fit, in [0, 1]. 0: the distance counts most.
   /// 1: the triangles do. Below 1/2 the two bounds on angles below approach kLeastPlacedAngle, which they reach at 0.
   double shape = 0.5;
@@ -41,6 +64,12 @@ inline constexpr double kLeastPlacedAngle = 10;
 /// `generators`. Cost: O(k) for k fixed ones.
 void check_placement(const PlacementOptions& options, std::size_t generators);
 
+/// A remesh with its vertices near the surface.
+struct PlacedRemesh {
+  std::vector<Vec3> positions;  ///< of the vertices, mesh units
+  std::vector<EdgeFlip> flips;  ///< of edges, one after another
+};
+
 /// Positions for the vertices of a remesh, mesh units, near the surface by the chosen method.
 ///
 /// `remesh`: its vertices are at the generators of `diagram`. `face_points`: the branch points of its faces.
@@ -57,18 +86,19 @@ void check_placement(const PlacementOptions& options, std::size_t generators);
 /// square distances is minimised over all vertices at once. It has the distances of samples of the surface from the
 /// planes of their nearest triangles. It also has those of samples of the remesh from the surface. Springs pull the
 /// vertices along the surface to positions of better triangles. After each round, vertices of thin triangles move to
-/// where their triangles are better and the distances hardly larger; after the last one, all vertices do.
+/// where their triangles are better and the distances hardly larger; after the last one, all vertices do. Before the
+/// last round, edges are flipped where that is better for triangles and distances.
 ///
 /// Properties: (1) with `generator`, the generators' positions, bit by bit; (2) deterministic.
 /// Throws what check_placement throws, and Error{precondition} if the arguments do not belong together.
 /// Cost: O(n log n), and a sparse system a round.
-std::vector<Vec3> place_vertices(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
-                                 const std::vector<SurfacePoint>& face_points, const PlacementOptions& options = {});
+PlacedRemesh place_vertices(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
+                            const std::vector<SurfacePoint>& face_points, const PlacementOptions& options = {});
 
 /// The steps of a vertex are halved at most so often.
 inline constexpr int kMaxHalvings = 4;
 
-/// Rounds of the fit.
+/// Rounds of the fit; remeshes of few vertices have one more.
 inline constexpr int kFitRounds = 4;
 
 }  // namespace gvd

@@ -102,7 +102,8 @@ struct RemeshResult {
   double crease_gap_length = 0;           ///< of their parts that edges do not follow: other cells come between
   bool creases_lack_added = false;        ///< only `max_added` kept generators from being added on those parts
   std::int32_t rounds = 0;                ///< number of diagrams, before a search for fewer
-  std::vector<SurfacePoint> face_points;  ///< the branch point of every face
+  std::vector<SurfacePoint> face_points;  ///< the branch point of every face; flipped faces keep theirs
+  std::vector<EdgeFlip> flips;            ///< of edges, one after another: without them, `mesh` is the dual
   std::vector<FaceId> slivers;            ///< faces with a Q (gvd/quality.hpp) below kSliverQ, ascending
   Diagram diagram;                        ///< of all generators
   RemeshCertificate certificate;

@@ -28,11 +28,12 @@ struct RemeshMap {
 /// Maps every vertex of the surface to a point of its remesh, and every vertex of the remesh to a point of the surface.
 ///
 /// The surface is cut into the cells of the remesh's diagram. Each cell is flattened by a convex combination map onto
-/// its vertex's part of the remesh. That part is bounded by the triangles' centres, near the branch points, and by the
-/// edges' crossings with the bisectors. A remesh's vertex comes from the nearest point of its cell, or, if that is near
-/// the cell's border, from its generator. docs/developer/proofs.md has the proof that this is one-to-one, and its
-/// conditions, which are checked. The cells are discs and join as the remesh's triangles do. No triangle is turned
-/// round or without area in the plane. `points` and `origins` are the map's and its inverse's but for rounding.
+/// its vertex's part of the remesh before its edges were flipped, and flips are followed as if each had the two halves
+/// of a square. That part is bounded by the triangles' centres, near the branch points, and by the edges' crossings
+/// with the bisectors. A remesh's vertex comes from the nearest point of its cell, or, if that is near the cell's
+/// border, from its generator. docs/developer/proofs.md has the proof that this is one-to-one, and its conditions,
+/// which are checked. The cells are discs and join as the remesh's triangles do. No triangle is turned round or without
+/// area in the plane. `points` and `origins` are the map's and its inverse's but for rounding.
 ///
 /// Where a check fails, `one_to_one` is false. Then a vertex goes to the nearest point of the triangles at its cell's
 /// vertex and at that vertex's neighbours. A vertex at the boundary goes to the nearest of their boundary edges.

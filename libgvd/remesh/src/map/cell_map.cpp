@@ -261,7 +261,7 @@ class CellFlattener {
   bool is_sector() const { return input_.cells.borders[cell_].at_boundary(); }
 
   bool flatten(BorderShape shape, DiscWeights weights) {
-    PlaneBorder border = lay_border(input_.cells, input_.result.mesh, cell_, plane_.targets, shape);
+    PlaneBorder border = lay_border(input_.cells, input_.polygons.remesh(), cell_, plane_.targets, shape);
     plane_.bases = std::move(border.bases);
     plane_.disc = flatten_disc(mesh_, faces_, border.points, weights);
     if (!is_oriented(mesh_, faces_, plane_.disc)) return false;
@@ -272,9 +272,9 @@ class CellFlattener {
   /// Puts the apex where the disc has the point of the cell that is nearest to the remesh's vertex. If that is too near
   /// the border, it takes the generator. Faces that are turned away from the remesh count only if there are no others.
   void place_apex() {
-    const Vec3& vertex = input_.result.mesh.position(plane_.vertex);
-    set_origin(find_nearest_facing(
-        mesh_, faces_, vertex, surface_normal(input_.result.mesh, vertex_point(input_.result.mesh, plane_.vertex))));
+    const Mesh& remesh = input_.polygons.remesh();
+    const Vec3& vertex = remesh.position(plane_.vertex);
+    set_origin(find_nearest_facing(mesh_, faces_, vertex, surface_normal(remesh, vertex_point(remesh, plane_.vertex))));
     const Vec2 found = plane_.apex;
     plane_.apex /= kLargestApex;
     if (is_fan()) {

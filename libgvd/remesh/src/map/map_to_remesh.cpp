@@ -2,7 +2,8 @@
 //
 // The one-to-one map works cell by cell, in parallel: cut the surface into cells, lay out the polygons of the branch
 // points, then flatten each cell and read the points off. Each vertex of the surface lies in one cell, or on the border
-// of two, which agree. If a check fails anywhere, all points are nearest points instead, so that a map is always one of
+// of two, which agree. All that is done on the dual: where edges of it were flipped, the points go on to the flipped
+// faces. If a check fails anywhere, all points are nearest points instead, so that a map is always one of
 // the two kinds. At last the images of all faces are measured.
 #include <algorithm>
 #include <string>
@@ -15,6 +16,7 @@
 #include "map/cell_map.hpp"
 #include "map/cut_into_cells.hpp"
 #include "map/dual_polygons.hpp"
+#include "map/follow_flips.hpp"
 #include "map/nearest_points.hpp"
 
 namespace gvd {
@@ -38,8 +40,10 @@ struct CellPoints {
 class OneToOneMapper {
  public:
   OneToOneMapper(const Mesh& surface, const RemeshResult& result, const Progress& progress)
-      : cells_(cut_into_cells(surface, result, progress)),
-        polygons_(cells_.cut.mesh, cells_.cut.label, result.mesh),
+      : dual_(result.mesh.positions(), undo_flips(result.mesh.face_vertices(), result.flips)),
+        flips_(dual_, result.mesh, result.flips),
+        cells_(cut_into_cells(surface, result, progress)),
+        polygons_(cells_.cut.mesh, cells_.cut.label, dual_),
         input_{surface, result, cells_, polygons_},
         faces_(result.generators.size()) {
     place_crossings(cells_, polygons_);
@@ -61,7 +65,7 @@ class OneToOneMapper {
     map.points.resize(input_.surface.vertex_count());
     for (const CellPoints& cell : cells) {
       map.origins.push_back(cell.origin);
-      for (const Image& image : cell.images) map.points[image.vertex] = image.point;
+      for (const Image& image : cell.images) map.points[image.vertex] = flips_.follow(image.point);
     }
     return map;
   }
@@ -80,11 +84,13 @@ class OneToOneMapper {
       if (v.value() < input_.surface.vertex_count()) cell.images.push_back({v, t.polygon->on_remesh(t.from)});
     }
     if (plane.origin.kind() == SurfacePoint::Kind::vertex) {
-      cell.images.push_back({vertex(input_.surface, plane.origin), vertex_point(input_.result.mesh, plane.vertex)});
+      cell.images.push_back({vertex(input_.surface, plane.origin), vertex_point(dual_, plane.vertex)});
     }
     return cell;
   }
 
+  Mesh dual_;
+  FlipFollower flips_;
   CellSurface cells_;
   DualPolygons polygons_;
   CellMapInput input_;
