@@ -88,7 +88,7 @@ TEST_CASE("curves that can't be generators are refused by their numbers") {
   CHECK_THAT(refusal({GeneratorCurve{}}), Contains("curve 0 has no point"));
   CHECK_THAT(refusal({GeneratorCurve{{at(9, 1, 0, 0)}}}), Contains("face 9, and the mesh has 4"));
   CHECK_THAT(refusal({GeneratorCurve{{at(0, 0.2, 0.3, 0.5)}, {{0, 1}}}}), Contains("and 1 points"));
-  CHECK_THAT(refusal({GeneratorCurve{{at(0, 0.2, 0.3, 0.5), at(0, 0.3, 0.2, 0.5)}}}), Contains("2 parts"));
+  CHECK_THAT(refusal({GeneratorCurve{{at(0, 0.2, 0.3, 0.5), at(0, 0.3, 0.2, 0.5)}}}), Contains("2 separate parts"));
   CHECK_THAT(refusal({make_polyline({at(0, 0.2, 0.3, 0.5), at(3, 0.3, 0.2, 0.5)}, false)}),
              Contains("curve 0 jumps from point 0 to point 1"));
   const GeneratorCurve across = make_polyline({at(0, 0.8, 0.1, 0.1), at(0, 0.1, 0.1, 0.8)}, false);

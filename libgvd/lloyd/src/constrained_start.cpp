@@ -102,6 +102,10 @@ void append_listed(const Mesh& mesh, const ConstrainedStart& start, FeatureGener
 /// Factor by which the spacing grows from one attempt to the next.
 constexpr double kWiderSpacing = 1.1;
 
+/// If an even triangulation had more than so many times all vertices on the boundary, the surface is thinner than the
+/// spacing, or its boundary is rough: there is no such triangulation, and the boundary gets kFeatureShare.
+constexpr double kMostOnBoundary = 1.5;
+
 /// How many generators may be placed on the creases: kFeatureShare of all. If all creases are boundaries, as many as an
 /// even triangulation has there if that is more: on a small piece of a plane, this is most of its vertices. With fewer,
 /// the cells of other generators would meet the boundary, and a remesh would add the missing ones.
@@ -109,7 +113,8 @@ std::size_t most_on_features(const Mesh& mesh, const ConstrainedStart& start, do
   const double asked = double(start.points.size());
   const bool is_boundary = std::ranges::all_of(start.creases, [&](EdgeId e) { return mesh.is_boundary(e); });
   const double even = is_boundary ? total_length(mesh, start.creases) / spacing : 0;
-  return static_cast<std::size_t>(std::clamp(even, kFeatureShare * asked, asked));
+  const double most = even > kMostOnBoundary * asked ? 0 : even;
+  return static_cast<std::size_t>(std::clamp(most, kFeatureShare * asked, asked));
 }
 
 /// Places generators on the creases as far apart as in an even triangulation, or farther, so that they are at most

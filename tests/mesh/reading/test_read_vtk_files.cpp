@@ -235,7 +235,7 @@ TEST_CASE("vtk: what is wrong is refused with its line") {
   refused("3 0 1 2", "9 0 1 2", "file:12: cell 3 should have 2 corners, but 0 numbers follow; export");
   refused("3 0 1 2", "99 0 1 2", "cell 0 should have 99 corners, but 15 numbers follow; export");
   refused("3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2", "14 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 1",
-          "cell 1 should have 1 corner, and");
+          "cell 1 should have 1 corner, but");
   refused("1 0 1", "1 x 1", "file:7: expected a number, found 'x'");
   refused("POLYGONS", "POLYGON", "'polygon' is not a section of a surface");
 }
