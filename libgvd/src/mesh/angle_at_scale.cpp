@@ -87,47 +87,15 @@ bool AngleAtScale::is_sharpest(EdgeId e) const {
 }
 
 ScaleAngle AngleAtScale::measure(EdgeId e, double least, double beside) {
-  const HalfedgeId h = mesh_.halfedge(e), twin = mesh_.twin(h);
+  const HalfedgeId h = mesh_.halfedge(e);
   const Vec3 &from = mesh_.position(mesh_.from(h)), &to = mesh_.position(mesh_.to(h));
-  const Vec3 middle = (from + to) / 2, along = (to - from).normalized();
-  const double reach = beside > 0 ? kShoulderReach * radius_ : radius_, fine = radius_ / 4;
-  ++measurement_;
-  front_.clear();
-  pushed_ = 0;
-  std::array<Side, 2> sides;
-  push(0, Mesh::face(h), 0);
-  push(0, Mesh::face(twin), 1);
-  bool is_shoulder = false, is_fine_known = false;
-  int faces = 0;
-  for (; !front_.empty() && faces < kMostFaces;) {
-    const Entry entry = pop();
-    if (seen_[entry.face] == measurement_) continue;
-    if (entry.distance >= fine && !is_fine_known) {
-      is_fine_known = true;
-      const bool is_flat = kFineFactor * angle_of(sides, kLevels - 1) < least;
-      if (is_flat && has_voice(sides, kLevels - 1, false)) return {};
-    }
-    seen_[entry.face] = measurement_;
-    ++faces;
-    add(entry.face, entry.distance, sides[entry.side]);
-    for (const HalfedgeId side : Mesh::halfedges(entry.face)) {
-      const EdgeId edge = mesh_.edge(side);
-      const HalfedgeId across = mesh_.twin(side);
-      if (edge == e || !across.valid()) continue;
-      if (walls_[edge]) {
-        is_shoulder = is_shoulder || (beside > 0 && is_beside(side, middle, along, reach));
-        continue;
-      }
-      if (seen_[Mesh::face(across)] == measurement_) continue;
-      const Vec3 way = to_segment(middle, mesh_.position(mesh_.from(side)), mesh_.position(mesh_.to(side)));
-      const double distance = std::max(way.norm(), entry.distance);
-      if (distance < reach) push(distance, Mesh::face(across), entry.side);
-    }
-  }
+  const double reach = beside > 0 ? kShoulderReach * radius_ : radius_;
+  Disc disc{e, (from + to) / 2, (to - from).normalized(), reach};
+  if (!grow(least, disc)) return {};
   std::array<double, kLevels> angle{};
   int levels = 0;
-  while (levels < kLevels && has_voice(sides, levels, faces == kMostFaces)) {
-    angle[levels] = angle_of(sides, levels);
+  while (levels < kLevels && has_voice(disc.sides, levels, disc.faces == kMostFaces)) {
+    angle[levels] = angle_of(disc.sides, levels);
     ++levels;
   }
   if (levels == 0) return {};
@@ -140,8 +108,50 @@ ScaleAngle AngleAtScale::measure(EdgeId e, double least, double beside) {
     result = std::min({result, at_zero, kFineFactor * angle[2]});
   }
   if (result < least && least > 0) return {};
-  if (is_shoulder && result < beside) return {};
+  if (beside > 0 && disc.is_beside_wall && result < beside) return {};
   return {std::max(0.0, result), angle[0] > 0 ? std::min(1.0, angle[levels - 1] / angle[0]) : 1};
+}
+
+/// Shares out the faces of a disc, the nearest first. False, and the disc is not whole, if a quarter of the radius
+/// shows that the angle is below the least.
+bool AngleAtScale::grow(double least, Disc& disc) {
+  const HalfedgeId h = mesh_.halfedge(disc.edge);
+  ++measurement_;
+  front_.clear();
+  pushed_ = 0;
+  push(0, Mesh::face(h), 0);
+  push(0, Mesh::face(mesh_.twin(h)), 1);
+  bool is_fine_known = false;
+  while (!front_.empty() && disc.faces < kMostFaces) {
+    const Entry entry = pop();
+    if (seen_[entry.face] == measurement_) continue;
+    if (entry.distance >= radius_ / 4 && !is_fine_known) {
+      is_fine_known = true;
+      const bool is_flat = kFineFactor * angle_of(disc.sides, kLevels - 1) < least;
+      if (is_flat && has_voice(disc.sides, kLevels - 1, false)) return false;
+    }
+    seen_[entry.face] = measurement_;
+    ++disc.faces;
+    add(entry.face, entry.distance, disc.sides[entry.side]);
+    push_neighbours(entry, disc);
+  }
+  return true;
+}
+
+void AngleAtScale::push_neighbours(const Entry& entry, Disc& disc) {
+  for (const HalfedgeId side : Mesh::halfedges(entry.face)) {
+    const EdgeId edge = mesh_.edge(side);
+    const HalfedgeId across = mesh_.twin(side);
+    if (edge == disc.edge || !across.valid()) continue;
+    if (walls_[edge]) {
+      disc.is_beside_wall = disc.is_beside_wall || is_beside(side, disc.middle, disc.along, disc.reach);
+      continue;
+    }
+    if (seen_[Mesh::face(across)] == measurement_) continue;
+    const Vec3 way = to_segment(disc.middle, mesh_.position(mesh_.from(side)), mesh_.position(mesh_.to(side)));
+    const double distance = std::max(way.norm(), entry.distance);
+    if (distance < disc.reach) push(distance, Mesh::face(across), entry.side);
+  }
 }
 
 void AngleAtScale::push(double distance, FaceId face, int side) {

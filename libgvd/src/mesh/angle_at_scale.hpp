@@ -68,6 +68,18 @@ class AngleAtScale {
     int side;
   };
 
+  /// The disc around an edge while its two sides grow.
+  struct Disc {
+    EdgeId edge;
+    Vec3 middle, along;  // of the edge
+    double reach;
+    std::array<Side, 2> sides{};
+    int faces = 0;
+    bool is_beside_wall = false;
+  };
+
+  bool grow(double least, Disc& disc);
+  void push_neighbours(const Entry& entry, Disc& disc);
   void push(double distance, FaceId face, int side);
   Entry pop();
   void add(FaceId f, double distance, Side& side) const;
