@@ -96,7 +96,7 @@ TEST_CASE("gvd-remesh: the ends of limbs have vertices, and the mesh is about as
       CHECK(relaxed["results"]["relaxation"]["extremities"] == 2);
       CHECK(farthest_tip(coarse) < 0.01);
       CHECK(farthest_tip(coarse) < plain_tip);
-      CHECK(hausdorff(relaxed) <= 1.05 * hausdorff(plain));  // it hangs on a single vertex
+      CHECK(hausdorff(relaxed) <= 1.2 * hausdorff(plain));  // each hangs on a single vertex
     }
   }
 }
