@@ -159,14 +159,14 @@ void AngleAtScale::push(double distance, FaceId face, int side) {
     return std::tie(a.distance, a.order) > std::tie(b.distance, b.order);
   };
   front_.push_back({distance, pushed_++, face, side});
-  std::ranges::push_heap(front_, is_later);
+  std::push_heap(front_.begin(), front_.end(), is_later);
 }
 
 AngleAtScale::Entry AngleAtScale::pop() {
   const auto is_later = [](const Entry& a, const Entry& b) {
     return std::tie(a.distance, a.order) > std::tie(b.distance, b.order);
   };
-  std::ranges::pop_heap(front_, is_later);
+  std::pop_heap(front_.begin(), front_.end(), is_later);
   const Entry entry = front_.back();
   front_.pop_back();
   return entry;

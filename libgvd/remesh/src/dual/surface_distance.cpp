@@ -367,9 +367,10 @@ class DistanceMeasure {
     if (pieces.size() <= count) return {};
     std::vector<std::size_t> order(pieces.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::nth_element(order, order.begin() + std::ptrdiff_t(count), [&](std::size_t i, std::size_t k) {
-      return pieces[i].bound != pieces[k].bound ? pieces[i].bound > pieces[k].bound : i < k;
-    });
+    std::nth_element(order.begin(), order.begin() + std::ptrdiff_t(count), order.end(),
+                     [&](std::size_t i, std::size_t k) {
+                       return pieces[i].bound != pieces[k].bound ? pieces[i].bound > pieces[k].bound : i < k;
+                     });
     std::sort(order.begin(), order.begin() + std::ptrdiff_t(count));
     std::sort(order.begin() + std::ptrdiff_t(count), order.end());
     std::vector<Piece> first, others;
