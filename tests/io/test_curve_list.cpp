@@ -95,7 +95,7 @@ TEST_CASE("points far apart are joined by the shortest path between them") {
                          {GeneratorEntry::Kind::vertex, two.vertex_count() - 1, {}, 2}};
   list.curve = {0, 0};
   CHECK_THAT(test::refusal([&] { resolve_curves(two, list, {}, snapped); }, ErrorCode::precondition),
-             Catch::Matchers::Contains("two components"));
+             Catch::Matchers::Contains("different components"));
 }
 
 }  // namespace gvd::test_curve_list

@@ -24,7 +24,7 @@ Json reported(const std::vector<std::string>& arguments) {
 TEST_CASE("options that are not given are null, or their defaults") {
   CHECK(
       reported({"a.obj", "-n", "30"}).dump() ==
-      R"({"input":["a.obj"],"input_format":null,"on_defect":"repair","weld":null,"count":30,"sampling":"farthest","seed":0,)"
+      R"({"input":["a.obj"],"input_format":null,"on_defect":"repair","weld":null,"drop_smaller_than":null,"count":30,"sampling":"farthest","seed":0,)"
       R"("radius":null,"generators":null,"vertices":null,"max_snap":null,"merge_coincident":false,"generators_format":null,)"
       R"("method":"exact","chord_tolerance":0.0001,"front":null,"threads":0,"max_memory":null,"verify":false,)"
       R"("output":[],"output_dir":null,"output_format":null,"ascii_ply":false,"report":null,"view":null,"open":false,)"
