@@ -56,7 +56,7 @@ constexpr double kLengthPerEndOfFaces = 20;
 /// The least mean crispness of a clear group of creases. It is .99 to 1 on CAD models with sharp edges, and .5 to .93
 /// on scans and on models with rounded or bevelled edges, where following creases gains little distance and costs
 /// shape.
-constexpr double kLeastCrispness = 0.95;
+constexpr double kLeastCrispness = 0.8;
 
 /// The least number of generators with which the share allowed on curves suffices for these curves.
 std::int64_t find_enough(const Mesh& mesh, const std::vector<EdgeId>& curves, double boundary, std::int64_t count) {

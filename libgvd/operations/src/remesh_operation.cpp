@@ -316,6 +316,13 @@ Nearness nearness_of(const RemeshResult& result) {
           even_spacing(result.certificate.input.area, result.mesh.vertex_count())};
 }
 
+/// The least number of three digits that is not below x: what "at most" says in print.
+double round_up(double x) {
+  if (!(x > 0) || !std::isfinite(x)) return x;
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
+  return std::ceil(x / unit) * unit;
+}
+
 void describe_distance(const RemeshResult& result, std::vector<std::string>& lines) {
   const double diagonal = result.certificate.input.bbox_diagonal;
   if (!(diagonal > 0)) return;
@@ -334,7 +341,7 @@ void describe_distance(const RemeshResult& result, std::vector<std::string>& lin
   const double least_tolerance = kLeastHausdorffTolerance * std::max(diagonal, result.mesh.bbox_diagonal());
   const double close = found + std::max(kHausdorffTolerance * found, least_tolerance);
   lines.push_back(fmt::format(
-      "distance from the input, in % of the diagonal: {:.3g} at most{}, {:.3g} RMS", 100 * bound / diagonal,
+      "distance from the input, in % of the diagonal: {:.3g} at most{}, {:.3g} RMS", round_up(100 * bound / diagonal),
       bound <= close
           ? ""
           : fmt::format(" ({:.3g} found; the search for the largest ended at its limit)", 100 * found / diagonal),

@@ -180,7 +180,7 @@ void tell_charts(Observer& observer, const Charts& charts, ChartMap map) {
                                         "none"));
   }
   if (is_flat && charts.flipped_by_floats > 0) {
-    observer.note(
+    observer.detail(
         fmt::format("{} flipped in .glb, which rounds texture coordinates to 32-bit floats; .ply and .obj "
                     "keep doubles, and flip none",
                     counted(charts.flipped_by_floats, "face is", "faces are")));

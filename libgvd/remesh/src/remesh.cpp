@@ -54,7 +54,9 @@ constexpr double kGapTolerance = 1e-9;
 /// A placement of all vertices costs several times as much as the other steps of a round. After so many, triangles that
 /// still intersect are not repaired by more generators, where their component can be decimated.
 constexpr std::int32_t kMaxPlacements = 20;
-/// The components of an assembly that intersect each other do so wherever generators are added.
+/// Surfaces of more components are assemblies, whose components often intersect each other wherever generators are
+/// added. A hollow body has two components, which are repaired like one.
+constexpr std::int32_t kMostOfBody = 8;
 constexpr std::int32_t kMaxAssemblyPlacements = 2;
 
 /// Windows that a repair may propagate before components with defects are decimated: those of so many diagrams like the
@@ -276,7 +278,7 @@ class Remesher {
     const bool is_over = may_add <= 0 || result_.rounds >= kMaxRemeshRounds;
     if (!given_up_) given_up_ = is_over ? std::optional(DecimationCause::work) : find_hopeless(defects);
     if (may_decimate() && given_up_) return decimate(defects, *given_up_);
-    if (may_decimate() && components_ > 1) {
+    if (may_decimate() && is_assembly()) {
       count_rounds(defects);
       const std::vector<DualDefect> spent = find_spent(defects);
       if (!spent.empty()) return decimate(spent, DecimationCause::generators);
@@ -304,6 +306,8 @@ class Remesher {
     events_ += nearby.events;
   }
 
+  bool is_assembly() const { return components_ > kMostOfBody; }
+
   /// Why more generators are no way to a right dual, if they are none, or take too long.
   std::optional<DecimationCause> find_hopeless(const std::vector<DualDefect>& defects) const {
     const std::int64_t most_events =
@@ -311,7 +315,7 @@ class Remesher {
     const bool are_needles = first_events_ > kNeedleEventsPerFace * mesh_.face_count() + kRepairEvents;
     if (are_needles && result_.rounds > kNeedleRounds) return DecimationCause::work;
     if (result_.rounds - progress_round_ >= kStagnantRounds) return DecimationCause::work;
-    const std::int32_t most_placements = components_ > 1 ? kMaxAssemblyPlacements : kMaxPlacements;
+    const std::int32_t most_placements = is_assembly() ? kMaxAssemblyPlacements : kMaxPlacements;
     if (placements_ >= most_placements || events_ - earlier_events_ > most_events) return DecimationCause::work;
     // Triangles that intersect are looked for only where nothing else is wrong: they say nothing of growth.
     const bool is_topology = defects.front().property < DualProperty::not_flipped;

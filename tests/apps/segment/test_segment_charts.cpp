@@ -119,10 +119,10 @@ std::int64_t count_flipped(const std::string& file) {
   return flipped;
 }
 
-TEST_CASE("gvd-segment --uv flat: PLY and OBJ flip no face, and a note counts those that the floats of GLB flip") {
+TEST_CASE("gvd-segment --uv flat: PLY and OBJ flip no face, and -v counts those that the floats of GLB flip") {
   const ScratchFolder scratch;
-  const std::string notes = run(data_file("figure.obj") + " -n 12 --disc --uv flat -o " + scratch / "a.obj" + " -o " +
-                                scratch / "a.ply" + " -o " + scratch / "a.glb --report " + scratch / "r.json");
+  const std::string notes = run(data_file("figure.obj") + " -v -n 12 --disc --uv flat -o " + scratch / "a.obj" +
+                                " -o " + scratch / "a.ply" + " -o " + scratch / "a.glb --report " + scratch / "r.json");
   CHECK(count_flipped(scratch / "a.obj") == 0);
   CHECK(count_flipped(scratch / "a.ply") == 0);
   const std::int64_t flipped = count_flipped(scratch / "a.glb");

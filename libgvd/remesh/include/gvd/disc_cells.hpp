@@ -44,7 +44,7 @@ std::vector<GeneratorId> find_non_discs(const Diagram& diagram);
 DiscCells make_discs(const Mesh& mesh, const Diagram& diagram, const DiscOptions& options = {});
 
 /// The most work of all trials and of the search, each, in diagrams of the given generators: the least number; as many
-/// more as propagate so many windows, which take a sixth of a second; and the largest number, for small meshes.
-inline constexpr double kDiscSearch = 1, kDiscSearchWindows = 1e6, kMostDiscSearch = 50;
+/// more as propagate so many windows, which take a second; and the largest number, for small meshes.
+inline constexpr double kDiscSearch = 1, kDiscSearchWindows = 5e6, kMostDiscSearch = 100;
 
 }  // namespace gvd
