@@ -53,9 +53,10 @@ constexpr double kLastThinAngle = 30.5, kLastThinPrice = 3;
 /// units of its area, falls as 1 / n; the root lets both gain. With the springs' triangles and without this price, mean
 /// Q was .839, .896 and .919 with 100, 500 and 2000 vertices (docs/notes/remesh-placement.md).
 constexpr double kShapePrice = 0.55;
-/// With fewer vertices the price is that of so many. Without this bound, the RMS distance of flat closed shapes with 20
-/// vertices is up to 80 % larger.
-constexpr double kLeastPriced = 100;
+/// With fewer vertices the price falls with their number: a triangle spans more of the surface, and what is better for
+/// its shape costs more distance. With a price that rises by the root, the RMS distance of flat closed shapes with 20
+/// vertices was up to 80 % larger.
+constexpr double kFullPriceVertices = 100;
 
 /// Fewer vertices have one round more, with flips and the price of Q as in the last one: there it takes 6 % of a
 /// command's time. With 100 vertices mean Q is .872 in place of .868, and RMS 1 % smaller.
@@ -176,7 +177,10 @@ class Placer {
     return normals;
   }
 
-  double shape_price() const { return kShapePrice / std::sqrt(std::max<double>(kLeastPriced, remesh_.vertex_count())); }
+  double shape_price() const {
+    const double vertices = remesh_.vertex_count(), full = std::max(kFullPriceVertices, vertices);
+    return kShapePrice / std::sqrt(full) * vertices / full;
+  }
 
   void sample(FitTarget& target, bool is_late) const {
     const double vertices = remesh_.vertex_count();

@@ -192,9 +192,8 @@ bool PartDecimator::keeps_normals(std::int32_t v, std::int32_t w) const {
     const Vec3 old_normal = (p - before).cross(q - before), new_normal = (p - after).cross(q - after);
     const double old_norm = old_normal.norm(), new_norm = new_normal.norm();
     if (p == after || q == after) keeps = false;
-    if (!is_strict_) return;
     if (old_norm > 0 && !(old_normal.dot(new_normal) > kLeastCosine * old_norm * new_norm)) keeps = false;
-    if (keeps) keeps = shape(after, p, q) >= std::min(kLeastShape, 0.25 * shape(before, p, q));
+    if (keeps && is_strict_) keeps = shape(after, p, q) >= std::min(kLeastShape, 0.25 * shape(before, p, q));
   });
   return keeps;
 }
