@@ -45,6 +45,6 @@ DiscCells make_discs(const Mesh& mesh, const Diagram& diagram, const DiscOptions
 
 /// The most work of all trials and of the search, each, in diagrams of the given generators: the least number; as many
 /// more as propagate so many windows, which take a second; and the largest number, for small meshes.
-inline constexpr double kDiscSearch = 1, kDiscSearchWindows = 5e6, kMostDiscSearch = 100;
+inline constexpr double kDiscSearch = 1, kDiscSearchWindows = 5e6, kMostDiscSearch = 300;
 
 }  // namespace gvd
