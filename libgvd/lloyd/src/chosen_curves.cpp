@@ -53,9 +53,9 @@ constexpr double kLengthPerEnd = 3;
 /// CAD models have no end, or one in 40 spacings.
 constexpr double kLengthPerEndOfFaces = 20;
 
-/// The least mean crispness of a clear group of creases. It is .99 to 1 on CAD models with sharp edges, and .5 to .93
-/// on scans and on models with rounded or bevelled edges, where following creases gains little distance and costs
-/// shape.
+/// The least mean crispness of a clear group of creases. It is .99 to 1 on CAD models with sharp edges, more than .8 on
+/// those with bevels up to a twentieth of the spacing, and .5 to .93 on scans and on models with rounded edges, where
+/// following creases gains little distance and costs shape.
 constexpr double kLeastCrispness = 0.8;
 
 /// The least number of generators with which the share allowed on curves suffices for these curves.
