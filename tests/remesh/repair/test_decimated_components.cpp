@@ -13,6 +13,7 @@
 #include "dual/self_intersections.hpp"
 #include "gvd/dual.hpp"
 #include "gvd/remesh.hpp"
+#include "gvd/sampling.hpp"
 #include "gvd/surface_point.hpp"
 #include "mesh/component_topology.hpp"
 #include "repair/decimated_components.hpp"
@@ -176,19 +177,46 @@ std::string causes_of(const RemeshResult& result) {
   return causes;
 }
 
-TEST_CASE("remesh: a component of several that takes too many generators is decimated, the others are not") {
+/// The mesh, moved and scaled; with a negative factor turned inside out.
+Mesh placed(const Mesh& mesh, double factor, const Vec3& offset) {
+  std::vector<Vec3> positions;
+  for (const Vec3& p : mesh.positions()) positions.push_back(std::abs(factor) * p + offset);
+  std::vector<std::array<VertexId, 3>> faces = mesh.face_vertices();
+  if (factor < 0) {
+    for (auto& face : faces) std::swap(face[1], face[2]);
+  }
+  return {std::move(positions), std::move(faces)};
+}
+
+TEST_CASE("remesh: a component of an assembly that takes too many generators is decimated, the others are not") {
   const Mesh hose = make_hose(300, 8, 0.02);
-  const Mesh both = join(hose, test::make_sphere(2));
-  std::vector<SurfacePoint> generators{vertex_point(both, VertexId(0)), vertex_point(both, VertexId(1200))};
-  for (int i = 0; i < 80; ++i) generators.push_back(vertex_point(both, VertexId(hose.vertex_count() + 2 * i)));
+  Mesh assembly = join(hose, test::make_sphere(2));
+  std::vector<SurfacePoint> generators{vertex_point(assembly, VertexId(0)), vertex_point(assembly, VertexId(1200))};
+  for (int i = 0; i < 80; ++i) generators.push_back(vertex_point(assembly, VertexId(hose.vertex_count() + 2 * i)));
+  for (int part = 0; part < 7; ++part) {
+    const std::int32_t first = assembly.vertex_count();
+    assembly = join(assembly, placed(test::make_sphere(1), 0.1, Vec3(10, part, 10)));
+    for (int i = 0; i < 12; ++i) generators.push_back(vertex_point(assembly, VertexId(first + i)));
+  }
   RemeshOptions options;
   options.may_decimate = true;
-  const RemeshResult result = remesh(both, generators, options);
+  const RemeshResult result = remesh(assembly, generators, options);
   CHECK(result.certificate.ok());
   CHECK(causes_of(result) == "2: 1");
   CHECK(result.decimated.generators == 2);
   CHECK(result.decimated.vertices < 60);
-  CHECK(result.mesh.vertex_count() < result.decimated.vertices + 90);
+  CHECK(result.mesh.vertex_count() < result.decimated.vertices + 90 + 7 * 12);
+}
+
+TEST_CASE("remesh: the two sides of a thin hollow body are repaired, and not decimated") {
+  const Mesh shell = join(test::make_sphere(3), placed(test::make_sphere(3), -0.97, Vec3::Zero()));
+  SamplingOptions sampling;
+  sampling.count = 60;
+  RemeshOptions options;
+  options.may_decimate = true;
+  const RemeshResult result = remesh(shell, sample_generators(shell, sampling), options);
+  CHECK(result.certificate.ok());
+  CHECK(result.decimated.components == 0);
 }
 
 /// A sphere of which one vertex is the tip of a spike too narrow for generators. The tip is vertex 0.
