@@ -223,7 +223,7 @@ TEST_CASE("remesh: the two sides of a thin hollow body are repaired, and not dec
 Mesh make_spiked_sphere() {
   const Mesh sphere = test::make_sphere(3);
   std::vector<Vec3> positions = sphere.positions();
-  const Vec3 axis = sphere.position(VertexId(0));
+  const Vec3& axis = sphere.position(VertexId(0));
   for (const HalfedgeId h : sphere.halfedges()) {
     if (sphere.from(h) != VertexId(0)) continue;
     const Vec3& at = sphere.position(sphere.to(h));
