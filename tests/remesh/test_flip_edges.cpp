@@ -54,7 +54,7 @@ Mesh surround(const Mesh& kite) {
   std::vector<Vec3> positions = kite.positions();
   std::vector<Face> faces = kite.face_vertices();
   for (int k = 0; k < 4; ++k) {
-    const Vec3& p = kite.position(VertexId(k)), q = kite.position(VertexId((k + 1) % 4));
+    const Vec3 &p = kite.position(VertexId(k)), &q = kite.position(VertexId((k + 1) % 4));
     positions.push_back(1.5 * (p + q));
     faces.push_back({VertexId((k + 1) % 4), VertexId(k), VertexId(4 + k)});
   }

@@ -42,6 +42,12 @@ TEST_CASE("a point that follows a flip and its inverse is where it was, and one 
   }
 }
 
+/// The point of a halfedge at t in [0, 1]: its start at 0, its end at 1.
+SurfacePoint point_on(const Mesh& mesh, HalfedgeId h, double t) {
+  if (t == 0) return vertex_point(mesh, mesh.from(h));
+  return t == 1 ? vertex_point(mesh, mesh.to(h)) : edge_point(h, t);
+}
+
 TEST_CASE("vertices and the four sides stay where they are, and the diagonals' crossing is on both") {
   const Mesh given = test::make_grid(2, 2);
   HalfedgeId inner(0);
@@ -56,9 +62,7 @@ TEST_CASE("vertices and the four sides stay where they are, and the diagonals' c
       const bool is_diagonal =
           mesh.twin(h).valid() && Mesh::face(mesh.twin(h)) == (f == flip.left ? flip.right : flip.left);
       for (const double t : {0.0, 0.25, 0.5, 1.0}) {
-        const SurfacePoint point = t == 0   ? vertex_point(mesh, mesh.from(h))
-                                   : t == 1 ? vertex_point(mesh, mesh.to(h))
-                                            : edge_point(h, t);
+        const SurfacePoint point = point_on(mesh, h, t);
         const SurfacePoint moved = follower.follow(point);
         if (!is_diagonal || t == 0 || t == 1) {
           CHECK((position(flipped, moved) - position(mesh, point)).norm() < 1e-15);
