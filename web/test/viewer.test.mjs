@@ -497,7 +497,7 @@ const tests = {
   async 'the table of regions sorts and pins'() {
     const page = await open();
     await page.locator('#regions summary').click();
-    const table = await page.locator('#region-rows').boundingBox();
+    const table = await settle(page).then(() => page.locator('#region-rows').boundingBox());
     assert.ok(table.y + table.height <= 700, `the table ends at ${table.y + table.height}`);
     const column = (n) => page.locator(`#region-rows tbody tr:not([aria-hidden]) td:nth-child(${n})`).allInnerTexts();
     assert.deepEqual((await column(1)).slice(0, 3).map(Number), [0, 1, 2]);
