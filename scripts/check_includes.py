@@ -51,7 +51,7 @@ PUBLIC = {
     "libgvd/src/options": "given_values option_list option_text",
     "libgvd/src/mesh": "mesh surface_point creases generator_curve closest_point distance_samples quality openmesh",
     "libgvd/src/mesh/reading": "appearance mesh_property polygon_soup",
-    "libgvd/src/mesh/repair": "drop_components soup",
+    "libgvd/src/mesh/repair": "drop_small_components soup",
     "libgvd/src/geodesic": "front geodesic_tracing",
     "libgvd/src/geodesic/sampling": "sampling",
     "libgvd/src/geodesic/windows": "exact_field",

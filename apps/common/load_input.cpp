@@ -19,7 +19,7 @@
 #include "common/process.hpp"
 #include "common/referred_files.hpp"
 #include "gvd/curve_list.hpp"
-#include "gvd/drop_components.hpp"
+#include "gvd/drop_small_components.hpp"
 #include "gvd/error.hpp"
 #include "gvd/generator_list.hpp"
 #include "gvd/io/mesh_writer.hpp"

@@ -96,7 +96,7 @@ TEST_CASE(
   CHECK(measure.corrected > 0);
   CHECK(measure.corrected < measure.distances / 10);
   CHECK(measure.error_max <= 1e-4 * mesh.mean_edge_length());  // the chord tolerance
-  // What is wrong stays wrong: the bisector of other generators.
+  // A wrong diagram is still found: this is the bisector of other generators.
   Diagram wrong = diagram;
   wrong.generators[0] = test::random_generators(mesh, 1, 9)[0];
   CHECK(verify_diagram(mesh, wrong).error_max > 0.1);

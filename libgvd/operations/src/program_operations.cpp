@@ -12,7 +12,7 @@
 #include "figures.hpp"
 #include "given_arrays.hpp"
 #include "gvd/check.hpp"
-#include "gvd/drop_components.hpp"
+#include "gvd/drop_small_components.hpp"
 #include "gvd/error.hpp"
 #include "gvd/read_soup.hpp"
 #include "gvd/read_values.hpp"

@@ -161,7 +161,7 @@ class EdgeFlipper {
     return std::max({role(flip.from), role(flip.to), role(flip.left_apex), role(flip.right_apex)}) == VertexRole::free;
   }
 
-  /// Of the cells of the four vertices.
+  /// The mean area of the cells of the four vertices of a flip.
   double mean_area(const EdgeFlip& flip) const {
     const auto area = [&](VertexId v) { return search_.plan->areas[v.index()]; };
     return (area(flip.from) + area(flip.to) + area(flip.left_apex) + area(flip.right_apex)) / 4;

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "gvd/drop_components.hpp"
+#include "gvd/drop_small_components.hpp"
 #include "gvd/error.hpp"
 #include "support/catch.hpp"
 

@@ -1,6 +1,8 @@
 // Components of a checked mesh that are too small are left out, by the diagonals of their bounding boxes.
 //
 // A component is left out as a whole, so what remains needs no repair. The tables from and to the input lose its rows.
+#include "gvd/drop_small_components.hpp"
+
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -8,7 +10,6 @@
 #include <array>
 #include <utility>
 
-#include "gvd/drop_components.hpp"
 #include "gvd/error.hpp"
 #include "gvd/text.hpp"
 #include "mesh/submesh.hpp"
