@@ -118,7 +118,7 @@ TEST_CASE("relax_generators: from a copy, fixed generators stay, and those on th
   StartOptions asked;
   asked.keep_boundary = true;
   asked.fixed = {make_surface_point(FaceId(100), {0.2, 0.3, 0.5}), vertex_point(mesh, VertexId(500))};
-  const ConstrainedStart start = constrain_start(mesh, sample(mesh, 50), asked);
+  const ConstrainedStart start = value_or_throw(constrain_start(mesh, sample(mesh, 50), asked));
   const CoarseCopy copy = make_coarse_copy(mesh, mesh.face_count() / 5);
   LloydOptions options;
   options.freedom = start.freedom;

@@ -21,7 +21,7 @@ std::int64_t count(const ConstrainedStart& start, Freedom kind) {
 TEST_CASE("constrained start: without constraints the points stay, and all are free") {
   const Mesh box = test::make_plate(4, 0.5);
   const auto points = test::random_generators(box, 12, 1);
-  const ConstrainedStart start = constrain_start(box, points, {});
+  const ConstrainedStart start = value_or_throw(constrain_start(box, points, {}));
   CHECK(start.points == points);
   CHECK(start.freedom.empty());
   CHECK(start.creases.empty());
@@ -32,7 +32,7 @@ TEST_CASE("constrained start: fixed generators come first, and sampled ones make
   const auto points = test::random_generators(box, 12, 1);
   StartOptions options;
   options.fixed = {points[5], vertex_point(box, VertexId(0))};
-  const ConstrainedStart start = constrain_start(box, points, options);
+  const ConstrainedStart start = value_or_throw(constrain_start(box, points, options));
   REQUIRE(start.points.size() == 12);
   CHECK(start.points[0] == points[5]);
   CHECK(start.points[1] == options.fixed[1]);
@@ -51,12 +51,12 @@ TEST_CASE("constrained start: corners and creases have generators, and enough ar
   const Mesh box = test::make_plate(4, 0.5);
   StartOptions options;
   options.crease_angle = 30;
-  const ConstrainedStart start = constrain_start(box, test::random_generators(box, 60, 1), options);
+  const ConstrainedStart start = value_or_throw(constrain_start(box, test::random_generators(box, 60, 1), options));
   CHECK(start.points.size() == 60);
   CHECK(count(start, Freedom::fixed) == 8);
   CHECK(count(start, Freedom::on_crease) > 0);
   CHECK(count(start, Freedom::free) >= 12);
-  CHECK_THROWS_AS(constrain_start(box, test::random_generators(box, 7, 1), options), Error);
+  CHECK_THROWS_AS(value_or_throw(constrain_start(box, test::random_generators(box, 7, 1), options)), Error);
 }
 
 TEST_CASE("constrained start: a boundary longer than the even spacing by any factor gets only its share") {
@@ -66,7 +66,7 @@ TEST_CASE("constrained start: a boundary longer than the even spacing by any fac
   const Mesh strip(positions, grid.face_vertices());
   StartOptions options;
   options.keep_boundary = true;
-  const ConstrainedStart start = constrain_start(strip, test::random_generators(strip, 30, 1), options);
+  const ConstrainedStart start = value_or_throw(constrain_start(strip, test::random_generators(strip, 30, 1), options));
   CHECK(start.points.size() <= 30);  // on such a strip, free points may coincide with points of the boundary
   CHECK(start.points.size() >= 25);
   CHECK(count(start, Freedom::on_crease) > 0);
@@ -80,7 +80,7 @@ TEST_CASE("constrained start: a stick far thinner than the spacing has no crease
   const Mesh stick(positions, box.face_vertices());
   StartOptions options;
   options.crease_angle = 30;
-  const ConstrainedStart start = constrain_start(stick, test::random_generators(stick, 30, 1), options);
+  const ConstrainedStart start = value_or_throw(constrain_start(stick, test::random_generators(stick, 30, 1), options));
   CHECK(start.creases.empty());
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("constrained start: listed points stay, and those on creases are kept 
   const std::vector<SurfacePoint> points{vertex_point(box, box.from(box.halfedge(creases[0]))),
                                          edge_point(box.halfedge(creases[0]), 0.3),
                                          make_surface_point(FaceId(0), {0.4, 0.3, 0.3})};
-  const ConstrainedStart start = constrain_start(box, points, options);
+  const ConstrainedStart start = value_or_throw(constrain_start(box, points, options));
   CHECK(start.points == points);
   REQUIRE(start.freedom.size() == 3);
   CHECK(start.freedom[1] == Freedom::on_crease);
@@ -105,12 +105,12 @@ TEST_CASE("constrained start: the boundary is preferred where samples are left b
   StartOptions prefers, keeps;
   prefers.prefers_boundary = true;
   keeps.keep_boundary = true;
-  CHECK_FALSE(constrain_start(grid, test::random_generators(grid, 40, 1), prefers).freedom.empty());
-  CHECK(constrain_start(grid, test::random_generators(grid, 4, 1), prefers).freedom.empty());
-  const ConstrainedStart few = constrain_start(grid, test::random_generators(grid, 4, 1), keeps);
+  CHECK_FALSE(value_or_throw(constrain_start(grid, test::random_generators(grid, 40, 1), prefers)).freedom.empty());
+  CHECK(value_or_throw(constrain_start(grid, test::random_generators(grid, 4, 1), prefers)).freedom.empty());
+  const ConstrainedStart few = value_or_throw(constrain_start(grid, test::random_generators(grid, 4, 1), keeps));
   CHECK(count(few, Freedom::fixed) == 4);
   prefers.are_listed = true;
-  CHECK(constrain_start(grid, test::random_generators(grid, 40, 1), prefers).freedom.empty());
+  CHECK(value_or_throw(constrain_start(grid, test::random_generators(grid, 40, 1), prefers)).freedom.empty());
 }
 
 TEST_CASE("constrained start: boundaries leave samples for the faces, and small loops are left first") {
@@ -118,7 +118,8 @@ TEST_CASE("constrained start: boundaries leave samples for the faces, and small 
   StartOptions prefers;
   prefers.prefers_boundary = true;
   for (const int n : {60, 80, 100, 140, 200, 400}) {
-    const ConstrainedStart start = constrain_start(plane, test::random_generators(plane, n, 1), prefers);
+    const ConstrainedStart start =
+        value_or_throw(constrain_start(plane, test::random_generators(plane, n, 1), prefers));
     CHECK(std::ssize(start.points) == n);
     // Half of them, or as many as an even triangulation has there: 59 % of 80 vertices, and 54 % of 100.
     CHECK(double(count(start, Freedom::fixed) + count(start, Freedom::on_crease)) <= (n <= 100 ? 0.59 : 0.5) * n);
@@ -128,17 +129,18 @@ TEST_CASE("constrained start: boundaries leave samples for the faces, and small 
     CHECK(start.unfollowed_loops == 16);  // the outer loop is followed
     CHECK(start.enough_for_loops > n);
     const auto enough = test::random_generators(plane, int(start.enough_for_loops), 1);
-    CHECK(constrain_start(plane, enough, prefers).unfollowed_loops == 0);
+    CHECK(value_or_throw(constrain_start(plane, enough, prefers)).unfollowed_loops == 0);
   }
-  CHECK(constrain_start(plane, test::random_generators(plane, 60, 1), prefers).unfollowed_loops == 16);
-  CHECK(constrain_start(plane, test::random_generators(plane, 400, 1), prefers).unfollowed_loops == 0);
+  CHECK(value_or_throw(constrain_start(plane, test::random_generators(plane, 60, 1), prefers)).unfollowed_loops == 16);
+  CHECK(value_or_throw(constrain_start(plane, test::random_generators(plane, 400, 1), prefers)).unfollowed_loops == 0);
 }
 
 TEST_CASE("constrained start: on a small piece of a plane, most generators are on its boundary") {
   const Mesh triangle = test::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   StartOptions options;
   options.prefers_boundary = true;
-  const ConstrainedStart start = constrain_start(triangle, test::random_generators(triangle, 10, 1), options);
+  const ConstrainedStart start =
+      value_or_throw(constrain_start(triangle, test::random_generators(triangle, 10, 1), options));
   CHECK(start.points.size() == 10);
   CHECK(count(start, Freedom::fixed) == 3);
   CHECK(count(start, Freedom::on_crease) >= 5);
@@ -149,7 +151,7 @@ TEST_CASE("constrained start: creases that are preferred are followed where at m
   prefers.crease_angle = 40;
   prefers.prefers_creases = true;
   const auto start_of = [&](const Mesh& mesh, int n) {
-    return constrain_start(mesh, test::random_generators(mesh, n, 1), prefers);
+    return value_or_throw(constrain_start(mesh, test::random_generators(mesh, n, 1), prefers));
   };
   const Mesh box = test::make_plate(12, 0.5), thin = test::make_plate(12, 0.02);
   const ConstrainedStart followed = start_of(box, 200), few = start_of(box, 12), doubled = start_of(thin, 200);
@@ -181,7 +183,8 @@ TEST_CASE("constrained start: creases that no usual number of generators follows
   StartOptions prefers;
   prefers.crease_angle = 40;
   prefers.prefers_creases = true;
-  const ConstrainedStart start = constrain_start(needle, test::random_generators(needle, 100, 1), prefers);
+  const ConstrainedStart start =
+      value_or_throw(constrain_start(needle, test::random_generators(needle, 100, 1), prefers));
   CHECK(start.creases.empty());
   CHECK(start.leaves_creases);
   CHECK(start.enough_for_creases == 0);
@@ -192,9 +195,9 @@ TEST_CASE("constrained start: samples leave room where generators will be added"
   StartOptions options;
   options.crease_angle = 40;
   const auto points = test::random_generators(box, 300, 1);
-  CHECK(constrain_start(box, points, options).points.size() == 300);
+  CHECK(value_or_throw(constrain_start(box, points, options)).points.size() == 300);
   options.leaves_room = true;
-  const std::size_t left = constrain_start(box, points, options).points.size();
+  const std::size_t left = value_or_throw(constrain_start(box, points, options)).points.size();
   CHECK(left < 300);
   CHECK(left >= 250);
 }
@@ -214,7 +217,7 @@ TEST_CASE("constrained start: the noise of a smooth surface is no crease that is
     const Mesh noisy(std::move(positions), std::move(faces));
     for (const int n : {100, 500}) {
       CAPTURE(noise, n);
-      CHECK(constrain_start(noisy, test::random_generators(noisy, n, 1), prefers).creases.empty());
+      CHECK(value_or_throw(constrain_start(noisy, test::random_generators(noisy, n, 1), prefers)).creases.empty());
     }
     if (noise > 0.02) CHECK_FALSE(find_creases(noisy, {40, false}).empty());
   }

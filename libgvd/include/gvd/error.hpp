@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 
 #include "gvd/placeholders.hpp"
 
@@ -44,5 +46,16 @@ class Error : public std::runtime_error {
   std::runtime_error text_;  // a runtime_error, because copying it can't throw
   std::int64_t element_;
 };
+
+/// A value, or why there is none: what a function returns whose caller goes on in another way without the value.
+template <class T>
+using OrError = std::variant<T, Error>;
+
+/// The value; throws the error if there is none.
+template <class T>
+T value_or_throw(OrError<T>&& outcome) {
+  if (const Error* const error = std::get_if<Error>(&outcome)) throw *error;
+  return std::get<T>(std::move(outcome));
+}
 
 }  // namespace gvd

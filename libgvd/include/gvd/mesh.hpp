@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "gvd/error.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/vec.hpp"
 
@@ -33,6 +35,9 @@ class Mesh {
   /// Throws Error{precondition} that names the first element that breaks a property.
   /// Cost: O(n) time and memory.
   Mesh(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> faces);
+
+  /// The same, and the error is returned.
+  static OrError<Mesh> try_to_build(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> faces);
 
   std::int32_t vertex_count() const { return positions_.count(); }
   std::int32_t face_count() const { return faces_.count(); }
@@ -92,10 +97,12 @@ class Mesh {
  private:
   friend class MeshEditor;  // splits faces and edges and flips edges of the library's working mesh
 
-  void link_twins();
+  /// Each returns the first broken property that it meets.
+  std::optional<Error> build();
+  std::optional<Error> link_twins();
   void number_edges();
-  void find_vertex_halfedges();
-  void measure();
+  std::optional<Error> find_vertex_halfedges();
+  std::optional<Error> measure();
   void measure_face(FaceId f);
 
   IdVector<VertexId, Vec3> positions_;

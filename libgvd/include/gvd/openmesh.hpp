@@ -20,13 +20,9 @@ struct OpenMeshTraits : OpenMesh::DefaultTraits {
 };
 using OpenMeshTriMesh = OpenMesh::TriMesh_ArrayKernelT<OpenMeshTraits>;
 
-/// Converts a mesh for OpenMesh's algorithms. Vertices, faces and corners keep their order.
-///
-/// `TriMesh` is any triangle mesh of OpenMesh with points of three numbers. Coordinates are rounded if its numbers have
-/// less precision than a double. Throws Error{precondition} if OpenMesh refuses a face, which happens for no valid
-/// mesh. Cost: O(n).
+/// Converts a mesh for OpenMesh's algorithms, as `to_openmesh` does, and returns the error.
 template <class TriMesh = OpenMeshTriMesh>
-TriMesh to_openmesh(const Mesh& mesh) {
+OrError<TriMesh> try_to_openmesh(const Mesh& mesh) {
   using Point = typename TriMesh::Point;
   using Scalar = typename TriMesh::Scalar;
   TriMesh result;
@@ -39,9 +35,19 @@ TriMesh to_openmesh(const Mesh& mesh) {
     const auto& [a, b, c] = mesh.vertices(FaceId(f));
     const auto added = result.add_face(OpenMesh::VertexHandle(a.value()), OpenMesh::VertexHandle(b.value()),
                                        OpenMesh::VertexHandle(c.value()));
-    if (!added.is_valid()) throw Error(ErrorCode::precondition, "OpenMesh refuses a face of the mesh", f);
+    if (!added.is_valid()) return Error(ErrorCode::precondition, "OpenMesh refuses a face of the mesh", f);
   }
   return result;
+}
+
+/// Converts a mesh for OpenMesh's algorithms. Vertices, faces and corners keep their order.
+///
+/// `TriMesh` is any triangle mesh of OpenMesh with points of three numbers. Coordinates are rounded if its numbers have
+/// less precision than a double. Throws Error{precondition} if OpenMesh refuses a face, which happens for no valid
+/// mesh. Cost: O(n).
+template <class TriMesh = OpenMeshTriMesh>
+TriMesh to_openmesh(const Mesh& mesh) {
+  return value_or_throw(try_to_openmesh<TriMesh>(mesh));
 }
 
 /// Converts a triangle mesh of OpenMesh. Deleted elements and vertices without a face are left out; the remaining

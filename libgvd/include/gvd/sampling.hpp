@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "gvd/error.hpp"
 #include "gvd/front.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/names.hpp"
@@ -66,6 +67,9 @@ struct SamplingOptions {
 /// distances as in Peyre and Cohen, Geodesic remeshing using front propagation, 2006. poisson: Yuksel, Sample
 /// elimination for generating Poisson disk sample sets, 2015.
 std::vector<SurfacePoint> sample_generators(const Mesh& mesh, const SamplingOptions& options);
+
+/// The same, and an error about the number of points is returned: more than the mesh has room for.
+OrError<std::vector<SurfacePoint>> try_to_sample_generators(const Mesh& mesh, const SamplingOptions& options);
 
 /// The side of the equilateral triangles that `count` generators span if they are spread evenly over `area`. Mesh
 /// units.

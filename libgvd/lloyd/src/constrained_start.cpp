@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "base/least.hpp"
@@ -140,13 +141,13 @@ void leave_room(const Mesh& mesh, const ConstrainedStart& start, double spacing,
 }
 
 /// Appends generators on the creases and the remaining samples, after removing a sample for each generator that is
-/// placed.
-void append_sampled(const Mesh& mesh, const ConstrainedStart& start, const StartOptions& options, double spacing,
-                    FeatureGenerators& placed) {
+/// placed. Returns an error where more are placed than were sampled.
+std::optional<Error> append_sampled(const Mesh& mesh, const ConstrainedStart& start, const StartOptions& options,
+                                    double spacing, FeatureGenerators& placed) {
   const auto asked = std::ssize(start.points);
   if (!start.creases.empty()) append_different(mesh, place_features(mesh, start, spacing), placed);
   if (std::ssize(placed.points) > asked) {
-    throw Error(
+    return Error(
         ErrorCode::precondition,
         fmt::format("{} requested, but {} fixed or on features; ask for more generators",
                     counted(asked, "generator is", "generators are"), counted(std::ssize(placed.points), "is", "are")));
@@ -160,11 +161,13 @@ void append_sampled(const Mesh& mesh, const ConstrainedStart& start, const Start
   if (options.leaves_room && std::ranges::any_of(start.creases, is_inner)) leave_room(mesh, start, spacing, remover);
   report_progress(options.progress, kPlacing, 1);
   append_different(mesh, all_of(remover.rest(start.points), Freedom::free), placed);
+  return std::nullopt;
 }
 
 }  // namespace
 
-ConstrainedStart constrain_start(const Mesh& mesh, std::vector<SurfacePoint> points, const StartOptions& options) {
+OrError<ConstrainedStart> constrain_start(const Mesh& mesh, std::vector<SurfacePoint> points,
+                                          const StartOptions& options) {
   ConstrainedStart start;
   start.points = std::move(points);
   const double spacing = choose_curves(mesh, options, start);
@@ -174,8 +177,8 @@ ConstrainedStart constrain_start(const Mesh& mesh, std::vector<SurfacePoint> poi
   FeatureGenerators placed = all_of(options.fixed, Freedom::fixed);
   if (options.are_listed) {
     append_listed(mesh, start, placed);
-  } else {
-    append_sampled(mesh, start, options, spacing, placed);
+  } else if (auto error = append_sampled(mesh, start, options, spacing, placed)) {
+    return *std::move(error);
   }
   start.points = std::move(placed.points);
   start.freedom = std::move(placed.freedom);

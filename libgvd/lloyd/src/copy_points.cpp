@@ -8,6 +8,8 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <utility>
+#include <variant>
 
 #include "gvd/closest_point.hpp"
 #include "mesh/find_coincident.hpp"
@@ -79,10 +81,14 @@ std::vector<SurfacePoint> to_copy(const Mesh& input, const CoarseCopy& copy, con
   return move_points(points, progress, part, [&](const SurfacePoint& p) { return to_copy(input, copy, p); });
 }
 
-std::vector<SurfacePoint> sample_on_copy(const Mesh& input, const CoarseCopy& copy, const SamplingOptions& options) {
-  const std::vector<SurfacePoint> points =
-      to_input(input, copy, sample_generators(copy.mesh, options), options.progress, {kSamplingStep, 1, 1});
-  return are_apart(input, points) ? points : sample_generators(input, options);
+OrError<std::vector<SurfacePoint>> sample_on_copy(const Mesh& input, const CoarseCopy& copy,
+                                                  const SamplingOptions& options) {
+  auto sampled = try_to_sample_generators(copy.mesh, options);
+  if (Error* const error = std::get_if<Error>(&sampled)) return std::move(*error);
+  auto points =
+      to_input(input, copy, std::get<std::vector<SurfacePoint>>(sampled), options.progress, {kSamplingStep, 1, 1});
+  if (are_apart(input, points)) return points;
+  return try_to_sample_generators(input, options);
 }
 
 Density to_copy(const Mesh& input, const CoarseCopy& copy, const Density& density) {

@@ -4,6 +4,7 @@
 
 #include "gvd/coarse_copy.hpp"
 #include "gvd/density.hpp"
+#include "gvd/error.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
 #include "gvd/sampling.hpp"
@@ -30,9 +31,10 @@ std::vector<SurfacePoint> to_copy(const Mesh& input, const CoarseCopy& copy, con
 bool are_apart(const Mesh& mesh, const std::vector<SurfacePoint>& points);
 
 /// Samples generators on the copy and moves them to the input; if two would coincide there, samples on the input
-/// itself.
+/// itself. Returns the error of `try_to_sample_generators`.
 /// Throws Error{interrupted} if the progress callback of the options cancels.
-std::vector<SurfacePoint> sample_on_copy(const Mesh& input, const CoarseCopy& copy, const SamplingOptions& options);
+OrError<std::vector<SurfacePoint>> sample_on_copy(const Mesh& input, const CoarseCopy& copy,
+                                                  const SamplingOptions& options);
 
 /// The density on the copy: at each vertex, the mean over the part of `input` that collapsed to it. Cost: O(n).
 Density to_copy(const Mesh& input, const CoarseCopy& copy, const Density& density);

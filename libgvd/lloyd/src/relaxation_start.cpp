@@ -6,6 +6,8 @@
 #include "gvd/relaxation_start.hpp"
 
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "copy_points.hpp"
 #include "gvd/error.hpp"
@@ -43,6 +45,10 @@ CopyOptions copy_options(const LloydOptions& relaxation, CopyOptions asked) {
 }
 
 RelaxationStart start_relaxation(const Mesh& mesh, const RelaxationStartOptions& options) {
+  return value_or_throw(try_to_start_relaxation(mesh, options));
+}
+
+OrError<RelaxationStart> try_to_start_relaxation(const Mesh& mesh, const RelaxationStartOptions& options) {
   if (options.copy.faces.value_or(0) < 0) {
     throw Error(ErrorCode::invalid_option, "the number of a copy's faces must not be negative");
   }
@@ -64,9 +70,11 @@ RelaxationStart start_relaxation(const Mesh& mesh, const RelaxationStartOptions&
     SamplingOptions sampling = options.sampling;
     sampling.progress = options.progress;
     const bool on_copy = start.copy && sampling.kind == Sampling::farthest;
-    points = options.sample ? options.sample(sampling)
-             : on_copy      ? sample_on_copy(mesh, *start.copy, sampling)
-                            : sample_generators(mesh, sampling);
+    OrError<std::vector<SurfacePoint>> sampled = options.sample ? options.sample(sampling)
+                                                 : on_copy      ? sample_on_copy(mesh, *start.copy, sampling)
+                                                                : try_to_sample_generators(mesh, sampling);
+    if (Error* const error = std::get_if<Error>(&sampled)) return std::move(*error);
+    points = std::get<std::vector<SurfacePoint>>(std::move(sampled));
   }
   const std::int64_t count = std::ssize(points);
   if (!knows_count && options.copy.faces) make_copy(count);
@@ -76,7 +84,9 @@ RelaxationStart start_relaxation(const Mesh& mesh, const RelaxationStartOptions&
     start.density = make_curvature_density(mesh, count, {.gradation = options.gradation, .progress = options.progress});
   }
   enter("constraints");
-  static_cast<ConstrainedStart&>(start) = constrain_start(mesh, std::move(points), choose_constraints(options));
+  auto constrained = constrain_start(mesh, std::move(points), choose_constraints(options));
+  if (Error* const error = std::get_if<Error>(&constrained)) return std::move(*error);
+  static_cast<ConstrainedStart&>(start) = std::get<ConstrainedStart>(std::move(constrained));
   return start;
 }
 

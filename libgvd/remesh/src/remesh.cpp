@@ -113,11 +113,6 @@ std::string others(std::size_t count) {
   return count == 0 ? "" : ", and " + counted(std::int64_t(count), "more defect", "more defects");
 }
 
-[[noreturn]] void refuse_count(std::int64_t count, const std::string& why) {
-  throw Error(ErrorCode::no_valid_result,
-              fmt::format("no valid mesh of {} was found: {}", counted(count, "vertex", "vertices"), why));
-}
-
 /// The fewest vertices of a mesh with this topology: four of a sphere, three of a disc, six of an annulus, seven of a
 /// torus. An upper bound for more handles than three.
 std::int64_t least_vertices(const ComponentTopology& topology) {
@@ -155,8 +150,8 @@ class Remesher {
     for (const SurfacePoint& point : generators) ++given_to_[component_of(point)];
   }
 
-  /// `first`: the diagram of the given generators.
-  RemeshResult run(Diagram&& first) {
+  /// `first`: the diagram of the given generators. Returns Error{no_valid_result} where no proper mesh is found.
+  OrError<RemeshResult> run(Diagram&& first) {
     result_.diagram = std::move(first);
     first_events_ = result_.diagram.report.propagation_events;
     earlier_events_ = events_ = first_events_ * std::max(std::int64_t{1}, options_.earlier_diagrams);
@@ -166,9 +161,9 @@ class Remesher {
       events_ += result_.diagram.report.propagation_events;
     }
     editor_.reset();
-    if (!decimated_) improve();
-    result_.slivers = find_slivers(result_.mesh);
-    measure();
+    if (!refusal_ && !decimated_) improve();
+    if (!refusal_) measure();
+    if (refusal_) return *std::move(refusal_);
     return std::move(result_);
   }
 
@@ -185,12 +180,16 @@ class Remesher {
     result_.flips = std::move(round.flips);
   }
 
-  /// One round of the diagram. Takes its mesh and returns true if nothing is left to do; else adds generators.
+  /// One round of the diagram. Takes its mesh and returns true if nothing is left to do; else adds generators. Returns
+  /// true also where there is no way on: then there is a refusal.
   bool ends_with_round() {
     ++result_.rounds;
     enter(RemeshStage::dual);
     RemeshRound round = maker_.build(result_.diagram, result_.rounds);
-    if (!round.obstacle.empty()) throw Error(ErrorCode::no_valid_result, round.obstacle);
+    if (!round.obstacle.empty()) {
+      refusal_.emplace(ErrorCode::no_valid_result, round.obstacle);
+      return true;
+    }
     const bool follows_creases = follow_creases();
     if (!follows_creases && round.defects.empty()) {
       enter(RemeshStage::placement);
@@ -213,7 +212,7 @@ class Remesher {
       take(std::move(round));
       return true;
     }
-    return false;
+    return refusal_.has_value();
   }
 
   /// Keeps their number, and the last round that had fewer of a kind than all before.
@@ -267,12 +266,13 @@ class Remesher {
   /// Adds what the mesh lacks of the vertices asked for.
   void fill() {
     const auto points = propose_farthest(mesh_, result_.diagram, missing());
-    if (points.empty()) refuse_count(*options_.vertex_count, "there is no room for more generators");
+    if (points.empty()) return refuse_count("there is no room for more generators");
     append(points);
   }
 
   void refine(const std::vector<DualDefect>& defects) {
-    if (!options_.refine) refuse(defects, "give more generators there, or leave \1?refine=false|exact_count\2 out");
+    if (!options_.refine)
+      return refuse(defects, "give more generators there, or leave \1?refine=false|exact_count\2 out");
     if (result_.added >= max_added_) raise_limit();
     const std::int64_t may_add = max_added_ - result_.added;
     const bool is_over = may_add <= 0 || result_.rounds >= kMaxRemeshRounds;
@@ -285,18 +285,19 @@ class Remesher {
     }
     if (is_over) {
       const MeshSummary summary = compute_mesh_summary(mesh_);
-      refuse(defects, fmt::format("{} added in {}{}", counted(result_.added, "generator was", "generators were"),
-                                  counted(result_.rounds, "round", "rounds"),
-                                  advise_at_limit(summary, result_.generators.size(), history_, may_add <= 0,
-                                                  default_max_added(summary, given_count()))));
+      return refuse(defects, fmt::format("{} added in {}{}", counted(result_.added, "generator was", "generators were"),
+                                         counted(result_.rounds, "round", "rounds"),
+                                         advise_at_limit(summary, result_.generators.size(), history_, may_add <= 0,
+                                                         default_max_added(summary, given_count()))));
     }
     const auto [points, narrow] =
         propose_generators(mesh_, result_.diagram, defects, may_add, options_.diagram.progress);
     if (narrow && may_decimate()) return decimate_around(narrow->tip, defects);
     if (points.empty() && may_decimate()) return decimate(defects, DecimationCause::no_room);
-    if (narrow) refuse(defects, describe(mesh_, *narrow));
+    if (narrow) return refuse(defects, describe(mesh_, *narrow));
     if (points.empty()) {
-      refuse(defects, "every point for a new generator is too close to another one; move or remove generators there");
+      return refuse(defects,
+                    "every point for a new generator is too close to another one; move or remove generators there");
     }
     const auto nearby = propose_nearby(mesh_, result_.diagram, points, may_add - points.size(), options_.diagram);
     for (const auto* const more : {&points, &nearby.points}) {
@@ -416,13 +417,21 @@ class Remesher {
 
   std::string all_generators() const { return counted(std::ssize(result_.generators), "generator", "generators"); }
 
-  [[noreturn]] void refuse(const std::vector<DualDefect>& defects, const std::string& advice) const {
+  void refuse(const std::vector<DualDefect>& defects, const std::string& advice) {
     const auto& cells = defects.front().cells;
     const bool intersects = defects.front().property == DualProperty::no_self_intersection;
-    throw Error(ErrorCode::no_valid_result,
-                fmt::format("the dual of {} is no valid mesh: {}{}; {}{}", all_generators(), defects.front().message,
-                            others(defects.size() - 1), advice, intersects ? ", or give \1allow_intersections\2" : ""),
-                cells.empty() ? -1 : cells.front().value());
+    refusal_.emplace(
+        ErrorCode::no_valid_result,
+        fmt::format("the dual of {} is no valid mesh: {}{}; {}{}", all_generators(), defects.front().message,
+                    others(defects.size() - 1), advice, intersects ? ", or give \1allow_intersections\2" : ""),
+        cells.empty() ? -1 : cells.front().value());
+  }
+
+  /// Refuses the number of vertices that was asked for.
+  void refuse_count(const std::string& why) {
+    refusal_.emplace(
+        ErrorCode::no_valid_result,
+        fmt::format("no valid mesh of {} was found: {}", counted(*options_.vertex_count, "vertex", "vertices"), why));
   }
 
   std::int64_t given_count() const { return std::ssize(result_.generators) - result_.added; }
@@ -463,7 +472,7 @@ class Remesher {
     const std::vector<SurfacePoint> before = result_.generators;
     const std::int64_t given = given_count(), count = *options_.vertex_count;
     exchange_generators(mesh_, result_.diagram, search(options_.kept, kExchangeShare));
-    if (missing() < 0) refuse_count(count, fmt::format("the search ended at {}", result_.generators.size()));
+    if (missing() < 0) return refuse_count(fmt::format("the search ended at {}", result_.generators.size()));
     const std::vector<SurfacePoint> first(before.begin(), before.begin() + given);
     const std::int64_t left = std::ssize(find_in_order(result_.generators, first));
     result_.left_out = given - left;
@@ -501,8 +510,10 @@ class Remesher {
     return true;
   }
 
+  /// Certifies the result and measures it.
   void measure() {
     enter(RemeshStage::distance);
+    result_.slivers = find_slivers(result_.mesh);
     const int threads = options_.diagram.threads;
     const auto half = [&](double begin) {
       return Progress([&, begin](std::string_view step, double done) {
@@ -513,9 +524,10 @@ class Remesher {
                                          decimated_ ? std::ssize(decimated_->faces()) : 0);
     result_.certificate.intersections_allowed = options_.allow_intersections;
     if (!result_.certificate.ok()) {
-      throw Error(ErrorCode::no_valid_result,
-                  fmt::format("the remesh of {} can't be certified: {}; give other generators", all_generators(),
-                              result_.certificate.first_failure()));
+      refusal_.emplace(ErrorCode::no_valid_result,
+                       fmt::format("the remesh of {} can't be certified: {}; give other generators", all_generators(),
+                                   result_.certificate.first_failure()));
+      return;
     }
     result_.max_added = max_added_;
     result_.added_on_creases = std::ssize(stays_) - std::ssize(fixed_);
@@ -548,6 +560,7 @@ class Remesher {
   std::optional<DecimatedComponents> decimated_;        // once a component has no right dual
   RoundMaker maker_{mesh_, options_, fixed_, decimated_};
   std::optional<DiagramEditor> editor_;  // of the rounds, from the second on
+  std::optional<Error> refusal_;         // why there is no mesh, once that is known
 };
 
 }  // namespace
@@ -559,12 +572,21 @@ std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators) 
 }
 
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options) {
-  check_options(options, generators.size());
-  if (options.on_stage) options.on_stage(RemeshStage::diagram);
-  return remesh(mesh, compute_diagram(mesh, generators, options.diagram), options);
+  return value_or_throw(try_to_remesh(mesh, generators, options));
 }
 
 RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options) {
+  return value_or_throw(try_to_remesh(mesh, std::move(diagram), options));
+}
+
+OrError<RemeshResult> try_to_remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                    const RemeshOptions& options) {
+  check_options(options, generators.size());
+  if (options.on_stage) options.on_stage(RemeshStage::diagram);
+  return try_to_remesh(mesh, compute_diagram(mesh, generators, options.diagram), options);
+}
+
+OrError<RemeshResult> try_to_remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options) {
   check_options(options, diagram.generators.size());
   const bool fits = std::ssize(diagram.vertex_label) == mesh.vertex_count() &&
                     std::ssize(diagram.face_label) == mesh.face_count() && !diagram.generators.empty();

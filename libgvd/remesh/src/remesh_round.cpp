@@ -10,6 +10,7 @@
 #include <iterator>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "dual/dual_defects.hpp"
 #include "dual/inherited_intersections.hpp"
@@ -143,11 +144,12 @@ void RoundMaker::build_mesh(const Diagram& diagram, RemeshRound& round) const {
   }
   for (const BranchPointId b : round.dual.branch_points) round.face_points.push_back(diagram.branch_points[b].point);
   if (decimated_) append_decimated(diagram, faces, round.face_points);
-  try {
-    round.mesh = Mesh(std::move(positions), std::move(faces));
-  } catch (const Error& error) {
-    round.obstacle = std::string("the dual of the generators is not a manifold mesh: ") + error.what() +
+  auto built = Mesh::try_to_build(std::move(positions), std::move(faces));
+  if (const Error* const error = std::get_if<Error>(&built)) {
+    round.obstacle = std::string("the dual of the generators is not a manifold mesh: ") + error->what() +
                      "; move or remove generators";
+  } else {
+    round.mesh = std::get<Mesh>(std::move(built));
   }
 }
 

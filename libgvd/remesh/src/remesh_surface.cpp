@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <utility>
+#include <variant>
 
 #include "gvd/error.hpp"
 #include "gvd/sampling.hpp"
@@ -78,21 +78,27 @@ class SurfaceRemesher {
  public:
   SurfaceRemesher(const Mesh& mesh, const SurfaceRemeshOptions& options) : mesh_(mesh), options_(options) {}
 
-  /// Makes start, relaxation and options of the remesh.
-  void prepare() {
-    made_.start = make_start();
+  /// Makes start, relaxation and options of the remesh. Returns an error about the number of generators.
+  std::optional<Error> prepare() {
+    auto start = make_start();
+    if (Error* const error = std::get_if<Error>(&start)) return std::move(*error);
+    made_.start = std::get<RelaxationStart>(std::move(start));
     if (options_.iterations() > 0) relax();
     made_.options = remesh_options();
+    return std::nullopt;
   }
 
-  /// Makes the mesh, with so many vertices where that is not the number of the generators.
-  void remesh(std::optional<std::int64_t> vertex_count) {
+  /// Makes the mesh, with so many vertices where that is not the number of the generators. Returns why there is none.
+  std::optional<Error> remesh(std::optional<std::int64_t> vertex_count) {
     RemeshOptions& used = made_.options;
     if (vertex_count) used.vertex_count = vertex_count;
     used.earlier_diagrams = made_.relaxation ? made_.relaxation->diagrams : 0;
-    made_.result = made_.relaxation ? gvd::remesh(mesh_, std::move(made_.relaxation->diagram), used)
-                                    : gvd::remesh(mesh_, made_.start.points, used);
+    auto result = made_.relaxation ? try_to_remesh(mesh_, std::move(made_.relaxation->diagram), used)
+                                   : try_to_remesh(mesh_, made_.start.points, used);
+    if (Error* const error = std::get_if<Error>(&result)) return std::move(*error);
+    made_.result = std::get<RemeshResult>(std::move(result));
     used.max_added = made_.result.max_added;
+    return std::nullopt;
   }
 
   /// What has been made so far.
@@ -123,7 +129,7 @@ class SurfaceRemesher {
     return asked;
   }
 
-  RelaxationStart make_start() const {
+  OrError<RelaxationStart> make_start() const {
     RelaxationStartOptions asked = start_options();
     // By default small meshes have no copy where generators on curves need the mesh.
     const bool is_small = !asked.copy.faces && mesh_.face_count() <= kCurvesAbove;
@@ -132,9 +138,10 @@ class SurfaceRemesher {
     if (is_small && prefers_boundary && has_count && has_long_boundary(mesh_, asked.sampling.count)) {
       asked.copy.faces = 0;
     }
-    RelaxationStart start = start_relaxation(mesh_, asked);
-    if (is_small && follows_creases(mesh_, start)) start.copy.reset();
-    return start;
+    auto made = try_to_start_relaxation(mesh_, asked);
+    auto* const start = std::get_if<RelaxationStart>(&made);
+    if (start && is_small && follows_creases(mesh_, *start)) start->copy.reset();
+    return made;
   }
 
   void relax() {
@@ -196,23 +203,18 @@ double rms(const RemeshResult& result) { return std::max(result.input_to_output.
 struct Attempt {
   std::optional<SurfaceRemesh> made;
   std::optional<std::int64_t> vertex_count;  ///< that was asked for
-  std::exception_ptr failure;
+  std::optional<Error> failure;
 };
 
 /// `wanted`: the number of vertices, if it is not to be that of the generators.
 Attempt attempt(const Mesh& mesh, const SurfaceRemeshOptions& options, std::optional<std::int64_t> wanted = {}) {
   SurfaceRemesher remesher(mesh, options);
   Attempt attempt;
-  try {
-    remesher.prepare();
-    attempt.vertex_count = wanted ? wanted : remesher.made().options.vertex_count;
-    remesher.remesh(wanted);
-    attempt.made = std::move(remesher.made());
-  } catch (const Error& error) {
-    const bool may_help = error.code() == ErrorCode::no_valid_result && attempt.vertex_count;
-    if (!may_help && !(wanted && error.code() == ErrorCode::precondition)) throw;
-    attempt.failure = std::current_exception();
-  }
+  attempt.failure = remesher.prepare();
+  if (attempt.failure) return attempt;
+  attempt.vertex_count = wanted ? wanted : remesher.made().options.vertex_count;
+  attempt.failure = remesher.remesh(wanted);
+  if (!attempt.failure) attempt.made = std::move(remesher.made());
   return attempt;
 }
 
@@ -253,7 +255,8 @@ std::optional<std::int32_t> find_exact_count(const Mesh& mesh, const SurfaceReme
   for (int i = 0; i < kTriedCounts; ++i) {
     tried.exact_count = false;
     const Attempt any = attempt(mesh, tried);
-    if (!any.made || any.made->result.decimated.components > 0) return std::nullopt;
+    if (!any.made) throw *any.failure;
+    if (any.made->result.decimated.components > 0) return std::nullopt;
     tried.start.sampling.count = any.made->result.mesh.vertex_count();
     tried.exact_count = true;
     if (attempt_both(mesh, tried).made) return tried.start.sampling.count;
@@ -262,15 +265,23 @@ std::optional<std::int32_t> find_exact_count(const Mesh& mesh, const SurfaceReme
 }
 
 [[noreturn]] void refuse(const Mesh& mesh, const SurfaceRemeshOptions& options, const Attempt& failed) {
-  try {
-    std::rethrow_exception(failed.failure);
-  } catch (const Error& error) {
-    const bool is_sampled = options.start.listed.empty();
-    if (!options.exact_count || !is_sampled || error.code() != ErrorCode::no_valid_result) throw;
-    const auto count = find_exact_count(mesh, options);
-    const std::string advice =
-        count ? fmt::format("; {} would do", *count) : "; leave \1exact_count\2 out, and there are as many as it takes";
-    throw Error(error.code(), error.text() + advice, error.element());
+  const Error& error = *failed.failure;
+  const bool is_sampled = options.start.listed.empty();
+  if (!options.exact_count || !is_sampled || error.code() != ErrorCode::no_valid_result) throw error;
+  const auto count = find_exact_count(mesh, options);
+  const std::string advice =
+      count ? fmt::format("; {} would do", *count) : "; leave \1exact_count\2 out, and there are as many as it takes";
+  throw Error(error.code(), error.text() + advice, error.element());
+}
+
+/// Throws where no number of generators gives a mesh.
+void check(const Mesh& mesh, const SurfaceRemeshOptions& options) {
+  if (options.iterations() < 0) {
+    throw Error(ErrorCode::invalid_option, "the number of iterations must not be negative", options.iterations());
+  }
+  if (!(compute_area(mesh) > 0)) {
+    throw Error(ErrorCode::precondition,
+                "no triangle has an area, so there is nothing to remesh; give a surface with area");
   }
 }
 
@@ -294,29 +305,29 @@ class CountSearch {
       if (on_trial) on_trial({count, error});
       return error;
     });
-    if (!found.count) refuse(found);
+    if (!found.count) refuse_distance(found);
     return found;
   }
 
  private:
   double try_count(std::int32_t count) {
     options_.start.sampling.count = count;
-    try {
-      const RemeshResult result = remesh_surface(mesh_, options_).result;
+    const Attempt tried = attempt_both(mesh_, options_);
+    if (tried.made) {
       has_result_ = true;
+      const RemeshResult& result = tried.made->result;
       return std::max(result.input_to_output.hausdorff_bound, result.output_to_input.hausdorff_bound);
-    } catch (const Error& error) {
-      const bool too_few = error.code() == ErrorCode::no_valid_result && has_result_;
-      if (error.code() != ErrorCode::precondition && !too_few) throw;
-      last_failure_ = std::current_exception();
-      return std::numeric_limits<double>::infinity();
     }
+    // Numbers with which nothing was found before would take long, but for one that is out of range.
+    if (tried.failure->code() == ErrorCode::no_valid_result && !has_result_) refuse(mesh_, options_, tried);
+    last_failure_ = tried.failure;
+    return std::numeric_limits<double>::infinity();
   }
 
-  [[noreturn]] void refuse(const Fewest& found) const {
+  [[noreturn]] void refuse_distance(const Fewest& found) const {
     const auto by_error = [](const CountTrial& a, const CountTrial& b) { return a.error < b.error; };
     const CountTrial& best = *std::min_element(found.trials.begin(), found.trials.end(), by_error);
-    if (!std::isfinite(best.error)) std::rethrow_exception(last_failure_);
+    if (!std::isfinite(best.error)) throw *last_failure_;
     throw Error(ErrorCode::no_valid_result,
                 fmt::format("no mesh of up to {} generators is within {:.6g} mesh units of the input; the nearest is "
                             "within {:.6g}; ask for that or more",
@@ -328,7 +339,7 @@ class CountSearch {
   FewestOptions search_;
   int done_ = 0;
   bool has_result_ = false;
-  std::exception_ptr last_failure_;
+  std::optional<Error> last_failure_;
 };
 
 }  // namespace
@@ -342,13 +353,7 @@ RelaxationStartOptions SurfaceRemeshOptions::default_start() {
 }
 
 SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& options) {
-  if (options.iterations() < 0) {
-    throw Error(ErrorCode::invalid_option, "the number of iterations must not be negative", options.iterations());
-  }
-  if (!(compute_area(mesh) > 0)) {
-    throw Error(ErrorCode::precondition,
-                "no triangle has an area, so there is nothing to remesh; give a surface with area");
-  }
+  check(mesh, options);
   Attempt best = attempt_both(mesh, options);
   if (!best.made) refuse(mesh, options, best);
   return std::move(*best.made);
@@ -356,6 +361,7 @@ SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& optio
 
 Fewest find_remesh_count(const Mesh& mesh, const SurfaceRemeshOptions& options, double distance,
                          const std::function<void(const CountTrial&)>& on_trial) {
+  check(mesh, options);
   return CountSearch(mesh, options, distance).run(on_trial);
 }
 

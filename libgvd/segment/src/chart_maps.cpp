@@ -245,13 +245,14 @@ bool map_flat(const Mesh& mesh, const Island& island, const IslandBorder& measur
   const FlatMap& map = kMaps[std::size_t(attempt)];
   const std::vector<DiscBorderPoint> border = lay_border(measured, map);
   if (border.empty()) return false;
-  const PlaneDisc disc = flatten_disc(mesh, island.faces, border, map.weights);
+  const auto disc = flatten_disc(mesh, island.faces, border, map.weights);
+  if (!disc) return false;
   double area = 0;
   for (const FaceId f : island.faces) area += mesh.area(f);
   const double laid = 0.5 * twice_signed_area(border.size(), [&](std::size_t i) { return border[i].point; });
   const Eigen::Matrix2d to_plane = fit(border, area, laid);
   for (const FaceId f : island.faces) {
-    for (std::size_t c = 0; c < 3; ++c) corners[f.index()][c] = to_plane * disc.at(mesh.vertices(f)[c]);
+    for (std::size_t c = 0; c < 3; ++c) corners[f.index()][c] = to_plane * disc->at(mesh.vertices(f)[c]);
   }
   return true;
 }

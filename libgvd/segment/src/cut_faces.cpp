@@ -9,10 +9,12 @@
 // that touch themselves at a vertex are separated there (part_touching_regions.cpp).
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 #include "base/ear_clipping.hpp"
 #include "cut_triangles.hpp"
@@ -141,19 +143,21 @@ void add_polygons(FaceId f, FaceTiling& tiling, std::int32_t& polygons, CutTrian
   }
 }
 
-void build_cut_mesh(CutTriangles cut, CutMesh& result) {
+/// Returns why the triangles are no manifold mesh, where they are none.
+std::optional<Error> build_cut_mesh(CutTriangles cut, CutMesh& result) {
   std::vector<std::array<VertexId, 3>> faces;
   for (const CutTriangle& t : cut.triangles) {
     faces.push_back(t.corners);
     result.parent.push_back(t.parent);
     result.label.push_back(t.label);
   }
-  try {
-    result.mesh = Mesh(std::move(cut.positions), std::move(faces));
-  } catch (const Error& error) {
-    throw Error(ErrorCode::no_valid_result,
-                std::string("cutting along the bisectors gives no manifold mesh: ") + error.what(), error.element());
+  auto built = Mesh::try_to_build(std::move(cut.positions), std::move(faces));
+  if (const Error* const error = std::get_if<Error>(&built)) {
+    return Error(ErrorCode::no_valid_result,
+                 std::string("cutting along the bisectors gives no manifold mesh: ") + error->what(), error->element());
   }
+  result.mesh = std::get<Mesh>(std::move(built));
+  return std::nullopt;
 }
 
 /// The parent of a face at v. If regions were separated, the face has the label of v, because v may lie on the border
@@ -171,7 +175,7 @@ GeneratorId smaller_label(GeneratorId a, GeneratorId b) { return !a.valid() || (
 
 }  // namespace
 
-CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& progress) {
+OrError<CutMesh> try_to_cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& progress) {
   check_belongs(mesh, diagram);
   const double tolerance = position_tolerance(mesh);
   const FaceShares shares(diagram);
@@ -212,9 +216,13 @@ CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& prog
   split_doubled_edges(cut);
   separate_coincident_corners(cut, mesh.positions().size(), tolerance);
   report_progress(progress, kCutStep, 1);
-  build_cut_mesh(std::move(cut), result);
+  if (auto error = build_cut_mesh(std::move(cut), result)) return *std::move(error);
   part_touching_regions(diagram.cells, tolerance, result);
   return result;
+}
+
+CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& progress) {
+  return value_or_throw(try_to_cut_faces(mesh, diagram, progress));
 }
 
 CutVertices carry_to_cut_vertices(const Mesh& mesh, const Diagram& diagram, const CutMesh& cut) {

@@ -164,16 +164,14 @@ void finish(const WorkingMesh& working, const TracedDiagram& traced, const Added
   collect_cells(working, traced, parallel, diagram, known);
 }
 
-/// Runs all steps with the tables that `solve(working)` makes.
+/// Runs all steps with the tables that `solve()` makes.
 template <class Solve>
-Diagram compute_by_tables(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options,
-                          const Solve& solve) {
-  check_diagram_options(options);
-  const WorkingMesh working(mesh, generators, options.progress);
+Diagram compute_by_tables(const WorkingMesh& working, const std::vector<SurfacePoint>& generators,
+                          const DiagramOptions& options, const Solve& solve) {
   const ParallelChunks parallel(options.threads, options.progress);
   Diagram diagram;
   diagram.generators = generators;
-  const FastMarchingResult solved = solve(working);
+  const FastMarchingResult solved = solve();
   const Traced traced = trace_marched(working, solved, options, parallel, diagram.report);
   finish(working, traced.diagram, traced.added, parallel, diagram);
   return diagram;
@@ -192,6 +190,22 @@ std::optional<HiddenGenerator> trace_and_read(const WorkingMesh& working, const 
   finish(working, traced.diagram, traced.added, parallel, diagram);
   if (read) read(working, field, diagram);
   return std::nullopt;
+}
+
+std::variant<Diagram, HiddenGenerator> compute_by_windows(const WorkingMesh& working,
+                                                          const std::vector<SurfacePoint>& generators,
+                                                          const DiagramOptions& options, KeepWindows keep,
+                                                          const WindowReader& read) {
+  Diagram diagram;
+  diagram.generators = generators;
+  diagram.weights = options.weights;
+  if (const auto hidden = trace_and_read(working, options, keep, read, diagram)) return *hidden;
+  return diagram;
+}
+
+Diagram diagram_or_throw(std::variant<Diagram, HiddenGenerator>&& computed) {
+  if (const auto* const hidden = std::get_if<HiddenGenerator>(&computed)) throw hidden->error();
+  return std::get<Diagram>(std::move(computed));
 }
 
 }  // namespace
@@ -233,20 +247,32 @@ void check_weights(const std::vector<double>& weights, std::size_t generators) {
               fmt::format("weight {} is {}; give a finite number", bad - weights.begin(), *bad), bad - weights.begin());
 }
 
-Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
-  if (options.method.solver == Solver::windows)
-    return compute_diagram_and_read(mesh, generators, options, KeepWindows::near_bisectors, nullptr);
-  return compute_by_tables(mesh, generators, options, [&](const WorkingMesh& working) {
+OrError<Diagram> try_to_compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                        const DiagramOptions& options) {
+  check_diagram_options(options);
+  check_weights(options.weights, generators.size());
+  auto built = WorkingMesh::try_to_build(mesh, generators, options.progress);
+  if (Error* const error = std::get_if<Error>(&built)) return std::move(*error);
+  const auto& working = std::get<WorkingMesh>(built);
+  if (options.method.solver == Solver::windows) {
+    return diagram_or_throw(compute_by_windows(working, generators, options, KeepWindows::near_bisectors, nullptr));
+  }
+  return compute_by_tables(working, generators, options, [&] {
     const auto march_by_method = options.method == Method::paper ? march_in_order : march;
     return march_by_method(working, options.chosen_front(), options.progress);
   });
 }
 
+Diagram compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DiagramOptions& options) {
+  return value_or_throw(try_to_compute_diagram(mesh, generators, options));
+}
+
 Diagram trace_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const DistanceSolver& solver,
                       const DiagramOptions& options) {
-  return compute_by_tables(mesh, generators, options, [&](const WorkingMesh& working) {
-    return tabulate_distances(working, generators, solver, options.progress);
-  });
+  check_diagram_options(options);
+  const WorkingMesh working(mesh, generators, options.progress);
+  return compute_by_tables(working, generators, options,
+                           [&] { return tabulate_distances(working, generators, solver, options.progress); });
 }
 
 Diagram trace_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators, std::span<const double> distances,
@@ -266,9 +292,7 @@ Diagram trace_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generat
 
 Diagram compute_diagram_and_read(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                  const DiagramOptions& options, KeepWindows keep, const WindowReader& read) {
-  auto computed = try_to_compute_and_read(mesh, generators, options, keep, read);
-  if (Diagram* const diagram = std::get_if<Diagram>(&computed)) return std::move(*diagram);
-  throw std::get<HiddenGenerator>(computed).error();
+  return diagram_or_throw(try_to_compute_and_read(mesh, generators, options, keep, read));
 }
 
 Error HiddenGenerator::error() const {
@@ -286,12 +310,7 @@ std::variant<Diagram, HiddenGenerator> try_to_compute_and_read(const Mesh& mesh,
                                                                const WindowReader& read) {
   check_diagram_options(options);
   check_weights(options.weights, generators.size());
-  Diagram diagram;
-  diagram.generators = generators;
-  diagram.weights = options.weights;
-  const WorkingMesh working(mesh, generators, options.progress);
-  if (const auto hidden = trace_and_read(working, options, keep, read, diagram)) return *hidden;
-  return diagram;
+  return compute_by_windows(WorkingMesh(mesh, generators, options.progress), generators, options, keep, read);
 }
 
 Diagram compute_diagram(const Mesh& mesh, const std::vector<GeneratorCurve>& curves, const DiagramOptions& options) {

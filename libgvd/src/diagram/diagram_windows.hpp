@@ -23,6 +23,10 @@ std::vector<double> from_zero(std::vector<double> weights);
 /// Throws the Error{invalid_option} that `compute_diagram` throws for these options.
 void check_diagram_options(const DiagramOptions& options);
 
+/// `compute_diagram`, where the error of generators that coincide is returned.
+OrError<Diagram> try_to_compute_diagram(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                        const DiagramOptions& options);
+
 /// `compute_diagram` with windows as the solver. If `read` is not empty, it is called once, at the end, with the
 /// windows that `keep` names; with KeepWindows::all they have departures. The order of windows depends on `keep`, so
 /// that distances may differ by rounding, and points of bisectors within the chord tolerance.

@@ -101,8 +101,8 @@ std::vector<Vec2> lay_round(const std::vector<double>& angles, const std::vector
   return points;
 }
 
-PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<DiscBorderPoint>& border,
-                       DiscWeights weights) {
+std::optional<PlaneDisc> flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces,
+                                      const std::vector<DiscBorderPoint>& border, DiscWeights weights) {
   PlaneDisc disc = number_disc(mesh, faces, border);
   std::vector<int> row(disc.vertices.size(), 0);  // row of the matrix for each vertex, -1 on the border
   for (const DiscBorderPoint& b : border) row[disc.number(b.vertex)] = -1;
@@ -125,7 +125,7 @@ PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const
   matrix.setFromTriplets(entries.begin(), entries.end());
   matrix.makeCompressed();
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(matrix);
-  if (factors.info() != Eigen::Success) throw Error(ErrorCode::no_valid_result, "a cell can't be flattened");
+  if (factors.info() != Eigen::Success) return std::nullopt;
   const Eigen::MatrixX2d solution = factors.solve(right);
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (row[i] >= 0) disc.points[i] = solution.row(row[i]).transpose();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "gvd/ids.hpp"
@@ -55,10 +56,9 @@ enum class DiscWeights {
 /// `border` lists the whole border. Apart from rounding, the map is one-to-one if the border's points form a convex
 /// polygon and no inner edge joins two vertices on the same side of the polygon. `is_oriented` tells whether the
 /// computed map is one-to-one.
-/// Throws Error{no_valid_result} if the system can't be solved. Cost: solving a sparse system with a row for each inner
-/// vertex.
-PlaneDisc flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces, const std::vector<DiscBorderPoint>& border,
-                       DiscWeights weights);
+/// Nothing if the system can't be solved. Cost: solving a sparse system with a row for each inner vertex.
+std::optional<PlaneDisc> flatten_disc(const Mesh& mesh, const std::vector<FaceId>& faces,
+                                      const std::vector<DiscBorderPoint>& border, DiscWeights weights);
 
 /// Whether every face is certainly counter-clockwise in the plane. Cost: O(n log n).
 bool is_oriented(const Mesh& mesh, const std::vector<FaceId>& faces, const PlaneDisc& disc);

@@ -138,6 +138,7 @@ class CurveInsertion {
       if (steps > mesh().vertex_count()) fail(segment);
       const VertexId next = step(segment, at, target);
       working_.claim_for(next, segment.generator);
+      if (working_.coincident_) throw *working_.coincident_;
       edges_.insert(std::minmax(at, next));
       at = next;
     }
@@ -280,17 +281,14 @@ class CurveInsertion {
 };
 
 WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<GeneratorCurve>& curves, const Progress& progress)
-    : input_(&input),
-      generator_vertex_(curves.size()),
-      vertex_generator_(input.vertex_count()),
-      coincidence_(coincidence(input)) {
+    : WorkingMesh(input, curves.size()) {
   check_curves(input, curves);
   CurvePoints all = collect_points(input, curves);
   divide_at_crossings(all);
   owner_ = std::move(all.owner);
   point_vertex_.assign(owner_.size(), VertexId());
   insert(all.points, progress);
-  vertex_generator_.resize(mesh().vertex_count());
+  if (coincident_) throw *coincident_;
   CurveInsertion insertion(*this);
   for (const Segment& segment : all.segments) insertion.insert(segment);
   insertion.finish();

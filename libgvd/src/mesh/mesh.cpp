@@ -40,27 +40,28 @@
 namespace gvd {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message, std::int64_t element) {
-  throw Error(ErrorCode::precondition, message, element);
-}
+Error broken(const std::string& message, std::int64_t element) { return {ErrorCode::precondition, message, element}; }
 
-void check_indices(const IdVector<FaceId, std::array<VertexId, 3>>& faces, std::int32_t vertex_count) {
+std::optional<Error> check_indices(const IdVector<FaceId, std::array<VertexId, 3>>& faces, std::int32_t vertex_count) {
   for (const FaceId f : faces.ids()) {
     for (const VertexId v : faces[f]) {
       if (v.valid() && v.value() < vertex_count) continue;
-      refuse(fmt::format("face {} refers to vertex {}, and there are {}", f.value(), v.value(), vertex_count),
-             f.value());
+      return broken(fmt::format("face {} refers to vertex {}, and there are {}", f.value(), v.value(), vertex_count),
+                    f.value());
     }
     const auto& [a, b, c] = faces[f];
-    if (a == b || b == c || c == a) refuse(fmt::format("face {} has the same vertex twice", f.value()), f.value());
+    if (a == b || b == c || c == a)
+      return broken(fmt::format("face {} has the same vertex twice", f.value()), f.value());
   }
+  return std::nullopt;
 }
 
-void check_positions(const IdVector<VertexId, Vec3>& positions) {
+std::optional<Error> check_positions(const IdVector<VertexId, Vec3>& positions) {
   for (const VertexId v : positions.ids()) {
     if (positions[v].allFinite()) continue;
-    refuse(fmt::format("vertex {} has a coordinate that is not finite", v.value()), v.value());
+    return broken(fmt::format("vertex {} has a coordinate that is not finite", v.value()), v.value());
   }
+  return std::nullopt;
 }
 
 std::string edge_name(const Mesh& mesh, HalfedgeId h) {
@@ -83,32 +84,46 @@ double angle_at(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 Mesh::Mesh(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> faces)
     : positions_(std::move(positions)), faces_(std::move(faces)) {
-  check_positions(positions_);
-  check_indices(faces_, vertex_count());
-  link_twins();
-  number_edges();
-  find_vertex_halfedges();
-  measure();
+  if (const auto error = build()) throw *error;
 }
 
-void Mesh::link_twins() {
+OrError<Mesh> Mesh::try_to_build(std::vector<Vec3> positions, std::vector<std::array<VertexId, 3>> faces) {
+  Mesh mesh;
+  mesh.positions_ = IdVector<VertexId, Vec3>(std::move(positions));
+  mesh.faces_ = IdVector<FaceId, std::array<VertexId, 3>>(std::move(faces));
+  if (auto error = mesh.build()) return *std::move(error);
+  return mesh;
+}
+
+std::optional<Error> Mesh::build() {
+  if (auto error = check_positions(positions_)) return error;
+  if (auto error = check_indices(faces_, vertex_count())) return error;
+  if (auto error = link_twins()) return error;
+  number_edges();
+  if (auto error = find_vertex_halfedges()) return error;
+  return measure();
+}
+
+std::optional<Error> Mesh::link_twins() {
+  std::optional<Error> error;
   twin_.assign(halfedge_count(), HalfedgeId());
-  visit_edges(faces_, positions_.size(), [this](const EdgeHalfedges& edge) {
+  visit_edges(faces_, positions_.size(), [&](const EdgeHalfedges& edge) {
     const HalfedgeId h(edge[0]);
-    if (edge.size() > 2) {
-      refuse(fmt::format("edge {} has {} faces, first face {}", edge_name(*this, h), edge.size(), face(h).value()),
-             face(h).value());
-    }
-    if (edge.size() == 1) return;
+    if (edge.size() == 1 || error) return;
     const HalfedgeId twin(edge[1]);
-    if (from(h) == from(twin)) {
-      refuse(fmt::format("faces {} and {} run through edge {} in the same direction", face(h).value(),
-                         face(twin).value(), edge_name(*this, h)),
-             face(h).value());
+    if (edge.size() > 2) {
+      error =
+          broken(fmt::format("edge {} has {} faces, first face {}", edge_name(*this, h), edge.size(), face(h).value()),
+                 face(h).value());
+    } else if (from(h) == from(twin)) {
+      error = broken(fmt::format("faces {} and {} run through edge {} in the same direction", face(h).value(),
+                                 face(twin).value(), edge_name(*this, h)),
+                     face(h).value());
     }
     twin_[h] = twin;
     twin_[twin] = h;
   });
+  return error;
 }
 
 void Mesh::number_edges() {
@@ -122,7 +137,7 @@ void Mesh::number_edges() {
   }
 }
 
-void Mesh::find_vertex_halfedges() {
+std::optional<Error> Mesh::find_vertex_halfedges() {
   vertex_halfedge_.assign(positions_.size(), HalfedgeId());
   IdVector<VertexId, std::int32_t> degree(positions_.size(), 0);
   for (const HalfedgeId h : halfedges()) {
@@ -131,32 +146,34 @@ void Mesh::find_vertex_halfedges() {
     if (!chosen.valid() || (!twin_[h].valid() && twin_[chosen].valid())) chosen = h;
   }
   for (const VertexId v : vertices()) {
-    if (!vertex_halfedge_[v].valid()) refuse(fmt::format("vertex {} belongs to no face", v.value()), v.value());
+    if (!vertex_halfedge_[v].valid()) return broken(fmt::format("vertex {} belongs to no face", v.value()), v.value());
     std::int32_t visited = 0;
     for_each_outgoing(*this, v, [&](HalfedgeId) { ++visited; });
-    if (visited != degree[v]) refuse(fmt::format("vertex {} joins several fans of faces", v.value()), v.value());
+    if (visited != degree[v]) return broken(fmt::format("vertex {} joins several fans of faces", v.value()), v.value());
   }
+  return std::nullopt;
 }
 
-void Mesh::measure() {
+std::optional<Error> Mesh::measure() {
   shape_.resize(faces_.size());
   for (const FaceId f : faces()) measure_face(f);
   double sum = 0;
   for (const HalfedgeId h : edge_halfedge_) {
     const double length = this->length(h);
     if (!(length > 0) || !std::isfinite(length)) {
-      refuse(fmt::format("edge {} of face {} has length {}", edge_name(*this, h), face(h).value(),
-                         length > 0 ? "infinity" : "0"),
-             face(h).value());
+      return broken(fmt::format("edge {} of face {} has length {}", edge_name(*this, h), face(h).value(),
+                                length > 0 ? "infinity" : "0"),
+                    face(h).value());
     }
     sum += length;
   }
   mean_edge_length_ = edge_count() > 0 ? sum / edge_count() : 0;
-  if (vertex_count() == 0) return;
+  if (vertex_count() == 0) return std::nullopt;
   Eigen::AlignedBox3d box;
   for (const Vec3& p : positions_) box.extend(p);
   bbox_diagonal_ = box.sizes().stableNorm();
   largest_coordinate_ = std::max(box.max().maxCoeff(), -box.min().minCoeff());
+  return std::nullopt;
 }
 
 // stableNorm scales first, so that the squares of very large or very small coordinates neither overflow nor underflow.

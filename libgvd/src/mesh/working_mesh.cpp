@@ -90,25 +90,40 @@ SortedPoints sort_points(const Mesh& mesh, const std::vector<SurfacePoint>& poin
   return sorted;
 }
 
-WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators, const Progress& progress)
+WorkingMesh::WorkingMesh(const Mesh& input, std::size_t generators)
     : input_(&input),
-      generator_vertex_(generators.size()),
+      generator_vertex_(generators),
       vertex_generator_(input.vertex_count()),
-      coincidence_(coincidence(input)) {
+      coincidence_(coincidence(input)) {}
+
+WorkingMesh::WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators, const Progress& progress)
+    : WorkingMesh(input, generators.size()) {
   insert(generators, progress);
-  vertex_generator_.resize(mesh().vertex_count());
+  if (coincident_) throw *coincident_;
 }
 
-/// Turns all points into vertices.
+OrError<WorkingMesh> WorkingMesh::try_to_build(const Mesh& input, const std::vector<SurfacePoint>& generators,
+                                               const Progress& progress) {
+  WorkingMesh working(input, generators.size());
+  working.insert(generators, progress);
+  if (working.coincident_) return *std::move(working.coincident_);
+  return working;
+}
+
+/// Turns all points into vertices, as far as no two coincide.
 void WorkingMesh::insert(const std::vector<SurfacePoint>& points, const Progress& progress) {
   const SortedPoints sorted = sort_points(*input_, points);
   for (const auto& [v, point] : sorted.on_vertices) claim(v, point);
-  if (sorted.on_edges.empty() && sorted.in_faces.empty()) return;
+  if (coincident_ || (sorted.on_edges.empty() && sorted.in_faces.empty())) return;
   report_progress(progress, steps::kWorkingMesh, 0);
   copy_input();
   insert_on_edges(sorted.on_edges, progress);
-  for (const auto& [face, ids] : sorted.in_faces) insert_in_face(face, ids, points, progress);
+  for (const auto& [face, ids] : sorted.in_faces) {
+    if (coincident_) return;
+    insert_in_face(face, ids, points, progress);
+  }
   check_inserted();
+  vertex_generator_.resize(mesh().vertex_count());
 }
 
 void WorkingMesh::report_inserted(const Progress& progress) {
@@ -132,14 +147,16 @@ void WorkingMesh::claim(VertexId v, PointId point) {
   claim_for(v, owner_.empty() ? GeneratorId(point.value()) : owner_[point]);
 }
 
-/// Gives vertex v to generator g. Refuses a vertex that belongs to another generator; points of one curve may coincide.
+/// Gives vertex v to generator g. A vertex of another generator stays with it, and the two coincide; points of one
+/// curve may do so.
 void WorkingMesh::claim_for(VertexId v, GeneratorId g) {
   if (v.index() >= vertex_generator_.size()) vertex_generator_.resize(v.index() + 1);
   GeneratorId& known = vertex_generator_[v];
   if (known.valid() && (owner_.empty() || known != g)) {
     const auto [first, second] = std::minmax({known.value(), g.value()});
     const Vec3& at = (split_ ? copy_ : *input_).position(v);
-    throw Error(
+    if (coincident_) return;
+    coincident_.emplace(
         ErrorCode::precondition,
         owner_.empty()
             ? fmt::format("generators {} and {} coincide; remove one\1+, or add |merge_coincident\2", first, second)
@@ -147,12 +164,13 @@ void WorkingMesh::claim_for(VertexId v, GeneratorId g) {
                           "makes them one curve, or move one away",
                           first, second, at.x(), at.y(), at.z()),
         second);
+    return;
   }
   known = g;
   if (!generator_vertex_[g].valid()) generator_vertex_[g] = v;
 }
 
-/// Refuses inserted generators that coincide with a neighbour. On insertion a generator was compared only with the
+/// Finds inserted generators that coincide with a neighbour. On insertion a generator was compared only with the
 /// corners of its face, but two generators on different edges near a common vertex can be nearer to each other than to
 /// the vertex.
 void WorkingMesh::check_inserted() {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/barycentric.hpp"
+#include "gvd/error.hpp"
 #include "gvd/generator_curve.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
@@ -59,6 +60,9 @@ class WorkingMesh {
   /// generators coincide; the message names both. Reports the step "working mesh". Cost: O(n) for the copy; k
   /// generators in one face cost O(k^2) at worst.
   WorkingMesh(const Mesh& input, const std::vector<SurfacePoint>& generators, const Progress& progress = {});
+  /// The same, and an error of generators that coincide is returned.
+  static OrError<WorkingMesh> try_to_build(const Mesh& input, const std::vector<SurfacePoint>& generators,
+                                           const Progress& progress = {});
   /// Inserts generators that are curves. A curve that crosses itself gets a vertex at the crossing. Throws as the other
   /// constructor does, also if two curves touch or cross, and throws what `check_curves` throws.
   WorkingMesh(const Mesh& input, const std::vector<GeneratorCurve>& curves, const Progress& progress = {});
@@ -87,6 +91,7 @@ class WorkingMesh {
  private:
   using Corners = std::array<Bary, 3>;
 
+  WorkingMesh(const Mesh& input, std::size_t generators);
   void insert(const std::vector<SurfacePoint>& points, const Progress& progress);
   void copy_input();
   void insert_on_edges(const std::vector<PointOnEdge>& points, const Progress& progress);
@@ -130,8 +135,9 @@ class WorkingMesh {
   CurveEdges curves_;
   IdVector<GeneratorId, VertexId> generator_vertex_;
   IdVector<VertexId, GeneratorId> vertex_generator_;
-  double coincidence_ = 0;    // mesh units
-  std::size_t inserted_ = 0;  // generators inserted so far, without those on vertices
+  double coincidence_ = 0;           // mesh units
+  std::size_t inserted_ = 0;         // generators inserted so far, without those on vertices
+  std::optional<Error> coincident_;  // the first two generators that coincide: then this is no working mesh
 };
 
 /// A point by its barycentric coordinates in a triangle, and how far it lies outside the triangle.

@@ -19,15 +19,15 @@ namespace gvd::test_cell_map {
 struct Pieces {
   Pieces(const Mesh& surface, const RemeshResult& result)
       : dual(result.mesh.positions(), undo_flips(result.mesh.face_vertices(), result.flips)),
-        cells(cut_into_cells(surface, result)),
-        polygons(cells.cut.mesh, cells.cut.label, dual),
+        cells(value_or_throw(cut_into_cells(surface, result))),
+        polygons(value_or_throw(DualPolygons::try_to_build(cells.cut.mesh, cells.cut.label, dual))),
         faces(result.generators.size()) {
     place_crossings(cells, polygons);
     for (std::int32_t f = 0; f < cells.cut.mesh.face_count(); ++f)
       faces[cells.cut.label[FaceId(f)]].push_back(FaceId(f));
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const GeneratorId g(i);
-      planes.push_back(flatten_cell({surface, result, cells, polygons}, g, faces[g]));
+      planes.push_back(value_or_throw(flatten_cell({surface, result, cells, polygons}, g, faces[g])));
     }
   }
 

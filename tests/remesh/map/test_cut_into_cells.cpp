@@ -27,13 +27,13 @@ int third(const Vec3& p) {
 }
 
 std::string refused(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t cells) {
-  return test::refusal([&] { trace_cell_borders(mesh, label, cells); }, ErrorCode::no_valid_result);
+  return test::refusal([&] { value_or_throw(trace_cell_borders(mesh, label, cells)); }, ErrorCode::no_valid_result);
 }
 
 TEST_CASE("cell borders: quarters of a square have two neighbours each, and the boundary comes last") {
   const Mesh grid = test::make_grid(4, 4);
   const auto label = label_faces(grid, [](const Vec3& p) { return p.y() > 2 ? 0 : p.x() > 2 ? 1 : 2; });
-  const auto borders = trace_cell_borders(grid, label, 3);
+  const auto borders = value_or_throw(trace_cell_borders(grid, label, 3));
   for (std::int32_t g = 0; g < 3; ++g) {
     const CellBorder& border = borders[GeneratorId(g)];
     REQUIRE(border.runs.size() == 3);

@@ -117,7 +117,7 @@ TEST_CASE("dual graph: a link from a cycle to the border remains") {
 
 std::vector<SurfacePoint> find_loop(const Mesh& mesh, const std::vector<SurfacePoint>& generators, int cell = 0) {
   const Diagram diagram = compute_diagram(mesh, generators);
-  return CellLoops(mesh, diagram).find(GeneratorId(cell));
+  return CellLoops(mesh, diagram, cut_faces(mesh, diagram)).find(GeneratorId(cell));
 }
 
 TEST_CASE("cell loops: a disc and a closed sphere have none, however small") {
@@ -177,7 +177,7 @@ TEST_CASE("cell loops: exactly the cells that are no discs have one, on every fa
     for (const int count : {1, 2, 6}) {
       CAPTURE(name, count);
       const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, count, 3));
-      CellLoops loops(mesh, diagram);
+      CellLoops loops(mesh, diagram, cut_faces(mesh, diagram));
       for (const Cell& cell : diagram.cells) {
         const bool is_disc_or_sphere = cell.components == 1 && cell.euler_characteristic >= 1;
         const auto points = loops.find(cell.generator);

@@ -12,7 +12,7 @@ namespace gvd::test_opposite_points {
 
 std::vector<SurfacePoint> find(const Mesh& mesh, const std::vector<SurfacePoint>& generators, GeneratorId cell) {
   const Diagram diagram = compute_diagram(mesh, generators);
-  return find_opposite_points(mesh, diagram, cell, CellLoops(mesh, diagram).borders(cell));
+  return find_opposite_points(mesh, diagram, cell, CellLoops(mesh, diagram, cut_faces(mesh, diagram)).borders(cell));
 }
 
 std::vector<SurfacePoint> with(std::vector<SurfacePoint> points, const SurfacePoint& more) {
@@ -74,7 +74,7 @@ TEST_CASE("borders of a cell: closed, as many as the diagram counts, and their l
   for (const auto& [name, mesh] : test::small_family()) {
     CAPTURE(name);
     const Diagram diagram = compute_diagram(mesh, test::random_generators(mesh, 5, 2));
-    const CellLoops loops(mesh, diagram);
+    const CellLoops loops(mesh, diagram, cut_faces(mesh, diagram));
     for (const Cell& cell : diagram.cells) {
       CHECK(std::ssize(loops.borders(cell.generator)) == cell.boundary_loops);
       for (const auto& border : loops.borders(cell.generator)) CHECK(border.size() >= 3);

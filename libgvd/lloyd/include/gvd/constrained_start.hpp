@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "gvd/error.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
@@ -65,9 +66,10 @@ struct ConstrainedStart {
 /// CreaseChains), and three spacings longer for each of its ends and turns. At least half of the length of all creases
 /// has to be in such groups.
 ///
-/// Throws Error{interrupted} if the progress callback cancels, Error{precondition} if there are fewer sampled points
-/// than generators that are fixed or on features, and Error{invalid_option} for an angle out of range. Cost: O(n log
-/// n), as long as few points have the same x coordinate.
-ConstrainedStart constrain_start(const Mesh& mesh, std::vector<SurfacePoint> points, const StartOptions& options);
+/// Returns Error{precondition} if there are fewer sampled points than generators that are fixed or on features. Throws
+/// Error{interrupted} if the progress callback cancels, and Error{invalid_option} for an angle out of range. Cost:
+/// O(n log n), as long as few points have the same x coordinate.
+OrError<ConstrainedStart> constrain_start(const Mesh& mesh, std::vector<SurfacePoint> points,
+                                          const StartOptions& options);
 
 }  // namespace gvd

@@ -9,6 +9,7 @@
 #include "gvd/coarse_copy.hpp"
 #include "gvd/constrained_start.hpp"
 #include "gvd/density.hpp"
+#include "gvd/error.hpp"
 #include "gvd/lloyd.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/progress.hpp"
@@ -63,6 +64,10 @@ inline constexpr std::int64_t kCopyFacesPerGenerator = 2;
 /// Throws Error{invalid_option} for a copy of fewer than 0 faces, and what `sample_generators`,
 /// `make_curvature_density`, `make_coarse_copy` and `constrain_start` throw. Cost: the sum of the costs of these.
 RelaxationStart start_relaxation(const Mesh& mesh, const RelaxationStartOptions& options);
+
+/// The same, and an error about the number of generators is returned: more than the mesh has room for, or fewer than
+/// are fixed or on features.
+OrError<RelaxationStart> try_to_start_relaxation(const Mesh& mesh, const RelaxationStartOptions& options);
 
 /// Relaxes the generators of a start, whose constraints, density and copy replace those of `options` and `stages`.
 LloydResult relax_generators(const Mesh& mesh, const RelaxationStart& start, LloydOptions options = {},

@@ -140,6 +140,11 @@ RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generator
 /// faces.
 RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options = {});
 
+/// Both, and the Error{no_valid_result} is returned.
+OrError<RemeshResult> try_to_remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
+                                    const RemeshOptions& options = {});
+OrError<RemeshResult> try_to_remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options = {});
+
 /// Writes the diagram of all generators as `gvd-diagram/1` with one more member, `"remesh"`:
 /// `{"vertices":[[x,y,z]],"faces":[[a,b,c]],"face_points":[{"face","bary"}],"added"}`. Vertex i stands for
 /// generator i, and is at it with Placement::generator. The point of a face is its branch point, on `mesh`. The stream

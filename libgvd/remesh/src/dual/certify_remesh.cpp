@@ -32,13 +32,10 @@ namespace {
 #ifdef GVD_WITH_OPENMESH
 /// Whether OpenMesh takes the mesh: a test that is independent of the constructor of Mesh.
 bool is_manifold(const Mesh& mesh) {
-  try {
-    const OpenMeshTriMesh peer = to_openmesh(mesh);
-    return std::all_of(peer.vertices_begin(), peer.vertices_end(),
-                       [&](const auto v) { return !peer.is_isolated(v) && peer.is_manifold(v); });
-  } catch (const Error&) {
-    return false;
-  }
+  const auto converted = try_to_openmesh(mesh);
+  const auto* const peer = std::get_if<OpenMeshTriMesh>(&converted);
+  return peer && std::all_of(peer->vertices_begin(), peer->vertices_end(),
+                             [&](const auto v) { return !peer->is_isolated(v) && peer->is_manifold(v); });
 }
 #else
 /// Whether the ring of every vertex has all of its corners. The constructor of Mesh refuses edges of three faces.

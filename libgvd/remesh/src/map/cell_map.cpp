@@ -17,7 +17,9 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "base/barycentric.hpp"
@@ -102,8 +104,9 @@ void add_half(const DualPolygon& polygon, std::pair<GeneratorId, GeneratorId> ce
 ///
 /// A run goes from the centre of a polygon to the centre of the next one. Between them it crosses the edge that joins
 /// the two cells' vertices. The vertices are spaced by their distances. Both cells have the same targets, to the last
-/// bit. Throws Error{no_valid_result} where a run joins boundary and boundary. Cost: O(k) for k halfedges.
-std::vector<BorderTarget> collect_targets(const CellSurface& surface, const DualPolygons& polygons, GeneratorId cell) {
+/// bit. Nothing where a run joins boundary and boundary. Cost: O(k) for k halfedges.
+std::optional<std::vector<BorderTarget>> collect_targets(const CellSurface& surface, const DualPolygons& polygons,
+                                                         GeneratorId cell) {
   const Mesh& mesh = surface.cut.mesh;
   const CellBorder& border = surface.borders[cell];
   std::vector<BorderTarget> targets;
@@ -111,9 +114,7 @@ std::vector<BorderTarget> collect_targets(const CellSurface& surface, const Dual
     if (!run.other.valid()) continue;
     const Path path = run_vertices(mesh, border, run);
     const DualPolygon *before = polygons.at(path.front()), *behind = polygons.at(path.back());
-    if (!before && !behind) {
-      throw Error(ErrorCode::no_valid_result, "two cells touch from boundary to boundary", cell.value());
-    }
+    if (!before && !behind) return std::nullopt;
     const std::size_t middle = find_crossing(surface, polygons, path, {cell, run.other}).number;
     const auto at = path.begin() + std::ptrdiff_t(middle);
     const std::span<const HalfedgeId> halfedges(border.loop.data() + run.begin, run.end - run.begin);
@@ -245,26 +246,31 @@ class CellFlattener {
   CellFlattener(const CellMapInput& input, GeneratorId cell, const std::vector<FaceId>& faces)
       : input_(input), mesh_(input.cells.cut.mesh), cell_(cell), faces_(faces) {
     plane_.vertex = VertexId(cell.value());
-    plane_.targets = collect_targets(input.cells, input.polygons, cell);
   }
 
-  PlaneCell run() {
+  OrError<PlaneCell> run() {
+    auto targets = collect_targets(input_.cells, input_.polygons, cell_);
+    if (!targets) return fail("two cells touch from boundary to boundary");
+    plane_.targets = *std::move(targets);
     using enum BorderShape;
     using enum DiscWeights;
     for (const auto& [shape, weights] : {std::pair(star, mean_value), {round, mean_value}, {round, uniform}}) {
       if (flatten(shape, weights)) return std::move(plane_);
     }
-    throw Error(ErrorCode::no_valid_result, fmt::format("the map of cell {} folds over", cell_.value()), cell_.value());
+    return fail(fmt::format("the map of cell {} folds over", cell_.value()));
   }
 
  private:
+  Error fail(const std::string& why) const { return {ErrorCode::no_valid_result, why, cell_.value()}; }
+
   bool is_sector() const { return input_.cells.borders[cell_].at_boundary(); }
 
   bool flatten(BorderShape shape, DiscWeights weights) {
     PlaneBorder border = lay_border(input_.cells, input_.polygons.remesh(), cell_, plane_.targets, shape);
     plane_.bases = std::move(border.bases);
-    plane_.disc = flatten_disc(mesh_, faces_, border.points, weights);
-    if (!is_oriented(mesh_, faces_, plane_.disc)) return false;
+    auto disc = flatten_disc(mesh_, faces_, border.points, weights);
+    if (!disc || !is_oriented(mesh_, faces_, *disc)) return false;
+    plane_.disc = *std::move(disc);
     is_sector() ? place_anchor() : place_apex();
     return is_fan();
   }
@@ -369,7 +375,7 @@ SurfacePoint PlaneCell::image(const Vec2& point) const {
   return target.polygon->on_remesh(at);
 }
 
-PlaneCell flatten_cell(const CellMapInput& input, GeneratorId cell, const std::vector<FaceId>& faces) {
+OrError<PlaneCell> flatten_cell(const CellMapInput& input, GeneratorId cell, const std::vector<FaceId>& faces) {
   return CellFlattener(input, cell, faces).run();
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "gvd/error.hpp"
 #include "gvd/remesh.hpp"
 #include "map/cut_into_cells.hpp"
 #include "map/dual_polygons.hpp"
@@ -50,8 +51,9 @@ struct CellMapInput {
 ///
 /// A cell inside becomes a disc of many corners, in which the generator is the fan's apex. One at the boundary becomes
 /// a sector of it, whose two straight sides are the run along the boundary, and whose corner is the anchor.
-/// Throws Error{no_valid_result} where the check fails. Cost: a sparse system of the cell's vertices, or two.
-PlaneCell flatten_cell(const CellMapInput& input, GeneratorId cell, const std::vector<FaceId>& faces);
+/// Returns Error{no_valid_result} where the check fails, or a run joins boundary and boundary. Cost: a sparse system of
+/// the cell's vertices, or up to three.
+OrError<PlaneCell> flatten_cell(const CellMapInput& input, GeneratorId cell, const std::vector<FaceId>& faces);
 
 /// The point of these faces that is nearest to a point in space. Faces that are turned away from `normal` count only if
 /// there are no others: opposite sheets of a thin part can share a vertex. Cost: O(k).

@@ -14,6 +14,7 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <variant>
 
 #include "base/least.hpp"
 #include "base/union_find.hpp"
@@ -25,8 +26,8 @@
 namespace gvd {
 namespace {
 
-[[noreturn]] void refuse_cell(GeneratorId cell, const char* what) {
-  throw Error(ErrorCode::no_valid_result, fmt::format("cell {} {}", cell.value(), what), cell.value());
+Error unusable(GeneratorId cell, const char* what) {
+  return {ErrorCode::no_valid_result, fmt::format("cell {} {}", cell.value(), what), cell.value()};
 }
 
 /// The least id that occurs twice, if any does.
@@ -42,13 +43,15 @@ class BorderTracer {
   BorderTracer(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label, std::size_t cells)
       : mesh_(mesh), label_(label), sizes_(cells), borders_(cells) {}
 
-  IdVector<GeneratorId, CellBorder> run() {
-    count_faces();
+  OrError<IdVector<GeneratorId, CellBorder>> run() {
+    if (auto error = count_faces()) return *std::move(error);
     count_vertices();
     for (const HalfedgeId h : mesh_.halfedges()) {
       if (is_border(h) && borders_[cell(h)].loop.empty()) trace(h);
     }
-    for (const GeneratorId g : borders_.ids()) check(g);
+    for (const GeneratorId g : borders_.ids()) {
+      if (const char* const obstacle = find_obstacle(g)) return unusable(g, obstacle);
+    }
     return std::move(borders_);
   }
 
@@ -63,12 +66,13 @@ class BorderTracer {
   GeneratorId other(HalfedgeId h) const { return mesh_.twin(h).valid() ? cell(mesh_.twin(h)) : GeneratorId(); }
   bool is_border(HalfedgeId h) const { return other(h) != cell(h); }
 
-  void count_faces() {
+  /// Returns an error where a face is in no cell.
+  std::optional<Error> count_faces() {
     UnionFind connected(label_.size());
     for (const FaceId f : mesh_.faces()) {
       const GeneratorId g = label_[f];
       if (!g.valid() || g.index() >= sizes_.size()) {
-        throw Error(ErrorCode::no_valid_result, fmt::format("face {} is in no cell", f.value()), f.value());
+        return Error(ErrorCode::no_valid_result, fmt::format("face {} is in no cell", f.value()), f.value());
       }
       ++sizes_[g].faces;
       for (const HalfedgeId h : Mesh::halfedges(f)) {
@@ -77,6 +81,7 @@ class BorderTracer {
       }
     }
     for (const FaceId f : mesh_.faces()) sizes_[label_[f]].components += connected.find(f.value()) == f.value();
+    return std::nullopt;
   }
 
   void count_vertices() {
@@ -124,9 +129,11 @@ class BorderTracer {
     if (first < loop.size()) std::rotate(loop.begin(), loop.begin() + first, loop.end());
   }
 
+  /// What is wrong with a cell; null if nothing is.
+  ///
   /// A connected surface whose boundary is one simple loop is a disc if its Euler characteristic is 1. Each face has
   /// three halfedges, and those of the loop have no twin: Euler's formula gives the number of faces.
-  void check(GeneratorId g) const {
+  const char* find_obstacle(GeneratorId g) const {
     const Size& size = sizes_[g];
     const CellBorder& border = borders_[g];
     const std::int64_t length = std::ssize(border.loop);
@@ -135,14 +142,14 @@ class BorderTracer {
     for (const HalfedgeId h : border.loop) vertices.push_back(mesh_.from(h));
     if (length == 0 || length != size.border_edges || size.components != 1 || size.faces != faces_of_disc ||
         find_repeated(std::move(vertices))) {
-      refuse_cell(g, "is no disc of whole triangles");
+      return "is no disc of whole triangles";
     }
     std::vector<GeneratorId> others;
     for (const BorderRun& run : border.runs) others.push_back(run.other);
     if (const auto twice = find_repeated(std::move(others))) {
-      refuse_cell(g, twice->valid() ? "touches a neighbour twice" : "touches the boundary twice");
+      return twice->valid() ? "touches a neighbour twice" : "touches the boundary twice";
     }
-    if (border.runs.size() < 2) refuse_cell(g, "has too few neighbours");
+    return border.runs.size() < 2 ? "has too few neighbours" : nullptr;
   }
 
   const Mesh& mesh_;
@@ -163,27 +170,31 @@ struct EdgeCut {
 
 class CellCutter {
  public:
-  CellCutter(const Mesh& surface, const RemeshResult& result, const Progress& progress)
-      : surface_(surface), generators_(result.generators) {
-    cells_.cut = cut_faces(surface, result.diagram, progress);
+  CellCutter(const Mesh& surface, const std::vector<SurfacePoint>& generators, CutMesh cut)
+      : surface_(surface), generators_(generators) {
+    cells_.cut = std::move(cut);
+    cells_.anchors.assign(generators_.size(), {});
   }
 
-  CellSurface run() {
-    trace();
-    cells_.anchors.assign(generators_.size(), {});
-    split_short_runs();
-    trace();
-    split_at_anchors();
-    trace();
-    split_chords();
-    trace();
+  OrError<CellSurface> run() {
+    if (auto error = trace()) return *std::move(error);
+    for (const auto split : {&CellCutter::split_short_runs, &CellCutter::split_at_anchors, &CellCutter::split_chords}) {
+      (this->*split)();
+      if (auto error = trace()) return *std::move(error);
+    }
     return std::move(cells_);
   }
 
  private:
   const Mesh& mesh() const { return cells_.cut.mesh; }
 
-  void trace() { cells_.borders = trace_cell_borders(mesh(), cells_.cut.label, generators_.size()); }
+  /// Returns an error where the borders are not those of discs.
+  std::optional<Error> trace() {
+    auto traced = trace_cell_borders(mesh(), cells_.cut.label, generators_.size());
+    if (Error* const error = std::get_if<Error>(&traced)) return std::move(*error);
+    cells_.borders = std::get<IdVector<GeneratorId, CellBorder>>(std::move(traced));
+    return std::nullopt;
+  }
 
   VertexId split(HalfedgeId h, double t) {
     const std::array<FaceId, 2> faces{Mesh::face(h), mesh().twin(h).valid() ? Mesh::face(mesh().twin(h)) : FaceId()};
@@ -290,13 +301,16 @@ std::vector<VertexId> run_vertices(const Mesh& mesh, const CellBorder& border, c
   return vertices;
 }
 
-IdVector<GeneratorId, CellBorder> trace_cell_borders(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label,
-                                                     std::size_t cells) {
+OrError<IdVector<GeneratorId, CellBorder>> trace_cell_borders(const Mesh& mesh,
+                                                              const IdVector<FaceId, GeneratorId>& label,
+                                                              std::size_t cells) {
   return BorderTracer(mesh, label, cells).run();
 }
 
-CellSurface cut_into_cells(const Mesh& surface, const RemeshResult& result, const Progress& progress) {
-  return CellCutter(surface, result, progress).run();
+OrError<CellSurface> cut_into_cells(const Mesh& surface, const RemeshResult& result, const Progress& progress) {
+  auto cut = try_to_cut_faces(surface, result.diagram, progress);
+  if (Error* const error = std::get_if<Error>(&cut)) return std::move(*error);
+  return CellCutter(surface, result.generators, std::get<CutMesh>(std::move(cut))).run();
 }
 
 }  // namespace gvd

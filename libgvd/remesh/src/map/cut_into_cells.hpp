@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "gvd/error.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/segment.hpp"
 
@@ -27,10 +28,11 @@ std::vector<VertexId> run_vertices(const Mesh& mesh, const CellBorder& border, c
 
 /// The borders of the cells of a mesh whose faces have labels from 0 to `cells` - 1.
 ///
-/// Throws Error{no_valid_result} where a face has no label, a cell is no disc or has one run only, or two cells share
+/// Returns Error{no_valid_result} where a face has no label, a cell is no disc or has one run only, or two cells share
 /// several runs. Cost: O(n), and O(k log k) for a cell with k neighbours.
-IdVector<GeneratorId, CellBorder> trace_cell_borders(const Mesh& mesh, const IdVector<FaceId, GeneratorId>& label,
-                                                     std::size_t cells);
+OrError<IdVector<GeneratorId, CellBorder>> trace_cell_borders(const Mesh& mesh,
+                                                              const IdVector<FaceId, GeneratorId>& label,
+                                                              std::size_t cells);
 
 /// A surface cut into the cells of its remesh, ready for a one-to-one map.
 ///
@@ -45,7 +47,7 @@ struct CellSurface {
 };
 
 /// Cuts along the bisectors, and splits edges for properties (2) to (4).
-/// Throws Error{no_valid_result} where the cells are no discs, and what cut_faces throws. Cost: O(n log n).
-CellSurface cut_into_cells(const Mesh& surface, const RemeshResult& result, const Progress& progress = {});
+/// Returns Error{no_valid_result} where the cells are no discs, and that of try_to_cut_faces. Cost: O(n log n).
+OrError<CellSurface> cut_into_cells(const Mesh& surface, const RemeshResult& result, const Progress& progress = {});
 
 }  // namespace gvd

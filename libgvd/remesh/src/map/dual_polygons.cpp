@@ -26,11 +26,6 @@ namespace {
 /// centre near a side would squeeze the parts of the cells there.
 constexpr double kLeastOfCentre = 0.08;
 
-[[noreturn]] void refuse_cells_at(VertexId at, const char* what) {
-  throw Error(ErrorCode::no_valid_result,
-              fmt::format("the cells round vertex {} of the cut surface {}", at.value(), what), at.value());
-}
-
 /// The labels round v, counter-clockwise, without repetitions; from boundary to boundary where v is on it.
 std::vector<GeneratorId> cells_round(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label, VertexId v) {
   std::vector<GeneratorId> cells;
@@ -75,23 +70,28 @@ SurfacePoint DualPolygon::on_remesh(const Vec2& point) const {
   return make_surface_point(inside.value.face, inside.value.bary);
 }
 
-DualPolygons::DualPolygons(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label, const Mesh& remesh)
-    : remesh_(remesh), number_(cut.vertex_count(), -1), is_used_(remesh.face_count(), 0) {
+OrError<DualPolygons> DualPolygons::try_to_build(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label,
+                                                 const Mesh& remesh) {
+  DualPolygons polygons(cut.vertex_count(), remesh);
   for (const VertexId v : cut.vertices()) {
     std::vector<GeneratorId> cells = cells_round(cut, label, v);
-    if (cells.size() >= 3) add(cut, v, std::move(cells));
+    if (cells.size() < 3) continue;
+    if (const char* const obstacle = polygons.add(cut, v, std::move(cells))) {
+      return Error(ErrorCode::no_valid_result,
+                   fmt::format("the cells round vertex {} of the cut surface {}", v.value(), obstacle), v.value());
+    }
   }
-  const auto unused = std::find(is_used_.begin(), is_used_.end(), 0);
-  if (unused == is_used_.end()) return;
-  const std::int64_t f = unused - is_used_.begin();
-  throw Error(ErrorCode::no_valid_result,
-              fmt::format("face {} of the remesh stands for no point of the cut surface", f), f);
+  const auto& is_used = polygons.is_used_;
+  const std::int64_t unused = std::find(is_used.begin(), is_used.end(), 0) - is_used.begin();
+  if (unused == std::ssize(is_used)) return polygons;
+  return Error(ErrorCode::no_valid_result,
+               fmt::format("face {} of the remesh stands for no point of the cut surface", unused), unused);
 }
 
-void DualPolygons::add(const Mesh& cut, VertexId v, std::vector<GeneratorId> cells) {
+const char* DualPolygons::add(const Mesh& cut, VertexId v, std::vector<GeneratorId> cells) {
   DualPolygon polygon{std::move(cells), {}, Vec2::Zero(), {}};
   polygon.crossings.assign(polygon.cells.size(), 0.5);
-  fill(polygon, v);
+  if (const char* const obstacle = fill(polygon)) return obstacle;
   if (cut.is_boundary(v)) {
     polygon.centre = polygon.crossing(polygon.cells.size() - 1);
   } else if (polygon.cells.size() == 3) {
@@ -99,19 +99,20 @@ void DualPolygons::add(const Mesh& cut, VertexId v, std::vector<GeneratorId> cel
   }
   number_[v] = static_cast<std::int32_t>(polygons_.size());
   polygons_.push_back(std::move(polygon));
+  return nullptr;
 }
 
 /// Fills a polygon with the faces of the remesh, from the side between the last corner and the first one, which
 /// determines one triangle, across its other two sides.
-void DualPolygons::fill(DualPolygon& polygon, VertexId at) {
+const char* DualPolygons::fill(DualPolygon& polygon) {
   std::vector<std::pair<std::size_t, std::size_t>> chains{{0, polygon.cells.size() - 1}};
   while (!chains.empty()) {
     const auto [first, last] = chains.back();
     chains.pop_back();
-    const HalfedgeId side = find_halfedge(polygon.cells[last], polygon.cells[first], at);
+    const HalfedgeId side = find_halfedge(polygon.cells[last], polygon.cells[first]);
+    if (!side.valid()) return "are not joined by edges of the remesh";
     const std::size_t apex = polygon.find(GeneratorId(remesh_.opposite(side).value()));
-    if (apex <= first || apex >= last || is_used_[Mesh::face(side)])
-      refuse_cells_at(at, "are not those of faces of the remesh");
+    if (apex <= first || apex >= last || is_used_[Mesh::face(side)]) return "are not those of faces of the remesh";
     is_used_[Mesh::face(side)] = 1;
     DualPolygon::Triangle triangle{Mesh::face(side), {}};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -121,14 +122,14 @@ void DualPolygons::fill(DualPolygon& polygon, VertexId at) {
     if (apex > first + 1) chains.emplace_back(first, apex);
     if (last > apex + 1) chains.emplace_back(apex, last);
   }
+  return nullptr;
 }
 
-HalfedgeId DualPolygons::find_halfedge(GeneratorId from, GeneratorId to, VertexId at) const {
+HalfedgeId DualPolygons::find_halfedge(GeneratorId from, GeneratorId to) const {
   HalfedgeId found;
   for_each_outgoing(remesh_, VertexId(from.value()), [&](HalfedgeId h) {
     if (remesh_.to(h).value() == to.value()) found = h;
   });
-  if (!found.valid()) refuse_cells_at(at, "are not joined by edges of the remesh");
   return found;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/plane.hpp"
+#include "gvd/error.hpp"
 #include "gvd/remesh.hpp"
 
 namespace gvd {
@@ -42,9 +43,10 @@ struct DualPolygon {
 class DualPolygons {
  public:
   /// Vertex i of `remesh` stands for the cell with label i. Refers to `remesh`, which must outlive it.
-  /// Throws Error{no_valid_result} unless every face of the remesh belongs to exactly one polygon.
+  /// Returns Error{no_valid_result} unless every face of the remesh belongs to exactly one polygon.
   /// Cost: O(n), and O(k^2) for k cells round a vertex.
-  DualPolygons(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label, const Mesh& remesh);
+  static OrError<DualPolygons> try_to_build(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label,
+                                            const Mesh& remesh);
 
   /// Null where fewer than three cells meet.
   const DualPolygon* at(VertexId v) const { return number_[v] < 0 ? nullptr : &polygons_[number_[v]]; }
@@ -60,9 +62,14 @@ class DualPolygons {
   const Mesh& remesh() const { return remesh_; }
 
  private:
-  void add(const Mesh& cut, VertexId v, std::vector<GeneratorId> cells);
-  void fill(DualPolygon& polygon, VertexId at);
-  HalfedgeId find_halfedge(GeneratorId from, GeneratorId to, VertexId at) const;
+  DualPolygons(std::int32_t vertices, const Mesh& remesh)
+      : remesh_(remesh), number_(vertices, -1), is_used_(remesh.face_count(), 0) {}
+
+  /// Adds the polygon of vertex v. Returns what is wrong with its cells; null if nothing is.
+  const char* add(const Mesh& cut, VertexId v, std::vector<GeneratorId> cells);
+  const char* fill(DualPolygon& polygon);
+  /// Invalid if there is none.
+  HalfedgeId find_halfedge(GeneratorId from, GeneratorId to) const;
 
   const Mesh& remesh_;
   std::vector<DualPolygon> polygons_;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "base/parallel_chunks.hpp"
 #include "gvd/error.hpp"
@@ -25,77 +27,83 @@ namespace {
 /// Faces of a chunk of cells: their systems take milliseconds.
 constexpr std::size_t kMapFacesPerChunk = 2048;
 
-struct Image {
-  VertexId vertex;  ///< of the surface
-  SurfacePoint point;
-};
-
-struct CellPoints {
+/// Where a cell takes vertices of the surface, and what it takes to its own vertex of the remesh.
+struct CellImages {
   SurfacePoint origin;
-  std::vector<Image> images;
+  std::vector<std::pair<VertexId, SurfacePoint>> points;
 };
 
-/// Maps cell by cell. Throws Error{no_valid_result} where a condition of the proof does not hold, with the first one
-/// that fails. Deterministic, for every number of threads.
-class OneToOneMapper {
- public:
-  OneToOneMapper(const Mesh& surface, const RemeshResult& result, const Progress& progress)
-      : dual_(result.mesh.positions(), undo_flips(result.mesh.face_vertices(), result.flips)),
-        flips_(dual_, result.mesh, result.flips),
-        cells_(cut_into_cells(surface, result, progress)),
-        polygons_(cells_.cut.mesh, cells_.cut.label, dual_),
-        input_{surface, result, cells_, polygons_},
-        faces_(result.generators.size()) {
-    place_crossings(cells_, polygons_);
-    for (const FaceId f : cells_.cut.label.ids()) faces_[cells_.cut.label[f]].push_back(f);
+/// Vertices between two cells are on both borders; there, they have the same point.
+CellImages list_images(const CellMapInput& input, const PlaneCell& plane) {
+  const auto is_of_surface = [&](VertexId v) { return v.value() < input.surface.vertex_count(); };
+  CellImages images{plane.origin, {}};
+  for (std::size_t i = 0; i < plane.disc.vertices.size(); ++i) {
+    const VertexId v = plane.disc.vertices[i];
+    if (is_of_surface(v)) images.points.emplace_back(v, plane.image(plane.disc.points[i]));
   }
-
-  /// The map without the measurements of its images.
-  RemeshMap run(int threads, const Progress& progress) const {
-    const ParallelChunks parallel(threads, progress);
-    const auto chunks =
-        cut_by_work(faces_.size(), kMapFacesPerChunk, [&](std::size_t i) { return faces_.raw()[i].size(); });
-    const std::vector<CellPoints> cells = parallel.collect(chunks, {"map"}, [&](const Chunk& chunk) {
-      std::vector<CellPoints> found;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) found.push_back(map_cell(GeneratorId(i)));
-      return found;
-    });
-    RemeshMap map;
-    map.one_to_one = true;
-    map.points.resize(input_.surface.vertex_count());
-    for (const CellPoints& cell : cells) {
-      map.origins.push_back(cell.origin);
-      for (const Image& image : cell.images) map.points[image.vertex] = flips_.follow(image.point);
-    }
-    return map;
+  for (const BorderTarget& t : plane.targets) {
+    const VertexId v = input.cells.cut.mesh.from(t.halfedge);
+    if (is_of_surface(v)) images.points.emplace_back(v, t.polygon->on_remesh(t.from));
   }
-
- private:
-  /// Vertices between two cells are on both borders; there, they have the same point.
-  CellPoints map_cell(GeneratorId g) const {
-    const PlaneCell plane = flatten_cell(input_, g, faces_[g]);
-    CellPoints cell{plane.origin, {}};
-    for (std::size_t i = 0; i < plane.disc.vertices.size(); ++i) {
-      const VertexId v = plane.disc.vertices[i];
-      if (v.value() < input_.surface.vertex_count()) cell.images.push_back({v, plane.image(plane.disc.points[i])});
-    }
-    for (const BorderTarget& t : plane.targets) {
-      const VertexId v = cells_.cut.mesh.from(t.halfedge);
-      if (v.value() < input_.surface.vertex_count()) cell.images.push_back({v, t.polygon->on_remesh(t.from)});
-    }
-    if (plane.origin.kind() == SurfacePoint::Kind::vertex) {
-      cell.images.push_back({vertex(input_.surface, plane.origin), vertex_point(dual_, plane.vertex)});
-    }
-    return cell;
+  if (plane.origin.kind() == SurfacePoint::Kind::vertex) {
+    images.points.emplace_back(vertex(input.surface, plane.origin),
+                               vertex_point(input.polygons.remesh(), plane.vertex));
   }
+  return images;
+}
 
-  Mesh dual_;
-  FlipFollower flips_;
-  CellSurface cells_;
-  DualPolygons polygons_;
-  CellMapInput input_;
-  IdVector<GeneratorId, std::vector<FaceId>> faces_;
-};
+/// Flattens all cells in parallel. Returns the first error of a cell.
+OrError<std::vector<CellImages>> map_cells(const CellMapInput& input, int threads, const Progress& progress) {
+  const auto& label = input.cells.cut.label;
+  IdVector<GeneratorId, std::vector<FaceId>> faces(input.result.generators.size());
+  for (const FaceId f : label.ids()) faces[label[f]].push_back(f);
+  const ParallelChunks parallel(threads, progress);
+  const auto chunks =
+      cut_by_work(faces.size(), kMapFacesPerChunk, [&](std::size_t i) { return faces.raw()[i].size(); });
+  const auto mapped = parallel.collect(chunks, {"map"}, [&](const Chunk& chunk) {
+    std::vector<OrError<CellImages>> found;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      auto plane = flatten_cell(input, GeneratorId(i), faces[GeneratorId(i)]);
+      if (Error* const error = std::get_if<Error>(&plane)) {
+        found.emplace_back(std::move(*error));
+        break;
+      }
+      found.emplace_back(list_images(input, std::get<PlaneCell>(plane)));
+    }
+    return found;
+  });
+  std::vector<CellImages> images;
+  for (const OrError<CellImages>& cell : mapped) {
+    if (const Error* const error = std::get_if<Error>(&cell)) return *error;
+    images.push_back(std::get<CellImages>(cell));
+  }
+  return images;
+}
+
+/// The map without the measurements of its images. Returns Error{no_valid_result} where a condition of the proof does
+/// not hold, with the first one that fails. Deterministic, for every number of threads.
+OrError<RemeshMap> map_one_to_one(const Mesh& surface, const RemeshResult& result, int threads,
+                                  const Progress& progress) {
+  auto cut = cut_into_cells(surface, result, progress);
+  if (Error* const error = std::get_if<Error>(&cut)) return std::move(*error);
+  const auto& cells = std::get<CellSurface>(cut);
+  const Mesh dual(result.mesh.positions(), undo_flips(result.mesh.face_vertices(), result.flips));
+  auto built = DualPolygons::try_to_build(cells.cut.mesh, cells.cut.label, dual);
+  if (Error* const error = std::get_if<Error>(&built)) return std::move(*error);
+  auto& polygons = std::get<DualPolygons>(built);
+  place_crossings(cells, polygons);
+  auto mapped = map_cells({surface, result, cells, polygons}, threads, progress);
+  if (Error* const error = std::get_if<Error>(&mapped)) return std::move(*error);
+  const FlipFollower flips(dual, result.mesh, result.flips);
+  RemeshMap map;
+  map.one_to_one = true;
+  map.points.resize(surface.vertex_count());
+  for (const CellImages& cell : std::get<std::vector<CellImages>>(mapped)) {
+    map.origins.push_back(cell.origin);
+    for (const auto& [vertex, point] : cell.points) map.points[vertex] = flips.follow(point);
+  }
+  return map;
+}
 
 /// An image has no area unless twice its area exceeds this fraction of its longest edge squared. It is above the
 /// rounding of the corners of images that are a millionth of the mesh in size.
@@ -134,21 +142,17 @@ RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int thr
       std::ssize(result.generators) != result.mesh.vertex_count()) {
     throw Error(ErrorCode::precondition, "the remesh is not one of this surface");
   }
+  OrError<RemeshMap> one_to_one =
+      result.decimated.components > 0
+          ? Error(ErrorCode::no_valid_result, "a connected part is decimated, and not the dual of its cells")
+          : map_one_to_one(surface, result, threads, progress);
   RemeshMap map;
-  const auto map_to_nearest = [&](const std::string& obstacle) {
-    map.obstacle = obstacle;
+  if (const Error* const obstacle = std::get_if<Error>(&one_to_one)) {
+    map.obstacle = obstacle->what();
     map.points = nearest_points(surface, result, threads, progress);
     map.origins = IdVector<VertexId, SurfacePoint>(result.generators);
-  };
-  if (result.decimated.components > 0) {
-    map_to_nearest("a connected part is decimated, and not the dual of its cells");
   } else {
-    try {
-      map = OneToOneMapper(surface, result, progress).run(threads, progress);
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::no_valid_result) throw;
-      map_to_nearest(error.what());
-    }
+    map = std::get<RemeshMap>(std::move(one_to_one));
   }
   measure_images(surface, result.mesh, map);
   return map;

@@ -174,10 +174,10 @@ std::vector<HalfedgeId> prune_leaves(std::size_t faces, const std::vector<DualLi
   return remaining;
 }
 
-CellLoops::CellLoops(const Mesh& mesh, const Diagram& diagram)
+CellLoops::CellLoops(const Mesh& mesh, const Diagram& diagram, CutMesh cut)
     : mesh_(mesh),
       diagram_(diagram),
-      cut_(cut_faces(mesh, diagram)),
+      cut_(std::move(cut)),
       tree_(cut_),
       by_label_(cut_.mesh.faces().begin(), cut_.mesh.faces().end()),
       face_node_(by_label_.size(), -1) {

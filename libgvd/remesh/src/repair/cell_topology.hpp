@@ -95,8 +95,8 @@ std::vector<HalfedgeId> prune_leaves(std::size_t faces, const std::vector<DualLi
 /// It works on the mesh cut along the bisectors, where every cell consists of whole faces.
 class CellLoops {
  public:
-  /// Throws what cut_faces throws. Cost: O(n log n).
-  CellLoops(const Mesh& mesh, const Diagram& diagram);
+  /// `cut`: the mesh, cut along the diagram's bisectors. Cost: O(n log n).
+  CellLoops(const Mesh& mesh, const Diagram& diagram, CutMesh cut);
   CellLoops(const CellLoops&) = delete;
   CellLoops& operator=(const CellLoops&) = delete;
 

@@ -6,9 +6,13 @@
 //
 #include "repair/local_dual.hpp"
 
+#include <algorithm>
+#include <utility>
+#include <variant>
+
 #include "diagram/cell_parts.hpp"
+#include "diagram/diagram_windows.hpp"
 #include "dual/dual_defects.hpp"
-#include "gvd/error.hpp"
 
 namespace gvd {
 
@@ -79,13 +83,10 @@ LocalDual::LocalDual(const Mesh& mesh, const Diagram& diagram, CellFlags stays, 
 std::optional<LocalDual::Result> LocalDual::compute(const std::vector<SurfacePoint>& added) const {
   std::vector<SurfacePoint> generators;
   if (!add_generators(added, generators)) return std::nullopt;
+  auto computed = try_to_compute_diagram(part_.mesh, generators, options_);
+  if (std::holds_alternative<Error>(computed)) return std::nullopt;  // a point coincides with a generator
   Result result;
-  try {
-    result.diagram = compute_diagram(part_.mesh, generators, options_);
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::precondition) throw;
-    return std::nullopt;
-  }
+  result.diagram = std::get<Diagram>(std::move(computed));
   result.inner = find_inner_cells(result.diagram);
   for (std::size_t i = kept_.size(); i < generators.size(); ++i) {
     if (!result.inner[GeneratorId(i)]) return std::nullopt;

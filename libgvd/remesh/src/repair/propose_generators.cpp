@@ -9,11 +9,12 @@
 
 #include <limits>
 #include <set>
+#include <utility>
+#include <variant>
 
 #include "base/least.hpp"
 #include "diagram/bisector_length.hpp"
 #include "diagram/cell_parts.hpp"
-#include "gvd/error.hpp"
 #include "repair/added_generators.hpp"
 #include "repair/local_dual.hpp"
 
@@ -150,12 +151,9 @@ class DefectRepair {
   /// the same ends.
   bool cut() {
     if (loops_ || !can_cut_) return can_cut_;
-    try {
-      loops_.emplace(mesh_, diagram_);
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::no_valid_result) throw;
-      can_cut_ = false;
-    }
+    auto cut = try_to_cut_faces(mesh_, diagram_);
+    can_cut_ = std::holds_alternative<CutMesh>(cut);
+    if (can_cut_) loops_.emplace(mesh_, diagram_, std::get<CutMesh>(std::move(cut)));
     return can_cut_;
   }
 

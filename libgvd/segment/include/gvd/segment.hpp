@@ -86,6 +86,9 @@ struct CutMesh {
 /// manifold, Error{interrupted} if `progress` cancels. Cost: O(n log n), and O(k^2) in a face with k corners of pieces.
 CutMesh cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& progress = {});
 
+/// The same, and the Error{no_valid_result} is returned.
+OrError<CutMesh> try_to_cut_faces(const Mesh& mesh, const Diagram& diagram, const Progress& progress = {});
+
 /// Labels and distances of the vertices of a cut mesh.
 struct CutVertices {
   IdVector<VertexId, GeneratorId> label;  ///< a nearest generator; invalid if none reaches the vertex

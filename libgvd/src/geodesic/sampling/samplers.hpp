@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "gvd/error.hpp"
 #include "gvd/ids.hpp"
 #include "gvd/mesh.hpp"
 #include "gvd/sampling.hpp"
@@ -23,6 +24,9 @@ inline constexpr std::size_t kSweepStride = 1 << 12;
 /// Edges longer than this many even spacings are split before sampling: then a generator fits between their ends, and
 /// a face holds only a few candidates.
 inline constexpr double kMaxEdgeSpacings = 2;
+
+/// Points, or why the surface has no room for as many.
+using SampledPoints = OrError<std::vector<SurfacePoint>>;
 
 /// Random numbers that are the same on every platform. The C++ standard specifies the output of the engine, but not
 /// that of the distributions.
@@ -67,14 +71,14 @@ double require_area(const Mesh& mesh);
 std::vector<VertexId> draw_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed);
 
 /// Draws `count` points inside faces, uniformly by area, no two of which are closer than kMinSampleSpacing.
-/// Throws Error{precondition} if the area is 0 or not finite, or if no such points were found.
-std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, const SamplingOptions& options);
+/// Throws Error{precondition} if the area is 0 or not finite.
+SampledPoints sample_random(const Mesh& mesh, std::int64_t count, const SamplingOptions& options);
 
 /// Sampling::poisson: `count` points with blue-noise spacing. The caller has checked the options.
-std::vector<SurfacePoint> sample_poisson(const Mesh& mesh, const SamplingOptions& options);
+SampledPoints sample_poisson(const Mesh& mesh, const SamplingOptions& options);
 
 /// Sampling::farthest: `count` vertices, each the farthest from all before it. The caller has checked the options.
-std::vector<SurfacePoint> sample_farthest(const Mesh& mesh, const SamplingOptions& options);
+SampledPoints sample_farthest(const Mesh& mesh, const SamplingOptions& options);
 
 /// Sampling::covering_radius: farthest vertices until no point is farther than `radius` from its nearest generator.
 /// The caller has checked the options.

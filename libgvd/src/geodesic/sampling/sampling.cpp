@@ -37,12 +37,6 @@ void check_options(const Mesh& mesh, const SamplingOptions& options) {
     throw Error(ErrorCode::invalid_option,
                 fmt::format("the number of generators is {}; ask for at least 1", options.count));
   }
-  // The working mesh adds a vertex for each generator.
-  const std::int64_t maximum = std::int64_t{kMaxSamplingVertices} + mesh.vertex_count();
-  if (options.count > maximum) {
-    throw Error(ErrorCode::precondition,
-                fmt::format("{} generators were asked for; on this mesh, ask for at most {}", options.count, maximum));
-  }
 }
 
 /// Points closer than kMinSampleSpacing to others are drawn again, at most this often. Usually no point has to be.
@@ -73,10 +67,10 @@ std::vector<std::size_t> find_too_close(const std::vector<Vec3>& positions, doub
   return too_close;
 }
 
-/// Vertices of `draw_vertices` as surface points. Throws Error{precondition} if the mesh has fewer vertices.
-std::vector<SurfacePoint> sample_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed) {
+/// Vertices of `draw_vertices` as surface points.
+SampledPoints sample_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed) {
   if (count > mesh.vertex_count()) {
-    throw Error(
+    return Error(
         ErrorCode::precondition,
         fmt::format("{} different vertices were asked for, but the mesh has {}; ask for fewer, or take random points",
                     count, mesh.vertex_count()));
@@ -89,7 +83,17 @@ std::vector<SurfacePoint> sample_vertices(const Mesh& mesh, std::int64_t count, 
 }  // namespace
 
 std::vector<SurfacePoint> sample_generators(const Mesh& mesh, const SamplingOptions& options) {
+  return value_or_throw(try_to_sample_generators(mesh, options));
+}
+
+SampledPoints try_to_sample_generators(const Mesh& mesh, const SamplingOptions& options) {
   check_options(mesh, options);
+  // The working mesh adds a vertex for each generator.
+  const std::int64_t maximum = std::int64_t{kMaxSamplingVertices} + mesh.vertex_count();
+  if (options.kind != Sampling::covering_radius && options.count > maximum) {
+    return Error(ErrorCode::precondition,
+                 fmt::format("{} generators were asked for; on this mesh, ask for at most {}", options.count, maximum));
+  }
   report_progress(options.progress, "sampling", 0);
   switch (options.kind) {
     case Sampling::farthest:
@@ -103,7 +107,7 @@ std::vector<SurfacePoint> sample_generators(const Mesh& mesh, const SamplingOpti
     case Sampling::covering_radius:
       return sample_covering(mesh, options);
   }
-  return {};
+  return SampledPoints();
 }
 
 double even_spacing(double area, std::int64_t count) {
@@ -115,7 +119,7 @@ double even_count(double area, double spacing) {
   return std::max(1.0, std::round(2 * area / (std::numbers::sqrt3 * spacing * spacing)));
 }
 
-std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, const SamplingOptions& options) {
+SampledPoints sample_random(const Mesh& mesh, std::int64_t count, const SamplingOptions& options) {
   require_area(mesh);
   const AreaSampler sampler(mesh, list_faces(mesh));
   SeededRandom random(options.seed);
@@ -132,10 +136,10 @@ std::vector<SurfacePoint> sample_random(const Mesh& mesh, std::int64_t count, co
     if (too_close.empty()) return points;
     for (const std::size_t i : too_close) draw(i);
   }
-  throw Error(ErrorCode::precondition,
-              fmt::format("the surface is too small compared with its bounding box for {} different "
-                          "points; ask for fewer, or remove far parts",
-                          count));
+  return Error(ErrorCode::precondition,
+               fmt::format("the surface is too small compared with its bounding box for {} different "
+                           "points; ask for fewer, or remove far parts",
+                           count));
 }
 
 std::vector<VertexId> draw_vertices(const Mesh& mesh, std::int64_t count, std::uint64_t seed) {

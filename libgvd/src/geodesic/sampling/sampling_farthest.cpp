@@ -241,7 +241,7 @@ class FarthestSampler {
 
 }  // namespace
 
-std::vector<SurfacePoint> sample_farthest(const Mesh& mesh, const SamplingOptions& options) {
+SampledPoints sample_farthest(const Mesh& mesh, const SamplingOptions& options) {
   const double area = compute_area(mesh);
   const double longest = area > 0 ? kMaxEdgeSpacings * even_spacing(area, options.count) : kInfinity;
   std::int64_t least = options.count;
@@ -251,8 +251,8 @@ std::vector<SurfacePoint> sample_farthest(const Mesh& mesh, const SamplingOption
     auto points = FarthestSampler(split, options).sample();
     if (std::ssize(points) == options.count) return points;
   }
-  throw Error(ErrorCode::precondition, fmt::format("the surface has no room for {}; ask for fewer",
-                                                   counted(options.count, "generator", "different generators")));
+  return Error(ErrorCode::precondition, fmt::format("the surface has no room for {}; ask for fewer",
+                                                    counted(options.count, "generator", "different generators")));
 }
 
 std::vector<SurfacePoint> sample_covering(const Mesh& mesh, const SamplingOptions& options) {

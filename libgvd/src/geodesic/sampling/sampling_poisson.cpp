@@ -110,15 +110,17 @@ std::vector<char> eliminate(const std::vector<std::vector<Neighbour>>& neighbour
 
 }  // namespace
 
-std::vector<SurfacePoint> sample_poisson(const Mesh& mesh, const SamplingOptions& options) {
+SampledPoints sample_poisson(const Mesh& mesh, const SamplingOptions& options) {
   if (options.count > kMaxSamplingVertices) {
-    throw Error(ErrorCode::precondition,
-                fmt::format("poisson sampling gives at most {} generators; ask for fewer, or for random ones",
-                            kMaxSamplingVertices));
+    return Error(ErrorCode::precondition,
+                 fmt::format("poisson sampling gives at most {} generators; ask for fewer, or for random ones",
+                             kMaxSamplingVertices));
   }
   const double longest = kMaxEdgeSpacings * even_spacing(require_area(mesh), options.count);
   const SamplingMesh split(mesh, {longest, 0, max_splits(mesh, options.count)}, options.progress);
-  const auto candidates = sample_random(split.mesh(), kCandidates * options.count, options);
+  const SampledPoints sampled = sample_random(split.mesh(), kCandidates * options.count, options);
+  if (const Error* const error = std::get_if<Error>(&sampled)) return *error;
+  const auto& candidates = std::get<std::vector<SurfacePoint>>(sampled);
   const auto kept = eliminate(find_neighbours(split.mesh(), candidates, options), options.count, options.progress);
   std::vector<SurfacePoint> points;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
